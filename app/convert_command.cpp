@@ -1,0 +1,28 @@
+// sphereview convert: one scene from one format to another.
+#include <cstdio>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+
+namespace sphereview {
+
+ExitCode run_convert(const ConvertOptions& options) {
+    const std::string input = options.input == standard_stream ? "" : file_identity(options.input);
+    if (!input.empty() && input == file_identity(options.output)) {
+        throw InputError(options.output + ": the output is also the input");
+    }
+    check_output(options.output);
+
+    const InputFile file(options.input);
+    const Scene scene = parse_scene(file.bytes(), file.name());
+    const SceneFormat format = options.to ? *options.to : format_of_name(options.output);
+    if (const std::string lost = lost_in(scene, format); !lost.empty()) {
+        std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", file.name().c_str(), lost.c_str());
+    }
+    write_output(options.output, write_scene(scene, format));
+    return ExitCode::done;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,38 @@
+// The program's entry and its only catch-all: errors become one line on stderr and the documented exit status.
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <variant>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "app/failure.hpp"
+#include "base/interrupt.hpp"
+#include "base/output_file.hpp"
+#include "base/input_file.hpp"
+
+namespace {
+
+using namespace sphereview;
+
+ExitCode run(const RenderOptions& options) { return run_render(options); }
+ExitCode run(const ConvertOptions& options) { return run_convert(options); }
+ExitCode run(const DoctorOptions& options) { return run_doctor(options); }
+ExitCode run(const PrintText& command) {
+    write_output(std::string(standard_stream), command.text);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    install_interrupt_handlers();
+    try {
+        const Command command = parse_command_line(argc, argv);
+        return static_cast<int>(std::visit([](const auto& options) { return run(options); }, command));
+    } catch (...) {
+        const Failure failure = describe_current_exception();
+        std::fprintf(stderr, "%s\n", failure.message.c_str());
+        return static_cast<int>(failure.code);
+    }
+}

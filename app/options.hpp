@@ -1,0 +1,48 @@
+// What the command line asks for.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/backend.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_format.hpp"
+
+namespace sphereview {
+
+struct RenderOptions {
+    std::vector<std::string> scenes;    // paths, or "-"
+    std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
+    PictureSize size;
+    std::optional<Background> background;  // instead of the scene's own
+    Backend backend = Backend::automatic;
+    std::optional<int> device;          // an EGL device
+    std::optional<std::string> expect;  // a golden image, may hold {name}
+    std::optional<std::string> diff;    // where the picture of the difference goes, may hold {name}
+    bool timings = false;
+    bool json = false;
+    bool verbose = false;
+};
+
+struct ConvertOptions {
+    std::string input;
+    std::string output;
+    std::optional<SceneFormat> to;  // by the output's name when not given
+};
+
+struct DoctorOptions {
+    bool json = false;
+    double timeout_seconds = 20.0;  // for each probe
+    std::string probe;              // hidden: probe only this, in this process ("egl 0", "osmesa", "cpu")
+};
+
+// A text to print, then done: --help, --version.
+struct PrintText {
+    std::string text;
+};
+
+using Command = std::variant<RenderOptions, ConvertOptions, DoctorOptions, PrintText>;
+
+}  // namespace sphereview

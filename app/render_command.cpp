@@ -1,0 +1,135 @@
+// sphereview render: scenes in, PNG files out.
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/failure.hpp"
+#include "app/render_picture.hpp"
+#include "app/render_plan.hpp"
+#include "app/render_report.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "image/compare.hpp"
+#include "image/png.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Renders one scene after the other; opens the backend when the first needs it and keeps it.
+class Batch {
+public:
+    Batch(const RenderOptions& options, std::size_t scenes) : options_(options), scenes_(scenes) {}
+
+    // Does one job and tells the person; never throws for what concerns this job alone.
+    ExitCode run(const RenderJob& job) {
+        ++started_;
+        RenderReport report;
+        report.job = job;
+        report.size = options_.size;
+        try {
+            work(job, report);
+        } catch (...) {
+            const Failure failure = describe_current_exception();
+            report.status = failure.code;
+            report.error = failure.message;
+        }
+        progress_.clear();
+        print(report, options_);
+        return report.status;
+    }
+
+private:
+    void work(const RenderJob& job, RenderReport& report) {
+        if (job.output) check_output(*job.output);
+        if (job.diff) check_output(*job.diff);
+        std::optional<Image> golden;
+        if (job.expect) golden = read_golden(*job.expect);
+        const Scene scene = read_scene(job.scene, report);
+        report.spheres = scene.spheres.size();
+
+        const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
+        progress_.start(job.name + order);
+        OpenBackend& backend = backend_for(scene, report);
+        report.backend = name_of(backend.backend);
+        report.renderer = backend.description;
+        const Background background = options_.background.value_or(scene.background);
+        const Image picture = render_picture(backend, scene, background, options_.size, report.timings, progress_);
+
+        if (job.output) write_png(picture, *job.output, report.timings);
+        if (golden) check(picture, *golden, job, report);
+    }
+
+    static Image read_golden(const std::string& path) {
+        const InputFile file(path);
+        return decode_png(file.bytes(), file.name());
+    }
+
+    static Scene read_scene(const std::string& path, RenderReport& report) {
+        const PhaseTimer timer(report.timings, Phase::read);
+        const InputFile file(path);
+        return parse_scene(file.bytes(), file.name());
+    }
+
+    OpenBackend& backend_for(const Scene& scene, RenderReport& report) {
+        if (!backend_) backend_ = open_backend(options_.backend, options_.device, report.timings);
+        report.passed_over = backend_->passed_over;
+        const std::size_t drawn = count_drawn(scene);
+        const bool too_many = backend_->gpu && drawn > static_cast<std::size_t>(backend_->gpu->sphere_capacity());
+        if (options_.backend != Backend::automatic || !too_many) return *backend_;
+        report.passed_over.push_back(backend_->description + ": its uniform buffer holds " +
+                                     std::to_string(backend_->gpu->sphere_capacity()) + " spheres, the scene has " +
+                                     std::to_string(drawn));
+        return cpu_;
+    }
+
+    static void write_png(const Image& picture, const std::string& path, Timings& timings) {
+        const std::string png = [&] {
+            const PhaseTimer timer(timings, Phase::encode);
+            return encode_png(picture);
+        }();
+        const PhaseTimer timer(timings, Phase::write);
+        write_output(path, png);
+    }
+
+    static void check(const Image& picture, const Image& golden, const RenderJob& job, RenderReport& report) {
+        const Comparison comparison = compare(picture, golden);
+        report.comparison = comparison;
+        if (!comparison.equal()) {
+            report.status = ExitCode::differs;
+            report.error = job.scene + ": differs from " + *job.expect + ": " + describe(comparison, picture, golden);
+        }
+        if (job.diff) write_output(*job.diff, encode_png(difference_picture(picture, golden)));
+    }
+
+    const RenderOptions& options_;
+    std::size_t scenes_;
+    std::size_t started_ = 0;
+    std::optional<OpenBackend> backend_;
+    OpenBackend cpu_;
+    Progress progress_{true};
+};
+
+}  // namespace
+
+ExitCode run_render(const RenderOptions& options) {
+    const std::vector<RenderJob> jobs = plan_render(options);
+    Batch batch(options, jobs.size());
+    ExitCode worst = ExitCode::done;
+    std::vector<std::string> failed;
+    for (const RenderJob& job : jobs) {
+        const ExitCode status = batch.run(job);
+        if (status != ExitCode::done) failed.push_back(job.scene);
+        worst = std::max(worst, status);
+    }
+    if (jobs.size() > 1 && !failed.empty()) {
+        std::string summary = std::to_string(failed.size()) + " of " + std::to_string(jobs.size()) + " scenes failed:";
+        for (const std::string& scene : failed) summary += " " + scene;
+        std::fprintf(stderr, "sphereview: %s\n", summary.c_str());
+    }
+    return worst;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,94 @@
+#include "app/render_plan.hpp"
+
+#include <filesystem>
+#include <map>
+
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+
+namespace sphereview {
+
+namespace {
+
+std::string fill_in(std::string pattern, const std::string& name) {
+    constexpr std::string_view placeholder = "{name}";
+    for (std::size_t at = 0; (at = pattern.find(placeholder, at)) != std::string::npos; at += name.size()) {
+        pattern.replace(at, placeholder.size(), name);
+    }
+    return pattern;
+}
+
+std::optional<std::string> fill_in(const std::optional<std::string>& pattern, const std::string& name) {
+    if (!pattern) return std::nullopt;
+    return fill_in(*pattern, name);
+}
+
+// Remembers what each file and standard stream is used for, and refuses a use that would destroy another.
+class FileUses {
+public:
+    void read(const std::string& path, const std::string& as) {
+        if (path == standard_stream) {
+            if (!stdin_use_.empty()) throw InputError("sphereview: stdin cannot be both " + stdin_use_ + " and " + as);
+            stdin_use_ = as;
+        } else if (const std::string file = file_identity(path); !file.empty()) {
+            inputs_.emplace(file, as);
+        }
+    }
+
+    void write(const std::string& path, const std::string& as) {
+        if (path == standard_stream) {
+            if (!stdout_use_.empty()) throw InputError("sphereview: stdout cannot be both " + stdout_use_ + " and " + as);
+            stdout_use_ = as;
+            return;
+        }
+        const std::string file = file_identity(path);
+        if (file.empty()) return;
+        if (const auto input = inputs_.find(file); input != inputs_.end()) {
+            throw InputError(path + ": cannot be both " + as + " and " + input->second);
+        }
+        const auto [other, added] = outputs_.emplace(file, as);
+        if (!added) {
+            throw InputError(path + ": cannot be both " + as + " and " + other->second + "; use {name} for each scene's own name");
+        }
+    }
+
+private:
+    std::map<std::string, std::string> inputs_;
+    std::map<std::string, std::string> outputs_;
+    std::string stdin_use_;
+    std::string stdout_use_;
+};
+
+}  // namespace
+
+std::vector<RenderJob> plan_render(const RenderOptions& options) {
+    std::vector<RenderJob> jobs;
+    for (const std::string& scene : options.scenes) {
+        RenderJob job;
+        job.scene = scene;
+        job.name = scene == standard_stream ? "stdin" : std::filesystem::path(scene).stem().string();
+        if (options.output) {
+            job.output = fill_in(*options.output, job.name);
+        } else if (!options.expect) {
+            job.output = job.name + ".png";
+        }
+        job.expect = fill_in(options.expect, job.name);
+        job.diff = fill_in(options.diff, job.name);
+        jobs.push_back(job);
+    }
+
+    FileUses uses;
+    for (const RenderJob& job : jobs) {
+        uses.read(job.scene, "the scene " + job.scene);
+        if (job.expect) uses.read(*job.expect, "the expected picture of " + job.scene);
+    }
+    if (options.json) uses.write(std::string(standard_stream), "the JSON report");
+    for (const RenderJob& job : jobs) {
+        if (job.output) uses.write(*job.output, "the picture of " + job.scene);
+        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.scene);
+    }
+    return jobs;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,25 @@
+// Which files a batch of renders reads and writes, settled before any work.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options.hpp"
+
+namespace sphereview {
+
+// The files of one scene. Paths may be "-".
+struct RenderJob {
+    std::string scene;
+    std::string name;  // the scene's file name without folder and last extension; "stdin" for "-"
+    std::optional<std::string> output;
+    std::optional<std::string> expect;
+    std::optional<std::string> diff;
+};
+
+// One job a scene, with {name} filled in. Throws InputError when an output is also an input, a golden image or another
+// output, or a standard stream would be used twice.
+std::vector<RenderJob> plan_render(const RenderOptions& options);
+
+}  // namespace sphereview

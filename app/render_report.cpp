@@ -1,0 +1,71 @@
+#include "app/render_report.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json optional_path(const std::optional<std::string>& path) { return path ? Json(*path) : Json(nullptr); }
+
+Json to_json(const RenderReport& report) {
+    Json timings;
+    for (std::size_t i = 0; i < phase_names.size(); ++i) timings[phase_names[i]] = report.timings[static_cast<Phase>(i)];
+    Json json = {
+        {"scene", report.job.scene},
+        {"status", static_cast<int>(report.status)},
+        {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
+        {"output", optional_path(report.job.output)},
+        {"size", {report.size.width, report.size.height}},
+        {"spheres", report.spheres},
+        {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
+        {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
+        {"passed_over", report.passed_over},
+        {"timings_ms", timings},
+    };
+    if (report.comparison) {
+        const Comparison& comparison = *report.comparison;
+        json["comparison"] = {{"expected", optional_path(report.job.expect)},
+                              {"equal", comparison.equal()},
+                              {"same_size", comparison.same_size},
+                              {"different_pixels", comparison.different_pixels},
+                              {"largest_difference", comparison.largest},
+                              {"first", {comparison.first_x, comparison.first_y}}};
+    }
+    return json;
+}
+
+void print_backend(const RenderReport& report) {
+    std::string line = report.job.scene + ": backend: " + report.renderer;
+    for (std::size_t i = 0; i < report.passed_over.size(); ++i) line += (i == 0 ? "; passed over: " : "; ") + report.passed_over[i];
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+void print_timings(const RenderReport& report) {
+    for (std::size_t i = 0; i < phase_names.size(); ++i) {
+        std::fprintf(stderr, "%-10s %9s ms\n", std::string(phase_names[i]).c_str(),
+                     fixed(report.timings[static_cast<Phase>(i)], 3).c_str());
+    }
+}
+
+}  // namespace
+
+void print(const RenderReport& report, const RenderOptions& options) {
+    if (options.verbose && !report.renderer.empty()) print_backend(report);
+    if (options.timings) print_timings(report);
+    if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
+    if (options.json) {
+        // Paths need not be UTF-8, JSON must be.
+        const std::string line = to_json(report).dump(-1, ' ', false, Json::error_handler_t::replace);
+        write_output(std::string(standard_stream), line + "\n");
+    }
+}
+
+}  // namespace sphereview

@@ -1,0 +1,11 @@
+# Writes OUT, a C++ source that holds the text of FILES by name. Run with cmake -P.
+set(source "#include \"gpu/shader_source.hpp\"\n\nnamespace sphereview {\n\n")
+string(APPEND source "const std::map<std::string, std::string_view, std::less<>>& embedded_shaders() {\n")
+string(APPEND source "    static const std::map<std::string, std::string_view, std::less<>> files = {\n")
+foreach(file IN LISTS FILES)
+    get_filename_component(name ${file} NAME)
+    file(READ ${file} text)
+    string(APPEND source "{\"${name}\", R\"GLSL(${text})GLSL\"},\n")
+endforeach()
+string(APPEND source "    };\n    return files;\n}\n\n}  // namespace sphereview\n")
+file(WRITE ${OUT} "${source}")

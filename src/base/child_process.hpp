@@ -1,0 +1,22 @@
+// Running this program again, at arm's length.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+namespace sphereview {
+
+struct ChildResult {
+    enum class End { exited, killed_by_signal, timed_out, not_started };
+
+    End end = End::not_started;
+    int code = 0;        // the exit status or the signal's number
+    std::string output;  // standard output
+    std::string errors;  // standard error, or why it was not started
+};
+
+// Runs this very program with `arguments`, without standard input, and waits; kills it after `limit`.
+ChildResult run_self(const std::vector<std::string>& arguments, std::chrono::milliseconds limit);
+
+}  // namespace sphereview

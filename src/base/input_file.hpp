@@ -1,0 +1,31 @@
+// Reading a whole input file.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace sphereview {
+
+// The path that stands for standard input (as an input) and standard output (as an output).
+inline constexpr std::string_view standard_stream = "-";
+
+// A whole file in memory. It is read, not mapped: a mapped file that its editor truncates kills the reader (SIGBUS).
+class InputFile {
+public:
+    // Reads `path`, or standard input for "-". Throws InputError when it is missing, a folder or unreadable.
+    // A device or pipe is read up to its first zero byte, which no text holds: /dev/zero has no end.
+    explicit InputFile(const std::string& path);
+
+    // How messages call it: the path as given, or "stdin".
+    const std::string& name() const { return name_; }
+    std::string_view bytes() const { return {data_.get(), size_}; }
+
+private:
+    std::string name_;
+    std::unique_ptr<char[]> data_;  // not a vector: its bytes would be cleared before they are read
+    std::size_t size_ = 0;
+};
+
+}  // namespace sphereview

@@ -1,0 +1,25 @@
+// What must not be left behind when a person or the system interrupts the program.
+#pragma once
+
+#include <string>
+
+namespace sphereview {
+
+// From now on SIGINT, SIGTERM and SIGHUP remove the unfinished file, clear the progress bar and end the process at once
+// with status 128 + signal, wherever it is, also inside a driver. A signal that was ignored stays ignored. Writing beyond a
+// file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
+void install_interrupt_handlers();
+
+// Names the one temporary file that an interruption removes, for as long as this object lives.
+class UnfinishedFile {
+public:
+    explicit UnfinishedFile(const std::string& path);
+    ~UnfinishedFile();
+    UnfinishedFile(const UnfinishedFile&) = delete;
+    UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+};
+
+// Whether a progress bar stands on the terminal's last line.
+void set_progress_bar_shown(bool shown);
+
+}  // namespace sphereview

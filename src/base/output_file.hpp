@@ -1,0 +1,22 @@
+// Whole-or-nothing output: a file that appears under its name is complete.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace sphereview {
+
+// Puts `bytes` into `path`, or onto standard output for "-". A regular file is written beside under a hidden name and
+// renamed, keeping the mode of the file it replaces and following symbolic links; devices and FIFOs are written directly.
+// Not synchronised to the disk: this protects from errors and interruptions, not from a power cut. Throws OutputError.
+void write_output(const std::string& path, std::string_view bytes);
+
+// Throws OutputError when `path` plainly cannot become an output: a folder, below no folder, or not to be written to.
+// For saying so before long work; write_output checks again.
+void check_output(const std::string& path);
+
+// What tells whether two paths lead to one file: the absolute path with links followed, existing or yet to be made. Empty
+// for devices, FIFOs and "-": nothing in them is lost when two things use them. Hard links differ: a rename parts them.
+std::string file_identity(const std::string& path);
+
+}  // namespace sphereview

@@ -1,0 +1,54 @@
+#include "base/progress.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <utility>
+
+#include "base/interrupt.hpp"
+#include "base/standard_streams.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::chrono::milliseconds patience{500};  // shorter work needs no bar
+constexpr std::chrono::milliseconds redraw_every{100};
+
+}  // namespace
+
+Progress::Progress(bool enabled) : enabled_(enabled && stderr_is_terminal()) {}
+
+Progress::~Progress() { clear(); }
+
+void Progress::start(std::string what) {
+    what_ = std::move(what);
+    begin_ = Clock::now();
+}
+
+void Progress::update(double fraction) {
+    if (!enabled_) return;
+    const auto now = Clock::now();
+    if (now - begin_ < patience || (drawn_ && now - drawn_at_ < redraw_every)) return;
+    fraction = std::clamp(fraction, 0.0, 1.0);
+
+    constexpr int width = 30;
+    std::string bar(static_cast<std::size_t>(fraction * width), '#');
+    bar.resize(width, '.');
+    const double elapsed = std::chrono::duration<double>(now - begin_).count();
+    const double left = fraction > 0 ? elapsed / fraction - elapsed : 0;
+    set_progress_bar_shown(true);
+    std::fprintf(stderr, "\r\x1b[K[%s] %3.0f %%, %.0f s left  %s", bar.c_str(), 100 * fraction, left, what_.c_str());
+    std::fflush(stderr);
+    drawn_ = true;
+    drawn_at_ = now;
+}
+
+void Progress::clear() {
+    if (!drawn_) return;
+    std::fputs("\r\x1b[K", stderr);
+    std::fflush(stderr);
+    drawn_ = false;
+    set_progress_bar_shown(false);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,35 @@
+// A progress bar for people who wait.
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace sphereview {
+
+// A bar on standard error, shown when that is a terminal and the work has taken longer than half a second; silent otherwise.
+// One at a time, used from one thread. Destruction clears it.
+class Progress {
+public:
+    // `enabled` false: silent whatever standard error is.
+    explicit Progress(bool enabled);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    // What is being done, e.g. "scene.txt (2 of 5)". Starts the fraction anew.
+    void start(std::string what);
+    // How much of it is done, 0..1. Cheap: draws at most ten times a second.
+    void update(double fraction);
+    // Removes the bar, so that something else can be printed; update() draws it again.
+    void clear();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    bool enabled_;
+    bool drawn_ = false;
+    std::string what_;
+    Clock::time_point begin_;
+    Clock::time_point drawn_at_;
+};
+
+}  // namespace sphereview

@@ -1,0 +1,15 @@
+// Standard input, output and error as this program uses them, on every platform.
+#pragma once
+
+#include <cstdio>
+
+namespace sphereview {
+
+// Standard input and output without any translation of line ends.
+std::FILE* binary_stdin();
+std::FILE* binary_stdout();
+
+// Whether a person watches standard error.
+bool stderr_is_terminal();
+
+}  // namespace sphereview

@@ -1,0 +1,100 @@
+#include "base/text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+namespace sphereview {
+
+TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin) {
+    TextPosition place = origin;
+    offset = std::min(offset, text.size());
+    for (std::size_t i = 0; i < offset; ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const bool line_end = byte == '\n' || (byte == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
+        if (line_end) {
+            ++place.line;
+            place.column = 1;
+        } else if ((byte & 0xC0) != 0x80) {  // not the continuation of a UTF-8 sequence
+            ++place.column;
+        }
+    }
+    return place;
+}
+
+std::string in_quotes(std::string_view found) {
+    constexpr std::size_t longest = 40;
+    constexpr std::string_view digits = "0123456789abcdef";
+    std::string text = "'";
+    for (const char character : found) {
+        if (text.size() > longest) {
+            text += "...";
+            break;
+        }
+        const auto byte = static_cast<unsigned char>(character);
+        if (byte >= 0x20 && byte < 0x7F) {
+            text += character;
+        } else {
+            text += "\\x";
+            text += digits[byte >> 4];
+            text += digits[byte & 15];
+        }
+    }
+    return text + "'";
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& character : lower) {
+        if (character >= 'A' && character <= 'Z') character = static_cast<char>(character - 'A' + 'a');
+    }
+    return lower;
+}
+
+namespace {
+
+// Levenshtein's distance: the fewest insertions, deletions and substitutions of one character.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+std::string closest_match(std::string_view word, std::span<const std::string> candidates) {
+    if (word.empty() || word.size() > 64) return "";
+    std::string best;
+    std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (const std::string& candidate : candidates) {
+        const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
+        if (distance < best_distance) {
+            best_distance = distance;
+            best = candidate;
+        }
+    }
+    return best;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+    const std::string match = closest_match(word, candidates);
+    return match.empty() ? "" : "; did you mean '" + match + "'?";
+}
+
+std::string fixed(double value, int places) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, places);
+    return {buffer.data(), end.ptr};
+}
+
+}  // namespace sphereview

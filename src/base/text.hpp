@@ -1,0 +1,35 @@
+// Small helpers for text that people read and write.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sphereview {
+
+// A place in a text file, counted from 1. Columns count characters (UTF-8 code points), as editors do.
+struct TextPosition {
+    std::size_t line = 1;
+    std::size_t column = 1;
+};
+
+// The place of byte `offset` in `text`, whose first character stands at `origin`. Lines end with LF, CR or CR LF.
+TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin = {});
+
+// `found` in single quotes, made safe for one terminal line: control and non-ASCII bytes as \xNN, at most 40 characters.
+std::string in_quotes(std::string_view found);
+
+// The candidate most like `word` (ignoring case), or "" when none is near enough to be what was meant.
+std::string closest_match(std::string_view word, std::span<const std::string> candidates);
+
+// "; did you mean 'CANDIDATE'?" for the closest candidate, or "" when there is none.
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+// `value` with decimal places, in the "C" locale whatever the process's locale is. places: 0..9.
+std::string fixed(double value, int places);
+
+// `text` in lower case; ASCII letters only.
+std::string lower_case(std::string_view text);
+
+}  // namespace sphereview

@@ -1,0 +1,67 @@
+#include "gpu/gl_object.hpp"
+
+#include <array>
+#include <cstdio>
+#include <new>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace sphereview {
+
+Buffer make_buffer() {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    return Buffer(name);
+}
+
+Texture make_texture() {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    return Texture(name);
+}
+
+Framebuffer make_framebuffer() {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    return Framebuffer(name);
+}
+
+VertexArray make_vertex_array() {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    return VertexArray(name);
+}
+
+GLint gl_limit(GLenum name) {
+    GLint value = 0;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+GlDescription describe_gl() {
+    const auto text = [](GLenum name) {
+        const auto* value = reinterpret_cast<const char*>(glGetString(name));
+        return std::string(value != nullptr ? value : "unknown");
+    };
+    GlDescription description{text(GL_VENDOR),
+                              text(GL_RENDERER),
+                              text(GL_VERSION),
+                              text(GL_SHADING_LANGUAGE_VERSION),
+                              gl_limit(GL_MAX_UNIFORM_BLOCK_SIZE),
+                              gl_limit(GL_MAX_TEXTURE_SIZE),
+                              {}};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, description.largest_viewport.data());
+    return description;
+}
+
+void check_gl(const char* during) {
+    const GLenum error = glGetError();
+    if (error == GL_NO_ERROR) return;
+    if (error == GL_OUT_OF_MEMORY) throw std::bad_alloc();
+    std::array<char, 16> code{};
+    std::snprintf(code.data(), code.size(), "0x%04x", error);
+    throw RenderError(std::string(during) + ": GL error " + code.data());
+}
+
+}  // namespace sphereview

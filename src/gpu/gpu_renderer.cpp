@@ -1,0 +1,168 @@
+#include "gpu/gpu_renderer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <vector>
+
+#include "base/error.hpp"
+#include "gpu/program.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Larger pictures are drawn in blocks: a watchdog ends a draw that takes seconds.
+constexpr int preferred_block_side = 2048;
+
+void put_into(const Buffer& buffer, BlockBinding binding, const void* data, std::size_t used, std::size_t declared) {
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.name());
+    // The size the shader declares, whatever is used: some drivers refuse to draw from less.
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(declared), nullptr, GL_DYNAMIC_DRAW);
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(used), data);
+    glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer.name());
+}
+
+void draw_everywhere(const Block& block) {
+    glViewport(0, 0, block.width, block.height);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace
+
+GpuRenderer::GpuRenderer(Timings& timings) {
+    {
+        const PhaseTimer timer(timings, Phase::shaders);
+        capacity_ = std::min(gl_limit(GL_MAX_UNIFORM_BLOCK_SIZE), largest_uniform_block) / static_cast<int>(sizeof(glm::vec4));
+        std::array<GLint, 2> viewport{};
+        glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+        largest_block_side_ = std::min({gl_limit(GL_MAX_TEXTURE_SIZE), viewport[0], viewport[1], preferred_block_side});
+
+        trace_ = make_program("trace.frag", {"SPHERE_CAPACITY " + std::to_string(capacity_)});
+        no_vertices_ = make_vertex_array();
+        frame_buffer_ = make_buffer();
+        sphere_buffer_ = make_buffer();
+        visible_texture_ = make_texture();
+        visible_target_ = make_framebuffer();
+        glDisable(GL_DITHER);
+    }
+    self_check(timings);
+}
+
+// A context can be made, and its shaders compiled, and still draw nothing.
+void GpuRenderer::self_check(Timings& timings) {
+    Scene scene;
+    scene.spheres.resize(1);
+    Timings unreported;
+    upload(drawn_spheres(scene), scene.camera, {3, 1}, unreported);
+    std::array<std::int32_t, 3> visible{};
+    {
+        const PhaseTimer timer(timings, Phase::shaders);  // the driver compiles at the first draw
+        trace({0, 0, 3, 1}, visible, unreported);
+    }
+    if (visible != std::array<std::int32_t, 3>{visible_background, 0, visible_background}) {
+        throw RenderError("a test picture of one sphere came out wrong");
+    }
+}
+
+void GpuRenderer::resize_target(int width, int height) {
+    if (width <= target_width_ && height <= target_height_) return;
+    target_width_ = std::max(width, target_width_);
+    target_height_ = std::max(height, target_height_);
+    glBindTexture(GL_TEXTURE_2D, visible_texture_.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32I, target_width_, target_height_, 0, GL_RED_INTEGER, GL_INT, nullptr);
+    // An integer texture is complete only without filtering and mipmaps; else texelFetch reads 0, which is a sphere.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, visible_target_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, visible_texture_.name(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        throw RenderError("the context cannot draw into 32-bit integers");
+    }
+    check_gl("making the buffer of visible spheres");
+}
+
+void GpuRenderer::upload(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, Timings& timings) {
+    const PhaseTimer timer(timings, Phase::upload);
+    assert(spheres.center_radius.size() <= static_cast<std::size_t>(capacity_));
+    const RayFrame rays = ray_frame(camera, size);
+    frame_.forward = glm::vec4(rays.forward, 0.0F);
+    frame_.right = glm::vec4(rays.right, 0.0F);
+    frame_.up = glm::vec4(rays.up, 0.0F);
+    frame_.picture_size = {size.width, size.height};
+    frame_.sphere_count = static_cast<std::int32_t>(spheres.center_radius.size());
+    put_into(sphere_buffer_, BlockBinding::spheres, spheres.center_radius.data(),
+             spheres.center_radius.size() * sizeof(glm::vec4), static_cast<std::size_t>(capacity_) * sizeof(glm::vec4));
+    check_gl("uploading the spheres");
+}
+
+void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Timings& timings) {
+    assert(block.width <= largest_block_side_ && block.height <= largest_block_side_);
+    assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+    {
+        const PhaseTimer timer(timings, Phase::trace);
+        resize_target(block.width, block.height);
+        frame_.block_origin = {block.x, block.y};
+        put_into(frame_buffer_, BlockBinding::frame, &frame_, sizeof frame_, sizeof frame_);
+        glBindFramebuffer(GL_FRAMEBUFFER, visible_target_.name());
+        glUseProgram(trace_.name());
+        glBindVertexArray(no_vertices_.name());
+        draw_everywhere(block);
+        glFinish();
+        check_gl("tracing");
+    }
+    const PhaseTimer timer(timings, Phase::read_back);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, block.width, block.height, GL_RED_INTEGER, GL_INT, visible.data());
+    check_gl("reading the visible spheres back");
+    last_block_ = block;
+}
+
+Image GpuRenderer::shade(const Scene& scene, const Background& background) {
+    if (!shade_) {
+        shade_ = make_program("shade.frag", {"SPHERE_CAPACITY " + std::to_string(capacity_)});
+        glUseProgram(shade_.name());
+        glUniform1i(glGetUniformLocation(shade_.name(), "visible_spheres"), 0);
+        color_buffer_ = make_buffer();
+    }
+    const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
+    std::vector<glm::vec4> colors;
+    for (const Sphere& sphere : scene.spheres) {
+        if (!sphere.hidden) colors.emplace_back(channel(sphere.color.r), channel(sphere.color.g), channel(sphere.color.b), 1.0F);
+    }
+    assert(colors.size() <= static_cast<std::size_t>(capacity_));
+    put_into(color_buffer_, BlockBinding::colors, colors.data(), colors.size() * sizeof(glm::vec4),
+             static_cast<std::size_t>(capacity_) * sizeof(glm::vec4));
+    FrameBlock frame = frame_;
+    frame.background = glm::vec4(channel(background.color.r), channel(background.color.g), channel(background.color.b),
+                                 background.transparent ? 0.0F : 1.0F);
+    frame.picture_size = {last_block_.width, last_block_.height};
+    put_into(frame_buffer_, BlockBinding::frame, &frame, sizeof frame, sizeof frame);
+
+    const Texture target_texture = make_texture();
+    glBindTexture(GL_TEXTURE_2D, target_texture.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, last_block_.width, last_block_.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    const Framebuffer target = make_framebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, target.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_texture.name(), 0);
+
+    glUseProgram(shade_.name());
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, visible_texture_.name());
+    glBindVertexArray(no_vertices_.name());
+    draw_everywhere(last_block_);
+
+    // Row 0 of the target is the bottom row of the window.
+    Image upside_down(last_block_.width, last_block_.height, 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, last_block_.width, last_block_.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.bytes().data());
+    check_gl("shading");
+    Image picture(last_block_.width, last_block_.height, 4);
+    for (int y = 0; y < picture.height(); ++y) {
+        std::copy_n(upside_down.at(0, picture.height() - 1 - y), static_cast<std::size_t>(picture.width()) * 4, picture.at(0, y));
+    }
+    return picture;
+}
+
+}  // namespace sphereview

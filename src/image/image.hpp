@@ -1,0 +1,49 @@
+// A picture of 8-bit pixels.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+
+namespace sphereview {
+
+// Width x height pixels of 3 (RGB) or 4 (RGBA) bytes, top row first, without padding. Starts with unspecified bytes:
+// whoever makes a picture writes all of it.
+class Image {
+public:
+    Image() = default;
+    Image(int width, int height, int channels)
+        : width_(width),
+          height_(height),
+          channels_(channels),
+          bytes_(std::make_unique_for_overwrite<std::uint8_t[]>(size_of(width, height, channels))) {}
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    int channels() const { return channels_; }
+
+    std::span<std::uint8_t> bytes() { return {bytes_.get(), size_of(width_, height_, channels_)}; }
+    std::span<const std::uint8_t> bytes() const { return {bytes_.get(), size_of(width_, height_, channels_)}; }
+
+    // The bytes of pixel (x, y), (0, 0) at the top left.
+    std::uint8_t* at(int x, int y) { return bytes_.get() + size_of(width_, y, channels_) + size_of(x, 1, channels_); }
+    const std::uint8_t* at(int x, int y) const {
+        return bytes_.get() + size_of(width_, y, channels_) + size_of(x, 1, channels_);
+    }
+
+private:
+    static std::size_t size_of(int width, int height, int channels) {
+        return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(channels);
+    }
+
+    int width_ = 0;
+    int height_ = 0;
+    int channels_ = 3;
+    std::unique_ptr<std::uint8_t[]> bytes_;
+};
+
+// The most pixels a picture may have: the PNG writer counts its bytes, 4 a pixel and one a row, in 31 bits.
+inline constexpr std::int64_t most_pixels = (std::int64_t{1} << 31) / 5;
+
+}  // namespace sphereview

@@ -1,0 +1,55 @@
+#include "scene/camera.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace sphereview {
+
+namespace {
+
+bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+// The vector scaled by a power of two so that its largest component lies in [0.5, 1): its square cannot over- or underflow.
+struct Scaled {
+    glm::dvec3 vector;
+    int exponent;
+};
+
+Scaled scaled(const glm::dvec3& v) {
+    const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    // In two steps: 2^-exponent itself may overflow.
+    const auto shrink = [&](double x) { return std::ldexp(std::ldexp(x, -exponent / 2), -(exponent - exponent / 2)); };
+    return {{shrink(v.x), shrink(v.y), shrink(v.z)}, exponent};
+}
+
+}  // namespace
+
+std::optional<std::string> camera_fault(const Camera& camera) {
+    const glm::dvec3 zero{0.0};
+    if (!finite(camera.eye) || !finite(camera.center) || !finite(camera.right) || !finite(camera.up)) {
+        return "its numbers are not all finite";
+    }
+    // Halved, so that the difference of two large numbers stays finite.
+    const glm::dvec3 axis = camera.center * 0.5 - camera.eye * 0.5;
+    if (camera.right == zero) return "'right' is zero";
+    if (camera.up == zero) return "'up' is zero";
+    if (axis == zero) return "'eye' and 'center' are the same point";
+
+    const Scaled right = scaled(camera.right);
+    const Scaled up = scaled(camera.up);
+    const glm::dvec3 forward = glm::normalize(scaled(axis).vector);
+    const glm::dvec3 unit_right = glm::normalize(right.vector);
+    const glm::dvec3 unit_up = glm::normalize(up.vector);
+
+    if (std::fabs(glm::dot(unit_right, unit_up)) > camera_tolerance) return "'up' is not perpendicular to 'right'";
+    const double ratio = glm::length(up.vector) / glm::length(right.vector) * std::ldexp(1.0, up.exponent - right.exponent);
+    if (!(std::fabs(ratio - 1.0) <= camera_tolerance)) return "'right' and 'up' are not equally long";
+    if (std::fabs(glm::dot(forward, glm::cross(unit_right, unit_up))) <= camera_tolerance) {
+        return "'eye' lies in the screen's plane";
+    }
+    return std::nullopt;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,54 @@
+// The eye, the screen and the ray through each pixel.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+
+namespace sphereview {
+
+// Width and height of a picture in pixels, both at least 1.
+struct PictureSize {
+    int width = 1000;
+    int height = 1000;
+
+    int shorter_side() const { return width < height ? width : height; }
+    bool operator==(const PictureSize&) const = default;
+};
+
+// A pixel: column x from the left, row y from the top.
+struct Pixel {
+    int x = 0;
+    int y = 0;
+};
+
+// The camera is these twelve doubles, in scene space. `right` and `up` lead from the screen's centre to the middle of its
+// edges; they are perpendicular and equally long. The default is the screen (-50, -50, 100) .. (50, 50, 100) seen from 0.
+struct Camera {
+    glm::dvec3 eye{0.0, 0.0, 0.0};
+    glm::dvec3 center{0.0, 0.0, 100.0};
+    glm::dvec3 right{50.0, 0.0, 0.0};
+    glm::dvec3 up{0.0, 50.0, 0.0};
+
+    bool operator==(const Camera&) const = default;
+};
+
+// How far from perpendicular and from equally long `right` and `up` may be, and how near the screen's plane the eye,
+// relative to the lengths of the vectors involved.
+inline constexpr double camera_tolerance = 1e-6;
+
+// What is wrong with the camera ("'up' is not perpendicular to 'right'"), or nothing.
+std::optional<std::string> camera_fault(const Camera& camera);
+
+// The coefficients of pixel (x, y)'s ray, times the shorter side m: m D = m (center - eye) + across right + upward up,
+// with D = (center - eye) + (2x + 1 - W) / m right + (H - 1 - 2y) / m up. Whole numbers, so that nothing is rounded.
+struct RayCoefficients {
+    long long across = 0;
+    long long upward = 0;
+};
+
+constexpr RayCoefficients ray_coefficients(PictureSize size, Pixel pixel) {
+    return {2LL * pixel.x + 1 - size.width, size.height - 1 - 2LL * pixel.y};
+}
+
+}  // namespace sphereview

@@ -1,0 +1,39 @@
+#include "scene/number.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <system_error>
+
+namespace sphereview {
+
+NumberFault parse_double(std::string_view token, double& value) {
+    const char* first = token.data();
+    const char* last = first + token.size();
+    // std::from_chars takes no '+'.
+    if (first != last && *first == '+' && (first + 1 == last || first[1] != '-')) ++first;
+    double read = 0.0;
+    const auto result = std::from_chars(first, last, read);
+    if (result.ptr != last || first == last) return NumberFault::not_a_number;
+    if (result.ec == std::errc::result_out_of_range) {
+        // from_chars does not say whether it met the top or the bottom of the range.
+        read = std::strtod(std::string(first, last).c_str(), nullptr);
+        if (!std::isfinite(read)) return NumberFault::too_large;
+    } else if (result.ec != std::errc{}) {
+        return NumberFault::not_a_number;
+    } else if (!std::isfinite(read)) {
+        // The words inf and nan; digits never get here.
+        return NumberFault::not_finite;
+    }
+    value = read;
+    return NumberFault::none;
+}
+
+void append_double(std::string& text, double value) {
+    std::array<char, 32> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    text.append(buffer.data(), result.ptr);
+}
+
+}  // namespace sphereview

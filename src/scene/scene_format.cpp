@@ -1,0 +1,68 @@
+#include "scene/scene_format.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "scene/text_format.hpp"
+#include "scene/toml_format.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// The content from its first character that is neither white space nor a byte-order mark.
+std::string_view first_words(std::string_view content) {
+    if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+    const std::size_t begin = content.find_first_not_of(" \t\r\n\v\f");
+    return begin == std::string_view::npos ? std::string_view{} : content.substr(begin);
+}
+
+bool starts_a_toml_line(std::string_view words) {
+    if (words.starts_with('#') || words.starts_with('[')) return true;
+    // A key of letters, digits, '_', '-', '.' or quotes, then '='.
+    const std::string_view line = words.substr(0, words.find_first_of("\r\n"));
+    const std::size_t equals = line.find('=');
+    if (equals == std::string_view::npos) return false;
+    return std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(equals), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               std::string_view(" \t_-.'\"").find(c) != std::string_view::npos;
+    });
+}
+
+}  // namespace
+
+SceneFormat format_of_name(std::string_view path) {
+    return lower_case(path).ends_with(".toml") ? SceneFormat::toml : SceneFormat::text;
+}
+
+SceneFormat detect_format(std::string_view content, std::string_view name) {
+    const std::string_view words = first_words(content);
+    if (starts_a_toml_line(words)) return SceneFormat::toml;
+    const bool number = !words.empty() && std::string_view("0123456789+-.").find(words[0]) != std::string_view::npos;
+    return number ? SceneFormat::text : format_of_name(name);
+}
+
+Scene parse_scene(std::string_view content, const std::string& name) {
+    if (detect_format(content, name) == SceneFormat::toml) return parse_toml(content, name);
+    Scene scene;
+    scene.spheres = parse_text_spheres({name, content});
+    return scene;
+}
+
+std::string write_scene(const Scene& scene, SceneFormat format) {
+    return format == SceneFormat::toml ? write_toml(scene) : write_text_spheres(scene.spheres);
+}
+
+std::string lost_in(const Scene& scene, SceneFormat format) {
+    if (format == SceneFormat::toml) return "";
+    std::string lost;
+    const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
+    if (scene.background != Background{}) add("the background");
+    if (scene.camera != Camera{}) add("the camera");
+    if (!scene.names.empty()) add("the names (" + std::to_string(scene.names.size()) + ")");
+    const auto hidden = std::count_if(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
+    if (hidden != 0) add("the hidden spheres (" + std::to_string(hidden) + ")");
+    return lost;
+}
+
+}  // namespace sphereview

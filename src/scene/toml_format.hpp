@@ -1,0 +1,20 @@
+// The native format, TOML: `background`, `[camera]`, `[[sphere]]`, or `spheres = """..."""` holding the text format.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+// Above this many spheres, none of which needs a key of its own, write_toml uses the `spheres` text.
+inline constexpr std::size_t most_sphere_tables = 1000;
+
+// Reads a whole native scene. Unknown keys are errors. Throws InputError "NAME:LINE:COLUMN: ...".
+Scene parse_toml(std::string_view content, const std::string& name);
+
+// The scene as TOML that parse_toml reads back as the same scene, bit for bit. Defaults are left out.
+std::string write_toml(const Scene& scene);
+
+}  // namespace sphereview

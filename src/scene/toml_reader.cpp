@@ -1,0 +1,221 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <sstream>
+#include <toml++/toml.h>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "scene/text_format.hpp"
+#include "scene/toml_format.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// A file's name and whole text, for messages.
+struct Document {
+    const std::string& name;
+    std::string_view content;
+};
+
+[[noreturn]] void fail(const Document& document, const toml::source_position& place, const std::string& message) {
+    throw InputError(document.name + ":" + std::to_string(std::max<toml::source_index>(1, place.line)) + ":" +
+                     std::to_string(std::max<toml::source_index>(1, place.column)) + ": " + message);
+}
+
+[[noreturn]] void fail(const Document& document, const toml::node& node, const std::string& message) {
+    fail(document, node.source().begin, message);
+}
+
+// What stands there, for a message: "a string" or the number itself.
+std::string found(const toml::node& node) {
+    if (node.is_integer() || node.is_floating_point()) {
+        std::ostringstream text;
+        text << toml::node_view(node);
+        return text.str();
+    }
+    if (const auto* text = node.as_string()) return in_quotes(text->get());
+    std::ostringstream text;
+    text << node.type();
+    return "a value of type '" + text.str() + "'";
+}
+
+[[noreturn]] void wrong(const Document& document, const toml::node& node, const std::string& expected) {
+    fail(document, node, "found " + found(node) + ", expected " + expected);
+}
+
+// A table whose every key must be known.
+class TableReader {
+public:
+    // `where` names the table in messages ("[camera]").
+    TableReader(const Document& document, const toml::table& table, std::string where, std::span<const std::string> keys)
+        : document_(document), table_(table), where_(std::move(where)) {
+        for (const auto& [key, value] : table) {
+            if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
+            std::string known;
+            for (const std::string& name : keys) known += (known.empty() ? "" : ", ") + name;
+            fail(document, key.source().begin,
+                 "found the unknown key " + in_quotes(key.str()) + " in " + where_ + ", expected one of " + known +
+                     did_you_mean(key.str(), keys));
+        }
+    }
+
+    const toml::node* find(std::string_view key) const { return table_.get(key); }
+
+    const toml::node& require(std::string_view key) const {
+        const toml::node* node = find(key);
+        if (node == nullptr) fail(document_, table_, where_ + " has no '" + std::string(key) + "', which it needs");
+        return *node;
+    }
+
+    double number(const toml::node& node, const std::string& expected) const {
+        if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
+        if (const auto* real = node.as_floating_point(); real != nullptr && std::isfinite(real->get())) return real->get();
+        wrong(document_, node, expected);
+    }
+
+    glm::dvec3 vector(const toml::node& node, const std::string& key) const {
+        const std::string expected = "'" + key + "' as three finite numbers [x, y, z]";
+        const toml::array* array = node.as_array();
+        if (array == nullptr) wrong(document_, node, expected);
+        if (array->size() != 3) fail(document_, node, "found " + std::to_string(array->size()) + " values, expected " + expected);
+        return {number(array->at(0), expected), number(array->at(1), expected), number(array->at(2), expected)};
+    }
+
+    Color color(const toml::node& node) const {
+        const std::string expected = "'color' as three whole numbers [R, G, B] from 0 to 255";
+        const toml::array* array = node.as_array();
+        if (array == nullptr) wrong(document_, node, expected);
+        if (array->size() != 3) fail(document_, node, "found " + std::to_string(array->size()) + " values, expected " + expected);
+        std::array<std::uint8_t, 3> channels{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto* value = array->at(i).as_integer();
+            if (value == nullptr || value->get() < 0 || value->get() > color_max) wrong(document_, array->at(i), expected);
+            channels[i] = static_cast<std::uint8_t>(value->get());
+        }
+        return {channels[0], channels[1], channels[2]};
+    }
+
+    template <typename T>
+    T value(const toml::node& node, const std::string& expected) const {
+        const auto* typed = node.as<T>();
+        if (typed == nullptr) wrong(document_, node, expected);
+        return typed->get();
+    }
+
+private:
+    const Document& document_;
+    const toml::table& table_;
+    std::string where_;
+};
+
+void read_sphere(const Document& document, const toml::table& table, std::size_t index, Scene& scene) {
+    static const std::vector<std::string> keys = {"name", "color", "center", "radius", "hidden"};
+    const TableReader reader(document, table, "[[sphere]] " + std::to_string(index + 1), keys);
+    Sphere sphere;
+    sphere.center = reader.vector(reader.require("center"), "center");
+    const toml::node& radius = reader.require("radius");
+    sphere.radius = reader.number(radius, "'radius' as a finite number above 0");
+    if (!(sphere.radius > 0.0)) wrong(document, radius, "'radius' above 0");
+    sphere.color = reader.color(reader.require("color"));
+    if (const auto* hidden = reader.find("hidden")) sphere.hidden = reader.value<bool>(*hidden, "'hidden' as true or false");
+    if (const auto* name = reader.find("name")) {
+        const auto text = reader.value<std::string>(*name, "'name' as a string");
+        if (!text.empty()) scene.names[static_cast<std::uint32_t>(index)] = text;
+    }
+    scene.spheres.push_back(sphere);
+}
+
+Camera read_camera(const Document& document, const toml::table& table) {
+    static const std::vector<std::string> keys = {"eye", "center", "right", "up"};
+    const TableReader reader(document, table, "[camera]", keys);
+    Camera camera;
+    if (const auto* node = reader.find("eye")) camera.eye = reader.vector(*node, "eye");
+    if (const auto* node = reader.find("center")) camera.center = reader.vector(*node, "center");
+    if (const auto* node = reader.find("right")) camera.right = reader.vector(*node, "right");
+    if (const auto* node = reader.find("up")) camera.up = reader.vector(*node, "up");
+    if (const auto fault = camera_fault(camera)) {
+        fail(document, table,
+             "found a camera that cannot be used: " + *fault +
+                 "; expected perpendicular, equally long 'right' and 'up' (within 1e-6) and an eye off the screen's plane");
+    }
+    return camera;
+}
+
+// The text inside a string value, with its place in the file.
+TextSource inside_string(const Document& document, const toml::value<std::string>& value) {
+    const toml::source_position begin = value.source().begin;
+    TextPosition origin{begin.line, begin.column};
+    std::size_t offset = 0;  // of the opening quotes
+    for (toml::source_index line = 1; line < begin.line; ++line) offset = document.content.find('\n', offset) + 1;
+    // Only white space, a key and '=' stand before it on its line, all ASCII, so a column is a byte.
+    std::string_view quotes = document.content.substr(std::min(offset + begin.column - 1, document.content.size()));
+    if (quotes.starts_with(R"(""")") || quotes.starts_with("'''")) {
+        quotes.remove_prefix(3);
+        origin.column += 3;
+        if (quotes.starts_with('\n') || quotes.starts_with("\r\n")) origin = {origin.line + 1, 1};
+    } else {
+        origin.column += 1;
+    }
+    return {document.name, value.get(), origin};
+}
+
+void read_spheres(const Document& document, const TableReader& reader, Scene& scene) {
+    const toml::node* tables = reader.find("sphere");
+    const toml::node* text = reader.find("spheres");
+    if (tables != nullptr && text != nullptr) {
+        fail(document, *text, "found both 'spheres' and [[sphere]], expected only one of them");
+    }
+    if (text != nullptr) {
+        const auto* value = text->as_string();
+        if (value == nullptr) wrong(document, *text, "'spheres' as a string in the text format");
+        scene.spheres = parse_text_spheres(inside_string(document, *value));
+    } else if (tables != nullptr) {
+        const toml::array* array = tables->as_array();
+        if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {
+            if (array == nullptr || !array->empty()) wrong(document, *tables, "'sphere' as tables, each headed [[sphere]]");
+        }
+        scene.spheres.reserve(array->size());
+        for (std::size_t i = 0; i < array->size(); ++i) read_sphere(document, *array->at(i).as_table(), i, scene);
+    }
+}
+
+toml::table parse(const Document& document) {
+    try {
+        return toml::parse(document.content, document.name);
+    } catch (const toml::parse_error& error) {
+        std::string description;
+        for (const char c : error.description()) description += c >= ' ' && c <= '~' ? c : '?';
+        fail(document, error.source().begin, "this is not TOML: " + description);
+    }
+}
+
+}  // namespace
+
+Scene parse_toml(std::string_view content, const std::string& name) {
+    const Document document{name, content};
+    if (content.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string_view::npos) {
+        fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
+    }
+    const toml::table table = parse(document);
+    static const std::vector<std::string> keys = {"background", "camera", "sphere", "spheres"};
+    const TableReader reader(document, table, "the scene", keys);
+
+    Scene scene;
+    if (const auto* node = reader.find("background")) {
+        const std::string expected = "'background' as a string: " + std::string(background_syntax);
+        if (!parse_background(reader.value<std::string>(*node, expected), scene.background)) wrong(document, *node, expected);
+    }
+    if (const auto* node = reader.find("camera")) {
+        if (!node->is_table()) wrong(document, *node, "the table [camera]");
+        scene.camera = read_camera(document, *node->as_table());
+    }
+    read_spheres(document, reader, scene);
+    return scene;
+}
+
+}  // namespace sphereview

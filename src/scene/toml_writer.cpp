@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "scene/number.hpp"
+#include "scene/text_format.hpp"
+#include "scene/toml_format.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// A TOML float: append_double's digits with a point or an exponent, because -0 as a TOML integer would lose its sign.
+void append_float(std::string& text, double value) {
+    const std::size_t begin = text.size();
+    append_double(text, value);
+    if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
+}
+
+void append_vector(std::string& text, std::string_view key, const glm::dvec3& v) {
+    text.append(key) += " = [";
+    append_float(text, v.x);
+    text += ", ";
+    append_float(text, v.y);
+    text += ", ";
+    append_float(text, v.z);
+    text += "]\n";
+}
+
+// A TOML basic string.
+void append_string(std::string& text, std::string_view value) {
+    text += '"';
+    for (const char c : value) {
+        if (c == '"' || c == '\\') {
+            text += '\\';
+            text += c;
+        } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+            std::array<char, 8> escape{};
+            std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(static_cast<unsigned char>(c)));
+            text += escape.data();
+        } else {
+            text += c;
+        }
+    }
+    text += '"';
+}
+
+void append_sphere(std::string& text, const Sphere& sphere, const std::string* name) {
+    text += "\n[[sphere]]\n";
+    if (name != nullptr) {
+        text += "name = ";
+        append_string(text, *name);
+        text += '\n';
+    }
+    text += "color = [" + std::to_string(sphere.color.r) + ", " + std::to_string(sphere.color.g) + ", " +
+            std::to_string(sphere.color.b) + "]\n";
+    append_vector(text, "center", sphere.center);
+    text += "radius = ";
+    append_float(text, sphere.radius);
+    text += '\n';
+    if (sphere.hidden) text += "hidden = true\n";
+}
+
+}  // namespace
+
+std::string write_toml(const Scene& scene) {
+    std::string text;
+    if (scene.background != Background{}) text += "background = \"" + to_string(scene.background) + "\"\n";
+
+    const bool plain = scene.names.empty() &&
+                       std::none_of(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
+    const bool as_text = plain && scene.spheres.size() > most_sphere_tables;
+    if (as_text) text += "spheres = \"\"\"\n" + write_text_spheres(scene.spheres) + "\"\"\"\n";
+
+    if (scene.camera != Camera{}) {
+        text += text.empty() ? "[camera]\n" : "\n[camera]\n";
+        append_vector(text, "eye", scene.camera.eye);
+        append_vector(text, "center", scene.camera.center);
+        append_vector(text, "right", scene.camera.right);
+        append_vector(text, "up", scene.camera.up);
+    }
+    if (!as_text) {
+        for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+            const auto name = scene.names.find(static_cast<std::uint32_t>(i));
+            append_sphere(text, scene.spheres[i], name == scene.names.end() ? nullptr : &name->second);
+        }
+    }
+    if (text.empty()) return "# An empty scene.\n";
+    return text[0] == '\n' ? text.substr(1) : text;
+}
+
+}  // namespace sphereview
