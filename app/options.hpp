@@ -21,6 +21,7 @@ struct RenderOptions {
     std::optional<int> device;          // an EGL device
     std::optional<std::string> expect;  // a golden image, may hold {name}
     std::optional<std::string> diff;    // where the picture of the difference goes, may hold {name}
+    bool certify = true;
     bool timings = false;
     bool json = false;
     bool verbose = false;

@@ -30,8 +30,10 @@ Scene test_scene() {
 
 Image render_test(OpenBackend& backend) {
     Timings timings;
+    DecisionCounts counts;
     Progress silent(false);
-    return render_picture(backend, test_scene(), test_background, test_size, timings, silent);
+    const Scene scene = test_scene();
+    return render_picture(backend, scene, drawn_spheres(scene), {test_size, test_background, true}, timings, counts, silent);
 }
 
 Json describe_context(const GlContext& context, const GpuRenderer& gpu) {
@@ -77,7 +79,7 @@ Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>
     Json result = {{"works", true}};
     result.update(describe_context(*open.context, *open.gpu));
     check_pixels(render_test(open), expected, "a test picture");
-    check_pixels(open.gpu->shade(test_scene(), test_background), expected, "the same picture in a window");
+    check_pixels(open.gpu->shade(test_scene(), drawn_spheres(test_scene()), test_background), expected, "the same picture in a window");
     return result;
 }
 

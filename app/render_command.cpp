@@ -52,11 +52,15 @@ private:
 
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
         progress_.start(job.name + order);
-        OpenBackend& backend = backend_for(scene, report);
+        const DrawnSpheres drawn = [&] {
+            const PhaseTimer timer(report.timings, Phase::upload);
+            return drawn_spheres(scene);
+        }();
+        OpenBackend& backend = backend_for(drawn.size(), report);
         report.backend = name_of(backend.backend);
         report.renderer = backend.description;
-        const Background background = options_.background.value_or(scene.background);
-        const Image picture = render_picture(backend, scene, background, options_.size, report.timings, progress_);
+        const PictureOptions options{options_.size, options_.background.value_or(scene.background), options_.certify};
+        const Image picture = render_picture(backend, scene, drawn, options, report.timings, report.decisions, progress_);
 
         if (job.output) write_png(picture, *job.output, report.timings);
         if (golden) check(picture, *golden, job, report);
@@ -73,10 +77,9 @@ private:
         return parse_scene(file.bytes(), file.name());
     }
 
-    OpenBackend& backend_for(const Scene& scene, RenderReport& report) {
+    OpenBackend& backend_for(std::size_t drawn, RenderReport& report) {
         if (!backend_) backend_ = open_backend(options_.backend, options_.device, report.timings);
         report.passed_over = backend_->passed_over;
-        const std::size_t drawn = count_drawn(scene);
         const bool too_many = backend_->gpu && drawn > static_cast<std::size_t>(backend_->gpu->sphere_capacity());
         if (options_.backend != Backend::automatic || !too_many) return *backend_;
         report.passed_over.push_back(backend_->description + ": its uniform buffer holds " +

@@ -1,6 +1,7 @@
 #include "app/render_picture.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -11,24 +12,55 @@ namespace sphereview {
 
 namespace {
 
-// Calls trace(block, visible) for one block after the other, maps what it wrote to the scene's numbers and colours it.
-template <typename Trace>
-void for_each_block(const Scene& scene, const Background& background, const DrawnSpheres& drawn, Image& picture, int block_width,
-                    int block_height, Timings& timings, Progress& progress, const Trace& trace) {
-    std::vector<std::int32_t> visible;
-    const double rows = picture.height();
-    for (int y = 0; y < picture.height(); y += block_height) {
-        for (int x = 0; x < picture.width(); x += block_width) {
-            const Block block{x, y, std::min(block_width, picture.width() - x), std::min(block_height, picture.height() - y)};
-            visible.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-            trace(block, std::span(visible));
-            const PhaseTimer timer(timings, Phase::resolve);
-            to_scene_numbers(drawn, visible);
-            shade_flat(scene, background, block, visible, picture);
-            progress.update((y + block.height * static_cast<double>(x + block.width) / picture.width()) / rows);
+// What happens to each block of a picture after it was traced.
+class PictureInProgress {
+public:
+    PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options, Timings& timings,
+                      DecisionCounts& counts, Progress& progress)
+        : scene_(scene),
+          options_(options),
+          resolver_(scene, drawn, options.size),
+          picture_(make_picture(options.size, options.background)),
+          timings_(timings),
+          counts_(counts),
+          progress_(progress) {}
+
+    // Calls trace(block, visible) for blocks of at most this size, one after the other, and finishes each.
+    template <typename Trace>
+    Image draw(int block_width, int block_height, const Trace& trace) {
+        std::vector<std::int32_t> visible;
+        for (int y = 0; y < picture_.height(); y += block_height) {
+            for (int x = 0; x < picture_.width(); x += block_width) {
+                const Block block{x, y, std::min(block_width, picture_.width() - x), std::min(block_height, picture_.height() - y)};
+                visible.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+                trace(block, std::span(visible));
+                finish(block, visible);
+            }
         }
+        return std::move(picture_);
     }
-}
+
+private:
+    void finish(const Block& block, std::span<std::int32_t> visible) {
+        const PhaseTimer timer(timings_, Phase::resolve);
+        if (options_.certify) {
+            counts_ += resolver_.certify(block, visible);
+        } else {
+            resolver_.accept_guesses(visible);
+        }
+        shade_flat(scene_, options_.background, block, visible, picture_);
+        const double row_part = static_cast<double>(block.x + block.width) / picture_.width();
+        progress_.update((block.y + block.height * row_part) / picture_.height());
+    }
+
+    const Scene& scene_;
+    const PictureOptions& options_;
+    Resolver resolver_;
+    Image picture_;
+    Timings& timings_;
+    DecisionCounts& counts_;
+    Progress& progress_;
+};
 
 // Rows of a CPU block: enough work for all cores, little enough for a progress bar.
 int cpu_block_height(PictureSize size, std::size_t spheres) {
@@ -39,30 +71,25 @@ int cpu_block_height(PictureSize size, std::size_t spheres) {
 
 }  // namespace
 
-Image render_picture(OpenBackend& backend, const Scene& scene, const Background& background, PictureSize size,
-                     Timings& timings, Progress& progress) {
-    Image picture = make_picture(size, background);
-    const DrawnSpheres drawn = drawn_spheres(scene);
+Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
+                     Timings& timings, DecisionCounts& counts, Progress& progress) {
+    PictureInProgress picture(scene, drawn, options, timings, counts, progress);
+    const PictureSize size = options.size;
     if (!backend.gpu) {
         const CpuRenderer cpu(drawn, scene.camera, size);
-        for_each_block(scene, background, drawn, picture, size.width, cpu_block_height(size, drawn.center_radius.size()), timings,
-                       progress, [&](const Block& block, std::span<std::int32_t> visible) {
-                           const PhaseTimer timer(timings, Phase::trace);
-                           cpu.trace(block, visible);
-                       });
-        return picture;
+        return picture.draw(size.width, cpu_block_height(size, drawn.size()), [&](const Block& block, std::span<std::int32_t> visible) {
+            const PhaseTimer timer(timings, Phase::trace);
+            cpu.trace(block, visible);
+        });
     }
     GpuRenderer& gpu = *backend.gpu;
-    if (drawn.center_radius.size() > static_cast<std::size_t>(gpu.sphere_capacity())) {
+    if (drawn.size() > static_cast<std::size_t>(gpu.sphere_capacity())) {
         throw RenderError("the backend " + backend.description + " holds at most " + std::to_string(gpu.sphere_capacity()) +
-                          " spheres in its uniform buffer, the scene has " + std::to_string(drawn.center_radius.size()) +
-                          "; use --backend cpu");
+                          " spheres in its uniform buffer, the scene has " + std::to_string(drawn.size()) + "; use --backend cpu");
     }
     gpu.upload(drawn, scene.camera, size, timings);
     const int side = gpu.largest_block_side();
-    for_each_block(scene, background, drawn, picture, side, side, timings, progress,
-                   [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
-    return picture;
+    return picture.draw(side, side, [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
 }
 
 }  // namespace sphereview

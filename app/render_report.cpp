@@ -28,6 +28,7 @@ Json to_json(const RenderReport& report) {
         {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
         {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
         {"passed_over", report.passed_over},
+        {"decided", {{"float", report.decisions.in_float}, {"double", report.decisions.in_double}, {"exact", report.decisions.exactly}}},
         {"timings_ms", timings},
     };
     if (report.comparison) {
@@ -48,6 +49,15 @@ void print_backend(const RenderReport& report) {
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 
+// Nothing was counted where best guesses were kept, or nothing was drawn.
+void print_decisions(const RenderReport& report) {
+    const DecisionCounts& counts = report.decisions;
+    if (counts.in_float + counts.in_double + counts.exactly == 0) return;
+    std::fprintf(stderr, "%s: pixels decided: %lld in float, %lld in double, %lld exactly\n", report.job.scene.c_str(),
+                 static_cast<long long>(counts.in_float), static_cast<long long>(counts.in_double),
+                 static_cast<long long>(counts.exactly));
+}
+
 void print_timings(const RenderReport& report) {
     for (std::size_t i = 0; i < phase_names.size(); ++i) {
         std::fprintf(stderr, "%-10s %9s ms\n", std::string(phase_names[i]).c_str(),
@@ -59,6 +69,7 @@ void print_timings(const RenderReport& report) {
 
 void print(const RenderReport& report, const RenderOptions& options) {
     if (options.verbose && !report.renderer.empty()) print_backend(report);
+    if (options.verbose || options.timings) print_decisions(report);
     if (options.timings) print_timings(report);
     if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
     if (options.json) {

@@ -9,6 +9,7 @@
 #include "app/options.hpp"
 #include "app/render_plan.hpp"
 #include "base/timings.hpp"
+#include "exact/resolve.hpp"
 #include "image/compare.hpp"
 
 namespace sphereview {
@@ -21,6 +22,7 @@ struct RenderReport {
     std::string renderer;                  // OpenBackend::description
     std::vector<std::string> passed_over;  // better ones, with reasons
     Timings timings;
+    DecisionCounts decisions;
     std::optional<Comparison> comparison;
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done

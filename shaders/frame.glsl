@@ -1,10 +1,12 @@
 // What one draw needs to know. Twin: FrameBlock in src/gpu/layouts.hpp.
 layout(std140) uniform Frame {
-    vec4 forward;       // a pixel's ray is forward + across right + upward up (xyz)
+    vec4 forward;        // a pixel's ray is forward + across right + upward up (xyz)
     vec4 right;
     vec4 up;
-    vec4 background;    // colour where no sphere is, 0..1, with alpha
-    ivec2 picture_size; // of the whole picture, in pixels
-    ivec2 block_origin; // top left pixel of what is drawn
+    vec4 background;     // colour where no sphere is, 0..1, with alpha
+    ivec2 picture_size;  // of the whole picture, in pixels
+    ivec2 block_origin;  // top left pixel of what is drawn
     int sphere_count;
+    float error_scale;   // c(kappa, u) of docs/exactness.md
+    int all_doubtful;    // not 0: float proves nothing about this scene
 };

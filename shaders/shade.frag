@@ -14,5 +14,6 @@ out vec4 color;
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     int number = texelFetch(visible_spheres, ivec2(at.x, picture_size.y - 1 - at.y), 0).r;
+    if (number < visible_background) number = doubtful(number);  // the best guess: a window has no holes
     color = number > visible_background ? colors[number] : background;
 }

@@ -1,8 +1,9 @@
 #version 330 core
-// Solves the ray's quadratic for every sphere and writes the number of the visible one.
+// Solves the ray's quadratic for every sphere and writes the number of the visible one, or that it is doubtful.
 #include "frame.glsl"
 #include "spheres.glsl"
 #include "visible.glsl"
+#include "filter.glsl"
 
 out int visible;
 
@@ -17,22 +18,27 @@ vec3 ray_direction(ivec2 pixel) {
 void main() {
     // Row 0 of the attachment is the top row of the block.
     vec3 ray = ray_direction(block_origin + ivec2(gl_FragCoord.xy));
-    float nearest = 3.0e38;
-    int best = visible_background;
+    float smallest_high = never;  // over the sure hits
+    int sure = -1;
+    float low = never;            // the smallest lower bound over all candidates
+    int guess = -1;
+    float second_low = never;     // the smallest over all candidates but the guess
     for (int i = 0; i < sphere_count; ++i) {
         vec4 sphere = sphere_at(i);
-        // Haines, Guenther and Akenine-Moeller, "Precision improvements for ray/sphere intersection", 2019: the closest
-        // approach first, because b^2 - c cancels.
-        float along = dot(sphere.xyz, ray);
-        float h = length(sphere.xyz - along * ray);
-        if (h > sphere.w) continue;
-        float half_chord = sqrt((sphere.w - h) * (sphere.w + h));
-        float entry = along - half_chord;
-        float t = entry > 0.0 ? entry : along + half_chord;
-        if (t > 0.0 && t < nearest) {
-            nearest = t;
-            best = i;
+        float w = error_scale * (abs(sphere.x) + abs(sphere.y) + abs(sphere.z) + abs(sphere.w));
+        vec2 hit = hit_bounds(sphere, w, ray);
+        if (hit.x < low) {
+            second_low = low;
+            low = hit.x;
+            guess = i;
+        } else {
+            second_low = min(second_low, hit.x);
+        }
+        if (hit.y < smallest_high) {
+            smallest_high = hit.y;
+            sure = i;
         }
     }
-    visible = best;
+    bool decided = all_doubtful == 0 && guess == sure && (guess < 0 || second_low > smallest_high);
+    visible = decided ? guess : doubtful(guess);
 }

@@ -8,6 +8,7 @@
 
 namespace sphereview {
 
+// resolve: deciding what float could not, and colouring.
 enum class Phase { read, context, shaders, upload, trace, read_back, resolve, encode, write };
 
 inline constexpr std::array<std::string_view, 9> phase_names = {"read",      "context", "shaders", "upload", "trace",

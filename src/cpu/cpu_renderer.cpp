@@ -1,24 +1,87 @@
-// The same arithmetic as shaders/trace.frag, a run of pixels at a time so that the compiler can use SIMD.
+// The same filter as shaders/trace.frag, a run of pixels at a time so that the compiler can use SIMD.
 #include "cpu/cpu_renderer.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <limits>
 
 namespace sphereview {
 
 namespace {
 
 constexpr int run_length = 128;  // pixels whose rays and nearest hits stay in the first-level cache
+constexpr float never = NearestHits<float>::never;
 
 using Lane = std::array<float, run_length>;
+using IndexLane = std::array<std::int32_t, run_length>;
+
+// The unit directions of a run of rays.
+struct Rays {
+    Lane x;
+    Lane y;
+    Lane z;
+};
+
+// NearestHits (exact/filter.hpp) for a run of rays.
+struct Nearest {
+    Lane smallest_high;
+    Lane low;
+    Lane second_low;
+    IndexLane sure;
+    IndexLane guess;
+};
+
+void aim(Rays& rays, const RayFrame<float>& frame, const RayCoefficients& first) {
+    const glm::vec3 row = frame.forward + static_cast<float>(first.upward) * frame.up;
+    for (int i = 0; i < run_length; ++i) {
+        const auto across = static_cast<float>(static_cast<std::int32_t>(first.across) + 2 * i);
+        const float x = row.x + across * frame.right.x;
+        const float y = row.y + across * frame.right.y;
+        const float z = row.z + across * frame.right.z;
+        const float scale = 1.0F / std::sqrt(x * x + y * y + z * z);
+        rays.x[i] = x * scale;
+        rays.y[i] = y * scale;
+        rays.z[i] = z * scale;
+    }
+}
+
+// Whether all rays of the run surely miss, from outside: without square roots, by twice the bound.
+bool all_miss(const Rays& rays, const glm::vec4& sphere, float w) {
+    float smallest = never;
+    for (int i = 0; i < run_length; ++i) {
+        const float along = sphere.x * rays.x[i] + sphere.y * rays.y[i] + sphere.z * rays.z[i];
+        const float px = sphere.x - along * rays.x[i];
+        const float py = sphere.y - along * rays.y[i];
+        const float pz = sphere.z - along * rays.z[i];
+        const float square = px * px + py * py + pz * pz;
+        smallest = square < smallest ? square : smallest;
+    }
+    const float reach = sphere.w + 2.0F * w;
+    return smallest > reach * reach;
+}
+
+template <EyeSide side>
+void add_sphere(Nearest& nearest, const Rays& rays, std::int32_t index, const glm::vec4& sphere, float w) {
+    const float radius = std::fabs(sphere.w);
+    for (int i = 0; i < run_length; ++i) {
+        const HitBounds<float> hit =
+            hit_bounds<side>(sphere.x, sphere.y, sphere.z, radius, w, rays.x[i], rays.y[i], rays.z[i]);
+        const bool nearer = hit.low < nearest.low[i];
+        const float displaced = nearer ? nearest.low[i] : hit.low;
+        nearest.second_low[i] = displaced < nearest.second_low[i] ? displaced : nearest.second_low[i];
+        nearest.low[i] = nearer ? hit.low : nearest.low[i];
+        nearest.guess[i] = nearer ? index : nearest.guess[i];
+        const bool surer = hit.high < nearest.smallest_high[i];
+        nearest.smallest_high[i] = surer ? hit.high : nearest.smallest_high[i];
+        nearest.sure[i] = surer ? index : nearest.sure[i];
+    }
+}
 
 }  // namespace
 
 CpuRenderer::CpuRenderer(const DrawnSpheres& spheres, const Camera& camera, PictureSize size)
-    : spheres_(spheres), frame_(ray_frame(camera, size)), size_(size) {}
+    : spheres_(spheres), view_(float_view(spheres, camera, size, float_unit)), size_(size) {}
 
 void CpuRenderer::trace(const Block& block, std::span<std::int32_t> visible) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
@@ -34,46 +97,34 @@ void CpuRenderer::trace(const Block& block, std::span<std::int32_t> visible) con
 }
 
 void CpuRenderer::trace_run(int x, int y, int count, std::int32_t* visible) const {
-    Lane nx;
-    Lane ny;
-    Lane nz;
-    Lane nearest;
-    std::array<std::int32_t, run_length> best;
-    const auto upward = static_cast<float>(ray_coefficients(size_, {x, y}).upward);
-    const glm::vec3 row = frame_.forward + upward * frame_.up;
-    const long long first_across = ray_coefficients(size_, {x, y}).across;
-    for (int i = 0; i < run_length; ++i) {
-        const auto across = static_cast<float>(first_across + 2LL * i);
-        const float dx = row.x + across * frame_.right.x;
-        const float dy = row.y + across * frame_.right.y;
-        const float dz = row.z + across * frame_.right.z;
-        const float scale = 1.0F / std::sqrt(dx * dx + dy * dy + dz * dz);
-        nx[i] = dx * scale;
-        ny[i] = dy * scale;
-        nz[i] = dz * scale;
-        nearest[i] = std::numeric_limits<float>::infinity();
-        best[i] = visible_background;
-    }
+    Rays rays;
+    aim(rays, view_.rays, ray_coefficients(size_, {x, y}));
+    Nearest nearest;
+    nearest.smallest_high.fill(never);
+    nearest.low.fill(never);
+    nearest.second_low.fill(never);
+    nearest.sure.fill(-1);
+    nearest.guess.fill(-1);
+
     std::int32_t index = 0;
     for (const glm::vec4& sphere : spheres_.center_radius) {
-        for (int i = 0; i < run_length; ++i) {
-            // Haines, Guenther and Akenine-Moeller, "Precision improvements for ray/sphere intersection", 2019: the
-            // closest approach first, because b^2 - c cancels.
-            const float along = sphere.x * nx[i] + sphere.y * ny[i] + sphere.z * nz[i];
-            const float px = sphere.x - along * nx[i];
-            const float py = sphere.y - along * ny[i];
-            const float pz = sphere.z - along * nz[i];
-            const float h = std::sqrt(px * px + py * py + pz * pz);
-            const float half_chord = std::sqrt(std::max((sphere.w - h) * (sphere.w + h), 0.0F));
-            const float in = along - half_chord;
-            const float t = in > 0.0F ? in : along + half_chord;
-            const bool closer = (h <= sphere.w) & (t > 0.0F) & (t < nearest[i]);
-            nearest[i] = closer ? t : nearest[i];
-            best[i] = closer ? index : best[i];
+        const float w =
+            view_.error_scale * (std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) + std::fabs(sphere.w));
+        if (sphere.w > 0.0F) {
+            if (!all_miss(rays, sphere, w)) add_sphere<EyeSide::outside>(nearest, rays, index, sphere, w);
+        } else if (sphere.w < 0.0F) {
+            add_sphere<EyeSide::inside>(nearest, rays, index, sphere, w);
+        } else {
+            add_sphere<EyeSide::on_surface>(nearest, rays, index, sphere, w);
         }
         ++index;
     }
-    std::copy_n(best.begin(), count, visible);
+    for (int i = 0; i < count; ++i) {
+        const std::int32_t guess = nearest.guess[i];
+        const bool decided =
+            !view_.all_doubtful && guess == nearest.sure[i] && (guess < 0 || nearest.second_low[i] > nearest.smallest_high[i]);
+        visible[i] = decided ? guess : doubtful(guess);
+    }
 }
 
 }  // namespace sphereview

@@ -14,14 +14,14 @@ class CpuRenderer {
 public:
     CpuRenderer(const DrawnSpheres& spheres, const Camera& camera, PictureSize size);
 
-    // Writes, row by row, the index among the drawn spheres that each pixel of the block shows, or visible_background.
+    // Writes, row by row, what each pixel of the block shows (exact/visible.hpp), as indices among the drawn spheres.
     void trace(const Block& block, std::span<std::int32_t> visible) const;
 
 private:
     void trace_run(int x, int y, int count, std::int32_t* visible) const;
 
     const DrawnSpheres& spheres_;
-    RayFrame frame_;
+    FloatView view_;
     PictureSize size_;
 };
 

@@ -1,49 +1,113 @@
 #include "exact/drawn.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
+
+#include "exact/exact_decision.hpp"
 
 namespace sphereview {
 
-std::size_t count_drawn(const Scene& scene) {
-    return static_cast<std::size_t>(
-        std::count_if(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return !s.hidden; }));
+namespace {
+
+// Sizes |x| + |y| + |z| + r, after scaling, for which neither squares overflow nor the bound underflows in float.
+constexpr int smallest_exponent = -30;
+constexpr int largest_exponent = 60;
+constexpr double smallest_radius = 0x1p-100;  // anything smaller differs from it by less than any bound
+
+// Finds spheres with the same centre and radius. Open addressing over indices: a million spheres, no allocation each.
+class SeenSpheres {
+public:
+    explicit SeenSpheres(const std::vector<Sphere>& spheres)
+        : spheres_(spheres), slots_(std::bit_ceil(spheres.size() * 2 + 2), empty) {}
+
+    // Whether an equal sphere was added before; adds it if not.
+    bool contains_or_add(std::size_t index) {
+        const Sphere& sphere = spheres_[index];
+        for (std::size_t slot = hash(sphere);; ++slot) {
+            std::int32_t& place = slots_[slot & (slots_.size() - 1)];
+            if (place == empty) {
+                place = static_cast<std::int32_t>(index);
+                return false;
+            }
+            const Sphere& other = spheres_[static_cast<std::size_t>(place)];
+            if (other.center == sphere.center && other.radius == sphere.radius) return true;
+        }
+    }
+
+private:
+    static constexpr std::int32_t empty = -1;
+
+    static std::size_t hash(const Sphere& sphere) {
+        std::uint64_t hash = 0;
+        for (const double value : {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius}) {
+            // Adding 0 makes -0 and 0 alike. The multiplier is that of Knuth's MMIX generator.
+            hash = (hash ^ std::bit_cast<std::uint64_t>(value + 0.0)) * 6364136223846793005ULL;
+            hash ^= hash >> 32;
+        }
+        return static_cast<std::size_t>(hash);
+    }
+
+    const std::vector<Sphere>& spheres_;
+    std::vector<std::int32_t> slots_;
+};
+
+// The exponent of the size of what is relative to the eye; also where the sum would overflow.
+int size_exponent(const Sphere& sphere, const glm::dvec3& eye) {
+    constexpr double quarter = 0.25;
+    const glm::dvec3 c = sphere.center * quarter - eye * quarter;
+    int exponent = 0;
+    std::frexp(std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z), sphere.radius * quarter}), &exponent);
+    return exponent + 2;
 }
+
+glm::vec4 relative_to_eye(const Sphere& sphere, const glm::dvec3& eye, int scale) {
+    constexpr double limit = 0x1p60;
+    const auto component = [&](double value) { return static_cast<float>(std::clamp(std::ldexp(value, scale), -limit, limit)); };
+    const glm::dvec3 c = sphere.center - eye;
+    const auto radius = static_cast<float>(std::clamp(std::ldexp(sphere.radius, scale), smallest_radius, limit));
+    const EyeSide side = eye_side(sphere, eye);
+    const float signed_radius = side == EyeSide::outside ? radius : side == EyeSide::inside ? -radius : 0.0F;
+    return {component(c.x), component(c.y), component(c.z), signed_radius};
+}
+
+}  // namespace
 
 DrawnSpheres drawn_spheres(const Scene& scene) {
     DrawnSpheres drawn;
-    const std::size_t count = count_drawn(scene);
-    drawn.center_radius.reserve(count);
-    if (count != scene.spheres.size()) drawn.numbers.reserve(count);
+    const glm::dvec3& eye = scene.camera.eye;
+    std::vector<std::int32_t> numbers;
+    numbers.reserve(scene.spheres.size());
+    SeenSpheres seen(scene.spheres);
+    int largest = std::numeric_limits<int>::min();
     for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-        const Sphere& sphere = scene.spheres[i];
-        if (sphere.hidden) continue;
-        drawn.center_radius.emplace_back(glm::vec3(sphere.center - scene.camera.eye), static_cast<float>(sphere.radius));
-        if (count != scene.spheres.size()) drawn.numbers.push_back(static_cast<std::int32_t>(i));
+        if (scene.spheres[i].hidden || seen.contains_or_add(i)) continue;
+        numbers.push_back(static_cast<std::int32_t>(i));
+        largest = std::max(largest, size_exponent(scene.spheres[i], eye));
     }
+    if (numbers.empty()) return drawn;
+
+    // A power of two changes nothing but the range: only where the largest sphere needs it.
+    constexpr int comfortable = 30;
+    if (largest < 0 || largest > largest_exponent - 3) drawn.scale = comfortable - largest;
+    drawn.center_radius.reserve(numbers.size());
+    for (const std::int32_t number : numbers) {
+        const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
+        drawn.center_radius.push_back(relative_to_eye(sphere, eye, drawn.scale));
+        const int exponent = size_exponent(sphere, eye) + drawn.scale;
+        drawn.beyond_float = drawn.beyond_float || exponent < smallest_exponent || exponent > largest_exponent - 3;
+    }
+    if (numbers.size() != scene.spheres.size()) drawn.numbers = std::move(numbers);
     return drawn;
 }
 
-void to_scene_numbers(const DrawnSpheres& spheres, std::span<std::int32_t> visible) {
-    if (spheres.numbers.empty()) return;
-    for (std::int32_t& number : visible) {
-        if (number >= 0) number = spheres.numbers[static_cast<std::size_t>(number)];
-    }
-}
-
-RayFrame ray_frame(const Camera& camera, PictureSize size) {
-    // A quarter first: the difference of two doubles, or its product with a side's mantissa, may overflow.
-    int side_exponent = 0;
-    const double side = std::frexp(size.shorter_side(), &side_exponent);
-    const glm::dvec3 axis = side * (camera.center * 0.25 - camera.eye * 0.25);
-    int exponent = 0;
-    std::frexp(std::max({std::fabs(axis.x), std::fabs(axis.y), std::fabs(axis.z)}), &exponent);
-    const auto scaled = [](const glm::dvec3& v, int by) {
-        return glm::vec3(std::ldexp(v.x, by), std::ldexp(v.y, by), std::ldexp(v.z, by));
-    };
-    // Only powers of two besides the side's mantissa: for the default camera nothing is rounded.
-    const int edges = -exponent - side_exponent - 2;
-    return {scaled(axis, -exponent), scaled(camera.right, edges), scaled(camera.up, edges)};
+FloatView float_view(const DrawnSpheres& drawn, const Camera& camera, PictureSize size, double unit) {
+    FloatView view{ray_frame<float>(camera, size), 0.0F, false};
+    const double kappa = ray_condition(camera);
+    view.error_scale = static_cast<float>(error_scale(std::min(kappa, largest_float_condition), unit));
+    view.all_doubtful = drawn.beyond_float || !view.rays.in_range || !(kappa <= largest_float_condition);
+    return view;
 }
 
 }  // namespace sphereview

@@ -1,38 +1,47 @@
-// A scene as both renderers take it: floats relative to the eye, only what is drawn.
+// A scene as both renderers take it: floats relative to the eye, without what can never be seen.
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <span>
 #include <vector>
 
+#include "exact/filter.hpp"
+#include "exact/rays.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
 
-// The spheres that are not hidden, in file order.
+// Spheres in file order, without those that are hidden and without each that equals an earlier one in centre and radius
+// (of equal hits the first is seen, so it never is). Renderers write indices into these vectors.
 struct DrawnSpheres {
-    std::vector<glm::vec4> center_radius;  // centre relative to the eye (subtracted in double), radius
-    std::vector<std::int32_t> numbers;     // their numbers in the scene; empty when nothing is hidden: i is i
+    // x, y, z: the centre relative to the eye, subtracted in double, times 2^scale. w: the radius likewise; negative when
+    // the eye is inside, 0 when it lies exactly on the surface.
+    std::vector<glm::vec4> center_radius;
+    std::vector<std::int32_t> numbers;  // in the scene; empty when nothing was left out: index i is number i
+    int scale = 0;                      // 0 unless the scene is very small or very large
+    // The float filter proves nothing about some of the spheres, so every pixel is doubtful.
+    bool beyond_float = false;
+
+    std::size_t size() const { return center_radius.size(); }
+    std::int32_t number(std::size_t index) const {
+        return numbers.empty() ? static_cast<std::int32_t>(index) : numbers[index];
+    }
+    EyeSide side(std::size_t index) const {
+        const float w = center_radius[index].w;
+        return w > 0.0F ? EyeSide::outside : w < 0.0F ? EyeSide::inside : EyeSide::on_surface;
+    }
 };
 
 DrawnSpheres drawn_spheres(const Scene& scene);
 
-// Turns indices among the drawn spheres into numbers in the scene; visible_background stays.
-void to_scene_numbers(const DrawnSpheres& spheres, std::span<std::int32_t> visible);
-
-// How many spheres of the scene are drawn.
-std::size_t count_drawn(const Scene& scene);
-
-// The rays of a picture: pixel (x, y) looks along forward + across right + upward up, with the whole numbers of
-// ray_coefficients(). Scaled so that the largest component of `forward` lies in [0.5, 1).
-struct RayFrame {
-    glm::vec3 forward;
-    glm::vec3 right;
-    glm::vec3 up;
+// What a float renderer needs besides the spheres.
+struct FloatView {
+    RayFrame<float> rays;
+    float error_scale = 0.0F;   // error_scale(kappa, unit) of exact/filter.hpp
+    bool all_doubtful = false;  // the filter proves nothing here
 };
 
-RayFrame ray_frame(const Camera& camera, PictureSize size);
+// `unit` is the arithmetic's: gpu_unit or float_unit.
+FloatView float_view(const DrawnSpheres& drawn, const Camera& camera, PictureSize size, double unit);
 
 }  // namespace sphereview

@@ -86,10 +86,12 @@ void GpuRenderer::resize_target(int width, int height) {
 void GpuRenderer::upload(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, Timings& timings) {
     const PhaseTimer timer(timings, Phase::upload);
     assert(spheres.center_radius.size() <= static_cast<std::size_t>(capacity_));
-    const RayFrame rays = ray_frame(camera, size);
-    frame_.forward = glm::vec4(rays.forward, 0.0F);
-    frame_.right = glm::vec4(rays.right, 0.0F);
-    frame_.up = glm::vec4(rays.up, 0.0F);
+    const FloatView view = float_view(spheres, camera, size, gpu_unit);
+    frame_.forward = glm::vec4(view.rays.forward, 0.0F);
+    frame_.right = glm::vec4(view.rays.right, 0.0F);
+    frame_.up = glm::vec4(view.rays.up, 0.0F);
+    frame_.error_scale = view.error_scale;
+    frame_.all_doubtful = view.all_doubtful ? 1 : 0;
     frame_.picture_size = {size.width, size.height};
     frame_.sphere_count = static_cast<std::int32_t>(spheres.center_radius.size());
     put_into(sphere_buffer_, BlockBinding::spheres, spheres.center_radius.data(),
@@ -119,7 +121,7 @@ void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Tim
     last_block_ = block;
 }
 
-Image GpuRenderer::shade(const Scene& scene, const Background& background) {
+Image GpuRenderer::shade(const Scene& scene, const DrawnSpheres& drawn, const Background& background) {
     if (!shade_) {
         shade_ = make_program("shade.frag", {"SPHERE_CAPACITY " + std::to_string(capacity_)});
         glUseProgram(shade_.name());
@@ -128,8 +130,9 @@ Image GpuRenderer::shade(const Scene& scene, const Background& background) {
     }
     const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
     std::vector<glm::vec4> colors;
-    for (const Sphere& sphere : scene.spheres) {
-        if (!sphere.hidden) colors.emplace_back(channel(sphere.color.r), channel(sphere.color.g), channel(sphere.color.b), 1.0F);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Color color = scene.spheres[static_cast<std::size_t>(drawn.number(i))].color;
+        colors.emplace_back(channel(color.r), channel(color.g), channel(color.b), 1.0F);
     }
     assert(colors.size() <= static_cast<std::size_t>(capacity_));
     put_into(color_buffer_, BlockBinding::colors, colors.data(), colors.size() * sizeof(glm::vec4),

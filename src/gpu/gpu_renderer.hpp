@@ -29,11 +29,11 @@ public:
     // Uploads what trace() draws. At most sphere_capacity() spheres.
     void upload(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, Timings& timings);
 
-    // Writes, row by row, the index among the drawn spheres that each pixel of the block shows, or visible_background.
+    // Writes, row by row, what each pixel of the block shows (exact/visible.hpp), as indices among the drawn spheres.
     void trace(const Block& block, std::span<std::int32_t> visible, Timings& timings);
 
     // Colours the block that was traced last, from (0, 0), as a window shows it, through shade.frag. An RGBA picture.
-    Image shade(const Scene& scene, const Background& background);
+    Image shade(const Scene& scene, const DrawnSpheres& drawn, const Background& background);
 
 private:
     void self_check(Timings& timings);

@@ -19,7 +19,9 @@ struct FrameBlock {
     glm::ivec2 picture_size{0};
     glm::ivec2 block_origin{0};
     std::int32_t sphere_count = 0;
-    std::array<std::int32_t, 3> padding{};  // std140 rounds a block up to 16 bytes
+    float error_scale = 0.0F;
+    std::int32_t all_doubtful = 0;
+    std::int32_t padding = 0;  // std140 rounds a block up to 16 bytes
 };
 
 struct BlockMember {
@@ -27,7 +29,7 @@ struct BlockMember {
     std::size_t offset;
 };
 
-inline constexpr std::array<BlockMember, 7> frame_members = {{
+inline constexpr std::array<BlockMember, 9> frame_members = {{
     {"forward", offsetof(FrameBlock, forward)},
     {"right", offsetof(FrameBlock, right)},
     {"up", offsetof(FrameBlock, up)},
@@ -35,6 +37,8 @@ inline constexpr std::array<BlockMember, 7> frame_members = {{
     {"picture_size", offsetof(FrameBlock, picture_size)},
     {"block_origin", offsetof(FrameBlock, block_origin)},
     {"sphere_count", offsetof(FrameBlock, sphere_count)},
+    {"error_scale", offsetof(FrameBlock, error_scale)},
+    {"all_doubtful", offsetof(FrameBlock, all_doubtful)},
 }};
 
 static_assert(sizeof(FrameBlock) == 96);

@@ -1,0 +1,22 @@
+// One sphere against one ray, with proven bounds. Derivation: docs/exactness.md. Twin: src/exact/filter.hpp.
+// No infinities here: drivers disagree about them. No distance reaches `never`.
+const float never = 3.0e38;
+
+// The interval of the hit's distance along the ray. Missed: x is never. Not sure to be a hit: y is never.
+// Haines, Guenther and Akenine-Moeller, "Precision improvements for ray/sphere intersection", 2019: the closest approach h
+// first, because b^2 - c cancels.
+vec2 hit_bounds(vec4 sphere, float w, vec3 ray) {
+    float along = dot(sphere.xyz, ray);
+    if (sphere.w == 0.0) {  // the roots are 0, which does not count, and 2 b
+        return vec2(along < -w ? never : 2.0 * (along - w), along > w ? 2.0 * (along + w) : never);
+    }
+    float r = abs(sphere.w);
+    float h = length(sphere.xyz - along * ray);
+    bool inside = sphere.w < 0.0;
+    if (!inside && (h - r > w || along < -w)) return vec2(never);
+    float longest = sqrt(max(r - h + w, 0.0) * (r + h + w));
+    float shortest = sqrt(max(r - h - w, 0.0) * max(r + h - w, 0.0));
+    if (inside) return vec2(along + shortest - w, along + longest + w);
+    bool sure = r - h > w && along > w;
+    return vec2(along - longest - w, sure ? along - shortest + w : never);
+}

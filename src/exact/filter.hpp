@@ -1,0 +1,86 @@
+// One sphere against one ray in floating point, with proven bounds. Derivation: docs/exactness.md. Twin: shaders/filter.glsl.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sphereview {
+
+// Where the eye is, seen from a sphere: the sign of |C|^2 - r^2, decided exactly once for the sphere.
+enum class EyeSide { outside, inside, on_surface };
+
+// The arithmetic that a bound is for: `unit` bounds the relative error of + - x and of the inputs; square roots, inverse
+// square roots and division may err by twice as much.
+inline constexpr double gpu_unit = 0x1p-21;     // 8 times IEEE 754's: the assumption about GPUs
+inline constexpr double float_unit = 0x1p-24;   // IEEE 754 single precision, rounded to nearest
+inline constexpr double double_unit = 0x1p-53;  // IEEE 754 double precision, rounded to nearest
+
+// Beyond this condition of the rays (exact/rays.hpp) the bound for floats is not proven.
+inline constexpr double largest_float_condition = 256.0;
+
+// c(kappa, u) of docs/exactness.md: a sphere at C with radius r has w = c (|x| + |y| + |z| + r).
+constexpr double error_scale(double kappa, double unit) { return (5.0 * kappa + 22.0) * unit * (1.0 + 1.0 / 64.0); }
+
+// The interval of the hit's distance along the ray. Missed: low is infinite. Not sure to be a hit: high is infinite.
+template <typename Real>
+struct HitBounds {
+    Real low;
+    Real high;
+};
+
+// The centre (cx, cy, cz) relative to the eye, the radius r > 0, the bound w and the ray's unit direction (nx, ny, nz).
+// Without branches, so that a loop over rays becomes SIMD. Haines, Guenther and Akenine-Moeller, "Precision improvements
+// for ray/sphere intersection", 2019: the closest approach h first, because b^2 - c cancels.
+template <EyeSide side, typename Real>
+inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Real nx, Real ny, Real nz) {
+    constexpr Real never = std::numeric_limits<Real>::infinity();
+    const Real along = cx * nx + cy * ny + cz * nz;
+    if constexpr (side == EyeSide::on_surface) {
+        // The roots are 0, which does not count, and 2 b.
+        const Real low = Real(2) * (along - w);
+        const Real high = Real(2) * (along + w);
+        return {along < -w ? never : low, along > w ? high : never};
+    } else {
+        const Real px = cx - along * nx;
+        const Real py = cy - along * ny;
+        const Real pz = cz - along * nz;
+        const Real h = std::sqrt(px * px + py * py + pz * pz);
+        const Real longest = std::sqrt(std::max(r - h + w, Real(0)) * (r + h + w));
+        const Real shortest = std::sqrt(std::max(r - h - w, Real(0)) * std::max(r + h - w, Real(0)));
+        if constexpr (side == EyeSide::inside) {
+            return {along + shortest - w, along + longest + w};
+        } else {
+            const bool missed = (h - r > w) | (along < -w);
+            const bool sure = (r - h > w) & (along > w);
+            return {missed ? never : along - longest - w, sure ? along - shortest + w : never};
+        }
+    }
+}
+
+// What is known of a pixel's nearest hits after some spheres: enough to tell whether one of them is surely the visible one.
+template <typename Real>
+struct NearestHits {
+    static constexpr Real never = std::numeric_limits<Real>::infinity();
+
+    Real smallest_high = never;  // over the sure hits
+    int sure = -1;               // whose that is
+    Real low = never;            // the smallest lower bound over all candidates
+    int guess = -1;              // whose that is
+    Real second_low = never;     // the smallest over all candidates but `guess`
+
+    void add(int sphere, const HitBounds<Real>& hit) {
+        const bool nearer = hit.low < low;
+        second_low = nearer ? low : std::min(second_low, hit.low);
+        low = nearer ? hit.low : low;
+        guess = nearer ? sphere : guess;
+        const bool surer = hit.high < smallest_high;
+        smallest_high = surer ? hit.high : smallest_high;
+        sure = surer ? sphere : sure;
+    }
+
+    // The visible sphere, or -1 for none, is `guess`: nothing else can be as near.
+    bool decided() const { return guess == sure && (guess < 0 || second_low > smallest_high); }
+};
+
+}  // namespace sphereview

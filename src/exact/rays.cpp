@@ -1,0 +1,63 @@
+#include "exact/rays.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace sphereview {
+
+namespace {
+
+double largest(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+int exponent_of(double value) {
+    int exponent = 0;
+    std::frexp(value, &exponent);
+    return exponent;
+}
+
+glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
+    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
+}  // namespace
+
+template <typename Real>
+RayFrame<Real> ray_frame(const Camera& camera, PictureSize size) {
+    // A quarter first: the difference of two doubles, or its product with the side's mantissa, may overflow. Only powers of
+    // two besides that mantissa: for the default camera nothing is rounded.
+    int side_exponent = 0;
+    const double side = std::frexp(size.shorter_side(), &side_exponent);
+    const glm::dvec3 axis = side * (camera.center * 0.25 - camera.eye * 0.25);
+    const int exponent = exponent_of(largest(axis));
+    const int edge_exponent = -exponent - side_exponent - 2;
+
+    // |across| and |upward| stay below 2^32; rays below 2^limit keep their squares finite.
+    constexpr int limit = sizeof(Real) == sizeof(float) ? 60 : 500;
+    const int longest_edge = exponent_of(std::max(largest(camera.right), largest(camera.up))) + edge_exponent + 32;
+    RayFrame<Real> frame;
+    // Below 2^-900 a quarter may have lost bits.
+    frame.in_range = longest_edge < limit && exponent > -900;
+    const int edges = std::min(edge_exponent, edge_exponent - (longest_edge - limit));
+    frame.forward = glm::vec<3, Real>(times_two_to(axis, -exponent));
+    frame.right = glm::vec<3, Real>(times_two_to(camera.right, edges));
+    frame.up = glm::vec<3, Real>(times_two_to(camera.up, edges));
+    return frame;
+}
+
+template RayFrame<float> ray_frame<float>(const Camera&, PictureSize);
+template RayFrame<double> ray_frame<double>(const Camera&, PictureSize);
+
+double ray_condition(const Camera& camera) {
+    const glm::dvec3 axis = camera.center * 0.5 - camera.eye * 0.5;
+    const glm::dvec3 forward = times_two_to(axis, -exponent_of(largest(axis)));
+    const glm::dvec3 right = times_two_to(camera.right, -exponent_of(largest(camera.right)));
+    const glm::dvec3 up = times_two_to(camera.up, -exponent_of(largest(camera.up)));
+    const glm::dvec3 normal = glm::normalize(glm::cross(right, up));
+    const double off_plane = std::fabs(glm::dot(forward, normal));
+    const double in_plane = glm::length(forward - glm::dot(forward, normal) * normal);
+    // docs/exactness.md, "Rays"; 1 % covers the rounding here and right and up that are not quite perpendicular.
+    return 1.01 * (std::sqrt(3.0) + (1.0 + std::sqrt(2.0)) * in_plane / off_plane);
+}
+
+}  // namespace sphereview

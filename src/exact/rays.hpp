@@ -1,0 +1,28 @@
+// The rays of a picture in floating point, and how far they can be trusted.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "scene/camera.hpp"
+
+namespace sphereview {
+
+// Pixel (x, y) looks along forward + across right + upward up, with the whole numbers of ray_coefficients(). Scaled so that
+// the largest component of `forward` lies in [0.5, 1); each component is within 2 units in the last place of the exact one.
+template <typename Real>
+struct RayFrame {
+    glm::vec<3, Real> forward;
+    glm::vec<3, Real> right;
+    glm::vec<3, Real> up;
+    // False when the camera's numbers are so large or small that what is above does not hold; they are finite all the same.
+    bool in_range = true;
+};
+
+template <typename Real>
+RayFrame<Real> ray_frame(const Camera& camera, PictureSize size);
+
+// kappa of docs/exactness.md: no pixel's |forward| + |across right| + |upward up| exceeds kappa |ray|. At least sqrt(3);
+// large when the screen's centre lies far off the axis.
+double ray_condition(const Camera& camera);
+
+}  // namespace sphereview

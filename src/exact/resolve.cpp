@@ -1,0 +1,107 @@
+#include "exact/resolve.hpp"
+
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "exact/exact_decision.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Sizes for which the squares and the bound of the double filter neither overflow nor underflow.
+constexpr double smallest_size = 0x1p-300;
+constexpr double largest_size = 0x1p300;
+
+HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, double error_scale, const glm::dvec3& ray) {
+    const glm::dvec3 c = sphere.center - eye;
+    const double r = sphere.radius;
+    const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + r;
+    // Also when it is not a number: then nothing is known.
+    if (!(size > smallest_size && size < largest_size)) return {-NearestHits<double>::never, NearestHits<double>::never};
+    const double w = error_scale * size;
+    switch (side) {
+        case EyeSide::outside: return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
+        case EyeSide::inside: return hit_bounds<EyeSide::inside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
+        case EyeSide::on_surface: return hit_bounds<EyeSide::on_surface>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
+    }
+    return {};
+}
+
+}  // namespace
+
+DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& other) {
+    in_float += other.in_float;
+    in_double += other.in_double;
+    exactly += other.exactly;
+    return *this;
+}
+
+Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size)
+    : scene_(scene),
+      drawn_(drawn),
+      size_(size),
+      frame_(ray_frame<double>(scene.camera, size)),
+      error_scale_(error_scale(ray_condition(scene.camera), double_unit)) {}
+
+std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
+    const RayCoefficients coefficients = ray_coefficients(size_, pixel);
+    const glm::dvec3 direction = (frame_.forward + static_cast<double>(coefficients.upward) * frame_.up) +
+                                 static_cast<double>(coefficients.across) * frame_.right;
+    const double scale = 1.0 / std::sqrt(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
+    const glm::dvec3 ray = direction * scale;
+
+    const auto sphere_at = [&](std::size_t i) -> const Sphere& {
+        return scene_.spheres[static_cast<std::size_t>(drawn_.number(i))];
+    };
+    const auto bounds_of = [&](std::size_t i) {
+        return bounds_in_double(sphere_at(i), drawn_.side(i), scene_.camera.eye, error_scale_, ray);
+    };
+    NearestHits<double> nearest;
+    if (frame_.in_range) {
+        for (std::size_t i = 0; i < drawn_.size(); ++i) nearest.add(static_cast<int>(i), bounds_of(i));
+        if (nearest.decided()) {
+            level = DecisionLevel::in_double;
+            return nearest.guess < 0 ? visible_background : drawn_.number(static_cast<std::size_t>(nearest.guess));
+        }
+    }
+    level = DecisionLevel::exactly;
+    std::vector<Contender> contenders;
+    for (std::size_t i = 0; i < drawn_.size(); ++i) {
+        const double low = frame_.in_range ? bounds_of(i).low : 0.0;
+        if (low < NearestHits<double>::never && low <= nearest.smallest_high) contenders.push_back({drawn_.number(i), &sphere_at(i)});
+    }
+    return decide_exactly(scene_.camera, size_, pixel, contenders);
+}
+
+DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> visible) const {
+    assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+    std::int64_t in_double = 0;
+    std::int64_t exactly = 0;
+#pragma omp parallel for schedule(dynamic, 4) reduction(+ : in_double, exactly)
+    for (int row = 0; row < block.height; ++row) {
+        std::int32_t* numbers = visible.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width);
+        for (int column = 0; column < block.width; ++column) {
+            std::int32_t& number = numbers[column];
+            if (is_doubtful(number)) {
+                DecisionLevel level = DecisionLevel::in_float;
+                number = resolve({block.x + column, block.y + row}, level);
+                (level == DecisionLevel::exactly ? exactly : in_double) += 1;
+            } else if (number >= 0) {
+                number = drawn_.number(static_cast<std::size_t>(number));
+            }
+        }
+    }
+    const auto pixels = static_cast<std::int64_t>(visible.size());
+    return {pixels - in_double - exactly, in_double, exactly};
+}
+
+void Resolver::accept_guesses(std::span<std::int32_t> visible) const {
+    for (std::int32_t& number : visible) {
+        if (is_doubtful(number)) number = doubtful(number);
+        if (number >= 0) number = drawn_.number(static_cast<std::size_t>(number));
+    }
+}
+
+}  // namespace sphereview
