@@ -48,17 +48,17 @@ void aim(Rays& rays, const RayFrame<float>& frame, const RayCoefficients& first)
 
 // Whether all rays of the run surely miss, from outside: without square roots, by twice the bound.
 bool all_miss(const Rays& rays, const glm::vec4& sphere, float w) {
-    float smallest = never;
+    const float reach = sphere.w + 2.0F * w;
+    const float reach_square = reach * reach;
+    int near = 0;
     for (int i = 0; i < run_length; ++i) {
         const float along = sphere.x * rays.x[i] + sphere.y * rays.y[i] + sphere.z * rays.z[i];
         const float px = sphere.x - along * rays.x[i];
         const float py = sphere.y - along * rays.y[i];
         const float pz = sphere.z - along * rays.z[i];
-        const float square = px * px + py * py + pz * pz;
-        smallest = square < smallest ? square : smallest;
+        near |= static_cast<int>(px * px + py * py + pz * pz <= reach_square);
     }
-    const float reach = sphere.w + 2.0F * w;
-    return smallest > reach * reach;
+    return near == 0;
 }
 
 template <EyeSide side>
@@ -67,14 +67,20 @@ void add_sphere(Nearest& nearest, const Rays& rays, std::int32_t index, const gl
     for (int i = 0; i < run_length; ++i) {
         const HitBounds<float> hit =
             hit_bounds<side>(sphere.x, sphere.y, sphere.z, radius, w, rays.x[i], rays.y[i], rays.z[i]);
-        const bool nearer = hit.low < nearest.low[i];
-        const float displaced = nearer ? nearest.low[i] : hit.low;
-        nearest.second_low[i] = displaced < nearest.second_low[i] ? displaced : nearest.second_low[i];
-        nearest.low[i] = nearer ? hit.low : nearest.low[i];
-        nearest.guess[i] = nearer ? index : nearest.guess[i];
-        const bool surer = hit.high < nearest.smallest_high[i];
-        nearest.smallest_high[i] = surer ? hit.high : nearest.smallest_high[i];
-        nearest.sure[i] = surer ? index : nearest.sure[i];
+        // All loads before all stores: a conditional one would keep this from becoming SIMD.
+        const float low = nearest.low[i];
+        const float second_low = nearest.second_low[i];
+        const float smallest_high = nearest.smallest_high[i];
+        const std::int32_t guess = nearest.guess[i];
+        const std::int32_t sure = nearest.sure[i];
+        const bool nearer = hit.low < low;
+        const float displaced = nearer ? low : hit.low;
+        nearest.second_low[i] = displaced < second_low ? displaced : second_low;
+        nearest.low[i] = nearer ? hit.low : low;
+        nearest.guess[i] = nearer ? index : guess;
+        const bool surer = hit.high < smallest_high;
+        nearest.smallest_high[i] = surer ? hit.high : smallest_high;
+        nearest.sure[i] = surer ? index : sure;
     }
 }
 

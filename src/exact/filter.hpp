@@ -29,6 +29,12 @@ struct HitBounds {
     Real high;
 };
 
+// std::max takes references, which keep loops from becoming SIMD.
+template <typename Real>
+constexpr Real at_least_zero(Real x) {
+    return x > Real(0) ? x : Real(0);
+}
+
 // The centre (cx, cy, cz) relative to the eye, the radius r > 0, the bound w and the ray's unit direction (nx, ny, nz).
 // Without branches, so that a loop over rays becomes SIMD. Haines, Guenther and Akenine-Moeller, "Precision improvements
 // for ray/sphere intersection", 2019: the closest approach h first, because b^2 - c cancels.
@@ -46,8 +52,8 @@ inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Rea
         const Real py = cy - along * ny;
         const Real pz = cz - along * nz;
         const Real h = std::sqrt(px * px + py * py + pz * pz);
-        const Real longest = std::sqrt(std::max(r - h + w, Real(0)) * (r + h + w));
-        const Real shortest = std::sqrt(std::max(r - h - w, Real(0)) * std::max(r + h - w, Real(0)));
+        const Real longest = std::sqrt(at_least_zero(r - h + w) * (r + h + w));
+        const Real shortest = std::sqrt(at_least_zero(r - h - w) * at_least_zero(r + h - w));
         if constexpr (side == EyeSide::inside) {
             return {along + shortest - w, along + longest + w};
         } else {

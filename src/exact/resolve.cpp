@@ -79,6 +79,7 @@ DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> vis
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     std::int64_t in_double = 0;
     std::int64_t exactly = 0;
+    const bool renumber = !drawn_.numbers.empty();
 #pragma omp parallel for schedule(dynamic, 4) reduction(+ : in_double, exactly)
     for (int row = 0; row < block.height; ++row) {
         std::int32_t* numbers = visible.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width);
@@ -88,8 +89,8 @@ DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> vis
                 DecisionLevel level = DecisionLevel::in_float;
                 number = resolve({block.x + column, block.y + row}, level);
                 (level == DecisionLevel::exactly ? exactly : in_double) += 1;
-            } else if (number >= 0) {
-                number = drawn_.number(static_cast<std::size_t>(number));
+            } else if (number >= 0 && renumber) {
+                number = drawn_.numbers[static_cast<std::size_t>(number)];
             }
         }
     }

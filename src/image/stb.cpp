@@ -7,7 +7,7 @@
 namespace {
 
 // Fast and small on flat pictures; higher levels gain a few bytes for several times the time.
-constexpr int compression_level = 3;
+constexpr int compression_level = 1;
 
 // stb's hook: data -> a zlib stream from std::malloc, its size in *compressed_size; null when memory does not suffice.
 unsigned char* compress(unsigned char* data, int size, int* compressed_size, int /*quality*/) {

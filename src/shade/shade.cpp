@@ -1,7 +1,10 @@
 #include "shade/shade.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstddef>
+#include <cstring>
 
 namespace sphereview {
 
@@ -9,22 +12,36 @@ Image make_picture(PictureSize size, const Background& background) {
     return {size.width, size.height, background.transparent ? 4 : 3};
 }
 
+namespace {
+
+// Fills `count` pixels from `out` on with the `channels` bytes of `pixel`; doubling, because most runs are long.
+void fill(std::uint8_t* out, std::size_t count, const std::uint8_t* pixel, std::size_t channels) {
+    const std::size_t size = count * channels;
+    std::memcpy(out, pixel, channels);
+    for (std::size_t done = channels; done < size; done *= 2) std::memcpy(out + done, out, std::min(done, size - done));
+}
+
+}  // namespace
+
 void shade_flat(const Scene& scene, const Background& background, const Block& block, std::span<const std::int32_t> visible,
                 Image& picture) {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    const bool alpha = picture.channels() == 4;
+    const auto channels = static_cast<std::size_t>(picture.channels());
     const std::uint8_t background_alpha = background.transparent ? 0 : 255;
 #pragma omp parallel for schedule(static)
     for (int row = 0; row < block.height; ++row) {
         const std::int32_t* numbers = visible.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width);
+        const std::int32_t* const end = numbers + block.width;
         std::uint8_t* out = picture.at(block.x, block.y + row);
-        for (int column = 0; column < block.width; ++column) {
-            const bool hit = numbers[column] >= 0;
-            const Color color = hit ? scene.spheres[static_cast<std::size_t>(numbers[column])].color : background.color;
-            *out++ = color.r;
-            *out++ = color.g;
-            *out++ = color.b;
-            if (alpha) *out++ = hit ? 255 : background_alpha;
+        while (numbers != end) {
+            const std::int32_t number = *numbers;
+            const std::int32_t* const run_end = std::find_if(numbers, end, [=](std::int32_t other) { return other != number; });
+            const Color color = number >= 0 ? scene.spheres[static_cast<std::size_t>(number)].color : background.color;
+            const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, number >= 0 ? std::uint8_t{255} : background_alpha};
+            const auto count = static_cast<std::size_t>(run_end - numbers);
+            fill(out, count, pixel.data(), channels);
+            out += count * channels;
+            numbers = run_end;
         }
     }
 }
