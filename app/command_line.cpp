@@ -33,6 +33,11 @@ constexpr const char* convert_examples =
     "  sphereview convert scene.txt scene.toml\n"
     "  sphereview convert scene.toml - --to text\n";
 
+constexpr const char* explain_examples =
+    "Examples:\n"
+    "  sphereview explain scene.txt --pixel 665,334\n"
+    "  sphereview explain scene.toml --pixel 10,20 --size 64x48 --json\n";
+
 constexpr const char* doctor_examples =
     "Exit status 0 if any backend works, else 3.\n"
     "Examples:\n"
@@ -47,7 +52,9 @@ constexpr const char* doctor_examples =
 struct Typed {
     RenderOptions render;
     ConvertOptions convert;
+    ExplainOptions explain;
     DoctorOptions doctor;
+    std::string pixel;
     bool no_certify = false;
     std::string size = "1000x1000";
     std::string background;
@@ -85,6 +92,17 @@ void add_convert(CLI::App& app, Typed& typed) {
         ->required();
     convert->add_option("--to", typed.to, "text or toml, whatever OUT is called")->type_name("FORMAT");
     convert->footer(std::string(convert_examples) + exit_codes);
+}
+
+void add_explain(CLI::App& app, Typed& typed) {
+    CLI::App* explain = app.add_subcommand("explain", "Everything about one pixel: its ray, every hit, which sphere it shows and why");
+    explain->add_option("SCENE", typed.explain.scene, "Scene file; - is standard input")->required();
+    explain->add_option("-p,--pixel", typed.pixel, "Column from the left and row from the top, from 0")->required()->type_name("X,Y");
+    explain->add_option("-s,--size", typed.size, "Width and height of the picture in pixels [1000x1000]")->type_name("WxH");
+    explain->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
+        ->type_name("COLOR");
+    explain->add_flag("--json", typed.explain.json, "The same as one JSON line");
+    explain->footer(std::string(explain_examples) + exit_codes);
 }
 
 void add_doctor(CLI::App& app, Typed& typed) {
@@ -145,13 +163,37 @@ Backend chosen_backend(const Typed& typed) {
     wrong_usage("SPHEREVIEW_BACKEND: found " + in_quotes(variable) + ", expected " + std::string(backend_names), "render");
 }
 
+// Two whole numbers with one of the separators between them.
+struct NumberPair {
+    bool well_formed = false;
+    bool too_large = false;  // one of them is beyond an int
+    int first = 0;
+    int second = 0;
+};
+
+NumberPair parse_pair(const std::string& text, std::string_view separators) {
+    NumberPair pair;
+    const char* last = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), last, pair.first);
+    if (first.ptr == last || separators.find(*first.ptr) == std::string_view::npos) return pair;
+    const auto second = std::from_chars(first.ptr + 1, last, pair.second);
+    pair.well_formed = second.ptr == last && second.ptr != first.ptr + 1 && first.ptr != text.data();
+    pair.too_large = first.ec != std::errc{} || second.ec != std::errc{};
+    return pair;
+}
+
+std::optional<Background> checked_background(const std::string& text) {
+    Background background;
+    if (text.empty()) return std::nullopt;
+    if (parse_background(text, background)) return background;
+    wrong_usage("--background: found " + in_quotes(text) + ", expected " + std::string(background_syntax));
+}
+
 RenderOptions checked_render(const Typed& typed) {
     RenderOptions options = typed.render;
     options.size = parse_size(typed.size);
     options.certify = !typed.no_certify;
-    if (!typed.background.empty() && !parse_background(typed.background, options.background.emplace())) {
-        wrong_usage("--background: found " + in_quotes(typed.background) + ", expected " + std::string(background_syntax), "render");
-    }
+    options.background = checked_background(typed.background);
     options.backend = chosen_backend(typed);
     if (options.device) {
         const bool explicitly = !typed.backend.empty() && options.backend != Backend::automatic;
@@ -161,6 +203,21 @@ RenderOptions checked_render(const Typed& typed) {
         options.backend = Backend::egl;  // a device named on the command line counts more than the environment
     }
     if (options.diff && !options.expect) wrong_usage("--diff needs --expect", "render");
+    return options;
+}
+
+ExplainOptions checked_explain(const Typed& typed) {
+    ExplainOptions options = typed.explain;
+    options.size = parse_size(typed.size);
+    options.background = checked_background(typed.background);
+    const NumberPair pair = parse_pair(typed.pixel, ",");
+    if (!pair.well_formed) wrong_usage("--pixel: found " + in_quotes(typed.pixel) + ", expected X,Y, such as 500,500", "explain");
+    if (pair.too_large || pair.first < 0 || pair.second < 0 || pair.first >= options.size.width || pair.second >= options.size.height) {
+        wrong_usage("--pixel: found " + in_quotes(typed.pixel) + ", expected a pixel from 0,0 to " +
+                        std::to_string(options.size.width - 1) + "," + std::to_string(options.size.height - 1),
+                    "explain");
+    }
+    options.pixel = {pair.first, pair.second};
     return options;
 }
 
@@ -189,21 +246,14 @@ std::string one_line(std::string text) {
 }  // namespace
 
 PictureSize parse_size(const std::string& text) {
-    const auto fail = [&](const std::string& expected) {
-        wrong_usage("--size: found " + in_quotes(text) + ", expected " + expected, "render");
-    };
-    PictureSize size;
-    const char* last = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), last, size.width);
-    if (width.ptr == last || (*width.ptr != 'x' && *width.ptr != 'X' && *width.ptr != ',')) fail("WIDTHxHEIGHT, such as 1000x1000");
-    const auto height = std::from_chars(width.ptr + 1, last, size.height);
-    if (height.ptr != last || height.ptr == width.ptr + 1) fail("WIDTHxHEIGHT, such as 1000x1000");
-    if (width.ec != std::errc{} || height.ec != std::errc{} ||
-        (size.width > 0 && size.height > 0 && size.width > most_pixels / size.height)) {
+    const auto fail = [&](const std::string& expected) { wrong_usage("--size: found " + in_quotes(text) + ", expected " + expected); };
+    const NumberPair pair = parse_pair(text, "xX,");
+    if (!pair.well_formed) fail("WIDTHxHEIGHT, such as 1000x1000");
+    if (pair.too_large || (pair.first > 0 && pair.second > 0 && pair.first > most_pixels / pair.second)) {
         fail("at most " + std::to_string(most_pixels) + " pixels");
     }
-    if (size.width < 1 || size.height < 1) fail("sides of at least 1 pixel");
-    return size;
+    if (pair.first < 1 || pair.second < 1) fail("sides of at least 1 pixel");
+    return {pair.first, pair.second};
 }
 
 Command parse_command_line(int argc, const char* const* argv) {
@@ -213,10 +263,11 @@ Command parse_command_line(int argc, const char* const* argv) {
     Typed typed;
     add_render(app, typed);
     add_convert(app, typed);
+    add_explain(app, typed);
     add_doctor(app, typed);
     for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
 
-    if (argc < 2) wrong_usage("expected a command: render, convert or doctor");
+    if (argc < 2) wrong_usage("expected a command: render, convert, explain or doctor");
     check_first_word(app, argv[1]);
     try {
         app.parse(argc, argv);
@@ -233,6 +284,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     reject_extras(command);
     if (command.get_name() == "render") return checked_render(typed);
     if (command.get_name() == "convert") return checked_convert(typed);
+    if (command.get_name() == "explain") return checked_explain(typed);
     if (!(typed.doctor.timeout_seconds > 0.0) || typed.doctor.timeout_seconds > 3600.0) {
         wrong_usage("--timeout: expected seconds above 0, at most 3600", "doctor");
     }

@@ -8,6 +8,7 @@ namespace sphereview {
 
 ExitCode run_render(const RenderOptions& options);
 ExitCode run_convert(const ConvertOptions& options);
+ExitCode run_explain(const ExplainOptions& options);
 ExitCode run_doctor(const DoctorOptions& options);
 
 }  // namespace sphereview

@@ -17,6 +17,7 @@ using namespace sphereview;
 
 ExitCode run(const RenderOptions& options) { return run_render(options); }
 ExitCode run(const ConvertOptions& options) { return run_convert(options); }
+ExitCode run(const ExplainOptions& options) { return run_explain(options); }
 ExitCode run(const DoctorOptions& options) { return run_doctor(options); }
 ExitCode run(const PrintText& command) {
     write_output(std::string(standard_stream), command.text);

@@ -33,6 +33,14 @@ struct ConvertOptions {
     std::optional<SceneFormat> to;  // by the output's name when not given
 };
 
+struct ExplainOptions {
+    std::string scene;  // a path, or "-"
+    Pixel pixel;        // inside the picture
+    PictureSize size;
+    std::optional<Background> background;  // instead of the scene's own
+    bool json = false;
+};
+
 struct DoctorOptions {
     bool json = false;
     double timeout_seconds = 20.0;  // for each probe
@@ -44,6 +52,6 @@ struct PrintText {
     std::string text;
 };
 
-using Command = std::variant<RenderOptions, ConvertOptions, DoctorOptions, PrintText>;
+using Command = std::variant<RenderOptions, ConvertOptions, ExplainOptions, DoctorOptions, PrintText>;
 
 }  // namespace sphereview

@@ -29,6 +29,9 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
 // `value` with decimal places, in the "C" locale whatever the process's locale is. places: 0..9.
 std::string fixed(double value, int places);
 
+// The shortest decimal text that reads back as the same double; "inf" and "nan" where there is none.
+std::string shortest(double value);
+
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 

@@ -22,7 +22,4 @@ struct Contender {
 // The number of the contender whose smallest positive root is smallest, or visible_background when none has one.
 std::int32_t decide_exactly(const Camera& camera, PictureSize size, Pixel pixel, std::span<const Contender> contenders);
 
-// The sign of the discriminant of the pixel's ray and the sphere: -1 missed, 0 tangent, 1 two roots.
-int discriminant_sign(const Camera& camera, PictureSize size, Pixel pixel, const Sphere& sphere);
-
 }  // namespace sphereview

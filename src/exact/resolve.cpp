@@ -14,19 +14,31 @@ namespace {
 constexpr double smallest_size = 0x1p-300;
 constexpr double largest_size = 0x1p300;
 
-HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, double error_scale, const glm::dvec3& ray) {
-    const glm::dvec3 c = sphere.center - eye;
-    const double r = sphere.radius;
-    const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + r;
-    // Also when it is not a number: then nothing is known.
-    if (!(size > smallest_size && size < largest_size)) return {-NearestHits<double>::never, NearestHits<double>::never};
-    const double w = error_scale * size;
+template <typename Real>
+HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r, Real w, const glm::vec<3, Real>& ray) {
     switch (side) {
         case EyeSide::outside: return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
         case EyeSide::inside: return hit_bounds<EyeSide::inside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
         case EyeSide::on_surface: return hit_bounds<EyeSide::on_surface>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
     }
     return {};
+}
+
+HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, double error_scale, const glm::dvec3& ray) {
+    const glm::dvec3 c = sphere.center - eye;
+    const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
+    // Also when it is not a number: then nothing is known.
+    if (!(size > smallest_size && size < largest_size)) return {-NearestHits<double>::never, NearestHits<double>::never};
+    return bounds_of_side<double>(side, c, sphere.radius, error_scale * size, ray);
+}
+
+// The ray through a pixel's centre, of length 1.
+template <typename Real>
+glm::vec<3, Real> unit_ray(const RayFrame<Real>& frame, PictureSize size, Pixel pixel) {
+    const RayCoefficients coefficients = ray_coefficients(size, pixel);
+    const glm::vec<3, Real> d =
+        (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) + static_cast<Real>(coefficients.across) * frame.right;
+    return d * (Real(1) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
 }
 
 }  // namespace
@@ -46,12 +58,7 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize si
       error_scale_(error_scale(ray_condition(scene.camera), double_unit)) {}
 
 std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
-    const RayCoefficients coefficients = ray_coefficients(size_, pixel);
-    const glm::dvec3 direction = (frame_.forward + static_cast<double>(coefficients.upward) * frame_.up) +
-                                 static_cast<double>(coefficients.across) * frame_.right;
-    const double scale = 1.0 / std::sqrt(direction.x * direction.x + direction.y * direction.y + direction.z * direction.z);
-    const glm::dvec3 ray = direction * scale;
-
+    const glm::dvec3 ray = unit_ray(frame_, size_, pixel);
     const auto sphere_at = [&](std::size_t i) -> const Sphere& {
         return scene_.spheres[static_cast<std::size_t>(drawn_.number(i))];
     };
@@ -73,6 +80,21 @@ std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
         if (low < NearestHits<double>::never && low <= nearest.smallest_high) contenders.push_back({drawn_.number(i), &sphere_at(i)});
     }
     return decide_exactly(scene_.camera, size_, pixel, contenders);
+}
+
+DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, Pixel pixel) {
+    const FloatView view = float_view(drawn, scene.camera, size, gpu_unit);
+    const glm::vec3 ray = unit_ray(view.rays, size, pixel);
+    NearestHits<float> nearest;
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const glm::vec4& s = drawn.center_radius[i];
+        const float w = view.error_scale * (std::fabs(s.x) + std::fabs(s.y) + std::fabs(s.z) + std::fabs(s.w));
+        nearest.add(static_cast<int>(i), bounds_of_side<float>(drawn.side(i), glm::vec3(s), std::fabs(s.w), w, ray));
+    }
+    if (!view.all_doubtful && nearest.decided()) return DecisionLevel::in_float;
+    DecisionLevel level = DecisionLevel::in_double;
+    Resolver(scene, drawn, size).resolve(pixel, level);
+    return level;
 }
 
 DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> visible) const {

@@ -1,9 +1,9 @@
 #include "scene/number.hpp"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <system_error>
 
 namespace sphereview {
@@ -28,12 +28,6 @@ NumberFault parse_double(std::string_view token, double& value) {
     }
     value = read;
     return NumberFault::none;
-}
-
-void append_double(std::string& text, double value) {
-    std::array<char, 32> buffer{};
-    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    text.append(buffer.data(), result.ptr);
 }
 
 }  // namespace sphereview

@@ -146,13 +146,13 @@ std::string write_text_spheres(const std::vector<Sphere>& spheres) {
     for (const Sphere& sphere : spheres) {
         if (sphere.hidden) continue;
         text += std::to_string(sphere.color.r) + ' ' + std::to_string(sphere.color.g) + ' ' + std::to_string(sphere.color.b) + '\n';
-        append_double(text, sphere.center.x);
+        text += shortest(sphere.center.x);
         text += ' ';
-        append_double(text, sphere.center.y);
+        text += shortest(sphere.center.y);
         text += ' ';
-        append_double(text, sphere.center.z);
+        text += shortest(sphere.center.z);
         text += '\n';
-        append_double(text, sphere.radius);
+        text += shortest(sphere.radius);
         text += '\n';
     }
     return text;

@@ -2,7 +2,7 @@
 #include <array>
 #include <cstdio>
 
-#include "scene/number.hpp"
+#include "base/text.hpp"
 #include "scene/text_format.hpp"
 #include "scene/toml_format.hpp"
 
@@ -10,10 +10,10 @@ namespace sphereview {
 
 namespace {
 
-// A TOML float: append_double's digits with a point or an exponent, because -0 as a TOML integer would lose its sign.
+// A TOML float: shortest()'s digits with a point or an exponent, because -0 as a TOML integer would lose its sign.
 void append_float(std::string& text, double value) {
     const std::size_t begin = text.size();
-    append_double(text, value);
+    text += shortest(value);
     if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
 }
 

@@ -1,0 +1,159 @@
+// sphereview explain: the arithmetic of one pixel, to be checked with pen and paper.
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/text.hpp"
+#include "exact/explain.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string in_words(const glm::dvec3& v) { return "(" + shortest(v.x) + ", " + shortest(v.y) + ", " + shortest(v.z) + ")"; }
+
+std::string in_words(const Color& color) {
+    return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
+}
+
+const char* why(const ExplainedHit& hit) {
+    const bool tangent = hit.discriminant_sign == 0;
+    switch (hit.counts) {
+        case CountingRoot::t1:
+            return tangent ? "one root, positive: the ray is tangent, and t1 = t2 counts"
+                           : "both roots are positive (c > 0: the eye is outside, and b < 0): the smaller, t1, counts";
+        case CountingRoot::t2_inside: return "c < 0: the eye is inside the sphere, so t1 < 0 < t2, and t2 counts";
+        case CountingRoot::t2_surface: return "c = 0: the eye is on the surface; t1 = 0 is not positive, and t2 counts";
+    }
+    return "";
+}
+
+const char* level_in_words(DecisionLevel level) {
+    switch (level) {
+        case DecisionLevel::in_float: return "float arithmetic, with its proven error bound, is enough to decide this pixel";
+        case DecisionLevel::in_double: return "too close for float arithmetic; double, with its proven error bound, decides";
+        case DecisionLevel::exactly: return "too close for float and double; only exact arithmetic decides";
+    }
+    return "";
+}
+
+std::string title(const Scene& scene, std::int32_t number) {
+    std::string text = "sphere " + std::to_string(number);
+    const auto name = scene.names.find(static_cast<std::uint32_t>(number));
+    return name == scene.names.end() ? text : text + " " + in_quotes(name->second);
+}
+
+std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
+    const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
+    std::string text;
+    const auto line = [&](const std::string& what) { text += "  " + what + "\n"; };
+    text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + in_words(sphere.center) +
+            ", r = " + shortest(sphere.radius) + "\n";
+    line("a = D.D                     = " + shortest(hit.a));
+    line("b = 2 D.(O - C)             = " + shortest(hit.b));
+    line("c = (O - C).(O - C) - r^2   = " + shortest(hit.c));
+    line("discriminant = b^2 - 4 a c  = " + shortest(hit.discriminant) +
+         (hit.discriminant_sign > 0 ? "  > 0: two roots" : "  = 0 exactly: tangent, one root"));
+    line("t1 = (-b - sqrt(discriminant)) / (2 a)  = " + shortest(hit.t1));
+    line("t2 = (-b + sqrt(discriminant)) / (2 a)  = " + shortest(hit.t2));
+    line(why(hit));
+    line("t = " + shortest(hit.t) + ", point O + t D = " + in_words(hit.point) + ", normal (point - C) / r = " + in_words(hit.normal));
+    if (hit.as_near_as_last) line("exactly as near as the sphere before it, which comes first in the file");
+    return text + "\n";
+}
+
+std::string in_words(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
+                     const Background& background) {
+    const PictureSize size = options.size;
+    std::string text = "pixel " + std::to_string(options.pixel.x) + "," + std::to_string(options.pixel.y) + " of " + name + " at " +
+                       std::to_string(size.width) + "x" + std::to_string(size.height) + " (0,0 is the top left)\n\n";
+    text += "ray P = O + t D\n  O = " + in_words(e.origin) + "  the eye\n  D = " + in_words(e.direction) +
+            "  through the pixel's centre, where t = 1\n\n";
+    for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);
+    text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) + " spheres: " + std::to_string(e.missed) +
+            " missed (discriminant < 0), " + std::to_string(e.behind) + " without a positive root (behind the eye)";
+    if (e.hidden > 0) text += "; hidden: " + std::to_string(e.hidden);
+    text += "\n\n";
+    const std::int32_t visible = e.visible();
+    if (visible < 0) {
+        text += "visible: no sphere\ncolour: the background, " + to_string(background) + "\n";
+    } else {
+        const bool tie = e.hits.size() > 1 && e.hits[1].as_near_as_last;
+        text += "visible: " + title(scene, visible) + ", which has the smallest t" +
+                (tie ? " and comes first in the file of those that have it" : "") + "\n";
+        text += "colour: " + in_words(scene.spheres[static_cast<std::size_t>(visible)].color) + "\n";
+    }
+    return text + "decided: " + level_in_words(e.level) + "\n";
+}
+
+// JSON has no infinity: null where a double cannot hold the number.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json vector(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
+Json rgb(const Color& color) { return {color.r, color.g, color.b}; }
+
+Json to_json(const Scene& scene, const ExplainedHit& hit) {
+    const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
+    const auto name = scene.names.find(static_cast<std::uint32_t>(hit.number));
+    return {{"sphere", hit.number},
+            {"name", name == scene.names.end() ? Json(nullptr) : Json(name->second)},
+            {"color", rgb(sphere.color)},
+            {"center", vector(sphere.center)},
+            {"radius", sphere.radius},
+            {"eye", hit.eye == EyeSide::outside  ? "outside"
+                    : hit.eye == EyeSide::inside ? "inside"
+                                                 : "on the surface"},
+            {"a", number(hit.a)},
+            {"b", number(hit.b)},
+            {"c", number(hit.c)},
+            {"discriminant", number(hit.discriminant)},
+            {"discriminant_sign", hit.discriminant_sign},
+            {"t1", number(hit.t1)},
+            {"t2", number(hit.t2)},
+            {"counts", hit.counts == CountingRoot::t1 ? "t1" : "t2"},
+            {"why", why(hit)},
+            {"t", number(hit.t)},
+            {"point", vector(hit.point)},
+            {"normal", vector(hit.normal)},
+            {"as_near_as_last", hit.as_near_as_last}};
+}
+
+Json to_json(const ExplainOptions& options, const Scene& scene, const PixelExplanation& e, const Background& background) {
+    Json hits = Json::array();
+    for (const ExplainedHit& hit : e.hits) hits.push_back(to_json(scene, hit));
+    const std::int32_t visible = e.visible();
+    const Color color = visible < 0 ? background.color : scene.spheres[static_cast<std::size_t>(visible)].color;
+    const char* level = e.level == DecisionLevel::in_float ? "float" : e.level == DecisionLevel::in_double ? "double" : "exact";
+    return {{"scene", options.scene},
+            {"pixel", {options.pixel.x, options.pixel.y}},
+            {"size", {options.size.width, options.size.height}},
+            {"origin", vector(e.origin)},
+            {"direction", vector(e.direction)},
+            {"hits", hits},
+            {"missed", e.missed},
+            {"behind", e.behind},
+            {"hidden", e.hidden},
+            {"visible", visible < 0 ? Json(nullptr) : Json(visible)},
+            {"color", rgb(color)},
+            {"decided_in", level}};
+}
+
+}  // namespace
+
+ExitCode run_explain(const ExplainOptions& options) {
+    const InputFile file(options.scene);
+    const Scene scene = parse_scene(file.bytes(), file.name());
+    const PixelExplanation explanation = explain_pixel(scene, options.size, options.pixel);
+    const Background background = options.background.value_or(scene.background);
+    const std::string text =
+        options.json ? to_json(options, scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+                     : in_words(options, file.name(), scene, explanation, background);
+    write_output(std::string(standard_stream), text);
+    return ExitCode::done;
+}
+
+}  // namespace sphereview

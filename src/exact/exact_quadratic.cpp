@@ -1,0 +1,103 @@
+#include "exact/exact_quadratic.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sphereview {
+
+namespace {
+
+// A finite double is mantissa * 2^exponent with a whole 53-bit mantissa.
+struct Dyadic {
+    std::int64_t mantissa = 0;
+    int exponent = 0;
+};
+
+Dyadic dyadic(double value) {
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
+}
+
+// The sign of x + y sqrt(p), p >= 0.
+int sign_with_root(const Integer& x, const Integer& y, const Integer& p) {
+    const int sign_x = x.sign();
+    const int sign_y = p == 0 ? 0 : y.sign();
+    if (sign_x == 0 || sign_y == 0 || sign_x == sign_y) return sign_x == 0 ? sign_y : sign_x;
+    const Integer larger = x * x - y * y * p;
+    return larger.sign() * sign_x;
+}
+
+}  // namespace
+
+void CommonScale::include(double value) {
+    if (value != 0.0) exponent_ = std::min(exponent_, dyadic(value).exponent);
+}
+
+void CommonScale::include(const glm::dvec3& v) {
+    include(v.x);
+    include(v.y);
+    include(v.z);
+}
+
+void CommonScale::include(const Sphere& sphere) {
+    include(sphere.center);
+    include(sphere.radius);
+}
+
+void CommonScale::include(const Camera& camera) {
+    include(camera.eye);
+    include(camera.center);
+    include(camera.right);
+    include(camera.up);
+}
+
+Integer CommonScale::whole(double value) const {
+    const Dyadic parts = dyadic(value);
+    if (parts.mantissa == 0) return 0;
+    return Integer(parts.mantissa) << static_cast<unsigned>(parts.exponent - exponent_);
+}
+
+IntegerVector CommonScale::whole(const glm::dvec3& v) const { return {whole(v.x), whole(v.y), whole(v.z)}; }
+
+Integer dot(const IntegerVector& a, const IntegerVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+IntegerVector difference(const IntegerVector& a, const IntegerVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+IntegerVector exact_direction(const Camera& camera, PictureSize size, Pixel pixel, const CommonScale& scale) {
+    const RayCoefficients coefficients = ray_coefficients(size, pixel);
+    const IntegerVector axis = difference(scale.whole(camera.center), scale.whole(camera.eye));
+    const IntegerVector right = scale.whole(camera.right);
+    const IntegerVector up = scale.whole(camera.up);
+    IntegerVector d;
+    for (std::size_t i = 0; i < 3; ++i) {
+        d[i] = axis[i] * size.shorter_side() + right[i] * coefficients.across + up[i] * coefficients.upward;
+    }
+    return d;
+}
+
+ExactQuadratic::ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const CommonScale& scale) {
+    const IntegerVector center = difference(scale.whole(sphere.center), eye);
+    const Integer radius = scale.whole(sphere.radius);
+    b = dot(center, ray);
+    c = dot(center, center) - radius * radius;
+    d = b * b - dot(ray, ray) * c;
+}
+
+std::optional<ExactRoot> smallest_positive_root(const ExactQuadratic& q) {
+    if (q.d < 0) return std::nullopt;
+    if (q.c < 0) return ExactRoot{q.b, q.d, +1};      // the eye is inside: one root each side of it
+    if (q.b <= 0) return std::nullopt;                // both roots behind the eye, or at it
+    return ExactRoot{q.b, q.d, q.c == 0 ? +1 : -1};  // on the surface the nearer root is 0, which does not count
+}
+
+int compare(const ExactRoot& a, const ExactRoot& b) {
+    const Integer x = a.b - b.b;
+    const int first = sign_with_root(x, a.sign, a.d);  // of x + a.sign sqrt(a.d)
+    const int second = b.d == 0 ? 0 : -b.sign;         // of -b.sign sqrt(b.d)
+    if (first == 0 || second == 0 || first == second) return first == 0 ? second : first;
+    // (x + a.sign sqrt(a.d))^2 against b.d
+    return first * sign_with_root(x * x + a.d - b.d, 2 * a.sign * x, a.d);
+}
+
+}  // namespace sphereview

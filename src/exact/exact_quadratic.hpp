@@ -1,0 +1,63 @@
+// The quadratic of one ray and one sphere in exact integers, and its roots in order.
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cstdint>
+#include <optional>
+
+#include "scene/camera.hpp"
+#include "scene/sphere.hpp"
+
+namespace sphereview {
+
+using Integer = boost::multiprecision::cpp_int;
+using IntegerVector = std::array<Integer, 3>;
+
+// A power of two that all the doubles shown to it are whole multiples of.
+class CommonScale {
+public:
+    void include(double value);
+    void include(const glm::dvec3& v);
+    void include(const Sphere& sphere);
+    void include(const Camera& camera);
+
+    // value = whole(value) * 2^exponent(); only of doubles that were included.
+    Integer whole(double value) const;
+    IntegerVector whole(const glm::dvec3& v) const;
+    int exponent() const { return exponent_; }
+
+private:
+    static constexpr int nothing_yet = 5000;  // beyond every double's exponent
+    int exponent_ = nothing_yet;
+};
+
+Integer dot(const IntegerVector& a, const IntegerVector& b);
+IntegerVector difference(const IntegerVector& a, const IntegerVector& b);
+
+// m D of the pixel's ray (scene/camera.hpp), on the scale: D itself is m times shorter, which no comparison notices.
+IntegerVector exact_direction(const Camera& camera, PictureSize size, Pixel pixel, const CommonScale& scale);
+
+// A t^2 - 2 b t + c = 0 with A = ray . ray, the sphere's centre relative to the eye, and d = b^2 - A c.
+struct ExactQuadratic {
+    Integer b;
+    Integer c;
+    Integer d;
+
+    ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const CommonScale& scale);
+};
+
+// The root t = (b + sign sqrt(d)) / A. A belongs to the ray, so roots of one pixel are compared without it.
+struct ExactRoot {
+    Integer b;
+    Integer d;
+    int sign;
+};
+
+// The hit: nothing when there is no root or none is positive.
+std::optional<ExactRoot> smallest_positive_root(const ExactQuadratic& q);
+
+// The sign of a - b, by squaring twice at most.
+int compare(const ExactRoot& a, const ExactRoot& b);
+
+}  // namespace sphereview

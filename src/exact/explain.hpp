@@ -1,0 +1,57 @@
+// Everything about one pixel: the numbers that decide what it shows.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "exact/filter.hpp"
+#include "exact/resolve.hpp"
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+// Which root of the quadratic is the hit, and so why.
+enum class CountingRoot {
+    t1,         // both are positive: the smaller
+    t2_inside,  // the eye is inside: t1 < 0 < t2
+    t2_surface  // the eye is on the surface: t1 = 0 does not count
+};
+
+// One sphere that the pixel's ray hits. All numbers are the exact ones rounded once to the nearest double (infinite when
+// a double cannot hold them), so they can be checked against a t^2 + b t + c = 0 with
+// a = D.D, b = 2 D.(O - C), c = (O - C).(O - C) - r^2, discriminant = b^2 - 4 a c.
+struct ExplainedHit {
+    std::int32_t number = 0;  // in the scene
+    EyeSide eye = EyeSide::outside;
+    double a = 0.0;
+    double b = 0.0;
+    double c = 0.0;
+    double discriminant = 0.0;
+    int discriminant_sign = 0;  // exact: 0 is tangent, 1 two roots
+    double t1 = 0.0;
+    double t2 = 0.0;
+    CountingRoot counts = CountingRoot::t1;
+    double t = 0.0;               // t1 or t2
+    glm::dvec3 point{0.0};        // O + t D
+    glm::dvec3 normal{0.0};       // (point - C) / r, away from the centre
+    bool as_near_as_last = false;  // exactly the same t as the hit before
+};
+
+struct PixelExplanation {
+    glm::dvec3 origin{0.0};
+    glm::dvec3 direction{0.0};       // D, rounded once
+    std::vector<ExplainedHit> hits;  // nearest first; of equal ones the first in the file first
+    std::int64_t missed = 0;         // discriminant below 0
+    std::int64_t behind = 0;         // no positive root
+    std::int64_t hidden = 0;
+    DecisionLevel level = DecisionLevel::in_float;  // what it took
+
+    // The number of the sphere that the pixel shows, or visible_background.
+    std::int32_t visible() const { return hits.empty() ? visible_background : hits.front().number; }
+};
+
+// The pixel must lie inside the picture.
+PixelExplanation explain_pixel(const Scene& scene, PictureSize size, Pixel pixel);
+
+}  // namespace sphereview
