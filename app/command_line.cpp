@@ -57,9 +57,9 @@ struct Typed {
     std::string pixel;
     bool no_certify = false;
     std::string size = "1000x1000";
-    std::string background;
-    std::string backend;
-    std::string to;
+    std::optional<std::string> background;
+    std::optional<std::string> backend;
+    std::optional<std::string> to;
 };
 
 void add_render(CLI::App& app, Typed& typed) {
@@ -153,9 +153,9 @@ void check_first_word(const CLI::App& app, const std::string& word) {
 }
 
 Backend chosen_backend(const Typed& typed) {
-    if (!typed.backend.empty()) {
-        if (const auto backend = backend_named(typed.backend)) return *backend;
-        wrong_usage("--backend: found " + in_quotes(typed.backend) + ", expected " + std::string(backend_names), "render");
+    if (typed.backend) {
+        if (const auto backend = backend_named(*typed.backend)) return *backend;
+        wrong_usage("--backend: found " + in_quotes(*typed.backend) + ", expected " + std::string(backend_names), "render");
     }
     const char* variable = std::getenv("SPHEREVIEW_BACKEND");
     if (variable == nullptr || *variable == '\0') return Backend::automatic;
@@ -182,11 +182,11 @@ NumberPair parse_pair(const std::string& text, std::string_view separators) {
     return pair;
 }
 
-std::optional<Background> checked_background(const std::string& text) {
+std::optional<Background> checked_background(const std::optional<std::string>& text) {
     Background background;
-    if (text.empty()) return std::nullopt;
-    if (parse_background(text, background)) return background;
-    wrong_usage("--background: found " + in_quotes(text) + ", expected " + std::string(background_syntax));
+    if (!text) return std::nullopt;
+    if (parse_background(*text, background)) return background;
+    wrong_usage("--background: found " + in_quotes(*text) + ", expected " + std::string(background_syntax));
 }
 
 RenderOptions checked_render(const Typed& typed) {
@@ -196,9 +196,9 @@ RenderOptions checked_render(const Typed& typed) {
     options.background = checked_background(typed.background);
     options.backend = chosen_backend(typed);
     if (options.device) {
-        const bool explicitly = !typed.backend.empty() && options.backend != Backend::automatic;
+        const bool explicitly = typed.backend && options.backend != Backend::automatic;
         if (explicitly && options.backend != Backend::egl) {
-            wrong_usage("--device picks an EGL device, which --backend " + typed.backend + " does not use", "render");
+            wrong_usage("--device picks an EGL device, which --backend " + *typed.backend + " does not use", "render");
         }
         options.backend = Backend::egl;  // a device named on the command line counts more than the environment
     }
@@ -227,8 +227,8 @@ ConvertOptions checked_convert(const Typed& typed) {
         options.to = SceneFormat::text;
     } else if (typed.to == "toml") {
         options.to = SceneFormat::toml;
-    } else if (!typed.to.empty()) {
-        wrong_usage("--to: found " + in_quotes(typed.to) + ", expected text or toml", "convert");
+    } else if (typed.to) {
+        wrong_usage("--to: found " + in_quotes(*typed.to) + ", expected text or toml", "convert");
     } else if (options.output == standard_stream) {
         wrong_usage("standard output has no name to tell the format; add --to text or --to toml", "convert");
     }

@@ -67,7 +67,7 @@ private:
     }
 
     static Image read_golden(const std::string& path) {
-        const InputFile file(path);
+        const InputFile file(path, Content::binary);
         return decode_png(file.bytes(), file.name());
     }
 
@@ -102,7 +102,7 @@ private:
         report.comparison = comparison;
         if (!comparison.equal()) {
             report.status = ExitCode::differs;
-            report.error = job.scene + ": differs from " + *job.expect + ": " + describe(comparison, picture, golden);
+            report.error = job.label + ": differs from " + *job.expect + ": " + describe(comparison, picture, golden);
         }
         if (job.diff) write_output(*job.diff, encode_png(difference_picture(picture, golden)));
     }
@@ -124,7 +124,7 @@ ExitCode run_render(const RenderOptions& options) {
     std::vector<std::string> failed;
     for (const RenderJob& job : jobs) {
         const ExitCode status = batch.run(job);
-        if (status != ExitCode::done) failed.push_back(job.scene);
+        if (status != ExitCode::done) failed.push_back(job.label);
         worst = std::max(worst, status);
     }
     if (jobs.size() > 1 && !failed.empty()) {

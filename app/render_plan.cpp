@@ -67,6 +67,7 @@ std::vector<RenderJob> plan_render(const RenderOptions& options) {
     for (const std::string& scene : options.scenes) {
         RenderJob job;
         job.scene = scene;
+        job.label = scene == standard_stream ? "stdin" : scene;
         job.name = scene == standard_stream ? "stdin" : std::filesystem::path(scene).stem().string();
         if (options.output) {
             job.output = fill_in(*options.output, job.name);
@@ -80,13 +81,13 @@ std::vector<RenderJob> plan_render(const RenderOptions& options) {
 
     FileUses uses;
     for (const RenderJob& job : jobs) {
-        uses.read(job.scene, "the scene " + job.scene);
-        if (job.expect) uses.read(*job.expect, "the expected picture of " + job.scene);
+        uses.read(job.scene, "the scene " + job.label);
+        if (job.expect) uses.read(*job.expect, "the expected picture of " + job.label);
     }
     if (options.json) uses.write(std::string(standard_stream), "the JSON report");
     for (const RenderJob& job : jobs) {
-        if (job.output) uses.write(*job.output, "the picture of " + job.scene);
-        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.scene);
+        if (job.output) uses.write(*job.output, "the picture of " + job.label);
+        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label);
     }
     return jobs;
 }

@@ -19,7 +19,7 @@ Json to_json(const RenderReport& report) {
     Json timings;
     for (std::size_t i = 0; i < phase_names.size(); ++i) timings[phase_names[i]] = report.timings[static_cast<Phase>(i)];
     Json json = {
-        {"scene", report.job.scene},
+        {"scene", report.job.label},
         {"status", static_cast<int>(report.status)},
         {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
         {"output", optional_path(report.job.output)},
@@ -44,7 +44,7 @@ Json to_json(const RenderReport& report) {
 }
 
 void print_backend(const RenderReport& report) {
-    std::string line = report.job.scene + ": backend: " + report.renderer;
+    std::string line = report.job.label + ": backend: " + report.renderer;
     for (std::size_t i = 0; i < report.passed_over.size(); ++i) line += (i == 0 ? "; passed over: " : "; ") + report.passed_over[i];
     std::fprintf(stderr, "%s\n", line.c_str());
 }

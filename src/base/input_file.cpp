@@ -14,7 +14,13 @@ namespace sphereview {
 
 namespace fs = std::filesystem;
 
-InputFile::InputFile(const std::string& path) : name_(path == standard_stream ? "stdin" : path) {
+namespace {
+
+constexpr std::size_t most_streamed = std::size_t{1} << 31;
+
+}  // namespace
+
+InputFile::InputFile(const std::string& path, Content content) : name_(path == standard_stream ? "stdin" : path) {
     const bool from_stdin = path == standard_stream;
     const auto fail = [&](const std::string& why) -> void { throw InputError(name_ + ": cannot be read: " + why); };
 
@@ -44,12 +50,14 @@ InputFile::InputFile(const std::string& path) : name_(path == standard_stream ? 
             if (std::ferror(file) != 0) fail(errno != 0 ? std::strerror(errno) : "a read error");
             return;
         }
-        const char* zero = regular ? nullptr : static_cast<const char*>(std::memchr(data_.get() + size_, 0, count));
+        const bool whole = regular || content == Content::binary;
+        const char* zero = whole ? nullptr : static_cast<const char*>(std::memchr(data_.get() + size_, 0, count));
         size_ += count;
         if (zero != nullptr) {
             size_ = static_cast<std::size_t>(zero - data_.get()) + 1;
             return;
         }
+        if (!regular && size_ > most_streamed) fail("it does not end within 2 GiB");
     }
 }
 

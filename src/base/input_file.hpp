@@ -11,12 +11,15 @@ namespace sphereview {
 // The path that stands for standard input (as an input) and standard output (as an output).
 inline constexpr std::string_view standard_stream = "-";
 
+// What a file holds, which tells where a device or pipe without an end is left.
+enum class Content { text, binary };
+
 // A whole file in memory. It is read, not mapped: a mapped file that its editor truncates kills the reader (SIGBUS).
 class InputFile {
 public:
     // Reads `path`, or standard input for "-". Throws InputError when it is missing, a folder or unreadable.
-    // A device or pipe is read up to its first zero byte, which no text holds: /dev/zero has no end.
-    explicit InputFile(const std::string& path);
+    // A device or pipe is read up to its first zero byte, which no text holds (/dev/zero has no end), or up to 2 GiB.
+    explicit InputFile(const std::string& path, Content content = Content::text);
 
     // How messages call it: the path as given, or "stdin".
     const std::string& name() const { return name_; }

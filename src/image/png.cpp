@@ -1,5 +1,6 @@
 #include "image/png.hpp"
 
+#include <libdeflate.h>
 #include <stb_image.h>
 #include <stb_image_write.h>
 
@@ -17,6 +18,27 @@ namespace {
 // stb's callback: appends to the std::string behind `context`.
 void append(void* context, void* data, int size) {
     static_cast<std::string*>(context)->append(static_cast<const char*>(data), static_cast<std::size_t>(size));
+}
+
+// The four bytes at `at`, most significant first.
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+}
+
+// Whether every chunk up to the last (IEND) is there and has the sum that it says. stb_image looks at no sum.
+bool chunks_are_whole(std::string_view bytes) {
+    constexpr std::size_t signature = 8;
+    constexpr std::size_t frame = 12;  // a chunk's length, type and sum
+    for (std::size_t at = signature; bytes.size() >= at + frame;) {
+        const std::size_t length = number_at(bytes, at);
+        if (bytes.size() - at - frame < length) return false;
+        if (libdeflate_crc32(0, bytes.data() + at + 4, length + 4) != number_at(bytes, at + length + 8)) return false;
+        if (bytes.substr(at + 4, 4) == "IEND") return true;
+        at += length + frame;
+    }
+    return false;
 }
 
 }  // namespace
@@ -41,6 +63,7 @@ Image decode_png(std::string_view bytes, const std::string& name) {
     int height = 0;
     int channels = 0;
     if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) fail(stbi_failure_reason());
+    if (!chunks_are_whole(bytes)) fail("it is cut off or damaged");
     if (static_cast<std::int64_t>(width) * height > most_pixels) fail("it has too many pixels");
     if (stbi_is_16_bit_from_memory(data, size) != 0) fail("its channels have 16 bits, expected 8");
 
