@@ -1,0 +1,105 @@
+// What an interruption leaves behind: nothing.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// Many minutes of work on the CPU, in blocks short enough for a progress bar.
+constexpr int endless_spheres = 5000;
+constexpr const char* endless_size = "10000x10000";
+
+class Interrupt : public testing::TestWithParam<std::pair<int, int>> {
+protected:
+    Interrupt() { mkfifo(folder_.path("scene").c_str(), 0600); }
+
+    TemporaryFolder folder_;
+};
+
+// Opening a FIFO waits until the program opens it too: from then on it runs and handles signals.
+TEST_P(Interrupt, WhileReadingOrRenderingLeavesNothing) {
+    const auto [signal_number, status] = GetParam();
+    for (const bool whole_scene : {false, true}) {
+        folder_.write("old.png", "old");
+        Running program(cpu_render(folder_, {"scene", "-s", endless_size, "-o", "old.png"}));
+        std::ofstream scene(folder_.path("scene"));
+        scene << many_spheres(endless_spheres);
+        if (whole_scene) scene.close();  // now it renders, or is about to
+        program.send(signal_number);
+        const Outcome outcome = program.wait();
+        EXPECT_EQ(outcome.status, status) << outcome;
+        EXPECT_EQ(outcome.output + outcome.errors, "");
+        EXPECT_EQ(folder_.names(), (Names{"old.png", "scene"}));
+        EXPECT_EQ(folder_.read("old.png"), "old");
+    }
+}
+
+// The file of an interrupted conversion is complete or is not there, and its hidden forerunner is gone.
+TEST_P(Interrupt, WhileWritingLeavesAllOrNothing) {
+    const auto [signal_number, status] = GetParam();
+    folder_.write("scene.txt", many_spheres(100'000));
+    Command command;
+    command.arguments = {"convert", "scene.txt", "new.txt"};
+    command.folder = folder_.path();
+    ASSERT_EQ(run(command).status, 0);
+    const std::size_t whole = folder_.read("new.txt").size();
+    std::filesystem::remove(folder_.path("new.txt"));
+    int interrupted = 0;
+    for (int i = 0; i < 10; ++i) {
+        Running program(command);
+        while (folder_.names() == Names{"scene", "scene.txt"}) {
+        }  // until the hidden file or the new one appears
+        program.send(signal_number);
+        const Outcome outcome = program.wait();
+        EXPECT_TRUE(outcome.status == status || outcome.status == 0) << outcome;
+        if (outcome.status == status) ++interrupted;
+        if (folder_.has("new.txt")) {
+            EXPECT_EQ(folder_.read("new.txt").size(), whole);
+        }
+        std::filesystem::remove(folder_.path("new.txt"));
+        ASSERT_EQ(folder_.names(), (Names{"scene", "scene.txt"}));
+    }
+    RecordProperty("interrupted", interrupted);
+}
+
+TEST_P(Interrupt, ClearsTheProgressBar) {
+    const auto [signal_number, status] = GetParam();
+    Command command = cpu_render(folder_, {"-", "-s", endless_size, "-o", "new.png"});
+    command.input = many_spheres(endless_spheres);
+    command.errors_to_terminal = true;
+    Running program(command);
+    ASSERT_TRUE(program.wait_for_errors(" %"));
+    program.send(signal_number);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, status) << outcome;
+    EXPECT_TRUE(outcome.errors.ends_with("\r\x1b[K")) << testing::PrintToString(outcome.errors);
+    EXPECT_EQ(folder_.names(), Names{"scene"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGHUP, 129)),
+                         [](const auto& signal) { return "Status" + std::to_string(signal.param.second); });
+
+TEST(InterruptOfABackgroundJob, IsStillIgnored) {
+    const TemporaryFolder folder;
+    Command command = cpu_render(folder, {"-", "-s", "5x5"});
+    command.ignores_interrupts = true;
+    command.input_stays_open = true;
+    command.input = red_scene;
+    Running program(command);
+    program.send(SIGINT);
+    program.close_input();
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(folder.has("stdin.png"));
+}
+
+}  // namespace
+}  // namespace sphereview::test

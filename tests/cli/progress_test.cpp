@@ -1,0 +1,56 @@
+// The progress bar: for people who wait at a terminal, and for nobody else.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+// Work that lasts longer than the bar's patience on any machine: it is ended by the test.
+Command endless_render(const TemporaryFolder& folder) {
+    Command command = cpu_render(folder, {"-", "-s", "10000x10000"});
+    command.input = many_spheres(5000);
+    return command;
+}
+
+TEST(ProgressBar, IsShownOnATerminalWhenTheWorkIsLong) {
+    const TemporaryFolder folder;
+    Command command = endless_render(folder);
+    command.errors_to_terminal = true;
+    Running program(command);
+    EXPECT_TRUE(program.wait_for_errors("s left  stdin"));
+    program.send(SIGTERM);
+    const Outcome outcome = program.wait();
+    EXPECT_TRUE(outcome.errors.starts_with("\r\x1b[K[")) << testing::PrintToString(outcome.errors);
+    EXPECT_EQ(outcome.output, "");
+}
+
+TEST(ProgressBar, IsNotShownWhenTheWorkIsShort) {
+    const TemporaryFolder folder;
+    Command command = cpu_render(folder, {"-", "-s", "5x5"});
+    command.input = red_scene;
+    command.errors_to_terminal = true;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, "");
+}
+
+TEST(ProgressBar, IsNotShownWhereStandardErrorIsNoTerminal) {
+    const TemporaryFolder folder;
+    Command command = endless_render(folder);
+    Running silent(command);
+    // The same work, begun later, at a terminal: when its bar shows, it was time for the other's too.
+    command.errors_to_terminal = true;
+    Running shown(command);
+    ASSERT_TRUE(shown.wait_for_errors("s left"));
+    silent.send(SIGTERM);
+    const Outcome outcome = silent.wait();
+    EXPECT_EQ(outcome.status, 143) << outcome;
+    EXPECT_EQ(outcome.output + outcome.errors, "");
+}
+
+}  // namespace
+}  // namespace sphereview::test

@@ -1,0 +1,99 @@
+// What --timings, --json and --verbose print.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::vector<std::string> phases = {"read", "context", "shaders", "upload", "trace", "read back", "resolve", "encode", "write"};
+
+class Report : public testing::Test {
+protected:
+    Report() {
+        folder_.write("red.txt", red_scene);
+        folder_.write("bad.txt", bad_scene);
+        folder_.write("two.txt", "2 1 2 3 0 0 200 20 255 0 0 0 0 100 10");
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Report, TimingsAreOneLineAPhaseInOrderOnStandardError) {
+    const Outcome outcome = render(folder_, {"red.txt", "-s", "5x5", "--timings"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.output, "");
+    const std::vector<std::string> said = lines(outcome.errors);
+    ASSERT_EQ(said.size(), phases.size()) << outcome;
+    for (std::size_t i = 0; i < phases.size(); ++i) EXPECT_TRUE(matches(said[i], phases[i] + " +[0-9]+\\.[0-9]{3} ms"));
+}
+
+TEST_F(Report, JsonIsOneLineASceneOnStandardOutput) {
+    const Outcome outcome = render(folder_, {"red.txt", "bad.txt", "two.txt", "-s", "7x5", "--json", "-o", "out-{name}.png"});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(lines(outcome.errors).size(), 2U) << outcome;
+    const std::vector<std::string> rows = lines(outcome.output);
+    ASSERT_EQ(rows.size(), 3U) << outcome;
+
+    const Json good = Json::parse(rows[0]);
+    EXPECT_EQ(good["scene"], "red.txt");
+    EXPECT_EQ(good["status"], 0);
+    EXPECT_EQ(good["error"], nullptr);
+    EXPECT_EQ(good["output"], "out-red.png");
+    EXPECT_EQ(good["size"], Json({7, 5}));
+    EXPECT_EQ(good["spheres"], 1);
+    EXPECT_EQ(good["backend"], "cpu");
+    EXPECT_EQ(good["passed_over"], Json::array());
+    EXPECT_FALSE(good.contains("comparison"));
+    ASSERT_EQ(good["timings_ms"].size(), phases.size());
+    for (const std::string& phase : phases) EXPECT_GE(good["timings_ms"][phase].get<double>(), 0.0) << phase;
+    EXPECT_GT(good["timings_ms"]["encode"].get<double>(), 0.0);
+
+    const Json bad = Json::parse(rows[1]);
+    EXPECT_EQ(bad["scene"], "bad.txt");
+    EXPECT_EQ(bad["status"], 2);
+    EXPECT_TRUE(bad["error"].get<std::string>().starts_with("bad.txt:4:1: found '-5'"));
+    EXPECT_EQ(bad["backend"], nullptr);
+    EXPECT_EQ(Json::parse(rows[2])["spheres"], 2);
+}
+
+TEST_F(Report, JsonHoldsTheComparison) {
+    folder_.write("golden.png", encode_png(plain_picture(5, 5, {0, 10, 0})));
+    const Outcome outcome = render(folder_, {"red.txt", "-s", "5x5", "--json", "--expect", "golden.png"});
+    EXPECT_EQ(outcome.status, 1) << outcome;
+    const Json report = Json::parse(outcome.output);
+    EXPECT_EQ(report["status"], 1);
+    EXPECT_EQ(report["output"], nullptr);
+    EXPECT_EQ(report["comparison"], Json::parse(R"({"expected": "golden.png", "equal": false, "same_size": true,
+        "different_pixels": 25, "largest_difference": [255, 10, 0, 0], "first": [0, 0]})"));
+}
+
+TEST_F(Report, JsonIsUtf8WhateverThePathsAre) {
+    folder_.write("\xFF\"\n.txt", red_scene);
+    const Outcome outcome = render(folder_, {"\xFF\"\n.txt", "-s", "5x5", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(lines(outcome.output).size(), 1U);
+    EXPECT_EQ(Json::parse(outcome.output)["scene"], "\xEF\xBF\xBD\"\n.txt");
+}
+
+TEST_F(Report, JsonThatCannotBeWrittenIsAnOutputError) {
+    Command command = cpu_render(folder_, {"red.txt", "-s", "5x5", "--json"});
+    command.output = StandardOutput::full_disk;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 4) << outcome;
+    EXPECT_EQ(outcome.errors, "stdout: cannot be written: No space left on device\n");
+}
+
+TEST_F(Report, VerboseNamesTheBackendOnOneLineASceneOnStandardError) {
+    const Outcome outcome = render(folder_, {"red.txt", "two.txt", "-s", "5x5", "--verbose"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_EQ(outcome.errors, "red.txt: backend: cpu\ntwo.txt: backend: cpu\n");
+}
+
+}  // namespace
+}  // namespace sphereview::test

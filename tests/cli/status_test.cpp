@@ -1,0 +1,65 @@
+// The exit statuses that --help promises.
+#include <gtest/gtest.h>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+// AddressSanitizer reserves more address space than any sensible limit.
+#if defined(__SANITIZE_ADDRESS__)
+#define SPHEREVIEW_ADDRESS_SANITIZER 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SPHEREVIEW_ADDRESS_SANITIZER 1
+#endif
+#endif
+
+namespace sphereview::test {
+namespace {
+
+struct Case {
+    std::vector<std::string> arguments;
+    int status;
+};
+
+TEST(ExitStatus, SaysWhatWentWrongAndOfSeveralTheHighestCounts) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    folder.write("blue.txt", blue_scene);
+    folder.write("bad.txt", bad_scene);
+    ASSERT_EQ(render(folder, {"red.txt", "-s", "5x5", "-o", "golden.png"}).status, 0);
+    const std::vector<Case> cases = {
+        {{"red.txt", "-o", "new.png"}, 0},
+        {{"red.txt", "--expect", "golden.png"}, 0},
+        {{"blue.txt", "--expect", "golden.png"}, 1},
+        {{"bad.txt"}, 2},
+        {{"red.txt", "--size", "none"}, 2},
+        {{"red.txt", "-o", "missing/new.png"}, 4},
+        {{"red.txt", "blue.txt", "--expect", "golden.png"}, 1},
+        {{"blue.txt", "bad.txt", "red.txt", "--expect", "golden.png"}, 2},
+        {{"bad.txt", "red.txt", "-o", "missing/{name}.png"}, 4},
+        {{"blue.txt", "--expect", "golden.png", "-o", "/dev/full"}, 4},
+    };
+    for (const auto& [arguments, status] : cases) {
+        std::vector<std::string> all = {"-s", "5x5"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Outcome outcome = render(folder, all);
+        EXPECT_EQ(outcome.status, status) << testing::PrintToString(arguments) << ": " << outcome;
+        EXPECT_EQ(outcome.errors.empty(), status == 0) << outcome;
+    }
+}
+
+#ifndef SPHEREVIEW_ADDRESS_SANITIZER
+TEST(ExitStatus, Is3WhenMemoryRunsOut) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    Command command = cpu_render(folder, {"red.txt", "-s", "20000x20000"});  // 1.2 GB of pixels
+    command.most_memory = 1'000'000'000;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 3) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "memory ran out"));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"red.txt"});
+}
+#endif
+
+}  // namespace
+}  // namespace sphereview::test

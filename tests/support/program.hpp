@@ -1,0 +1,84 @@
+// Running the shipped program, or another, as a person's shell would.
+#pragma once
+
+#include <sys/resource.h>
+#include <sys/types.h>
+
+#include <initializer_list>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sphereview::test {
+
+// Where the program's standard output goes.
+enum class StandardOutput { captured, closed_pipe, full_disk };
+
+struct Command {
+    std::vector<std::string> arguments;
+    std::string program = "";      // "": the sphereview that this build made
+    std::string folder = ".";      // where it runs
+    std::string input = "";        // its standard input, through a pipe
+    bool input_stays_open = false; // until Running::close_input()
+    // Changes to the environment; nothing removes a variable. SPHEREVIEW_BACKEND is removed unless it is named here.
+    std::vector<std::pair<std::string, std::optional<std::string>>> environment = {};
+    StandardOutput output = StandardOutput::captured;
+    bool errors_to_terminal = false;     // standard error is a terminal
+    bool obeys_permissions = false;      // also when the tests run as root
+    bool ignores_interrupts = false;     // SIGINT is ignored when the program starts, as in a shell's background job
+    rlim_t largest_file = RLIM_INFINITY; // bytes that a file may grow to
+    rlim_t most_memory = RLIM_INFINITY;  // bytes of address space
+};
+
+// How it ended. Exactly one of: an exit status, a signal, out of time (then it was killed).
+struct Outcome {
+    int status = -1;
+    int signal = 0;
+    bool out_of_time = false;
+    std::string output;
+    std::string errors;
+};
+
+// For messages of failed expectations.
+std::ostream& operator<<(std::ostream& stream, const Outcome& outcome);
+
+// A program that is running. Destruction kills it if it still does.
+class Running {
+public:
+    // Returns when the program has started.
+    explicit Running(const Command& command);
+    ~Running();
+    Running(const Running&) = delete;
+    Running& operator=(const Running&) = delete;
+
+    void send(int signal_number) const;
+    void close_input();
+
+    // Collects output until `text` appears in standard error; false when the program ends or time runs out first.
+    bool wait_for_errors(const std::string& text);
+
+    // Collects output until the program ends, then says how; kills it after a time that no healthy run needs.
+    Outcome wait();
+
+private:
+    bool collect();
+    void drop(int& descriptor);
+
+    pid_t process_ = 0;
+    int input_ = -1;
+    int output_ = -1;
+    int errors_ = -1;
+    bool input_stays_open_;
+    std::string unwritten_input_;
+    Outcome outcome_;
+};
+
+// Starts a program and waits for its end.
+Outcome run(const Command& command);
+
+// Runs sphereview with these arguments and nothing special.
+Outcome run(std::initializer_list<std::string> arguments);
+
+}  // namespace sphereview::test

@@ -1,0 +1,36 @@
+#include "support/render.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sphereview::test {
+
+std::string many_spheres(int count) {
+    std::string text = std::to_string(count) + "\n";
+    for (int i = 0; i < count; ++i) text += "1 2 3\n0 0 " + std::to_string(1000 + i) + "\n1\n";
+    return text;
+}
+
+Command cpu_render(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
+    Command command;
+    command.arguments = {"render", "--backend", "cpu"};
+    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+    command.folder = folder.path();
+    return command;
+}
+
+Outcome render(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
+    return run(cpu_render(folder, arguments));
+}
+
+Picture picture_of(const std::string& scene, const std::string& backend, const std::vector<std::string>& options) {
+    Command command;
+    command.arguments = {"render", "-", "-o", "-", "--backend", backend};
+    command.arguments.insert(command.arguments.end(), options.begin(), options.end());
+    command.input = scene;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, "");
+    return decode_png(outcome.output);
+}
+
+}  // namespace sphereview::test

@@ -1,0 +1,87 @@
+// The tests' own tools, where a mistake would make other tests pass for nothing.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "support/picture.hpp"
+#include "support/program.hpp"
+#include "support/sha256.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+Outcome shell(const std::string& script, Command command = {}) {
+    command.program = "/bin/sh";
+    command.arguments = {"-c", script};
+    return run(command);
+}
+
+// From FIPS 180-4's examples and the NIST test vectors.
+TEST(Sha256, GivesTheSumsOfTheStandard) {
+    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+              "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+    EXPECT_EQ(sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Picture, SurvivesAPng) {
+    Picture picture = plain_picture(3, 2, {1, 2, 3, 0});
+    picture.bytes[0] = '\xFF';
+    picture.bytes[23] = '\x80';
+    EXPECT_EQ(decode_png(encode_png(picture)), picture);
+    EXPECT_EQ(picture.at(0, 0), (std::vector<int>{255, 2, 3, 0}));
+    EXPECT_EQ(picture.at(2, 1), (std::vector<int>{1, 2, 3, 128}));
+}
+
+TEST(Program, ReportsStatusOutputAndErrors) {
+    Command command;
+    command.input = std::string(200'000, 'x');  // more than a pipe holds
+    const Outcome outcome = shell("cat; echo oops >&2; exit 7", command);
+    EXPECT_EQ(outcome.status, 7);
+    EXPECT_EQ(outcome.signal, 0);
+    EXPECT_EQ(outcome.output, command.input);
+    EXPECT_EQ(outcome.errors, "oops\n");
+}
+
+TEST(Program, ReportsTheSignalThatEndedIt) {
+    const Outcome outcome = shell("kill -TERM $$");
+    EXPECT_EQ(outcome.signal, 15);
+    EXPECT_EQ(outcome.status, -1);
+}
+
+TEST(Program, GetsItsFolderItsEnvironmentAndATerminal) {
+    const TemporaryFolder folder;
+    Command command;
+    command.folder = folder.path();
+    command.environment = {{"ADDED", "value"}, {"HOME", std::nullopt}};
+    command.errors_to_terminal = true;
+    EXPECT_EQ(shell("pwd; echo $ADDED-$HOME-; test -t 2 && echo terminal", command).output,
+              folder.path() + "\nvalue--\nterminal\n");
+}
+
+TEST(Program, MeetsLimitsAndPermissions) {
+    const TemporaryFolder folder;
+    folder.write("protected", "");
+    std::filesystem::permissions(folder.path("protected"), std::filesystem::perms::owner_read);
+    Command command;
+    command.folder = folder.path();
+    command.obeys_permissions = true;
+    EXPECT_NE(shell("echo > protected", command).status, 0);
+    EXPECT_NE(shell("exec 2>&-; echo > /dev/full").status, 0);
+    command.largest_file = 4096;
+    EXPECT_EQ(shell("exec head -c 10000 /dev/zero > file", command).signal, SIGXFSZ);
+}
+
+TEST(TextMatch, TellsWhatIsThereFromWhatIsNot) {
+    EXPECT_TRUE(contains("one two", "two"));
+    EXPECT_FALSE(contains("one two", "three"));
+    EXPECT_TRUE(matches("a1\n", "a[0-9]\n"));
+    EXPECT_FALSE(matches("a1\nb", "a[0-9]\n"));
+    EXPECT_EQ(lines("a\n\nb\n"), (std::vector<std::string>{"a", "", "b"}));
+}
+
+}  // namespace
+}  // namespace sphereview::test

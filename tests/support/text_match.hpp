@@ -1,0 +1,21 @@
+// What a program said, compared with what it should say.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sphereview::test {
+
+// EXPECT_TRUE(contains(text, part)) prints both when it fails.
+testing::AssertionResult contains(std::string_view text, std::string_view part);
+
+// Whether the whole text matches the regular expression (ECMAScript).
+testing::AssertionResult matches(const std::string& text, const std::string& expression);
+
+// The lines of a text, without their ends; no empty last line.
+std::vector<std::string> lines(std::string_view text);
+
+}  // namespace sphereview::test
