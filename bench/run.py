@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Measures whole runs of the program against the yardstick, and says which targets are met.
+
+Every section below returns rows (what, measured, target, met) and the data behind them; a new comparison is a new
+section in SECTIONS. Runs of one comparison take turns (A B C A B C ...), so that a busy machine slows all of them alike.
+"""
+import argparse
+import datetime
+import json
+import os
+import platform
+import shlex
+import statistics
+import subprocess
+import sys
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+MILLION = 1_000_000
+NOTHING_COULD_RENDER = 3  # sphereview's exit status where a backend is missing
+
+
+@dataclass
+class Case:
+    name: str
+    command: list[str]
+    environment: dict[str, str] = field(default_factory=dict)
+
+
+@dataclass
+class Row:
+    what: str
+    measured: str
+    target: str = ""
+    met: bool | None = None
+
+
+class CannotRun(Exception):
+    def __init__(self, what: str, status: int, why: str = ""):
+        super().__init__(f"{what}: exit status {status}{why and ': '}{why}")
+        self.status = status
+
+
+class Bench:
+    def __init__(self, build: Path, runs: int):
+        self.build = build.resolve()
+        self.runs = runs
+        self.out = self.build / "bench-out"
+        self.out.mkdir(parents=True, exist_ok=True)
+
+    def program(self, name: str) -> str:
+        return str(self.build / name)
+
+    def render(self, name: str, scene: Path, *options: str, **environment: str) -> Case:
+        picture = self.out / f"{name}.png"
+        return Case(name, [self.program("sphereview"), "render", str(scene), "-o", str(picture), *options], environment)
+
+    def run(self, case: Case) -> dict:
+        """One run: wall_s, cpu_s (user + system), peak_bytes, and what it printed on standard output."""
+        result = self.out / "measure.json"
+        done = subprocess.run([self.program("measure"), str(result), *case.command], capture_output=True, text=True,
+                              env={**os.environ, **case.environment})
+        if done.returncode != 0:
+            raise CannotRun(case.name, done.returncode, done.stderr.strip())
+        return {**json.loads(result.read_text()), "stdout": done.stdout}
+
+    def interleaved(self, cases: list[Case]) -> dict[str, list[dict]]:
+        """All runs of all cases, in turns, after one run each that warms the caches up (Mesa's of shaders too)."""
+        for case in cases:
+            self.run(case)
+        samples: dict[str, list[dict]] = {case.name: [] for case in cases}
+        for number in range(self.runs):
+            progress(f"{', '.join(samples)}: run {number + 1} of {self.runs}")
+            for case in cases:
+                samples[case.name].append(self.run(case))
+        progress("")
+        return samples
+
+
+def progress(text: str) -> None:
+    if sys.stderr.isatty():
+        print("\r\033[K" + text, end="", file=sys.stderr, flush=True)
+
+
+def median(samples: list[dict], key: str) -> float:
+    return statistics.median(sample[key] for sample in samples)
+
+
+def at_most(what: str, measured: float, limit: float, unit: str = "") -> Row:
+    return Row(what, f"{measured:.3g}{unit}", f"at most {limit:g}{unit}", measured <= limit)
+
+
+def phases(samples: list[dict]) -> dict[str, float]:
+    """Median milliseconds of each phase that `render --json` reports."""
+    reports = [json.loads(sample["stdout"])["timings_ms"] for sample in samples]
+    return {phase: statistics.median(report[phase] for report in reports) for phase in reports[0]}
+
+
+def whole_process(bench: Bench) -> tuple[list[Row], dict]:
+    """input4.txt in, PNG out, against the yardstick; the pictures must be the same."""
+    scene = ROOT / "scenes" / "input4.txt"
+    golden = bench.out / "yardstick.png"
+    cases = [
+        Case("yardstick", [bench.program("yardstick"), str(scene), str(golden)]),
+        bench.render("cpu", scene, "--backend", "cpu", "--json"),
+        bench.render("egl", scene, "--backend", "egl", "--json", LIBGL_ALWAYS_SOFTWARE="1"),
+    ]
+    limits = {"cpu": 0.3, "egl": 1.0}
+    rows = []
+    bench.run(cases[0])
+    for case in cases[1:]:
+        try:
+            bench.run(Case(case.name, [*case.command, "--expect", str(golden)], case.environment))
+        except CannotRun as error:
+            if error.status != NOTHING_COULD_RENDER:
+                raise
+            rows.append(Row(f"input4.txt, {case.name}", f"does not work here: {error}"))
+            cases.remove(case)
+    samples = bench.interleaved(cases)
+    data = {"scene": scene.name, "samples": samples, "phases_ms": {}}
+    for name, runs in samples.items():
+        rows.append(Row(f"input4.txt, {name}", f"{median(runs, 'wall_s') * 1e3:.1f} ms, {median(runs, 'cpu_s') * 1e3:.1f} ms of "
+                        f"CPU time, peak {median(runs, 'peak_bytes') / 1e6:.1f} MB"))
+        if name != "yardstick":
+            ratio = median(runs, "wall_s") / median(samples["yardstick"], "wall_s")
+            rows.append(at_most(f"  {name} / yardstick", ratio, limits[name]))
+            data["phases_ms"][name] = phases(runs)
+    return rows, data
+
+
+def reading(bench: Bench) -> tuple[list[Row], dict]:
+    """A million spheres: how long reading takes, and what memory a sphere costs the whole process."""
+    scenes = {"empty": bench.out / "empty.txt", "volume": bench.out / "volume.txt", "half": bench.out / "half.txt"}
+    for name, arguments in [("empty", ["volume", "0"]), ("volume", ["volume", str(MILLION)]), ("half", ["half", str(MILLION)])]:
+        with scenes[name].open("wb") as file:
+            subprocess.run([bench.program("make_scene"), *arguments], stdout=file, check=True)
+    scenes["volume, TOML"] = bench.out / "volume.toml"
+    subprocess.run([bench.program("sphereview"), "convert", str(scenes["volume"]), str(scenes["volume, TOML"])], check=True)
+    tiny = ["--backend", "cpu", "--json", "-s", "1x1"]
+    samples = bench.interleaved([bench.render(name, scene, *tiny) for name, scene in scenes.items()])
+    rows, data = [], {"samples": samples, "file_bytes": {}, "read_ms": {}}
+    for name in list(scenes)[1:]:
+        size = scenes[name].stat().st_size
+        read_ms = phases(samples[name])["read"]
+        data["file_bytes"][name], data["read_ms"][name] = size, read_ms
+        per_sphere = (median(samples[name], "peak_bytes") - median(samples["empty"], "peak_bytes")) / MILLION
+        rows.append(Row(f"1,000,000 spheres, {name}", f"{size / 1e6:.1f} MB, {size / read_ms / 1e3:.0f} MB/s"))
+        rows.append(at_most("  reading", read_ms / 1e3, 1.0, " s"))
+        rows.append(at_most("  peak memory of the process, a sphere", per_sphere, 100, " bytes"))
+    return rows, data
+
+
+def micro(bench: Bench) -> tuple[list[Row], dict]:
+    """The parts one by one; see micro.cpp."""
+    command = [bench.program("micro_benchmarks"), "--benchmark_format=json", "--benchmark_repetitions=10",
+               "--benchmark_min_time=0.1", "--benchmark_enable_random_interleaving=true"]
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+    if done.returncode != 0:
+        raise CannotRun("micro_benchmarks", done.returncode)
+    data = json.loads(done.stdout)
+    data["benchmarks"].sort(key=lambda b: (b["family_index"], b["per_family_instance_index"]))
+    medians = {b["run_name"].removesuffix("/real_time"): b for b in data["benchmarks"] if b.get("aggregate_name") == "median"}
+    rows = []
+    for name, result in medians.items():
+        size = f", {result['file_bytes']:,.0f} bytes" if "file_bytes" in result else ""
+        speed = f", {result['bytes_per_second'] / 1e6:.0f} MB/s" if "bytes_per_second" in result else ""
+        rows.append(Row(name, f"{result['real_time']:.3g} ms{speed}{size}"))
+    for picture in ["input4", "10000_half"]:
+        ours, stb = medians[f"encode/ours/{picture}"], medians[f"encode/stb/{picture}"]
+        rows.append(at_most(f"encoding {picture}, time / stb's", ours["real_time"] / stb["real_time"], 0.25))
+        rows.append(at_most(f"encoding {picture}, size / stb's", ours["file_bytes"] / stb["file_bytes"], 1.0))
+    return rows, data
+
+
+SECTIONS = {"whole process": whole_process, "reading": reading, "micro": micro}
+
+
+def first_line(command: list[str]) -> str:
+    try:
+        return subprocess.run(command, capture_output=True, text=True, cwd=ROOT).stdout.partition("\n")[0]
+    except OSError:
+        return ""
+
+
+def machine() -> dict:
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text().splitlines() if info.exists() else []
+    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return {"cpu": models[0] if models else platform.processor(), "cores": os.cpu_count(), "load": os.getloadavg(),
+            "system": platform.platform()}
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=Path, default=ROOT / "build" / "bench", help="where the bench preset was built")
+    parser.add_argument("--runs", type=int, default=20, help="runs of each case (default: %(default)s)")
+    parser.add_argument("--no-micro", action="store_true", help="leave micro_benchmarks out")
+    options = parser.parse_args()
+    if options.runs < 1:
+        parser.error("--runs: expected at least 1")
+
+    bench = Bench(options.build, options.runs)
+    versions = {"sphereview": first_line([bench.program("sphereview"), "--version"]),
+                "commit": first_line(["git", "describe", "--always", "--dirty"]), "python": platform.python_version()}
+    results = {"date": datetime.datetime.now().astimezone().isoformat(timespec="seconds"), "command": shlex.join(sys.argv),
+               "machine": machine(), "versions": versions, "runs": options.runs, "rows": [], "data": {}}
+    status = 0
+    for name, section in SECTIONS.items():
+        if section is micro and options.no_micro:
+            continue
+        try:
+            rows, results["data"][name] = section(bench)
+        except (CannotRun, OSError, subprocess.CalledProcessError) as error:
+            rows, status = [Row(name, f"could not run: {error}")], 1
+        for row in rows:
+            verdict = "" if row.met is None else "met" if row.met else "NOT MET"
+            print(f"{row.what:<42} {row.measured:<52} {row.target:<18} {verdict}", flush=True)
+        results["rows"] += [asdict(row) for row in rows]
+    path = options.build / "results.json"
+    path.write_text(json.dumps(results, indent=1) + "\n")
+    print(f"{results['machine']['cpu']}, {results['machine']['cores']} cores; medians of {options.runs}; all of it in {path}")
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())
