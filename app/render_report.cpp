@@ -53,7 +53,7 @@ void print_backend(const RenderReport& report) {
 void print_decisions(const RenderReport& report) {
     const DecisionCounts& counts = report.decisions;
     if (counts.in_float + counts.in_double + counts.exactly == 0) return;
-    std::fprintf(stderr, "%s: pixels decided: %lld in float, %lld in double, %lld exactly\n", report.job.scene.c_str(),
+    std::fprintf(stderr, "%s: pixels decided: %lld in float, %lld in double, %lld exactly\n", report.job.label.c_str(),
                  static_cast<long long>(counts.in_float), static_cast<long long>(counts.in_double),
                  static_cast<long long>(counts.exactly));
 }
@@ -69,8 +69,8 @@ void print_timings(const RenderReport& report) {
 
 void print(const RenderReport& report, const RenderOptions& options) {
     if (options.verbose && !report.renderer.empty()) print_backend(report);
-    if (options.verbose || options.timings) print_decisions(report);
     if (options.timings) print_timings(report);
+    if (options.verbose || options.timings) print_decisions(report);
     if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
     if (options.json) {
         // Paths need not be UTF-8, JSON must be.

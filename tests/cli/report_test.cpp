@@ -23,12 +23,13 @@ protected:
     TemporaryFolder folder_;
 };
 
-TEST_F(Report, TimingsAreOneLineAPhaseInOrderOnStandardError) {
+TEST_F(Report, TimingsAreOneLineAPhaseInOrderThenTheDecisionsOnStandardError) {
     const Outcome outcome = render(folder_, {"red.txt", "-s", "5x5", "--timings"});
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.output, "");
     const std::vector<std::string> said = lines(outcome.errors);
-    ASSERT_EQ(said.size(), phases.size()) << outcome;
+    ASSERT_EQ(said.size(), phases.size() + 1) << outcome;
+    EXPECT_EQ(said.back(), "red.txt: pixels decided: 25 in float, 0 in double, 0 exactly");
     for (std::size_t i = 0; i < phases.size(); ++i) EXPECT_TRUE(matches(said[i], phases[i] + " +[0-9]+\\.[0-9]{3} ms"));
 }
 
@@ -88,11 +89,19 @@ TEST_F(Report, JsonThatCannotBeWrittenIsAnOutputError) {
     EXPECT_EQ(outcome.errors, "stdout: cannot be written: No space left on device\n");
 }
 
-TEST_F(Report, VerboseNamesTheBackendOnOneLineASceneOnStandardError) {
+TEST_F(Report, VerboseNamesTheBackendAndHowPixelsWereDecidedOnStandardError) {
     const Outcome outcome = render(folder_, {"red.txt", "two.txt", "-s", "5x5", "--verbose"});
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.output, "");
-    EXPECT_EQ(outcome.errors, "red.txt: backend: cpu\ntwo.txt: backend: cpu\n");
+    EXPECT_EQ(outcome.errors,
+              "red.txt: backend: cpu\nred.txt: pixels decided: 25 in float, 0 in double, 0 exactly\n"
+              "two.txt: backend: cpu\ntwo.txt: pixels decided: 25 in float, 0 in double, 0 exactly\n");
+}
+
+TEST_F(Report, WithoutCertifyingNothingIsCounted) {
+    const Outcome outcome = render(folder_, {"red.txt", "-s", "5x5", "--verbose", "--no-certify"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, "red.txt: backend: cpu\n");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct Mistake {
 
 TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
     const std::vector<Mistake> cases = {
-        {{}, "expected a command: render, convert or doctor"},
+        {{}, "expected a command: render, convert, explain or doctor"},
         {{""}, "unknown command ''"},
         {{"rendr", "a.txt"}, "unknown command 'rendr'; did you mean 'render'?"},
         {{"Convert"}, "did you mean 'convert'?"},
@@ -63,6 +63,13 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"convert", "a.txt", "b", "--to", "yaml"}, "--to: found 'yaml', expected text or toml"},
         {{"convert", "a.txt", "b", "--to", ""}, "--to: found ''"},
         {{"convert", "a.txt", "-"}, "add --to text or --to toml"},
+        {{"explain", "a.txt"}, "--pixel is required"},
+        {{"explain", "a.txt", "--pixel", "5"}, "--pixel: found '5', expected X,Y"},
+        {{"explain", "a.txt", "--pixel", "1000,0"}, "expected a pixel from 0,0 to 999,999"},
+        {{"explain", "a.txt", "--pixel", "-1,0"}, "expected a pixel from 0,0 to 999,999"},
+        {{"explain", "a.txt", "--pixel", "3,3", "-s", "3x3"}, "expected a pixel from 0,0 to 2,2"},
+        {{"explain", "a.txt", "--pixel", "0,0", "-s", "0x3"}, "--size: found '0x3'"},
+        {{"explain", "a.txt", "--pixel", "99999999999,0"}, "--pixel: found"},
         {{"doctor", "--timeout", "0"}, "--timeout"},
         {{"doctor", "--timeout", "nan"}, "--timeout"},
         {{"doctor", "--timeout", "soon"}, "--timeout"},

@@ -1,0 +1,119 @@
+// The arithmetic of one pixel, as the program tells it.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// At 3x3 the centre pixel's ray is the axis: D = (0, 0, 100).
+Outcome explain(const std::string& scene, std::vector<std::string> options) {
+    Command command;
+    command.arguments = {"explain", "-", "-s", "3x3", "-p", "1,1"};
+    command.arguments.insert(command.arguments.end(), options.begin(), options.end());
+    command.input = scene;
+    return run(command);
+}
+
+Json explain_as_json(const std::string& scene) {
+    const Outcome outcome = explain(scene, {"--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, "");
+    return Json::parse(outcome.output);
+}
+
+TEST(Explain, GivesTheTermsOfTheQuadraticAndItsRoots) {
+    // a = 10000, b = 2 * 100 * -300, c = 90000 - 2500, discriminant = 60000^2 - 40000 c; t = (60000 -+ 10000) / 20000.
+    const Json json = explain_as_json("1 255 0 9 0 0 300 50");
+    ASSERT_EQ(json["hits"].size(), 1U);
+    const Json& hit = json["hits"][0];
+    EXPECT_EQ(hit["a"], 10000.0);
+    EXPECT_EQ(hit["b"], -60000.0);
+    EXPECT_EQ(hit["c"], 87500.0);
+    EXPECT_EQ(hit["discriminant"], 1e8);
+    EXPECT_EQ(hit["discriminant_sign"], 1);
+    EXPECT_EQ(hit["t1"], 2.5);
+    EXPECT_EQ(hit["t2"], 3.5);
+    EXPECT_EQ(hit["counts"], "t1");
+    EXPECT_EQ(hit["point"], Json({0.0, 0.0, 250.0}));
+    EXPECT_EQ(hit["normal"], Json({0.0, 0.0, -1.0}));
+    EXPECT_EQ(json["direction"], Json({0.0, 0.0, 100.0}));
+    EXPECT_EQ(json["visible"], 0);
+    EXPECT_EQ(json["color"], Json({255, 0, 9}));
+    EXPECT_EQ(json["decided_in"], "float");
+}
+
+TEST(Explain, OrdersTheHitsAndCountsTheOthers) {
+    const Json json = explain_as_json("4 1 1 1 0 0 900 50  2 2 2 0 0 300 50  3 3 3 500 0 300 50  4 4 4 0 0 -300 50");
+    ASSERT_EQ(json["hits"].size(), 2U);
+    EXPECT_EQ(json["hits"][0]["sphere"], 1);
+    EXPECT_EQ(json["hits"][1]["sphere"], 0);
+    EXPECT_EQ(json["missed"], 1);
+    EXPECT_EQ(json["behind"], 1);
+    EXPECT_EQ(json["visible"], 1);
+}
+
+TEST(Explain, SaysWhichRootCountsInsideAndOnASurface) {
+    const Json inside = explain_as_json("1 1 1 1 0 0 100 150");
+    EXPECT_EQ(inside["hits"][0]["eye"], "inside");
+    EXPECT_EQ(inside["hits"][0]["t1"], -0.5);
+    EXPECT_EQ(inside["hits"][0]["t"], 2.5);
+    const Json surface = explain_as_json("1 1 1 1 0 0 100 100");
+    EXPECT_EQ(surface["hits"][0]["eye"], "on the surface");
+    EXPECT_EQ(surface["hits"][0]["t1"], 0.0);
+    EXPECT_EQ(surface["hits"][0]["counts"], "t2");
+    EXPECT_EQ(surface["hits"][0]["t"], 2.0);
+}
+
+TEST(Explain, SaysThatOnlyExactArithmeticDecidesATangentRay) {
+    const Json json = explain_as_json("1 1 1 1 50 0 300 50");
+    EXPECT_EQ(json["hits"][0]["discriminant"], 0.0);
+    EXPECT_EQ(json["hits"][0]["discriminant_sign"], 0);
+    EXPECT_EQ(json["hits"][0]["t1"], 3.0);
+    EXPECT_EQ(json["hits"][0]["t2"], 3.0);
+    EXPECT_EQ(json["decided_in"], "exact");
+}
+
+TEST(Explain, GivesATieToTheFirstInTheFile) {
+    const Json json = explain_as_json("2 1 1 1 0 0 300 50 2 2 2 0 0 350 100");
+    ASSERT_EQ(json["hits"].size(), 2U);
+    EXPECT_EQ(json["visible"], 0);
+    EXPECT_EQ(json["hits"][1]["as_near_as_last"], true);
+    EXPECT_EQ(json["decided_in"], "exact");
+}
+
+TEST(Explain, HasNoNumberWhereADoubleCannotHoldIt) {
+    const Json json = explain_as_json("1 1 1 1 0 0 1e300 1e299");
+    EXPECT_EQ(json["hits"][0]["c"], nullptr);
+    EXPECT_EQ(json["hits"][0]["discriminant_sign"], 1);
+    EXPECT_EQ(json["visible"], 0);
+}
+
+TEST(Explain, TellsTheSameInWords) {
+    const Outcome outcome = explain("1 255 0 9 0 0 300 50", {});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    for (const char* said : {"pixel 1,1 of stdin at 3x3", "D = (0, 0, 100)", "b = 2 D.(O - C)             = -60000",
+                             "= 1e+08  > 0: two roots", "the smaller, t1, counts", "visible: sphere 0", "colour: 255 0 9"}) {
+        EXPECT_TRUE(contains(outcome.output, said)) << outcome;
+    }
+}
+
+TEST(Explain, TellsWhatANothingPixelShows) {
+    const Outcome outcome = explain("0", {"--background", "white"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(contains(outcome.output, "colour: the background, white")) << outcome;
+}
+
+TEST(Explain, ReportsABadSceneLikeTheOthers) {
+    const Outcome outcome = explain("1 255 0", {});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_TRUE(outcome.errors.starts_with("stdin:1:8: ")) << outcome;
+}
+
+}  // namespace
+}  // namespace sphereview::test
