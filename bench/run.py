@@ -47,7 +47,7 @@ class Bench:
         self.build = build.resolve()
         self.runs = runs
         self.out = self.build / "bench-out"
-        self.out.mkdir(parents=True, exist_ok=True)
+        self.out.mkdir(exist_ok=True)
 
     def program(self, name: str) -> str:
         return str(self.build / name)
@@ -199,6 +199,8 @@ def main() -> int:
     options = parser.parse_args()
     if options.runs < 1:
         parser.error("--runs: expected at least 1")
+    if not (options.build / "measure").exists():
+        parser.error(f"--build: {options.build} is not built: cmake --preset bench && cmake --build --preset bench")
 
     bench = Bench(options.build, options.runs)
     versions = {"sphereview": first_line([bench.program("sphereview"), "--version"]),
