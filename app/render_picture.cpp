@@ -1,8 +1,9 @@
 #include "app/render_picture.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <span>
 #include <utility>
-#include <vector>
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
@@ -28,12 +29,15 @@ public:
     // Calls trace(block, visible) for blocks of at most this size, one after the other, and finishes each.
     template <typename Trace>
     Image draw(int block_width, int block_height, const Trace& trace) {
-        std::vector<std::int32_t> visible;
+        // Not a vector: nobody needs its millions of numbers cleared first.
+        const auto most = static_cast<std::size_t>(std::min(block_width, picture_.width())) *
+                          static_cast<std::size_t>(std::min(block_height, picture_.height()));
+        const auto buffer = std::make_unique_for_overwrite<std::int32_t[]>(most);
         for (int y = 0; y < picture_.height(); y += block_height) {
             for (int x = 0; x < picture_.width(); x += block_width) {
                 const Block block{x, y, std::min(block_width, picture_.width() - x), std::min(block_height, picture_.height() - y)};
-                visible.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-                trace(block, std::span(visible));
+                const std::span visible(buffer.get(), static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+                trace(block, visible);
                 finish(block, visible);
             }
         }

@@ -45,8 +45,8 @@ bool chunks_are_whole(std::string_view bytes) {
 
 std::string encode_png(const Image& image) {
     assert(static_cast<std::int64_t>(image.width()) * image.height() <= most_pixels);
-    // Filter 2, the difference to the row above, turns a flat picture into zeros; trying all five costs most of the time.
-    stbi_write_force_png_filter = 2;
+    // No filter: rows of flat colours compress best as they are, and trying all five costs more than compressing.
+    stbi_write_force_png_filter = 0;
     std::string bytes;
     const int done = stbi_write_png_to_func(append, &bytes, image.width(), image.height(), image.channels(), image.bytes().data(), 0);
     if (done == 0) throw std::bad_alloc();
