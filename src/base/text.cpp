@@ -44,6 +44,11 @@ std::string in_quotes(std::string_view found) {
     return text + "'";
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& character : lower) {

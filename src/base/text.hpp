@@ -32,6 +32,9 @@ std::string fixed(double value, int places);
 // The shortest decimal text that reads back as the same double; "inf" and "nan" where there is none.
 std::string shortest(double value);
 
+// `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
+std::string_view without_byte_order_mark(std::string_view text);
+
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 

@@ -67,10 +67,16 @@ Image decode_png(std::string_view bytes, const std::string& name) {
     if (static_cast<std::int64_t>(width) * height > most_pixels) fail("it has too many pixels");
     if (stbi_is_16_bit_from_memory(data, size) != 0) fail("its channels have 16 bits, expected 8");
 
+    const auto load = [&](int wanted) {
+        std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+            stbi_load_from_memory(data, size, &width, &height, &channels, wanted), &stbi_image_free);
+        if (pixels == nullptr) fail(stbi_failure_reason());
+        return pixels;
+    };
+    // As it is first: that one colour is transparent (a tRNS chunk) is not known before.
+    auto pixels = load(0);
     const int wanted = channels == 2 || channels == 4 ? 4 : 3;  // grey becomes RGB
-    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(data, size, &width, &height, &channels, wanted), &stbi_image_free);
-    if (pixels == nullptr) fail(stbi_failure_reason());
+    if (channels != wanted) pixels = load(wanted);
     Image image(width, height, wanted);
     std::memcpy(image.bytes().data(), pixels.get(), image.bytes().size());
     return image;

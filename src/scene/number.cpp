@@ -2,7 +2,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <system_error>
 
@@ -17,9 +18,11 @@ NumberFault parse_double(std::string_view token, double& value) {
     const auto result = std::from_chars(first, last, read);
     if (result.ptr != last || first == last) return NumberFault::not_a_number;
     if (result.ec == std::errc::result_out_of_range) {
-        // from_chars does not say whether it met the top or the bottom of the range.
-        read = std::strtod(std::string(first, last).c_str(), nullptr);
-        if (!std::isfinite(read)) return NumberFault::too_large;
+        // from_chars does not say whether it met the top or the bottom of the range, and strtod heeds the locale.
+        std::istringstream text(std::string(first, last));
+        text.imbue(std::locale::classic());
+        text >> read;
+        if (std::fabs(read) > 1.0) return NumberFault::too_large;
     } else if (result.ec != std::errc{}) {
         return NumberFault::not_a_number;
     } else if (!std::isfinite(read)) {

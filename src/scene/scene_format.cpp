@@ -12,7 +12,7 @@ namespace {
 
 // The content from its first character that is neither white space nor a byte-order mark.
 std::string_view first_words(std::string_view content) {
-    if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);
+    content = without_byte_order_mark(content);
     const std::size_t begin = content.find_first_not_of(" \t\r\n\v\f");
     return begin == std::string_view::npos ? std::string_view{} : content.substr(begin);
 }

@@ -13,7 +13,6 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t shortest_sphere = 14;  // seven digits, each with a separator
 
 constexpr bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
@@ -21,8 +20,8 @@ constexpr bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 // Walks through the numbers of a text; knows how to say where it stands.
 class TokenReader {
 public:
-    explicit TokenReader(const TextSource& source) : source_(source), rest_(source.text) {
-        if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+    explicit TokenReader(const TextSource& source)
+        : source_(source), text_(without_byte_order_mark(source.text)), rest_(text_) {
         skip_space();
     }
 
@@ -76,17 +75,17 @@ public:
     }
 
     [[noreturn]] void fail(std::string_view token, const std::string& expected) const {
-        const auto offset = static_cast<std::size_t>(token.data() - source_.text.data());
+        const auto offset = static_cast<std::size_t>(token.data() - text_.data());
         throw InputError(place(offset) + "found " + in_quotes(token) + ", expected " + expected);
     }
 
     [[noreturn]] void fail_at_end(const std::string& found, const std::string& expected) const {
-        throw InputError(place(source_.text.size()) + found + ", expected " + expected);
+        throw InputError(place(text_.size()) + found + ", expected " + expected);
     }
 
 private:
     std::string place(std::size_t offset) const {
-        const TextPosition position = position_at(source_.text, offset, source_.origin);
+        const TextPosition position = position_at(text_, offset, source_.origin);
         return source_.name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
     }
 
@@ -105,6 +104,7 @@ private:
     }
 
     const TextSource& source_;
+    std::string_view text_;
     std::string_view rest_;
 };
 
@@ -135,7 +135,7 @@ std::vector<Sphere> parse_text_spheres(const TextSource& source) {
         spheres.push_back(sphere);
     }
     if (!reader.at_end()) {
-        reader.fail(reader.peek(), "the end of the text after " + std::to_string(count) + " spheres");
+        reader.fail(reader.peek(), "the end of the text after " + std::to_string(count) + (count == 1 ? " sphere" : " spheres"));
     }
     return spheres;
 }

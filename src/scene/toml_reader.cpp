@@ -197,8 +197,9 @@ toml::table parse(const Document& document) {
 }  // namespace
 
 Scene parse_toml(std::string_view content, const std::string& name) {
+    content = without_byte_order_mark(content);
     const Document document{name, content};
-    if (content.find_first_not_of(" \t\r\n\xEF\xBB\xBF") == std::string_view::npos) {
+    if (content.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
     }
     const toml::table table = parse(document);

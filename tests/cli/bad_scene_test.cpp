@@ -46,7 +46,7 @@ TEST(BadScene, TextIsRefusedWithItsPlaceWhatWasFoundAndExpected) {
         {head, "4:1", "the text ends", "expected the radius of sphere 1 of 1"},
         {"1\n1 2 3\n0 0", "3:4", "the text ends", "expected the centre's z of sphere 1 of 1"},
         {"2\n1 2 3\n0 0 9\n1\n", "5:1", "the text ends", "expected the red of sphere 2 of 2"},
-        {head + "1\n  7\n", "5:3", "found '7'", "expected the end of the text after 1 spheres"},
+        {head + "1\n  7\n", "5:3", "found '7'", "expected the end of the text after 1 sphere"},
         {"0\n1 2 3\n", "2:1", "found '1'", "expected the end of the text after 0 spheres"},
         {"1\n256 2 3\n0 0 9\n1\n", "2:1", "found '256'", "expected the red of sphere 1 of 1 from 0 to 255"},
         {"1\n1 -1 3\n0 0 9\n1\n", "2:3", "found '-1'", "expected the green of sphere 1 of 1 from 0 to 255"},
@@ -62,7 +62,7 @@ TEST(BadScene, TextIsRefusedWithItsPlaceWhatWasFoundAndExpected) {
         {head + "NaN\n", "4:1", "found 'NaN'", "a finite number"},
         {head + "inf\n", "4:1", "found 'inf'", "a finite number"},
         {"1\r\n1 2 3\r\n0 0 9\r\nx\r\n", "4:1", "found 'x'", "expected the radius"},
-        {"\xEF\xBB\xBFx", "1:2", "found 'x'", "expected the number of spheres"},
+        {"\xEF\xBB\xBFx", "1:1", "found 'x'", "expected the number of spheres"},
     };
     for (const BadScene& bad : cases) expect_refused("scene.txt", bad);
 }
