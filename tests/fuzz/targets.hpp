@@ -1,0 +1,16 @@
+// What the fuzzers try, and what the unit tests replay on the corpus.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace sphereview {
+
+// Reads the bytes as a scene, by either name; what can be read must survive being written and read again, bit for bit.
+// Returns what went wrong, or "". Exceptions other than InputError escape.
+std::string fuzz_scene(std::string_view bytes);
+
+// Reads the bytes as a PNG; what can be read must survive being written and read again.
+std::string fuzz_png(std::string_view bytes);
+
+}  // namespace sphereview

@@ -1,0 +1,30 @@
+// Every input that once mattered to a fuzzer, replayed.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "base/input_file.hpp"
+#include "fuzz/targets.hpp"
+
+namespace sphereview {
+
+namespace {
+
+void replay(const std::string& kind, std::string (*target)(std::string_view)) {
+    int replayed = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/tests/fuzz/corpus/" + kind)) {
+        SCOPED_TRACE(entry.path().filename());
+        EXPECT_EQ(target(InputFile(entry.path().string()).bytes()), "");
+        ++replayed;
+    }
+    EXPECT_GT(replayed, 0);
+}
+
+}  // namespace
+
+TEST(Corpus, OfScenesIsReadAndWrittenWell) { replay("scene", fuzz_scene); }
+
+TEST(Corpus, OfPngsIsReadAndWrittenWell) { replay("png", fuzz_png); }
+
+}  // namespace sphereview

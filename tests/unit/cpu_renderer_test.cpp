@@ -1,0 +1,167 @@
+#include "cpu/cpu_renderer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace sphereview {
+
+namespace {
+
+using Numbers = std::vector<std::int32_t>;
+
+Numbers traced(const Scene& scene, PictureSize size, const Block& block) {
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    Numbers visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height), -7);
+    CpuRenderer(drawn, scene.camera, size).trace(block, visible);
+    return visible;
+}
+
+Numbers traced(const Scene& scene, PictureSize size) { return traced(scene, size, {0, 0, size.width, size.height}); }
+
+// What the textbook's quadratic in double precision sees, and whether float could see anything else.
+struct Seen {
+    std::int32_t number = visible_background;
+    bool doubtful = false;  // a silhouette is near, or another hit
+};
+
+Seen look(const Scene& scene, PictureSize size, int x, int y) {
+    constexpr double near = 1e-3;  // relative; floats err by far less in these scenes
+    const double m = std::min(size.width, size.height);
+    const double right = (2.0 * x + 1.0 - size.width) / m;
+    const double up = (size.height - 1.0 - 2.0 * y) / m;
+    const Camera& camera = scene.camera;
+    double d[3];
+    for (int i = 0; i < 3; ++i) d[i] = camera.center[i] - camera.eye[i] + right * camera.right[i] + up * camera.up[i];
+
+    Seen seen;
+    double nearest = HUGE_VAL;
+    for (std::size_t number = 0; number < scene.spheres.size(); ++number) {
+        const Sphere& sphere = scene.spheres[number];
+        double a = 0;
+        double b = 0;
+        double c = -sphere.radius * sphere.radius;
+        for (int i = 0; i < 3; ++i) {
+            const double o = camera.eye[i] - sphere.center[i];
+            a += d[i] * d[i];
+            b += 2 * d[i] * o;
+            c += o * o;
+        }
+        const double discriminant = b * b - 4 * a * c;
+        if (std::fabs(discriminant) < near * b * b) seen.doubtful = true;
+        if (discriminant < 0) continue;
+        const double in = (-b - std::sqrt(discriminant)) / (2 * a);
+        const double t = in > 0 ? in : (-b + std::sqrt(discriminant)) / (2 * a);
+        if (t <= 0) continue;
+        if (std::fabs(t - nearest) < near * t) seen.doubtful = true;
+        if (t < nearest) {
+            nearest = t;
+            seen.number = static_cast<std::int32_t>(number);
+        }
+    }
+    return seen;
+}
+
+void expect_as_the_textbook_sees(const Scene& scene, PictureSize size) {
+    const Numbers visible = traced(scene, size);
+    int certain = 0;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) {
+            const Seen seen = look(scene, size, x, y);
+            if (seen.doubtful) continue;
+            ++certain;
+            ASSERT_EQ(visible[static_cast<std::size_t>(y * size.width + x)], seen.number) << "at pixel " << x << "," << y;
+        }
+    }
+    EXPECT_GT(certain, size.width * size.height * 8 / 10);  // else this test would check too little
+}
+
+Scene scattered(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+    Scene scene;
+    for (int i = 0; i < 12; ++i) {
+        scene.spheres.push_back({{between(-80, 80), between(-80, 80), between(-50, 300)}, between(2, 40), {}, false});
+    }
+    return scene;
+}
+
+Scene of(std::vector<Sphere> spheres) {
+    Scene scene;
+    scene.spheres = std::move(spheres);
+    return scene;
+}
+
+}  // namespace
+
+TEST(CpuRenderer, SeesWhatTheTextbookSees) {
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        SCOPED_TRACE(seed);
+        expect_as_the_textbook_sees(scattered(seed), {61, 47});
+        expect_as_the_textbook_sees(scattered(seed), {150, 20});  // longer than one run of pixels
+        expect_as_the_textbook_sees(scattered(seed), {9, 100});
+    }
+}
+
+TEST(CpuRenderer, SeesThroughAnyCamera) {
+    Scene scene = scattered(9);
+    scene.camera = {{300, 20, 150}, {200, 20, 150}, {0, 0, 60}, {0, 60, 0}};
+    expect_as_the_textbook_sees(scene, {61, 47});
+    scene.camera = {{0, 0, -200}, {30, -20, -100}, {24, 32, 0}, {-32, 24, 0}};  // rolled, the centre off the axis
+    expect_as_the_textbook_sees(scene, {61, 47});
+}
+
+TEST(CpuRenderer, SeesTheBackgroundWhereNothingIs) {
+    EXPECT_EQ(traced({}, {2, 1}), (Numbers{-1, -1}));
+    EXPECT_EQ(traced(of({{{0, 0, 200}, 5, {}, true}}), {1, 1}), (Numbers{-1}));
+}
+
+TEST(CpuRenderer, SeesTheNearerSphere) {
+    EXPECT_EQ(traced(of({{{0, 0, 200}, 5}, {{0, 0, 150}, 5}}), {1, 1}), (Numbers{1}));
+    EXPECT_EQ(traced(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 5}}), {1, 1}), (Numbers{0}));
+    // A hit counts, not a centre.
+    EXPECT_EQ(traced(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 90}}), {1, 1}), (Numbers{1}));
+}
+
+TEST(CpuRenderer, SeesTheFirstOfEqualSpheres) {
+    EXPECT_EQ(traced(of({{{0, 0, 150}, 5}, {{0, 0, 150}, 5}}), {3, 1}), (Numbers{-1, 0, -1}));
+}
+
+TEST(CpuRenderer, DoesNotSeeWhatLiesBehindTheEye) { EXPECT_EQ(traced(of({{{0, 0, -50}, 49}}), {1, 1}), (Numbers{-1})); }
+
+TEST(CpuRenderer, SeesTheInsideOfASphereAroundTheEye) {
+    EXPECT_EQ(traced(of({{{0, 0, -50}, 51}}), {3, 3}), Numbers(9, 0));
+    EXPECT_EQ(traced(of({{{0, 0, 0}, 500}, {{0, 0, 150}, 5}}), {1, 1}), (Numbers{1}));
+}
+
+TEST(CpuRenderer, SeesASphereThatARayTouches) {
+    EXPECT_EQ(traced(of({{{8, 0, 200}, 8}}), {1, 1}), (Numbers{0}));
+    EXPECT_EQ(traced(of({{{8.0625, 0, 200}, 8}}), {1, 1}), (Numbers{-1}));
+}
+
+TEST(CpuRenderer, SeesABallBetweenHiddenOnesUnderItsDrawnIndex) {
+    const Scene scene = of({{{0, 0, 110}, 9, {}, true}, {{0, 0, 200}, 9}, {{0, 0, 120}, 9, {}, true}, {{0, 0, 180}, 9}});
+    Numbers visible = traced(scene, {1, 1});
+    EXPECT_EQ(visible, (Numbers{1}));
+    to_scene_numbers(drawn_spheres(scene), visible);
+    EXPECT_EQ(visible, (Numbers{3}));
+}
+
+TEST(CpuRenderer, TracesABlockAsItTracesThePicture) {
+    const PictureSize size{301, 23};
+    const Scene scene = scattered(3);
+    const Numbers whole = traced(scene, size);
+    for (const Block block : {Block{0, 0, 1, 1}, {300, 22, 1, 1}, {5, 3, 129, 7}, {127, 0, 128, 23}, {40, 22, 261, 1}}) {
+        const Numbers part = traced(scene, size, block);
+        for (int y = 0; y < block.height; ++y) {
+            for (int x = 0; x < block.width; ++x) {
+                ASSERT_EQ(part[static_cast<std::size_t>(y * block.width + x)],
+                          whole[static_cast<std::size_t>((block.y + y) * size.width + block.x + x)])
+                    << "at pixel " << block.x + x << "," << block.y + y;
+            }
+        }
+    }
+}
+
+}  // namespace sphereview

@@ -1,0 +1,124 @@
+#include "scene/number.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <clocale>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace sphereview {
+
+namespace {
+
+using Limits = std::numeric_limits<double>;
+
+}  // namespace
+
+TEST(ParseDouble, ReadsTheNearestDouble) {
+    const std::vector<std::pair<const char*, double>> cases = {
+        {"0", 0.0},
+        {"-0", -0.0},
+        {"+1", 1.0},
+        {"1.", 1.0},
+        {".5", 0.5},
+        {"-1.5E+2", -150.0},
+        {"007", 7.0},
+        {"0.1", 0x1.999999999999ap-4},
+        // Halfway between 1 and the next double: to even. A digit far behind decides.
+        {"1.00000000000000011102230246251565404236316680908203125", 1.0},
+        {"1.000000000000000111022302462515654042363166809082031250000000001", 0x1.0000000000001p0},
+        {"1.7976931348623157e308", Limits::max()},
+        {"1.7976931348623158e308", Limits::max()},
+        {"2.2250738585072011e-308", 0x0.fffffffffffffp-1022},  // the largest subnormal
+    };
+    for (const auto& [text, expected] : cases) {
+        SCOPED_TRACE(text);
+        double value = 12.0;
+        EXPECT_EQ(parse_double(text, value), NumberFault::none);
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(expected));
+    }
+}
+
+TEST(ParseDouble, GivesTheNearestDoubleForWhatIsTooSmall) {
+    const std::vector<std::pair<const char*, double>> cases = {
+        {"5e-324", Limits::denorm_min()},
+        {"2.4703282292062329e-324", Limits::denorm_min()},  // just above half of it
+        {"2.4703282292062327e-324", 0.0},
+        {"1e-400", 0.0},
+        {"-1e-400", -0.0},
+        {"1.5e-99999999999999999999", 0.0},
+    };
+    for (const auto& [text, expected] : cases) {
+        SCOPED_TRACE(text);
+        double value = 12.0;
+        EXPECT_EQ(parse_double(text, value), NumberFault::none);
+        EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(expected));
+    }
+}
+
+TEST(ParseDouble, SaysWhatIsWrongAndLeavesTheValueAlone) {
+    const std::vector<std::pair<std::string, NumberFault>> cases = {
+        {"", NumberFault::not_a_number},
+        {"+", NumberFault::not_a_number},
+        {"-", NumberFault::not_a_number},
+        {".", NumberFault::not_a_number},
+        {"+-1", NumberFault::not_a_number},
+        {"-+1", NumberFault::not_a_number},
+        {"++1", NumberFault::not_a_number},
+        {"--1", NumberFault::not_a_number},
+        {"1e", NumberFault::not_a_number},
+        {"1e+", NumberFault::not_a_number},
+        {"1,5", NumberFault::not_a_number},
+        {"1.5x", NumberFault::not_a_number},
+        {"0x10", NumberFault::not_a_number},
+        {"1_000", NumberFault::not_a_number},
+        {" 1", NumberFault::not_a_number},
+        {"1 ", NumberFault::not_a_number},
+        {"one", NumberFault::not_a_number},
+        {std::string("1\0", 2), NumberFault::not_a_number},
+        {"nan", NumberFault::not_finite},
+        {"NaN", NumberFault::not_finite},
+        {"inf", NumberFault::not_finite},
+        {"-inf", NumberFault::not_finite},
+        {"+inf", NumberFault::not_finite},
+        {"Infinity", NumberFault::not_finite},
+        {"1e400", NumberFault::too_large},
+        {"-1e400", NumberFault::too_large},
+        {"1.8e308", NumberFault::too_large},
+        {"1e99999999999999999999", NumberFault::too_large},
+        {"1.7976931348623159e308", NumberFault::too_large},
+    };
+    for (const auto& [text, expected] : cases) {
+        SCOPED_TRACE(text);
+        double value = 12.0;
+        EXPECT_EQ(parse_double(text, value), expected);
+        EXPECT_EQ(value, 12.0);
+    }
+}
+
+TEST(ParseDouble, DoesNotHeedTheLocale) {
+    const std::string before = std::setlocale(LC_ALL, nullptr);
+    if (std::setlocale(LC_ALL, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no locale with a decimal comma here";
+    double value = 12.0;
+    EXPECT_EQ(parse_double("1.5", value), NumberFault::none);
+    EXPECT_EQ(value, 1.5);
+    EXPECT_EQ(parse_double("1.5e-400", value), NumberFault::none);
+    EXPECT_EQ(value, 0.0);
+    EXPECT_EQ(parse_double("1.5e400", value), NumberFault::too_large);
+    std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(AppendDouble, WritesTheShortestTextThatReadsBack) {
+    const std::vector<std::pair<double, const char*>> cases = {
+        {0.0, "0"}, {-0.0, "-0"}, {0.1, "0.1"}, {1e22, "1e+22"}, {Limits::denorm_min(), "5e-324"}, {-12.5, "-12.5"}};
+    for (const auto& [value, expected] : cases) {
+        std::string text = "x=";
+        append_double(text, value);
+        EXPECT_EQ(text, "x=" + std::string(expected));
+    }
+}
+
+}  // namespace sphereview

@@ -1,0 +1,130 @@
+// Our PNG reader on files that libpng wrote.
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+#include "base/error.hpp"
+#include "image/png.hpp"
+#include "unit/libpng_writer.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct Case {
+    const char* kind;
+    PngSpec png;
+    int channels;
+    Bytes pixels;
+};
+
+Bytes noise(std::size_t size) {
+    std::mt19937 random(1);
+    Bytes bytes(size);
+    for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
+    return bytes;
+}
+
+PngSpec noisy_rgb(bool interlaced) { return {.width = 13, .height = 11, .rows = noise(13 * 11 * 3), .interlaced = interlaced}; }
+
+std::string refusal(std::string_view file) {
+    return message_of<InputError>([&] { decode_png(file, "x.png"); });
+}
+
+}  // namespace
+
+TEST(PngReader, ReadsEveryKindAsRgbOrRgba) {
+    const std::vector<png_color> palette = {{255, 1, 2}, {3, 4, 5}, {6, 7, 8}};
+    const std::vector<Case> cases = {
+        {"RGB", {.width = 2, .rows = {1, 2, 3, 4, 5, 6}}, 3, {1, 2, 3, 4, 5, 6}},
+        {"RGBA", {.color_type = PNG_COLOR_TYPE_RGBA, .rows = {1, 2, 3, 0}}, 4, {1, 2, 3, 0}},
+        {"grey", {.width = 2, .color_type = PNG_COLOR_TYPE_GRAY, .rows = {0, 77}}, 3, {0, 0, 0, 77, 77, 77}},
+        {"grey with alpha", {.color_type = PNG_COLOR_TYPE_GRAY_ALPHA, .rows = {9, 128}}, 4, {9, 9, 9, 128}},
+        {"1-bit grey",
+         {.width = 3, .color_type = PNG_COLOR_TYPE_GRAY, .rows = {0b10100000}, .depth = 1},
+         3,
+         {255, 255, 255, 0, 0, 0, 255, 255, 255}},
+        {"4-bit grey", {.width = 2, .color_type = PNG_COLOR_TYPE_GRAY, .rows = {0x1F}, .depth = 4}, 3, {17, 17, 17, 255, 255, 255}},
+        {"palette",
+         {.width = 2, .color_type = PNG_COLOR_TYPE_PALETTE, .rows = {2, 0}, .palette = palette},
+         3,
+         {6, 7, 8, 255, 1, 2}},
+        {"2-bit palette",
+         {.width = 2, .color_type = PNG_COLOR_TYPE_PALETTE, .rows = {0b01100000}, .depth = 2, .palette = palette},
+         3,
+         {3, 4, 5, 6, 7, 8}},
+        {"palette with alpha",
+         {.width = 2, .color_type = PNG_COLOR_TYPE_PALETTE, .rows = {0, 1}, .palette = palette, .palette_alpha = {64}},
+         4,
+         {255, 1, 2, 64, 3, 4, 5, 255}},
+        {"RGB with a clear colour",
+         {.width = 2, .rows = {1, 2, 3, 4, 5, 6}, .has_clear_color = true, .clear_color = {0, 1, 2, 3, 0}},
+         4,
+         {1, 2, 3, 0, 4, 5, 6, 255}},
+        {"grey with a clear colour",
+         {.width = 2, .color_type = PNG_COLOR_TYPE_GRAY, .rows = {5, 6}, .has_clear_color = true, .clear_color = {0, 0, 0, 0, 6}},
+         4,
+         {5, 5, 5, 255, 6, 6, 6, 0}},
+        {"interlaced", noisy_rgb(true), 3, noise(13 * 11 * 3)},
+        {"not interlaced", noisy_rgb(false), 3, noise(13 * 11 * 3)},
+    };
+    for (const Case& input : cases) {
+        SCOPED_TRACE(input.kind);
+        const Image image = decode_png(libpng_written(input.png), "x.png");
+        EXPECT_EQ(image.width(), input.png.width);
+        EXPECT_EQ(image.height(), input.png.height);
+        EXPECT_EQ(image.channels(), input.channels);
+        EXPECT_EQ(Bytes(image.bytes().begin(), image.bytes().end()), input.pixels);
+    }
+}
+
+TEST(PngReader, RefusesSixteenBitsRatherThanRoundThem) {
+    const std::string rgb = libpng_written({.rows = {0, 1, 0, 2, 0, 3}, .depth = 16});
+    const std::string grey = libpng_written({.color_type = PNG_COLOR_TYPE_GRAY, .rows = {0, 1}, .depth = 16});
+    EXPECT_EQ(refusal(rgb), "x.png: not a usable PNG: its channels have 16 bits, expected 8");
+    EXPECT_EQ(refusal(grey), "x.png: not a usable PNG: its channels have 16 bits, expected 8");
+}
+
+TEST(PngReader, RefusesEveryTruncatedFile) {
+    for (const bool interlaced : {false, true}) {
+        const std::string file = libpng_written(noisy_rgb(interlaced));
+        // The last 4 bytes are a checksum behind the picture's end.
+        for (std::size_t size = 0; size < file.size() - 4; ++size) {
+            EXPECT_TRUE(refusal(file.substr(0, size)).starts_with("x.png: not a usable PNG: ")) << size;
+        }
+    }
+}
+
+TEST(PngReader, RefusesWhatIsNoPng) {
+    for (const std::string file : {"", "x", "1\n255 0 0\n0 0 200\n20\n", "\x89PNG\r\n\x1a\n", "\xFF\xD8\xFF\xE0", "GIF89a"}) {
+        EXPECT_TRUE(refusal(file).starts_with("x.png: not a usable PNG: ")) << file;
+    }
+}
+
+TEST(PngReader, RefusesAClaimedSizeBeforeAnythingIsAllocated) {
+    std::string file = libpng_written({.color_type = PNG_COLOR_TYPE_GRAY, .rows = {1}});
+    for (const std::size_t side : {16U, 20U}) file.replace(side, 4, std::string("\0\0\x60\0", 4));  // 24576 x 24576
+    EXPECT_EQ(refusal(file), "x.png: not a usable PNG: it has too many pixels");
+    file.replace(16, 4, std::string(4, '\0'));
+    EXPECT_TRUE(refusal(file).starts_with("x.png: not a usable PNG: "));
+}
+
+TEST(PngReader, DecodesOrRefusesEveryDamagedFile) {
+    const std::string good = libpng_written(noisy_rgb(true));
+    for (std::size_t i = 0; i < good.size(); ++i) {
+        if (i >= 16 && i < 24) continue;  // another size, perhaps a huge one, is no damage
+        std::string file = good;
+        file[i] = static_cast<char>(file[i] ^ 0x55);
+        try {
+            decode_png(file, "x.png");
+        } catch (const InputError&) {
+            continue;  // a sanitizer would stop at anything worse
+        }
+    }
+}
+
+}  // namespace sphereview

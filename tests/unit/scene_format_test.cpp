@@ -1,0 +1,69 @@
+#include "scene/scene_format.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/error.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+TEST(DetectFormat, BelievesTheContentBeforeTheName) {
+    for (const char* content : {"0", "  \n 3 ",
+                                "\xEF\xBB\xBF"
+                                "1",
+                                "+1", "-1", ".5", "1\n# not a comment here\na = 1"}) {
+        EXPECT_EQ(detect_format(content, "s.toml"), SceneFormat::text) << content;
+    }
+    for (const char* content : {"# a comment", "\xEF\xBB\xBF\n# a comment", "[camera]", "[[sphere]]", "background = 'white'",
+                                "camera.eye = [0, 0, 0]", "\"background\"=\"white\"", "\r\n  spheres = '0'", "1 = 2"}) {
+        EXPECT_EQ(detect_format(content, "s.txt"), SceneFormat::toml) << content;
+    }
+}
+
+TEST(DetectFormat, BelievesTheNameWhereTheContentIsUnclear) {
+    for (const char* content : {"", " \n", "hello", "\x89PNG", "\xEF\xBB\xBF", "is 2 + 2 = 4?"}) {
+        for (const char* name : {"s.toml", "S.TOML", "a.txt/s.Toml"}) {
+            EXPECT_EQ(detect_format(content, name), SceneFormat::toml) << content;
+        }
+        for (const char* name : {"s.txt", "s", "toml", "s.toml.txt", "stdin"}) {
+            EXPECT_EQ(detect_format(content, name), SceneFormat::text) << content;
+        }
+    }
+}
+
+TEST(FormatOfName, IsTomlForTomlOnly) {
+    EXPECT_EQ(format_of_name("a/b.toml"), SceneFormat::toml);
+    EXPECT_EQ(format_of_name("a/b.ToML"), SceneFormat::toml);
+    EXPECT_EQ(format_of_name("a/b.txt"), SceneFormat::text);
+    EXPECT_EQ(format_of_name("-"), SceneFormat::text);
+}
+
+TEST(ParseScene, ReadsEitherFormatWhateverTheName) {
+    const Scene text = parse_scene("1 1 2 3 4 5 6 7", "s.toml");
+    const Scene toml = parse_scene("[[sphere]]\ncolor = [1, 2, 3]\ncenter = [4, 5, 6]\nradius = 7\n", "s.txt");
+    EXPECT_EQ(text, toml);
+    ASSERT_EQ(text.spheres.size(), 1U);
+    EXPECT_EQ(text.spheres[0], (Sphere{{4, 5, 6}, 7, {1, 2, 3}, false}));
+}
+
+TEST(ParseScene, NamesTheFileInBothFormats) {
+    EXPECT_TRUE(message_of<InputError>([] { parse_scene("x", "a b.txt"); }).starts_with("a b.txt:1:1: found 'x'"));
+    EXPECT_TRUE(message_of<InputError>([] { parse_scene("[x", "a b.txt"); }).starts_with("a b.txt:1:"));
+}
+
+TEST(LostIn, NamesWhatTheTextFormatCannotHold) {
+    Scene scene;
+    scene.spheres.resize(3);
+    EXPECT_EQ(lost_in(scene, SceneFormat::text), "");
+    scene.background = {{255, 255, 255}, false};
+    scene.camera.eye.z = -1;
+    scene.names[1] = "sun";
+    scene.names[2] = "moon";
+    scene.spheres[0].hidden = true;
+    EXPECT_EQ(lost_in(scene, SceneFormat::text), "the background, the camera, the names (2), the hidden spheres (1)");
+    EXPECT_EQ(lost_in(scene, SceneFormat::toml), "");
+}
+
+}  // namespace sphereview

@@ -1,0 +1,96 @@
+#include "base/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace sphereview {
+
+namespace {
+
+std::string place(std::string_view text, std::size_t offset, TextPosition origin = {}) {
+    const TextPosition position = position_at(text, offset, origin);
+    return std::to_string(position.line) + ":" + std::to_string(position.column);
+}
+
+}  // namespace
+
+TEST(PositionAt, CountsLinesAndColumnsFromOne) {
+    EXPECT_EQ(place("", 0), "1:1");
+    EXPECT_EQ(place("abc", 2), "1:3");
+    EXPECT_EQ(place("a\nbc", 3), "2:2");
+    EXPECT_EQ(place("a\n\n", 3), "3:1");
+}
+
+TEST(PositionAt, TakesEveryKindOfLineEndForOneLine) {
+    EXPECT_EQ(place("a\r\nb", 3), "2:1");
+    EXPECT_EQ(place("a\rb", 2), "2:1");
+    EXPECT_EQ(place("a\r", 2), "2:1");
+    EXPECT_EQ(place("a\r\r\n\nb", 5), "4:1");
+    EXPECT_EQ(place("a\n\rb", 3), "3:1");
+}
+
+TEST(PositionAt, CountsCharactersNotBytes) {
+    EXPECT_EQ(place("\xC3\xA9x", 2), "1:2");                      // U+00E9
+    EXPECT_EQ(place("\xF0\x9F\x8C\x90\xE2\x82\xACx", 7), "1:3");  // U+1F310, U+20AC
+}
+
+TEST(PositionAt, StopsAtTheEndOfTheText) { EXPECT_EQ(place("ab", 100), "1:3"); }
+
+TEST(PositionAt, StartsWhereTheTextStandsInItsFile) {
+    EXPECT_EQ(place("abc", 1, {4, 12}), "4:13");
+    EXPECT_EQ(place("a\nbc", 3, {4, 12}), "5:2");
+}
+
+TEST(InQuotes, ShowsPrintableCharactersAsTheyAre) { EXPECT_EQ(in_quotes("a ~'\""), "'a ~'\"'"); }
+
+TEST(InQuotes, EscapesWhatATerminalWouldAct) {
+    EXPECT_EQ(in_quotes(std::string_view("\0\x1b[2J\n\x7F", 7)), R"('\x00\x1b[2J\x0a\x7f')");
+    EXPECT_EQ(in_quotes("\xC3\xA9"), R"('\xc3\xa9')");
+}
+
+TEST(InQuotes, CutsLongTexts) {
+    EXPECT_EQ(in_quotes(std::string(40, 'x')), "'" + std::string(40, 'x') + "'");
+    EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
+}
+
+TEST(DidYouMean, NamesTheClosestCandidate) {
+    const std::vector<std::string> names = {"render", "convert", "doctor"};
+    EXPECT_EQ(closest_match("rendr", names), "render");
+    EXPECT_EQ(closest_match("DOCTOR", names), "doctor");
+    EXPECT_EQ(did_you_mean("convrt", names), "; did you mean 'convert'?");
+}
+
+TEST(DidYouMean, IsSilentWhenNothingIsNear) {
+    const std::vector<std::string> names = {"render", "convert", "doctor"};
+    EXPECT_EQ(did_you_mean("scene", names), "");
+    EXPECT_EQ(did_you_mean("", names), "");
+    EXPECT_EQ(did_you_mean(std::string(65, 'r'), names), "");  // not worth the time
+    EXPECT_EQ(did_you_mean("render", {}), "");
+}
+
+TEST(DidYouMean, AllowsShortWordsOneMistake) {
+    const std::vector<std::string> names = {"up"};
+    EXPECT_EQ(closest_match("ul", names), "up");
+    EXPECT_EQ(closest_match("xy", names), "");
+}
+
+TEST(Fixed, WritesTheDecimalPlacesAsked) {
+    EXPECT_EQ(fixed(1.0, 2), "1.00");
+    EXPECT_EQ(fixed(-0.126, 2), "-0.13");
+    EXPECT_EQ(fixed(2.5, 0), "2");  // to even
+    EXPECT_EQ(fixed(1e300, 9).size(), 311U);
+    EXPECT_EQ(fixed(std::numeric_limits<double>::infinity(), 3), "inf");
+}
+
+TEST(WithoutByteOrderMark, TakesOneMarkAwayFromTheFront) {
+    EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBFx"), "x");
+    EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF\xEF\xBB\xBF"), "\xEF\xBB\xBF");
+    EXPECT_EQ(without_byte_order_mark("\xEF\xBB"), "\xEF\xBB");
+}
+
+TEST(LowerCase, ChangesAsciiLettersOnly) { EXPECT_EQ(lower_case("AZ@[az\xC3\x89"), "az@[az\xC3\x89"); }
+
+}  // namespace sphereview
