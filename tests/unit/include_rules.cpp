@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <regex>
 #include <vector>
 
 namespace sphereview {
@@ -59,27 +58,51 @@ std::string_view owner(std::string_view header) {
     return header.find_first_of("./") == std::string_view::npos ? "std" : "";
 }
 
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t\r");
+    if (begin == std::string_view::npos) return "";
+    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+// What a line includes, with its quotes or brackets; "" when it includes nothing.
+std::string_view included(std::string_view line) {
+    line = trimmed(line);
+    if (!line.starts_with('#')) return "";
+    line = trimmed(line.substr(1));
+    constexpr std::string_view directive = "include";
+    if (!line.starts_with(directive)) return "";
+    line.remove_prefix(directive.size());
+    return trimmed(line.substr(0, line.find("//")));
+}
+
+// The end of a quoted #include behind the room.
+bool is_file_name(std::string_view text) {
+    constexpr std::string_view ending = ".hpp\"";
+    if (!text.ends_with(ending) || text.size() == ending.size()) return false;
+    text.remove_suffix(ending.size());
+    return std::ranges::all_of(text, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
 }  // namespace
 
 bool is_room(std::string_view name) { return allowed.contains(name); }
 
-std::string include_fault(std::string_view room, const std::string& line) {
-    static const std::regex include(R"(\s*#\s*include\b\s*(.*?)\s*(//.*)?)");
-    static const std::regex angle("<([^>]+)>");
-    static const std::regex quoted(R"re("([a-z]+)/[a-z0-9_]+\.hpp")re");
-    std::smatch match;
-    if (!std::regex_match(line, match, include)) return "";
-    const std::string what = match[1];
-    if (std::regex_match(what, match, angle)) {
-        const std::string_view library = owner(match[1].str());
+std::string include_fault(std::string_view room, std::string_view line) {
+    const std::string_view what = included(line);
+    if (what.empty()) return "";
+    if (what.size() > 2 && what.front() == '<' && what.back() == '>') {
+        const std::string_view library = owner(what.substr(1, what.size() - 2));
         if (library == "std") return "";
         if (library.empty()) return "a header of an unknown library";
         return may_include(room, library) ? "" : std::string(room) + " may not include " + std::string(library);
     }
-    if (!std::regex_match(what, match, quoted)) return "not of the form \"room/file.hpp\" or <header>";
-    const std::string other = match[1];
-    if (!is_room(other)) return "no such room: " + other;
-    return may_include(room, other) ? "" : std::string(room) + " may not include " + other;
+    const std::size_t slash = what.find('/');
+    if (slash == std::string_view::npos || what.front() != '"' || !is_file_name(what.substr(slash + 1))) {
+        return "not of the form \"room/file.hpp\" or <header>";
+    }
+    const std::string_view other = what.substr(1, slash - 1);
+    if (!is_room(other)) return "no such room: " + std::string(other);
+    return may_include(room, other) ? "" : std::string(room) + " may not include " + std::string(other);
 }
 
 }  // namespace sphereview

@@ -7,7 +7,7 @@
 namespace sphereview {
 
 // What is wrong with a line of a file in `room` ("scene", "app"), or "" for a good #include and for any other line.
-std::string include_fault(std::string_view room, const std::string& line);
+std::string include_fault(std::string_view room, std::string_view line);
 
 // Whether the table knows the room.
 bool is_room(std::string_view name);

@@ -99,6 +99,8 @@ TEST(IncludeRules, ForbidAllElse) {
         {"scene", "#include <base/error.hpp>", "a header of an unknown library"},
         {"scene", "#include <math.h>", "a header of an unknown library"},
         {"scene", "#include \"room/file.hpp\"", "no such room: room"},
+        {"scene", "#include \"base//error.hpp\"", "not of the form \"room/file.hpp\" or <header>"},
+        {"scene", "#include \"base/error.h\"", "not of the form \"room/file.hpp\" or <header>"},
         {"scene", "#include HEADER", "not of the form \"room/file.hpp\" or <header>"},
         {"scene", "#include<Eigen/Core>", "a header of an unknown library"},
     };

@@ -1,0 +1,177 @@
+#include "base/output_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <csignal>
+#include <thread>
+
+#include "base/error.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The message that check_output and write_output both give.
+std::string refusal(const std::string& path) {
+    const std::string early = message_of<OutputError>([&] { check_output(path); });
+    EXPECT_EQ(message_of<OutputError>([&] { write_output(path, "new"); }), early);
+    return early;
+}
+
+}  // namespace
+
+TEST(WriteOutput, MakesTheFileAndNothingElse) {
+    const test::TemporaryFolder folder;
+    const std::string bytes("a\0b\r\n\n\xff", 7);
+    write_output(folder.path("out.png"), bytes);
+    EXPECT_EQ(folder.read("out.png"), bytes);
+    write_output(folder.path("empty"), "");
+    EXPECT_EQ(fs::file_size(folder.path("empty")), 0U);
+    EXPECT_EQ(folder.names().size(), 2U);
+}
+
+TEST(WriteOutput, ReplacesAFileAndKeepsItsMode) {
+    const test::TemporaryFolder folder;
+    folder.write("out", "a much longer old content");
+    fs::permissions(folder.path("out"), fs::perms{0640});
+    write_output(folder.path("out"), "new");
+    EXPECT_EQ(folder.read("out"), "new");
+    EXPECT_EQ(fs::status(folder.path("out")).permissions(), fs::perms{0640});
+    EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(WriteOutput, TakesTheLongestFileName) {
+    const test::TemporaryFolder folder;
+    const std::string name(255, 'n');
+    write_output(folder.path(name), "new");
+    EXPECT_EQ(folder.read(name), "new");
+}
+
+TEST(WriteOutput, PartsHardLinks) {
+    const test::TemporaryFolder folder;
+    folder.write("a", "old");
+    fs::create_hard_link(folder.path("a"), folder.path("b"));
+    write_output(folder.path("a"), "new");
+    EXPECT_EQ(folder.read("b"), "old");
+}
+
+TEST(WriteOutput, FollowsLinks) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder.path("far"));
+    folder.write("far/real", "old");
+    fs::create_symlink("far/second", folder.path("first"));
+    fs::create_symlink("real", folder.path("far/second"));  // relative to its own folder
+    write_output(folder.path("first"), "new");
+    EXPECT_TRUE(fs::is_symlink(folder.path("first")));
+    EXPECT_TRUE(fs::is_symlink(folder.path("far/second")));
+    EXPECT_EQ(folder.read("far/real"), "new");
+    EXPECT_EQ(folder.names().size(), 2U);
+}
+
+TEST(WriteOutput, MakesTheFileThatADanglingLinkNames) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder.path("far"));
+    fs::create_symlink("far/real", folder.path("link"));
+    write_output(folder.path("link"), "new");
+    EXPECT_TRUE(fs::is_symlink(folder.path("link")));
+    EXPECT_EQ(folder.read("far/real"), "new");
+}
+
+TEST(WriteOutput, RefusesWhatCannotBecomeAFile) {
+    const test::TemporaryFolder folder;
+    folder.write("file", "old");
+    fs::create_symlink("loop", folder.path("loop"));
+    fs::create_symlink("missing/file", folder.path("nowhere"));
+    const std::string missing = folder.path("missing");
+    EXPECT_EQ(refusal(folder.path()), folder.path() + ": cannot be written: it is a folder");
+    EXPECT_EQ(refusal(missing + "/x"), missing + "/x: cannot be written: the folder " + missing + " does not exist");
+    EXPECT_EQ(refusal(missing + "/"), missing + "/: cannot be written: it names a folder");
+    EXPECT_EQ(refusal(folder.path("file/x")), folder.path("file/x") + ": cannot be written: Not a directory");
+    EXPECT_EQ(refusal(folder.path("nowhere")),
+              folder.path("nowhere") + ": cannot be written: the folder " + missing + " does not exist");
+    EXPECT_EQ(refusal(folder.path("loop")), folder.path("loop") + ": cannot be written: Too many levels of symbolic links");
+    EXPECT_EQ(refusal(folder.path(std::string(256, 'n'))),
+              folder.path(std::string(256, 'n')) + ": cannot be written: File name too long");
+    EXPECT_EQ(refusal(""), "'': cannot be written: it has no name");
+    EXPECT_EQ(folder.read("file"), "old");
+    EXPECT_EQ(folder.names().size(), 3U);
+}
+
+TEST(WriteOutput, SaysThatADeviceIsFull) {
+    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+    EXPECT_EQ(message_of<OutputError>([] { write_output("/dev/full", "new"); }),
+              "/dev/full: cannot be written: No space left on device");
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST(WriteOutput, LeavesTheOldFileWhenTheNewOneDoesNotFit) {
+    const test::TemporaryFolder folder;
+    folder.write("out", "old");
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit small = before;
+    small.rlim_cur = 1000;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const std::string message = message_of<OutputError>([&] { write_output(folder.path("out"), std::string(100'000, 'x')); });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(message, folder.path("out") + ": cannot be written: File too large");
+    EXPECT_EQ(folder.read("out"), "old");
+    EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(WriteOutput, WritesIntoAPipe) {
+    const test::TemporaryFolder folder;
+    const std::string pipe = folder.path("pipe");
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::string received;
+    std::thread reader([&] { received = folder.read("pipe"); });
+    write_output(pipe, "new");
+    reader.join();
+    EXPECT_EQ(received, "new");
+    EXPECT_TRUE(fs::is_fifo(pipe));
+    EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(FileIdentity, IsOneForAllPathsToAFile) {
+    const test::TemporaryFolder folder;
+    fs::create_directory(folder.path("sub"));
+    folder.write("file", "");
+    fs::create_symlink("file", folder.path("link"));
+    fs::create_symlink("sub", folder.path("linked_folder"));
+    fs::create_symlink("sub/new", folder.path("dangling"));
+    const std::string file = file_identity(folder.path("file"));
+    EXPECT_NE(file, "");
+    EXPECT_EQ(file_identity(folder.path("link")), file);
+    EXPECT_EQ(file_identity(folder.path("sub/../file")), file);
+    EXPECT_EQ(file_identity(folder.path("./file")), file);
+    EXPECT_EQ(file_identity(fs::relative(folder.path("file")).string()), file);
+    const std::string unmade = file_identity(folder.path("sub/new"));
+    EXPECT_EQ(file_identity(folder.path("dangling")), unmade);
+    EXPECT_EQ(file_identity(folder.path("linked_folder/new")), unmade);
+}
+
+TEST(FileIdentity, DiffersForDifferentFiles) {
+    const test::TemporaryFolder folder;
+    folder.write("a", "");
+    fs::create_hard_link(folder.path("a"), folder.path("b"));
+    EXPECT_NE(file_identity(folder.path("a")), file_identity(folder.path("b")));
+    EXPECT_NE(file_identity(folder.path("c")), file_identity(folder.path("d")));
+}
+
+TEST(FileIdentity, IsEmptyWhereNothingCanBeLost) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder.path("pipe")).c_str(), 0600), 0);
+    EXPECT_EQ(file_identity("-"), "");
+    EXPECT_EQ(file_identity("/dev/null"), "");
+    EXPECT_EQ(file_identity(folder.path("pipe")), "");
+}
+
+}  // namespace sphereview
