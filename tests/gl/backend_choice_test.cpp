@@ -1,0 +1,163 @@
+// Which renderer draws, and what is said of the others. Mesa's variables make it an old driver, or one that is not there.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+using Json = nlohmann::json;
+using Environment = std::vector<std::pair<std::string, std::optional<std::string>>>;
+
+constexpr const char* old_driver = "MESA_GL_VERSION_OVERRIDE";
+
+class BackendChoice : public testing::Test {
+protected:
+    BackendChoice() {
+        folder_.write("red.txt", red_scene);
+        folder_.write("many.txt", many_spheres(capacity() + 1));
+    }
+
+    Outcome render_small(const std::vector<std::string>& arguments, const Environment& environment = {}) const {
+        Command command;
+        command.arguments = {"render", "-s", "5x5"};
+        command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+        command.environment = environment;
+        command.folder = folder_.path();
+        return run(command);
+    }
+
+    // How many spheres the GL backends take, as doctor says.
+    static int capacity() {
+        static const int spheres = [] {
+            const Json report = Json::parse(run({"doctor", "--json"}).output);
+            return report["backends"][0]["spheres_in_uniform_block"].get<int>();
+        }();
+        return spheres;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(BackendChoice, AutomaticPrefersEgl) {
+    for (const Environment& environment : {Environment{}, Environment{{"LIBGL_ALWAYS_SOFTWARE", "1"}}, Environment{{"SPHEREVIEW_BACKEND", "auto"}}}) {
+        const Outcome outcome = render_small({"red.txt", "--verbose"}, environment);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_TRUE(matches(outcome.errors, "red\\.txt: backend: egl \\(EGL device \\d+, .+\\).*\n"));
+    }
+}
+
+TEST_F(BackendChoice, AlwaysSoftwareIsRespected) {
+    const Outcome outcome = render_small({"red.txt", "--verbose"}, {{"LIBGL_ALWAYS_SOFTWARE", "true"}});
+    EXPECT_TRUE(contains(outcome.errors, "llvmpipe")) << outcome;
+}
+
+TEST_F(BackendChoice, NamesAreObeyed) {
+    for (const char* name : {"egl", "osmesa", "cpu"}) {
+        const Outcome option = render_small({"red.txt", "--json", "--backend", name}, {{"SPHEREVIEW_BACKEND", "auto"}});
+        const Outcome variable = render_small({"red.txt", "--json"}, {{"SPHEREVIEW_BACKEND", name}});
+        ASSERT_EQ(option.status, 0) << option;
+        ASSERT_EQ(variable.status, 0) << variable;
+        EXPECT_EQ(Json::parse(option.output)["backend"], name);
+        EXPECT_EQ(Json::parse(variable.output)["backend"], name);
+    }
+}
+
+TEST_F(BackendChoice, FallsBackToOsmesaWhereEglHasNoDriver) {
+    const Outcome outcome = render_small({"red.txt", "--verbose"}, {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere"}, {"DISPLAY", std::nullopt}});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(matches(outcome.errors, "red\\.txt: backend: osmesa \\(.*\\); passed over: EGL.*\n"));
+}
+
+TEST_F(BackendChoice, FallsBackToTheCpuWhereNoGlIsNewEnoughAndSaysWhy) {
+    const Outcome outcome = render_small({"red.txt", "--verbose"}, {{old_driver, "3.2"}});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(matches(outcome.errors, "red\\.txt: backend: cpu; passed over: EGL device 0: .*3\\.3.*; OSMesa: .*3\\.3.*\n"));
+    const Outcome quiet = render_small({"red.txt"}, {{old_driver, "3.2"}});
+    EXPECT_EQ(quiet.errors, "");
+    EXPECT_EQ(decode_png(folder_.read("red.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
+}
+
+TEST_F(BackendChoice, ANamedBackendIsNeverReplaced) {
+    const std::vector<std::pair<std::vector<std::string>, Environment>> cases = {
+        {{"--backend", "egl"}, {{old_driver, "3.2"}}},
+        {{"--backend", "osmesa"}, {{old_driver, "3.2"}}},
+        {{"--device", "0"}, {{old_driver, "3.2"}}},
+        {{}, {{old_driver, "3.2"}, {"SPHEREVIEW_BACKEND", "egl"}}},
+    };
+    for (const auto& [options, environment] : cases) {
+        std::vector<std::string> arguments = {"red.txt"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome = render_small(arguments, environment);
+        EXPECT_EQ(outcome.status, 3) << outcome;
+        EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+        EXPECT_TRUE(contains(outcome.errors, "3.3"));
+        EXPECT_FALSE(folder_.has("red.png"));
+    }
+}
+
+TEST_F(BackendChoice, MoreSpheresThanTheUniformBufferHoldsAreForTheCpu) {
+    const std::string count = std::to_string(capacity() + 1);
+    const Outcome automatic = render_small({"many.txt", "red.txt", "--verbose"});
+    EXPECT_EQ(automatic.status, 0) << automatic;
+    const auto said = lines(automatic.errors);
+    ASSERT_EQ(said.size(), 2U) << automatic;
+    EXPECT_TRUE(matches(said[0], "many\\.txt: backend: cpu; passed over: egl .*uniform buffer holds " + std::to_string(capacity()) +
+                                     " spheres, the scene has " + count));
+    EXPECT_TRUE(said[1].starts_with("red.txt: backend: egl")) << said[1];
+    for (const char* backend : {"egl", "osmesa"}) {
+        const Outcome named = render_small({"many.txt", "--backend", backend, "-o", "other.png"});
+        EXPECT_EQ(named.status, 3) << named;
+        EXPECT_EQ(lines(named.errors).size(), 1U) << named;
+        EXPECT_TRUE(contains(named.errors, "holds at most " + std::to_string(capacity()) + " spheres in its uniform buffer, the scene has " + count));
+        EXPECT_FALSE(folder_.has("other.png"));
+    }
+}
+
+TEST_F(BackendChoice, AsManySpheresAsTheUniformBufferHoldsAreForGl) {
+    folder_.write("full.txt", many_spheres(capacity()));
+    folder_.write("hidden.toml", "[[sphere]]\nhidden = true\ncolor = [1, 2, 3]\ncenter = [0, 0, 9]\nradius = 1\n");
+    EXPECT_GE(capacity(), 1024);
+    for (const char* backend : {"egl", "osmesa"}) {
+        const Outcome outcome = render_small({"full.txt", "hidden.toml", "--backend", backend});
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_EQ(decode_png(folder_.read("full.png")).at(2, 2), (std::vector<int>{1, 2, 3}));
+    }
+}
+
+TEST_F(BackendChoice, SeveralScenesShareOneContext) {
+    folder_.write("blue.txt", blue_scene);
+    for (const char* backend : {"egl", "osmesa"}) {
+        const Outcome outcome = render_small({"red.txt", "blue.txt", "--backend", backend, "--json"});
+        ASSERT_EQ(outcome.status, 0) << outcome;
+        const auto rows = lines(outcome.output);
+        ASSERT_EQ(rows.size(), 2U);
+        for (const char* phase : {"context", "shaders"}) {
+            EXPECT_GT(Json::parse(rows[0])["timings_ms"][phase].get<double>(), 0.0);
+            EXPECT_EQ(Json::parse(rows[1])["timings_ms"][phase].get<double>(), 0.0);
+        }
+        for (const char* phase : {"read", "upload", "trace", "read back", "resolve", "encode", "write"}) {
+            EXPECT_GT(Json::parse(rows[1])["timings_ms"][phase].get<double>(), 0.0) << phase;
+        }
+        EXPECT_EQ(decode_png(folder_.read("blue.png")).at(2, 2), (std::vector<int>{0, 0, 250}));
+    }
+}
+
+TEST_F(BackendChoice, ADeviceIsPickedByNumber) {
+    const Outcome outcome = render_small({"red.txt", "--device", "0", "--verbose"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(outcome.errors.starts_with("red.txt: backend: egl (EGL device 0, ")) << outcome;
+    // A device counts more than the variable, which names no device.
+    EXPECT_TRUE(contains(render_small({"red.txt", "--device", "0", "--verbose"}, {{"SPHEREVIEW_BACKEND", "cpu"}}).errors, "backend: egl"));
+    for (const char* number : {"99", "-1"}) {
+        const Outcome missing = render_small({"red.txt", "--device", number});
+        EXPECT_EQ(missing.status, 2) << missing;
+        EXPECT_TRUE(contains(missing.errors, std::string("--device: found ") + number + ", expected ")) << missing;
+    }
+}
+
+}  // namespace
+}  // namespace sphereview::test

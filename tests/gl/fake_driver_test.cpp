@@ -1,0 +1,123 @@
+// Drivers that hang, crash, end the program or are not what they are called.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// A command that finds libraries in `folder` first.
+Command with_libraries(const std::string& folder, const std::vector<std::string>& arguments) {
+    Command command;
+    command.arguments = arguments;
+    command.environment = {{"LD_LIBRARY_PATH", folder}};
+    // A sanitized program would turn a crash into an exit.
+    const char* options = std::getenv("ASAN_OPTIONS");
+    command.environment.emplace_back("ASAN_OPTIONS", (options != nullptr ? std::string(options) + ":" : "") + "handle_segv=0");
+    return command;
+}
+
+std::string fake(const std::string& name) { return FAKE_DRIVERS "/" + name; }
+
+// What doctor says of the backend of that name; the first where there are several.
+Json row_of(const Json& report, const std::string& backend) {
+    for (const Json& row : report["backends"]) {
+        if (row["backend"] == backend) return row;
+    }
+    return {};
+}
+
+// Runs doctor against a fake EGL and returns its row; the CPU must work and the exit status be 0.
+Json egl_row(const std::string& driver, const std::string& timeout) {
+    const Outcome outcome = run(with_libraries(fake(driver), {"doctor", "--json", "--timeout", timeout}));
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    const Json report = Json::parse(outcome.output);
+    EXPECT_EQ(row_of(report, "cpu")["works"], true);
+    const Json row = row_of(report, "egl");
+    EXPECT_EQ(row["works"], false);
+    EXPECT_FALSE(row["advice"].get<std::string>().empty());
+    return row;
+}
+
+TEST(FakeDriver, ThatHangsIsARowOfDoctor) {
+    // The limit holds for the CPU's probe too, which needs milliseconds.
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_TRUE(contains(egl_row("hanging_egl", "8")["reason"].get<std::string>(), "the driver hung: no answer within 8 s"));
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(8));
+}
+
+TEST(FakeDriver, ThatCrashesIsARowOfDoctor) {
+    EXPECT_TRUE(contains(egl_row("crashing_egl", "60")["reason"].get<std::string>(), "the driver crashed (signal 11)"));
+}
+
+TEST(FakeDriver, ThatEndsTheProgramIsARowOfDoctor) {
+    EXPECT_TRUE(contains(egl_row("exiting_egl", "60")["reason"].get<std::string>(), "the driver ended the program (status 7)"));
+}
+
+TEST(FakeDriver, ThatLacksFunctionsIsARowOfDoctor) {
+    EXPECT_TRUE(contains(egl_row("bare", "60")["reason"].get<std::string>(), "libEGL lacks functions"));
+    const Outcome words = run(with_libraries(fake("bare"), {"doctor"}));
+    EXPECT_EQ(words.status, 0) << words;
+    EXPECT_TRUE(contains(words.output, "EGL: does not work\n    why:       libEGL lacks functions"));
+    EXPECT_TRUE(contains(words.output, "OSMesa: does not work\n    why:       libOSMesa lacks functions"));
+    EXPECT_TRUE(contains(words.output, "CPU: works"));
+}
+
+class BrokenLibraries : public testing::TestWithParam<const char*> {
+protected:
+    // Libraries without functions, or files that are no libraries at all.
+    BrokenLibraries() : libraries_(fake("bare")) {
+        folder_.write("red.txt", red_scene);
+        if (std::string(GetParam()) == "Bare") return;
+        for (const char* name : {"libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
+            folder_.write(std::string("lib/") + name, "not a library");
+        }
+        libraries_ = folder_.path("lib");
+    }
+
+    Outcome render_small(const std::vector<std::string>& options) const {
+        std::vector<std::string> arguments = {"render", "red.txt", "-s", "5x5"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        Command command = with_libraries(libraries_, arguments);
+        command.folder = folder_.path();
+        return run(command);
+    }
+
+    TemporaryFolder folder_;
+    std::string libraries_;
+};
+
+TEST_P(BrokenLibraries, LeaveTheCpuToAutomatic) {
+    const Outcome outcome = render_small({"--verbose"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(matches(outcome.errors, "red\\.txt: backend: cpu; passed over: EGL: libEGL .*; OSMesa: libOSMesa .*\n"));
+    EXPECT_EQ(decode_png(folder_.read("red.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
+}
+
+TEST_P(BrokenLibraries, MakeANamedBackendFailWithOneLine) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{"--backend", "egl"}, "the backend egl does not work here: EGL: libEGL"},
+        {{"--backend", "osmesa"}, "the backend osmesa does not work here: OSMesa: libOSMesa"},
+        {{"--device", "0"}, "libEGL"},
+    };
+    for (const auto& [options, said] : cases) {
+        const Outcome outcome = render_small(options);
+        EXPECT_EQ(outcome.status, 3) << outcome;
+        EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+        EXPECT_TRUE(contains(outcome.errors, said));
+        EXPECT_FALSE(folder_.has("red.png"));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, BrokenLibraries, testing::Values("Bare", "NoLibraries"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace sphereview::test

@@ -1,0 +1,27 @@
+/* A libEGL that loads and then fails at its first real call, in one of the ways that drivers do. */
+#include <stdlib.h>
+#include <unistd.h>
+
+typedef void* Display;
+
+Display eglGetDisplay(void* native) {
+    (void)native;
+    return NULL;
+}
+
+Display eglGetCurrentDisplay(void) { return NULL; }
+
+int eglGetError(void) { return 0x3000; }
+
+const char* eglQueryString(Display display, int name) {
+    (void)display;
+    (void)name;
+#if defined(HANGS)
+    for (;;) pause();
+#elif defined(CRASHES)
+    *(volatile int*)NULL = 1;
+#elif defined(EXITS)
+    exit(7);
+#endif
+    return NULL;
+}

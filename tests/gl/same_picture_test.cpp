@@ -1,0 +1,111 @@
+// Every renderer gives the same bytes.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "support/render.hpp"
+
+namespace sphereview::test {
+namespace {
+
+struct Case {
+    std::string name;
+    std::string scene;
+    std::string size;
+};
+
+// `count` spheres between the eye and far away, some beside the picture.
+std::string random_spheres(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::string text = std::to_string(count) + "\n";
+    const auto number = [&](int low, int high) {
+        return std::to_string(low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1))) + " ";
+    };
+    for (int i = 0; i < count; ++i) {
+        text += number(0, 255) + number(0, 255) + number(0, 255) + "\n";
+        text += number(-200, 200) + number(-200, 200) + number(-100, 500) + "\n" + number(1, 60) + "\n";
+    }
+    return text;
+}
+
+const std::string three_spheres = R"(
+[[sphere]]
+name = "big"
+color = [200, 30, 40]
+center = [0, 0, 300]
+radius = 90
+[[sphere]]
+color = [1, 255, 3]
+center = [40, 25.5, 180]
+radius = 20
+[[sphere]]
+color = [0, 0, 255]
+center = [-30, 10, 150]
+radius = 35
+)";
+
+const std::vector<Case> cases = {
+    {"NoSpheres", "0", "31x17"},
+    {"OnePixel", "1 9 8 7 0 0 200 20", "1x1"},
+    {"OnePixelHigh", three_spheres, "640x1"},
+    {"OnePixelWide", three_spheres, "1x333"},
+    {"OddSize", three_spheres, "641x479"},
+    {"Wide", three_spheres, "1000x100"},
+    {"Tall", three_spheres, "100x1000"},
+    {"WiderThanABlock", three_spheres, "2100x50"},
+    {"HigherThanABlock", three_spheres, "50x2100"},
+    {"Background", "background = '#0a141e'" + three_spheres, "100x80"},
+    {"Transparent", "background = 'transparent'" + three_spheres, "100x80"},
+    {"Hidden", three_spheres + "hidden = true\n[[sphere]]\ncolor = [9, 9, 9]\ncenter = [0, -20, 140]\nradius = 9", "200x200"},
+    {"AllHidden", "[[sphere]]\ncolor = [9, 9, 9]\ncenter = [0, 0, 140]\nradius = 9\nhidden = true", "20x20"},
+    {"EyeInside", "2 10 20 30 0 5 10 100 255 255 0 10 0 60 15", "99x99"},
+    {"BehindTheEye", "2 10 20 30 0 0 -100 50 255 255 0 -40 0 -20 45", "99x99"},
+    {"CrossingTheEyesPlane", "1 10 20 30 20 0 10 15", "99x99"},
+    {"EqualSpheresTheFirstCounts", "2 1 1 1 0 0 200 30 2 2 2 0 0 200 30", "99x99"},
+    {"Camera", "[camera]\neye = [30, 40, -20]\ncenter = [0, 10, 80]\nright = [0, 0, 40]\nup = [40, 0, 0]" + three_spheres, "301x200"},
+    {"CameraOffTheAxis", "[camera]\ncenter = [60, -20, 100]\nright = [30, 30, 0]\nup = [-30, 30, 0]" + three_spheres, "301x200"},
+    {"FarAway", "2 5 6 7 1e6 1e6 5e6 1e6 8 9 10 -1e9 0 4e9 5e8", "200x200"},
+    {"HundredSpheres", random_spheres(100, 1), "400x300"},
+    {"AsManyAsGuaranteed", random_spheres(1024, 2), "64x64"},
+};
+
+class SamePicture : public testing::TestWithParam<Case> {};
+
+TEST_P(SamePicture, OnEveryBackend) {
+    const auto& [name, scene, size] = GetParam();
+    const Picture expected = picture_of(scene, "cpu", {"-s", size});
+    EXPECT_EQ(std::to_string(expected.width) + "x" + std::to_string(expected.height), size);
+    for (const char* backend : {"egl", "osmesa"}) {
+        const Picture picture = picture_of(scene, backend, {"-s", size});
+        ASSERT_EQ(picture.bytes.size(), expected.bytes.size()) << backend;
+        const auto [here, there] = std::mismatch(picture.bytes.begin(), picture.bytes.end(), expected.bytes.begin());
+        if (here == picture.bytes.end()) continue;
+        const auto pixel = (here - picture.bytes.begin()) / picture.channels;
+        ADD_FAILURE() << backend << " differs from cpu, first at pixel " << pixel % picture.width << "," << pixel / picture.width;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SamePicture, testing::ValuesIn(cases), [](const auto& test) { return test.param.name; });
+
+// What some of these pictures must show, so that all being equally wrong is not enough.
+TEST(PictureOf, AnEyeInsideASphereShowsItsInside) {
+    const Picture picture = picture_of("2 10 20 30 0 5 10 100 255 255 0 10 0 60 15", "egl", {"-s", "99x99"});
+    EXPECT_EQ(picture.at(0, 0), (std::vector<int>{10, 20, 30}));
+    EXPECT_EQ(picture.at(57, 49), (std::vector<int>{255, 255, 0}));
+}
+
+TEST(PictureOf, SpheresBehindTheEyeShowsBackground) {
+    EXPECT_EQ(picture_of("1 10 20 30 0 0 -100 50", "egl", {"-s", "9x9"}), plain_picture(9, 9, {0, 0, 0}));
+}
+
+TEST(PictureOf, ATurnedCameraShowsWhatItLooksAt) {
+    const std::string scene = "spheres = '2  255 0 0  200 30 0 10  0 255 0  200 0 30 10'\n"
+                              "[camera]\ncenter = [100, 0, 0]\nright = [0, 0, -50]\nup = [0, 50, 0]\n";
+    const Picture picture = picture_of(scene, "egl", {"-s", "101x101"});
+    EXPECT_EQ(picture.at(50, 35), (std::vector<int>{255, 0, 0}));  // above
+    EXPECT_EQ(picture.at(35, 50), (std::vector<int>{0, 255, 0}));  // to the left
+    EXPECT_EQ(picture.at(50, 50), (std::vector<int>{0, 0, 0}));
+}
+
+}  // namespace
+}  // namespace sphereview::test
