@@ -122,13 +122,14 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
             {"as_near_as_last", hit.as_near_as_last}};
 }
 
-Json to_json(const ExplainOptions& options, const Scene& scene, const PixelExplanation& e, const Background& background) {
+Json to_json(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
+             const Background& background) {
     Json hits = Json::array();
     for (const ExplainedHit& hit : e.hits) hits.push_back(to_json(scene, hit));
     const std::int32_t visible = e.visible();
     const Color color = visible < 0 ? background.color : scene.spheres[static_cast<std::size_t>(visible)].color;
     const char* level = e.level == DecisionLevel::in_float ? "float" : e.level == DecisionLevel::in_double ? "double" : "exact";
-    return {{"scene", options.scene},
+    return {{"scene", name},
             {"pixel", {options.pixel.x, options.pixel.y}},
             {"size", {options.size.width, options.size.height}},
             {"origin", vector(e.origin)},
@@ -150,7 +151,7 @@ ExitCode run_explain(const ExplainOptions& options) {
     const PixelExplanation explanation = explain_pixel(scene, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const std::string text =
-        options.json ? to_json(options, scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+        options.json ? to_json(options, file.name(), scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
                      : in_words(options, file.name(), scene, explanation, background);
     write_output(std::string(standard_stream), text);
     return ExitCode::done;

@@ -1,7 +1,7 @@
 #include "gpu/shader_source.hpp"
 
 #include <algorithm>
-#include <regex>
+#include <charconv>
 
 #include "base/error.hpp"
 
@@ -42,6 +42,35 @@ void append_file(const std::string& file, const std::vector<std::string>& define
     }
 }
 
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_word(char c) { return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '.'; }
+
+std::size_t skip_digits(std::string_view text, std::size_t at) {
+    while (at < text.size() && is_digit(text[at])) ++at;
+    return at;
+}
+
+// The first place in a line of a log, named. Mesa: "0:12(5): error"; NVIDIA: "0(12) : error"; Apple, AMD: "ERROR: 0:12:".
+std::string name_file_in_line(std::string_view line, const std::vector<std::string>& files) {
+    for (std::size_t begin = 0; begin < line.size(); ++begin) {
+        if (!is_digit(line[begin]) || (begin > 0 && is_word(line[begin - 1]))) continue;
+        const std::size_t separator = skip_digits(line, begin);
+        if (separator == line.size() || (line[separator] != ':' && line[separator] != '(')) continue;
+        const std::size_t end = skip_digits(line, separator + 1);
+        if (end == separator + 1) continue;
+
+        std::size_t number = files.size();
+        std::from_chars(line.data() + begin, line.data() + separator, number);
+        if (number >= files.size()) break;
+        std::string_view rest = line.substr(end);
+        if (line[separator] == '(' && rest.starts_with(')')) rest.remove_prefix(1);
+        return std::string(line.substr(0, begin)) + files[number] + ":" +
+               std::string(line.substr(separator + 1, end - separator - 1)) + std::string(rest);
+    }
+    return std::string(line);
+}
+
 }  // namespace
 
 ShaderSource assemble_shader(std::string_view file, const std::vector<std::string>& defines) {
@@ -51,23 +80,11 @@ ShaderSource assemble_shader(std::string_view file, const std::vector<std::strin
 }
 
 std::string name_files_in_log(std::string_view log, const std::vector<std::string>& files) {
-    // Mesa: "0:12(5): error"; NVIDIA: "0(12) : error"; Apple, AMD: "ERROR: 0:12:".
-    static const std::regex place(R"((^|[^0-9A-Za-z_.])(\d+)[:(](\d+)\)?)");
     std::string named;
-    std::string text(log);
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        const std::string line = text.substr(begin, end - begin);
-        begin = end + 1;
-        std::smatch match;
-        const bool found = std::regex_search(line, match, place) && match[2].length() < 4 &&
-                           std::stoul(match[2].str()) < files.size();
-        if (found) {
-            named += match.prefix().str() + match[1].str() + files[std::stoul(match[2].str())] + ":" + match[3].str() +
-                     match.suffix().str() + "\n";
-        } else {
-            named += line + "\n";
-        }
+    while (!log.empty()) {
+        const std::size_t end = std::min(log.find('\n'), log.size());
+        named += name_file_in_line(log.substr(0, end), files) + "\n";
+        log.remove_prefix(std::min(end + 1, log.size()));
     }
     return named;
 }
