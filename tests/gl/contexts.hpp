@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct ContextKind {
     std::string name;
     std::function<std::unique_ptr<GlContext>()> open;
 };
+
+// How a failed test names it.
+inline std::ostream& operator<<(std::ostream& stream, const ContextKind& kind) { return stream << kind.name; }
 
 // EGL's first device, and OSMesa.
 inline std::vector<ContextKind> context_kinds() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "exact/resolve.hpp"
 #include "gl/contexts.hpp"
 #include "shade/shade.hpp"
 
@@ -28,13 +29,13 @@ Scene colorful_scene() {
 
 class GpuRendererTest : public testing::TestWithParam<ContextKind> {
 protected:
-    // What trace() gives for the block, as numbers of the scene.
+    // What trace() gives for the block, as the scene's numbers of its best guesses: what a window shows.
     std::vector<std::int32_t> trace(const Scene& scene, PictureSize size, const Block& block) {
         drawn_ = drawn_spheres(scene);
         gpu_.upload(drawn_, scene.camera, size, timings_);
         std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width * block.height));
         gpu_.trace(block, visible, timings_);
-        to_scene_numbers(drawn_, visible);
+        Resolver(scene, drawn_, size).accept_guesses(visible);
         return visible;
     }
 
@@ -67,7 +68,7 @@ TEST_P(GpuRendererTest, ShadesAWindowExactlyAsAnExport) {
         for (const Background& background : backgrounds) {
             Image expected = make_picture(size, background);
             shade_flat(scene, background, whole, visible, expected);
-            const Image shaded = gpu_.shade(scene, background);
+            const Image shaded = gpu_.shade(scene, drawn_, background);
             ASSERT_EQ(shaded.width(), size.width);
             ASSERT_EQ(shaded.height(), size.height);
             EXPECT_TRUE(std::ranges::equal(shaded.bytes(), rgba_bytes(expected))) << size.width << "x" << size.height;

@@ -12,6 +12,8 @@ struct Known {
     std::string sum;  // of the decoded 8-bit RGB pixels
 };
 
+std::ostream& operator<<(std::ostream& stream, const Known& known) { return stream << known.scene; }
+
 const std::vector<Known> known_pictures = {
     {"input1", "2be13968e337364ebd1ac24272a8ba810bb149fa52490f8abc30e26a3b138dda"},
     {"input2", "96952c1c9170906926e1bacc586f373ee1ed81fb7c7d81c14ced27702ed63c52"},

@@ -14,6 +14,8 @@ struct Case {
     std::string size;
 };
 
+std::ostream& operator<<(std::ostream& stream, const Case& test) { return stream << test.name; }
+
 // `count` spheres between the eye and far away, some beside the picture.
 std::string random_spheres(int count, unsigned seed) {
     std::mt19937 random(seed);

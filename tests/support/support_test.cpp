@@ -80,6 +80,9 @@ TEST(TextMatch, TellsWhatIsThereFromWhatIsNot) {
     EXPECT_FALSE(contains("one two", "three"));
     EXPECT_TRUE(matches("a1\n", "a[0-9]\n"));
     EXPECT_FALSE(matches("a1\nb", "a[0-9]\n"));
+    EXPECT_FALSE(matches("xa1", "a1|b"));
+    EXPECT_EQ(line_with("one\ntwo three\nthree", "three"), "two three");
+    EXPECT_EQ(line_with("one\n", "two"), "");
     EXPECT_EQ(lines("a\n\nb\n"), (std::vector<std::string>{"a", "", "b"}));
 }
 

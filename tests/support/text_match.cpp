@@ -1,6 +1,8 @@
 #include "support/text_match.hpp"
 
-#include <regex>
+#include <regex.h>
+
+#include <stdexcept>
 
 namespace sphereview::test {
 
@@ -10,8 +12,19 @@ testing::AssertionResult contains(std::string_view text, std::string_view part) 
 }
 
 testing::AssertionResult matches(const std::string& text, const std::string& expression) {
-    if (std::regex_match(text, std::regex(expression))) return testing::AssertionSuccess() << expression << " matches: " << text;
+    regex_t compiled{};
+    if (regcomp(&compiled, ("^(" + expression + ")$").c_str(), REG_EXTENDED | REG_NOSUB) != 0) throw std::invalid_argument(expression);
+    const bool found = regexec(&compiled, text.c_str(), 0, nullptr, 0) == 0;
+    regfree(&compiled);
+    if (found) return testing::AssertionSuccess() << expression << " matches: " << text;
     return testing::AssertionFailure() << expression << "\ndoes not match: " << text;
+}
+
+std::string line_with(std::string_view text, std::string_view part) {
+    for (const std::string& line : lines(text)) {
+        if (line.find(part) != std::string::npos) return line;
+    }
+    return "";
 }
 
 std::vector<std::string> lines(std::string_view text) {
