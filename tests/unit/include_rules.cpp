@@ -17,7 +17,7 @@ const std::map<std::string_view, Names> allowed = {
     {"image", {"base", "stb", "libdeflate"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact"}},
-    {"cpu", {"base", "scene", "image", "exact", "glm", "omp"}},
+    {"cpu", {"base", "scene", "exact", "glm", "omp"}},
     {"gpu", {"base", "scene", "image", "exact", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "system"}},
     {"app", {"base",       "scene", "image", "exact", "shade", "cpu",    "gpu",  "platform", "glm",  "toml++", "stb",

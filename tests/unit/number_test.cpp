@@ -111,14 +111,4 @@ TEST(ParseDouble, DoesNotHeedTheLocale) {
     std::setlocale(LC_ALL, before.c_str());
 }
 
-TEST(AppendDouble, WritesTheShortestTextThatReadsBack) {
-    const std::vector<std::pair<double, const char*>> cases = {
-        {0.0, "0"}, {-0.0, "-0"}, {0.1, "0.1"}, {1e22, "1e+22"}, {Limits::denorm_min(), "5e-324"}, {-12.5, "-12.5"}};
-    for (const auto& [value, expected] : cases) {
-        std::string text = "x=";
-        append_double(text, value);
-        EXPECT_EQ(text, "x=" + std::string(expected));
-    }
-}
-
 }  // namespace sphereview

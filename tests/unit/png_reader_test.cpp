@@ -1,5 +1,6 @@
 // Our PNG reader on files that libpng wrote.
 #include <gtest/gtest.h>
+#include <zlib.h>
 
 #include <random>
 #include <string>
@@ -30,6 +31,14 @@ Bytes noise(std::size_t size) {
 }
 
 PngSpec noisy_rgb(bool interlaced) { return {.width = 13, .height = 11, .rows = noise(13 * 11 * 3), .interlaced = interlaced}; }
+
+// The file with another width and height, 4 bytes, and the sum that belongs to them.
+std::string with_size(std::string file, const std::string& side) {
+    file.replace(16, 4, side).replace(20, 4, side);
+    const uLong sum = crc32(0, reinterpret_cast<const Bytef*>(file.data() + 12), 17);
+    for (std::size_t i = 0; i < 4; ++i) file[29 + i] = static_cast<char>(sum >> (24 - 8 * i));
+    return file;
+}
 
 std::string refusal(std::string_view file) {
     return message_of<InputError>([&] { decode_png(file, "x.png"); });
@@ -106,24 +115,17 @@ TEST(PngReader, RefusesWhatIsNoPng) {
 }
 
 TEST(PngReader, RefusesAClaimedSizeBeforeAnythingIsAllocated) {
-    std::string file = libpng_written({.color_type = PNG_COLOR_TYPE_GRAY, .rows = {1}});
-    for (const std::size_t side : {16U, 20U}) file.replace(side, 4, std::string("\0\0\x60\0", 4));  // 24576 x 24576
-    EXPECT_EQ(refusal(file), "x.png: not a usable PNG: it has too many pixels");
-    file.replace(16, 4, std::string(4, '\0'));
-    EXPECT_TRUE(refusal(file).starts_with("x.png: not a usable PNG: "));
+    const std::string grey = libpng_written({.color_type = PNG_COLOR_TYPE_GRAY, .rows = {1}});
+    EXPECT_EQ(refusal(with_size(grey, std::string("\0\0\x60\0", 4))), "x.png: not a usable PNG: it has too many pixels");
+    EXPECT_TRUE(refusal(with_size(grey, std::string(4, '\0'))).starts_with("x.png: not a usable PNG: "));
 }
 
-TEST(PngReader, DecodesOrRefusesEveryDamagedFile) {
+TEST(PngReader, RefusesDamageOfAnyByte) {
     const std::string good = libpng_written(noisy_rgb(true));
     for (std::size_t i = 0; i < good.size(); ++i) {
-        if (i >= 16 && i < 24) continue;  // another size, perhaps a huge one, is no damage
         std::string file = good;
-        file[i] = static_cast<char>(file[i] ^ 0x55);
-        try {
-            decode_png(file, "x.png");
-        } catch (const InputError&) {
-            continue;  // a sanitizer would stop at anything worse
-        }
+        file[i] = static_cast<char>(file[i] ^ 1);
+        EXPECT_TRUE(refusal(file).starts_with("x.png: not a usable PNG: ")) << i;
     }
 }
 

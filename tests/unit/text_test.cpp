@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -89,6 +89,22 @@ TEST(WithoutByteOrderMark, TakesOneMarkAwayFromTheFront) {
     EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBFx"), "x");
     EXPECT_EQ(without_byte_order_mark("\xEF\xBB\xBF\xEF\xBB\xBF"), "\xEF\xBB\xBF");
     EXPECT_EQ(without_byte_order_mark("\xEF\xBB"), "\xEF\xBB");
+}
+
+TEST(Shortest, WritesTheShortestTextThatReadsBack) {
+    using Limits = std::numeric_limits<double>;
+    const std::vector<std::pair<double, const char*>> cases = {
+        {0.0, "0"},
+        {-0.0, "-0"},
+        {0.1, "0.1"},
+        {1e22, "1e+22"},
+        {Limits::denorm_min(), "5e-324"},
+        {-12.5, "-12.5"},
+        {1.0 / 3, "0.3333333333333333"},
+        {Limits::max(), "1.7976931348623157e+308"},
+        {Limits::infinity(), "inf"},
+    };
+    for (const auto& [value, expected] : cases) EXPECT_EQ(shortest(value), expected);
 }
 
 TEST(LowerCase, ChangesAsciiLettersOnly) { EXPECT_EQ(lower_case("AZ@[az\xC3\x89"), "az@[az\xC3\x89"); }
