@@ -40,6 +40,7 @@ constexpr Real at_least_zero(Real x) {
 // for ray/sphere intersection", 2019: the closest approach h first, because b^2 - c cancels.
 template <EyeSide side, typename Real>
 inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Real nx, Real ny, Real nz) {
+    using std::sqrt;  // the proof's tests bring a number type, and a square root, of their own
     constexpr Real never = std::numeric_limits<Real>::infinity();
     const Real along = cx * nx + cy * ny + cz * nz;
     if constexpr (side == EyeSide::on_surface) {
@@ -51,9 +52,9 @@ inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Rea
         const Real px = cx - along * nx;
         const Real py = cy - along * ny;
         const Real pz = cz - along * nz;
-        const Real h = std::sqrt(px * px + py * py + pz * pz);
-        const Real longest = std::sqrt(at_least_zero(r - h + w) * (r + h + w));
-        const Real shortest = std::sqrt(at_least_zero(r - h - w) * at_least_zero(r + h - w));
+        const Real h = sqrt(px * px + py * py + pz * pz);
+        const Real longest = sqrt(at_least_zero(r - h + w) * (r + h + w));
+        const Real shortest = sqrt(at_least_zero(r - h - w) * at_least_zero(r + h - w));
         if constexpr (side == EyeSide::inside) {
             return {along + shortest - w, along + longest + w};
         } else {

@@ -1,0 +1,103 @@
+// The same claims for the arithmetic of the CPU: float and double as they are, with the code and the inputs of the renderer
+// and of the resolver; and the condition of the rays.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "exact/drawn.hpp"
+#include "exact/exact_decision.hpp"
+#include "exact/rays.hpp"
+#include "proof/filter_model.hpp"
+#include "proof/trial.hpp"
+#include "proof/truth.hpp"
+
+namespace sphereview {
+
+namespace {
+
+template <typename Real>
+Vector<Real> vector(const glm::vec<3, Real>& v) {
+    return {v.x, v.y, v.z};
+}
+
+struct Bounds {
+    double low;
+    double high;
+};
+
+// In scene units, with `factor` times the bound.
+Bounds bounds_in_float(const Trial& trial, EyeSide side, double factor) {
+    Scene scene;
+    scene.camera = trial.camera;
+    scene.spheres = {trial.sphere};
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const FloatView view = float_view(drawn, trial.camera, trial.size, float_unit);
+    EXPECT_FALSE(view.all_doubtful);
+    EXPECT_EQ(drawn.side(0), side);
+    const RayCoefficients k = ray_coefficients(trial.size, trial.pixel);
+    const glm::vec4& sphere = drawn.center_radius[0];
+    const FilterInputs<float> inputs = {vector(view.rays.forward),    vector(view.rays.right),
+                                        vector(view.rays.up),         static_cast<float>(k.across),
+                                        static_cast<float>(k.upward), {sphere.x, sphere.y, sphere.z},
+                                        std::fabs(sphere.w),          view.error_scale * static_cast<float>(factor)};
+    const HitBounds<float> hit = run_filter(inputs, side);
+    return {std::ldexp(static_cast<double>(hit.low), -drawn.scale), std::ldexp(static_cast<double>(hit.high), -drawn.scale)};
+}
+
+Bounds bounds_in_double(const Trial& trial, EyeSide side, double factor) {
+    const RayFrame<double> frame = ray_frame<double>(trial.camera, trial.size);
+    const RayCoefficients k = ray_coefficients(trial.size, trial.pixel);
+    const FilterInputs<double> inputs = {vector(frame.forward),
+                                         vector(frame.right),
+                                         vector(frame.up),
+                                         static_cast<double>(k.across),
+                                         static_cast<double>(k.upward),
+                                         vector(trial.sphere.center - trial.camera.eye),
+                                         trial.sphere.radius,
+                                         error_scale(ray_condition(trial.camera), double_unit) * factor};
+    const HitBounds<double> hit = run_filter(inputs, side);
+    return {hit.low, hit.high};
+}
+
+// The truth is rounded to double itself, by which a bound of 2^-53 units must not be judged: half a unit of slack.
+bool holds(const Truth& truth, const Bounds& bounds) {
+    const double slack = 0x1p-53 * truth.distance;
+    return claims_hold(truth, bounds.low - slack, bounds.high + slack);
+}
+
+template <typename BoundsOf>
+void check(const char* name, double unit, int trials, const BoundsOf& bounds_of) {
+    Random random(test_seed());
+    double largest = 1.0 / 64.0;  // the largest part of the bound that a trial broke
+    for (int i = 0; i < trials; ++i) {
+        const Trial trial = random_trial(random, unit);
+        const Truth truth = true_hit(trial);
+        ASSERT_TRUE(holds(truth, bounds_of(trial, truth.side, 1.0))) << "trial " << i << '\n' << to_string(trial);
+        ASSERT_EQ(eye_side(trial.sphere, trial.camera.eye), truth.side) << "trial " << i << '\n' << to_string(trial);
+        while (!holds(truth, bounds_of(trial, truth.side, largest * 1.01))) largest *= 1.01;
+    }
+    std::printf("%s, %d trials: the largest error found is %.3f of the bound\n", name, trials, largest);
+    testing::Test::RecordProperty("largest_error", std::to_string(largest));
+    EXPECT_GT(largest, 1.0 / 64.0) << "too small a bound must be noticed";
+}
+
+TEST(Arithmetic, FloatKeepsItsBound) { check("float", float_unit, trial_count(100000), bounds_in_float); }
+
+TEST(Arithmetic, DoubleKeepsItsBound) { check("double", double_unit, trial_count(100000), bounds_in_double); }
+
+TEST(Arithmetic, NoRayExceedsItsCondition) {
+    Random random(test_seed());
+    double largest = 0.0;
+    for (int i = 0; i < trial_count(20000); ++i) {
+        const Trial trial = random_trial(random, double_unit);
+        const double part = true_hit(trial).condition / ray_condition(trial.camera);
+        ASSERT_LE(part, 1.0) << "trial " << i << '\n' << to_string(trial);
+        largest = std::max(largest, part);
+    }
+    std::printf("the largest condition of a ray is %.3f of kappa\n", largest);
+    EXPECT_GT(largest, 0.9);
+}
+
+}  // namespace
+
+}  // namespace sphereview

@@ -1,0 +1,199 @@
+// The bound of docs/exactness.md against arithmetic that errs as much as is assumed of a GPU, in the worst directions that
+// a search finds. The filter under test is that of exact/filter.hpp itself, run on perturbed numbers.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "exact/rays.hpp"
+#include "proof/filter_model.hpp"
+#include "proof/perturbed.hpp"
+#include "proof/trial.hpp"
+#include "proof/truth.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr double never = NearestHits<double>::never;
+
+// How far the evaluation is on the wrong side of its claims, in scene units; negative while they hold.
+double excess(const Truth& truth, const HitBounds<Perturbed>& hit, const Rounding& compared) {
+    const double low = hit.low.value();
+    const double high = hit.high.value();
+    const double above_low = low < never ? low - truth.distance : -never;
+    const double below_high = high < never ? truth.distance - high : -never;
+    const double surely_behind = -compared.last_less;  // -w - along
+    switch (truth.side) {
+        case EyeSide::inside: return std::max(above_low, below_high);
+        case EyeSide::on_surface: return truth.hit ? std::max({above_low, below_high, surely_behind}) : compared.greater[0];
+        case EyeSide::outside: break;
+    }
+    // greater[0]: h - r - w, the claim to miss. [1], [2]: r - h - w and along - w, both needed for the claim to hit.
+    if (truth.hit) return std::max({above_low, below_high, surely_behind, compared.greater[0]});
+    return std::min(compared.greater[1], compared.greater[2]);
+}
+
+class PerturbedTrial {
+public:
+    explicit PerturbedTrial(const Trial& trial)
+        : truth_(true_hit(trial)),
+          frame_(ray_frame<double>(trial.camera, trial.size)),
+          coefficients_(ray_coefficients(trial.size, trial.pixel)),
+          center_(trial.sphere.center - trial.camera.eye),
+          radius_(trial.sphere.radius),
+          error_scale_(error_scale(ray_condition(trial.camera), gpu_unit)) {}
+
+    const Truth& truth() const { return truth_; }
+
+    struct Outcome {
+        bool holds;
+        double excess;
+        std::size_t operations;
+    };
+
+    // With `factor` times the bound.
+    Outcome run(const Rounding::Directions& directions, double factor) const {
+        Rounding rounding(directions);
+        const auto input = [](const glm::dvec3& v) -> Vector<Perturbed> {
+            return {Perturbed::input(v.x), Perturbed::input(v.y), Perturbed::input(v.z)};
+        };
+        const FilterInputs<Perturbed> inputs = {input(frame_.forward),
+                                                input(frame_.right),
+                                                input(frame_.up),
+                                                Perturbed::input(static_cast<double>(coefficients_.across)),
+                                                Perturbed::input(static_cast<double>(coefficients_.upward)),
+                                                input(center_),
+                                                Perturbed::input(radius_),
+                                                Perturbed::input(error_scale_ * factor)};
+        const HitBounds<Perturbed> hit = run_filter(inputs, truth_.side);
+        const bool holds = claims_hold(truth_, hit.low.value(), hit.high.value());
+        return {holds, excess(truth_, hit, rounding), rounding.operations()};
+    }
+
+    // Reverses errors, one at a time, as long as that makes things worse.
+    void worsen(Rounding::Directions& directions, double factor) const {
+        constexpr int most_passes = 4;
+        Outcome worst = run(directions, factor);
+        for (int pass = 0; pass < most_passes; ++pass) {
+            const double before = worst.excess;
+            for (std::size_t i = 0; i < worst.operations; ++i) {
+                const std::int8_t kept = directions[i];
+                directions[i] = kept > 0 ? std::int8_t{-1} : std::int8_t{1};
+                const Outcome outcome = run(directions, factor);
+                if (outcome.excess > worst.excess) {
+                    worst = outcome;
+                } else {
+                    directions[i] = kept;
+                }
+            }
+            if (worst.excess <= before) break;
+        }
+    }
+
+    // The largest part of the bound, from `low` up, that these errors still break.
+    double breaking_factor(const Rounding::Directions& directions, double low) const {
+        double high = 2.0;
+        for (int step = 0; step < 20; ++step) {
+            const double middle = 0.5 * (low + high);
+            (run(directions, middle).holds ? high : low) = middle;
+        }
+        return low;
+    }
+
+private:
+    Truth truth_;
+    RayFrame<double> frame_;
+    RayCoefficients coefficients_;
+    glm::dvec3 center_;
+    double radius_;
+    double error_scale_;
+};
+
+// All up, all down, and random ones with some operations exact, as contraction makes them.
+enum class Start { up, down, random, mixed, count };
+
+Rounding::Directions starting_directions(Start start, Random& random) {
+    Rounding::Directions directions{};
+    for (std::int8_t& direction : directions) {
+        const auto dice = static_cast<int>(random() % 3) - 1;
+        switch (start) {
+            case Start::up: direction = 1; break;
+            case Start::down: direction = -1; break;
+            case Start::random: direction = random() % 2 == 0 ? 1 : -1; break;
+            default: direction = static_cast<std::int8_t>(dice); break;
+        }
+    }
+    return directions;
+}
+
+constexpr auto kinds = static_cast<std::size_t>(Awkwardness::count);
+constexpr std::array<const char*, kinds> kind_names = {"nothing",          "silhouette",         "beside the eye", "inside",
+                                                       "near the surface", "through the centre", "on the surface"};
+
+struct Findings {
+    int broken = 0;                            // evaluations that broke a claim with the bound times the factor asked for
+    std::array<double, kinds> largest_part{};  // of the bound that an evaluation broke
+    std::string worst;                         // the trial of the last that was broken
+};
+
+Findings search(std::uint64_t seed, int trials, double factor) {
+    Random random(seed);
+    Findings findings;
+    for (int i = 0; i < trials; ++i) {
+        const Trial trial = random_trial(random, gpu_unit);
+        const PerturbedTrial perturbed(trial);
+        double& largest_part = findings.largest_part.at(static_cast<std::size_t>(trial.awkwardness));
+        for (int start = 0; start < static_cast<int>(Start::count); ++start) {
+            // Just above what was broken so far: directions that are worst for the whole bound need not be worst there.
+            const double probe = std::max(largest_part * 1.001, 0.01);
+            Rounding::Directions directions = starting_directions(static_cast<Start>(start), random);
+            perturbed.worsen(directions, random() % 2 == 0 ? factor : probe);
+            if (!perturbed.run(directions, factor).holds) {
+                ++findings.broken;
+                findings.worst = to_string(trial);
+            }
+            if (!perturbed.run(directions, probe).holds) largest_part = perturbed.breaking_factor(directions, probe);
+        }
+    }
+    return findings;
+}
+
+TEST(Perturbation, NoClaimIsBroken) {
+    const std::uint64_t seed = test_seed();
+    const int trials = trial_count(60000);
+    const Findings findings = search(seed, trials, 1.0);
+    std::printf("%d trials; the largest errors found, as parts of the bound:\n", trials);
+    for (std::size_t i = 0; i < kinds; ++i) std::printf("  %-20s %.3f\n", kind_names.at(i), findings.largest_part.at(i));
+    EXPECT_EQ(findings.broken, 0) << findings.worst;
+    for (const double part : findings.largest_part) EXPECT_LT(part, 1.0);
+}
+
+// That the search can find what is wrong.
+TEST(Perturbation, FindsThatAQuarterOfTheBoundIsTooLittle) { EXPECT_GT(search(test_seed(), trial_count(20000), 0.25).broken, 0); }
+
+// The claims are those of the trials' true sides, which the renderers take from eye_side().
+TEST(Perturbation, TrialsAreOfEveryKind) {
+    Random random(test_seed());
+    std::array<int, 3> sides{};
+    int hits = 0;
+    int large_conditions = 0;
+    constexpr int trials = 1000;
+    for (int i = 0; i < trials; ++i) {
+        const Trial trial = random_trial(random, gpu_unit);
+        const Truth truth = true_hit(trial);
+        ++sides.at(static_cast<std::size_t>(truth.side));
+        hits += truth.hit ? 1 : 0;
+        large_conditions += truth.condition > 16.0 ? 1 : 0;
+    }
+    for (const int count : sides) EXPECT_GT(count, trials / 20);
+    EXPECT_GT(hits, trials / 4);
+    EXPECT_LT(hits, trials * 9 / 10);
+    EXPECT_GT(large_conditions, trials / 50);
+}
+
+}  // namespace
+
+}  // namespace sphereview

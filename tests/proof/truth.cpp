@@ -1,0 +1,66 @@
+#include "proof/truth.hpp"
+
+#include <array>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <limits>
+
+namespace sphereview {
+
+namespace {
+
+namespace multiprecision = boost::multiprecision;
+using Wide = multiprecision::number<multiprecision::cpp_bin_float<256, multiprecision::digit_base_2>, multiprecision::et_off>;
+using WideVector = std::array<Wide, 3>;
+
+WideVector wide(const glm::dvec3& v) { return {Wide(v.x), Wide(v.y), Wide(v.z)}; }
+WideVector times(const WideVector& v, long long factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
+WideVector sum(const WideVector& a, const WideVector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
+Wide dot(const WideVector& a, const WideVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+Wide length(const WideVector& v) { return sqrt(dot(v, v)); }
+
+}  // namespace
+
+Truth true_hit(const Trial& trial) {
+    const WideVector minus_eye = times(wide(trial.camera.eye), -1);
+    const RayCoefficients k = ray_coefficients(trial.size, trial.pixel);
+    const WideVector forward = times(sum(wide(trial.camera.center), minus_eye), trial.size.shorter_side());
+    const WideVector right = times(wide(trial.camera.right), k.across);
+    const WideVector up = times(wide(trial.camera.up), k.upward);
+    const WideVector ray = sum(forward, sum(right, up));
+    const Wide ray_length = length(ray);
+
+    const WideVector center = sum(wide(trial.sphere.center), minus_eye);
+    const Wide radius = trial.sphere.radius;
+    const Wide b = dot(center, ray) / ray_length;
+    const Wide c = dot(center, center) - radius * radius;
+    const Wide d = b * b - c;
+
+    Truth truth;
+    truth.condition = static_cast<double>((length(forward) + length(right) + length(up)) / ray_length);
+    truth.side = c > 0 ? EyeSide::outside : c < 0 ? EyeSide::inside : EyeSide::on_surface;
+    switch (truth.side) {
+        case EyeSide::outside:
+            truth.hit = b > 0 && d >= 0;
+            if (truth.hit) truth.distance = static_cast<double>(b - sqrt(d));
+            break;
+        case EyeSide::inside:
+            truth.hit = true;
+            truth.distance = static_cast<double>(b + sqrt(d));
+            break;
+        case EyeSide::on_surface:
+            truth.hit = b > 0;
+            if (truth.hit) truth.distance = static_cast<double>(2 * b);
+            break;
+    }
+    return truth;
+}
+
+bool claims_hold(const Truth& truth, double low, double high) {
+    const bool missed = low == std::numeric_limits<double>::infinity();
+    const bool sure = high < std::numeric_limits<double>::infinity();
+    if (!truth.hit) return !sure;
+    return !missed && low <= truth.distance && (!sure || truth.distance <= high);
+}
+
+}  // namespace sphereview
