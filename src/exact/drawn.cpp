@@ -53,19 +53,36 @@ private:
     std::vector<std::int32_t> slots_;
 };
 
-// The exponent of the size of what is relative to the eye; also where the sum would overflow.
-int size_exponent(const Sphere& sphere, const glm::dvec3& eye) {
-    constexpr double quarter = 0.25;
-    const glm::dvec3 c = sphere.center * quarter - eye * quarter;
+// What is relative to the eye, times 2^-exponent: a difference of two doubles may overflow.
+struct Relative {
+    glm::dvec3 center;
     int exponent = 0;
-    std::frexp(std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z), sphere.radius * quarter}), &exponent);
-    return exponent + 2;
+
+    Relative(const Sphere& sphere, const glm::dvec3& eye) : center(sphere.center - eye) {
+        if (std::isfinite(center.x) && std::isfinite(center.y) && std::isfinite(center.z)) return;
+        // Numbers so large lose nothing by halving; others beside them do not matter.
+        center = sphere.center * 0.5 - eye * 0.5;
+        exponent = 1;
+    }
+};
+
+// The exponent of the largest of a sphere's numbers, relative to the eye.
+int size_exponent(const Sphere& sphere, const glm::dvec3& eye) {
+    const Relative relative(sphere, eye);
+    const glm::dvec3& c = relative.center;
+    const double radius = std::ldexp(sphere.radius, -relative.exponent);
+    int exponent = 0;
+    std::frexp(std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z), radius}), &exponent);
+    return exponent + relative.exponent;
 }
 
 glm::vec4 relative_to_eye(const Sphere& sphere, const glm::dvec3& eye, int scale) {
     constexpr double limit = 0x1p60;
-    const auto component = [&](double value) { return static_cast<float>(std::clamp(std::ldexp(value, scale), -limit, limit)); };
-    const glm::dvec3 c = sphere.center - eye;
+    const Relative relative(sphere, eye);
+    const glm::dvec3& c = relative.center;
+    const auto component = [&](double value) {
+        return static_cast<float>(std::clamp(std::ldexp(value, scale + relative.exponent), -limit, limit));
+    };
     const auto radius = static_cast<float>(std::clamp(std::ldexp(sphere.radius, scale), smallest_radius, limit));
     const EyeSide side = eye_side(sphere, eye);
     const float signed_radius = side == EyeSide::outside ? radius : side == EyeSide::inside ? -radius : 0.0F;

@@ -29,15 +29,16 @@ RayFrame<Real> ray_frame(const Camera& camera, PictureSize size) {
     int side_exponent = 0;
     const double side = std::frexp(size.shorter_side(), &side_exponent);
     const glm::dvec3 axis = side * (camera.center * 0.25 - camera.eye * 0.25);
-    const int exponent = exponent_of(largest(axis));
+    const double longest_axis = largest(axis);
+    const int exponent = exponent_of(longest_axis);
     const int edge_exponent = -exponent - side_exponent - 2;
 
     // |across| and |upward| stay below 2^32; rays below 2^limit keep their squares finite.
     constexpr int limit = sizeof(Real) == sizeof(float) ? 60 : 500;
     const int longest_edge = exponent_of(std::max(largest(camera.right), largest(camera.up))) + edge_exponent + 32;
     RayFrame<Real> frame;
-    // Below 2^-900 a quarter may have lost bits.
-    frame.in_range = longest_edge < limit && exponent > -900;
+    // Below 2^-900 a quarter may have lost bits, or everything.
+    frame.in_range = longest_edge < limit && longest_axis > 0x1p-900;
     const int edges = std::min(edge_exponent, edge_exponent - (longest_edge - limit));
     frame.forward = glm::vec<3, Real>(times_two_to(axis, -exponent));
     frame.right = glm::vec<3, Real>(times_two_to(camera.right, edges));

@@ -31,8 +31,9 @@ std::optional<std::string> camera_fault(const Camera& camera) {
     if (!finite(camera.eye) || !finite(camera.center) || !finite(camera.right) || !finite(camera.up)) {
         return "its numbers are not all finite";
     }
-    // Halved, so that the difference of two large numbers stays finite.
-    const glm::dvec3 axis = camera.center * 0.5 - camera.eye * 0.5;
+    // Halved only where the difference overflows: half of the smallest double is 0.
+    glm::dvec3 axis = camera.center - camera.eye;
+    if (!finite(axis)) axis = camera.center * 0.5 - camera.eye * 0.5;
     if (camera.right == zero) return "'right' is zero";
     if (camera.up == zero) return "'up' is zero";
     if (axis == zero) return "'eye' and 'center' are the same point";
