@@ -1,0 +1,72 @@
+#include "oracle/backends.hpp"
+
+#include <cstdlib>
+#include <string_view>
+
+#include "app/render_picture.hpp"
+#include "scene/toml_format.hpp"
+
+namespace sphereview::oracle {
+
+std::vector<Backend> tested_backends() {
+    const char* setting = std::getenv("SPHEREVIEW_BACKENDS");
+    const std::string_view wanted = setting != nullptr ? setting : "cpu,egl,osmesa";
+    std::vector<Backend> backends;
+    for (const Backend backend : {Backend::cpu, Backend::egl, Backend::osmesa}) {
+        if (wanted.find(name_of(backend)) != std::string_view::npos) backends.push_back(backend);
+    }
+    return backends;
+}
+
+OpenBackend opened(Backend backend) {
+    Timings timings;
+    return open_backend(backend, std::nullopt, timings);
+}
+
+Image flat_picture(OpenBackend& backend, const Scene& scene, PictureSize size, bool certify, DecisionCounts* counts) {
+    Timings timings;
+    DecisionCounts own_counts;
+    Progress progress(false);
+    const PictureOptions options{size, scene.background, certify};
+    return render_picture(backend, scene, drawn_spheres(scene), options, timings, counts != nullptr ? *counts : own_counts, progress);
+}
+
+std::vector<std::int32_t> visible_spheres(OpenBackend& backend, const Trial& trial, bool certify, DecisionCounts* counts) {
+    Scene numbered = trial.scene;
+    numbered.background = {};
+    for (std::size_t i = 0; i < numbered.spheres.size(); ++i) {
+        const auto byte = [&](unsigned shift) { return static_cast<std::uint8_t>((i + 1) >> shift & 0xffU); };
+        numbered.spheres[i].color = {byte(16), byte(8), byte(0)};
+    }
+    const Image image = flat_picture(backend, numbered, trial.size, certify, counts);
+    std::vector<std::int32_t> numbers;
+    numbers.reserve(static_cast<std::size_t>(image.width()) * static_cast<std::size_t>(image.height()));
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            const std::uint8_t* pixel = image.at(x, y);
+            numbers.push_back((pixel[0] << 16 | pixel[1] << 8 | pixel[2]) - 1);
+        }
+    }
+    return numbers;
+}
+
+std::string difference(const Trial& trial, const std::string& source, const std::vector<std::int32_t>& expected,
+                       const std::vector<std::int32_t>& found) {
+    if (expected == found) return "";
+    if (expected.size() != found.size()) return trial.name + ": " + source + " has another size";
+    std::size_t count = 0;
+    std::size_t first = 0;
+    for (std::size_t i = expected.size(); i-- > 0;) {
+        if (expected[i] == found[i]) continue;
+        first = i;
+        ++count;
+    }
+    const auto width = static_cast<std::size_t>(trial.size.width);
+    return trial.name + ": " + source + " differs from the oracle at " + std::to_string(count) + " of " +
+           std::to_string(expected.size()) + " pixels of " + std::to_string(trial.size.width) + "x" +
+           std::to_string(trial.size.height) + ", first at pixel " + std::to_string(first % width) + "," +
+           std::to_string(first / width) + ": sphere " + std::to_string(found[first]) + " instead of " +
+           std::to_string(expected[first]) + " (-1: none)\n" + write_toml(trial.scene);
+}
+
+}  // namespace sphereview::oracle
