@@ -32,7 +32,7 @@ struct HitBounds {
 // std::max takes references, which keep loops from becoming SIMD.
 template <typename Real>
 constexpr Real at_least_zero(Real x) {
-    return x > Real(0) ? x : Real(0);
+    return x < Real(0) ? Real(0) : x;
 }
 
 // The centre (cx, cy, cz) relative to the eye, the radius r > 0, the bound w and the ray's unit direction (nx, ny, nz).
