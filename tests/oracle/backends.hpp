@@ -8,7 +8,7 @@
 #include "app/backend.hpp"
 #include "exact/resolve.hpp"
 #include "image/image.hpp"
-#include "oracle/scenes.hpp"
+#include "oracle/difference.hpp"
 
 namespace sphereview::oracle {
 
@@ -19,14 +19,11 @@ std::vector<Backend> tested_backends();
 OpenBackend opened(Backend backend);
 
 // The flat picture, as an export makes it.
-Image flat_picture(OpenBackend& backend, const Scene& scene, PictureSize size, bool certify = true, DecisionCounts* counts = nullptr);
+Image flat_picture(OpenBackend& backend, const Scene& scene, PictureSize size, bool certify = true,
+                   DecisionCounts* counts = nullptr);
 
 // For each pixel the number of the visible sphere or -1, read from a flat picture that numbers the spheres by colours.
 std::vector<std::int32_t> visible_spheres(OpenBackend& backend, const Trial& trial, bool certify = true,
                                           DecisionCounts* counts = nullptr);
-
-// "" where both are the same; else how many pixels differ, the first of them with both answers, and the scene.
-std::string difference(const Trial& trial, const std::string& source, const std::vector<std::int32_t>& expected,
-                       const std::vector<std::int32_t>& found);
 
 }  // namespace sphereview::oracle

@@ -27,7 +27,8 @@ struct Grids {
     }
     // No integer in root_against() and compare_roots() is longer.
     int bits(PictureSize size) const {
-        const int of_ray = ray.bits() + static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(size.width, size.height)))) + 4;
+        const int of_ray =
+            ray.bits() + static_cast<int>(std::bit_width(static_cast<unsigned>(std::max(size.width, size.height)))) + 4;
         const int of_sphere = sphere.bits() + 2;
         return std::max(2 * of_ray + 4 * of_sphere, 4 * of_ray + 2 * of_sphere) + 20;
     }
@@ -65,7 +66,8 @@ public:
     std::int32_t visible(Pixel pixel) const {
         const Integer across = 2 * pixel.x + 1 - size_.width;
         const Integer upward = size_.height - 1 - 2 * pixel.y;
-        const WholeVector<Integer> d{forward_.x + across * right_.x + upward * up_.x, forward_.y + across * right_.y + upward * up_.y,
+        const WholeVector<Integer> d{forward_.x + across * right_.x + upward * up_.x,
+                                     forward_.y + across * right_.y + upward * up_.y,
                                      forward_.z + across * right_.z + upward * up_.z};
         const Integer a = dot(d, d);
         if (a == 0) return -1;
@@ -88,7 +90,8 @@ public:
     int discriminant_sign(Pixel pixel) const {
         const Integer across = 2 * pixel.x + 1 - size_.width;
         const Integer upward = size_.height - 1 - 2 * pixel.y;
-        const WholeVector<Integer> d{forward_.x + across * right_.x + upward * up_.x, forward_.y + across * right_.y + upward * up_.y,
+        const WholeVector<Integer> d{forward_.x + across * right_.x + upward * up_.x,
+                                     forward_.y + across * right_.y + upward * up_.y,
                                      forward_.z + across * right_.z + upward * up_.z};
         const Terms& terms = spheres_.front();
         return discriminant(dot(d, d), {terms.forward + across * terms.right + upward * terms.up, terms.c}).sign();
@@ -133,28 +136,30 @@ Grids grids_of(const Scene& scene) {
 }
 
 template <typename Integer>
-std::vector<std::int32_t> traced(const Scene& scene, PictureSize size, const Grids& grids, const Rules& rules) {
-    const Tracer<Integer> tracer(scene, size, grids, rules);
-    std::vector<std::int32_t> numbers(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+std::vector<std::int32_t> traced(const Tracer<Integer>& tracer, const std::vector<Pixel>& pixels) {
+    std::vector<std::int32_t> numbers(pixels.size());
 #pragma omp parallel for schedule(dynamic, 64)
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const auto width = static_cast<std::size_t>(size.width);
-        numbers[i] = tracer.visible({static_cast<int>(i % width), static_cast<int>(i / width)});
-    }
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = tracer.visible(pixels[i]);
     return numbers;
 }
 
 }  // namespace
 
-std::vector<std::int32_t> picture(const Scene& scene, PictureSize size, const Rules& rules) {
+std::vector<std::int32_t> pixels(const Scene& scene, PictureSize size, const std::vector<Pixel>& some, const Rules& rules) {
     const Grids grids = grids_of(scene);
-    return grids.bits(size) <= limited_bits ? traced<Limited>(scene, size, grids, rules)
-                                            : traced<Unlimited>(scene, size, grids, rules);
+    if (grids.bits(size) <= limited_bits) return traced(Tracer<Limited>(scene, size, grids, rules), some);
+    return traced(Tracer<Unlimited>(scene, size, grids, rules), some);
 }
 
-std::int32_t pixel(const Scene& scene, PictureSize size, Pixel pixel) {
-    return Tracer<Unlimited>(scene, size, grids_of(scene), {}).visible(pixel);
+std::vector<std::int32_t> picture(const Scene& scene, PictureSize size, const Rules& rules) {
+    std::vector<Pixel> all;
+    for (int y = 0; y < size.height; ++y) {
+        for (int x = 0; x < size.width; ++x) all.push_back({x, y});
+    }
+    return pixels(scene, size, all, rules);
 }
+
+std::int32_t pixel(const Scene& scene, PictureSize size, Pixel one) { return pixels(scene, size, {one}).front(); }
 
 int eye_side(const Sphere& sphere, const glm::dvec3& eye) {
     Grid grid;

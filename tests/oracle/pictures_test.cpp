@@ -56,9 +56,9 @@ protected:
     }
 };
 
-TEST_P(Pictures, random) { expect_the_oracles_pictures(random(random_trial, 280)); }
+TEST_P(Pictures, random) { expect_the_oracles_pictures(random(random_trial, 300)); }
 TEST_P(Pictures, lattices) { expect_the_oracles_pictures(random(lattice_trial, 400)); }
-TEST_P(Pictures, near_misses) { expect_the_oracles_pictures(random(near_miss_trial, 200)); }
+TEST_P(Pictures, near_misses) { expect_the_oracles_pictures(random(near_miss_trial, 600)); }
 TEST_P(Pictures, bit_patterns) { expect_the_oracles_pictures(random(bit_pattern_trial, 400)); }
 TEST_P(Pictures, touching) { expect_the_oracles_pictures(made_by_hand(touching_trials())); }
 TEST_P(Pictures, range) { expect_the_oracles_pictures(made_by_hand(range_trials())); }

@@ -165,10 +165,10 @@ Trial near_miss_trial(std::uint64_t seed) {
         const glm::dvec3 c = sphere.center - camera.eye;
         glm::dvec3 meets = camera.eye;
         switch (random.whole(0, 3)) {
-            case 0: meets += glm::dot(c, ray) * ray; break;                         // a tangent
-            case 1: break;                                                          // the eye on the surface
-            case 2: meets += scale * random.between(0.5, 2.0) * ray; break;          // through a point of a ray
-            default:                                                                // where another sphere is seen
+            case 0: meets += glm::dot(c, ray) * ray; break;                  // a tangent
+            case 1: break;                                                   // the eye on the surface
+            case 2: meets += scale * random.between(0.5, 2.0) * ray; break;  // through a point of a ray
+            default:                                                         // where another sphere is seen
                 if (!trial.scene.spheres.empty()) {
                     const Sphere& other = trial.scene.spheres[random.bits() % trial.scene.spheres.size()];
                     const glm::dvec3 o = other.center - camera.eye;

@@ -38,15 +38,18 @@ void add_radii(Trials& trials) {
     }
     add(trials, "radii of all sizes", {}, all);
     add(trials, "the surface of a huge sphere at the eye", {},
-        {sphere(0, 0, 1e200, 1e200), sphere(0, 0, 100, 20), sphere(0, 0, -1e200, 1e200), sphere(1e200, 0, 0, std::nextafter(1e200, 0))});
+        {sphere(0, 0, 1e200, 1e200), sphere(0, 0, 100, 20), sphere(0, 0, -1e200, 1e200),
+         sphere(1e200, 0, 0, std::nextafter(1e200, 0))});
 }
 
 // One scene at every scale, also where squares overflow or everything is subnormal.
 void add_scales(Trials& trials) {
-    const std::vector<Sphere> spheres = {sphere(0, 0, 200, 20), sphere(20, 0, 200, 20), sphere(0, 50, 300, 50), sphere(-16, -16, 64, 8),
-                                         sphere(48, 64, 0, 80), sphere(0, 0, 0, 512),   sphere(-16, -16, 128, 16)};
-    for (const int exponent : {-1074, -1073, -1070, -1040, -1022, -900, -540, -512, -300, -160, -150, -140, -127, -64, -41, -40, -39, -38,
-                               -37, -36, -35, -34, 0, 20, 40, 50, 51, 52, 53, 54, 55, 56, 60, 64, 120, 128, 300, 500, 512, 900, 1010}) {
+    const std::vector<Sphere> spheres = {sphere(0, 0, 200, 20),    sphere(20, 0, 200, 20), sphere(0, 50, 300, 50),
+                                         sphere(-16, -16, 64, 8),  sphere(48, 64, 0, 80),  sphere(0, 0, 0, 512),
+                                         sphere(-16, -16, 128, 16)};
+    for (const int exponent :
+         {-1074, -1073, -1070, -1040, -1022, -900, -540, -512, -300, -160, -150, -140, -127, -64, -41, -40, -39, -38, -37, -36, -35,
+          -34,   0,     20,    40,    50,    51,   52,   53,   54,   55,   56,   60,   64,   120, 128, 300, 500, 512, 900, 1010}) {
         const double scale = std::ldexp(1.0, exponent);
         std::vector<Sphere> at_scale = spheres;
         for (Sphere& each : at_scale) each = {each.center * scale, each.radius * scale, each.color};
@@ -66,7 +69,8 @@ void add_scales(Trials& trials) {
 }
 
 void add_extremes(Trials& trials) {
-    add(trials, "the least camera", looking(smallest, smallest), {sphere(0, 0, 1, 0.5), sphere(0.5, 0, 2, 1), sphere(0, 0, 3e-324, 5e-324)});
+    add(trials, "the least camera", looking(smallest, smallest),
+        {sphere(0, 0, 1, 0.5), sphere(0.5, 0, 2, 1), sphere(0, 0, 3e-324, 5e-324)});
     add(trials, "the least everything", looking(8 * smallest, 8 * smallest),
         {sphere(0, 0, smallest, smallest), sphere(0, smallest, 3 * smallest, smallest), sphere(2 * smallest, 0, 0, smallest),
          sphere(0, 0, 5 * smallest, 5 * smallest), sphere(0, 0, 0, 9 * smallest)});
@@ -74,12 +78,16 @@ void add_extremes(Trials& trials) {
         {sphere(0, 0, largest, largest / 4), sphere(largest, 0, largest, largest / 2), sphere(0, -largest, largest, largest),
          sphere(0, 0, -largest, largest), sphere(0, 0, largest / 2, largest)});
     Camera across{{0, 0, -largest}, {0, 0, largest}, {largest, 0, 0}, {0, largest, 0}};
-    add(trials, "differences that overflow", across, {sphere(0, 0, largest, largest), sphere(1e308, 0, 1e308, 1e308), sphere(0, 0, 0, 1)});
+    add(trials, "differences that overflow", across,
+        {sphere(0, 0, largest, largest), sphere(1e308, 0, 1e308, 1e308), sphere(0, 0, 0, 1)});
     across.eye = {largest, largest, -largest};
-    add(trials, "differences that overflow, aslant", across, {sphere(-largest, -largest, largest, largest), sphere(0, 0, 0, largest)});
-    add(trials, "tiny beside huge", {}, {sphere(1e-310, 0, 1e300, 1e299), sphere(0, 0, 100, 5e-324), sphere(5e-324, 1e-310, 1e-308, 1e-308)});
+    add(trials, "differences that overflow, aslant", across,
+        {sphere(-largest, -largest, largest, largest), sphere(0, 0, 0, largest)});
+    add(trials, "tiny beside huge", {},
+        {sphere(1e-310, 0, 1e300, 1e299), sphere(0, 0, 100, 5e-324), sphere(5e-324, 1e-310, 1e-308, 1e-308)});
     add(trials, "a wide screen at once before the eye", looking(1e-300, 1), {sphere(0, 0, 100, 20), sphere(100, 0, 0, 20)});
-    add(trials, "a wide screen before the eye", looking(1e-12, 1), {sphere(0, 0, 100, 20), sphere(100, 0, 1e-10, 20), sphere(-9, 0, 0, 8)});
+    add(trials, "a wide screen before the eye", looking(1e-12, 1),
+        {sphere(0, 0, 100, 20), sphere(100, 0, 1e-10, 20), sphere(-9, 0, 0, 8)});
     add(trials, "a narrow screen far away", looking(1e30, 1), {sphere(0, 0, 1e31, 1), sphere(1, 1, 1e31, 1.5)}, {9, 9});
     add(trials, "minus zero", {{-0.0, 0.0, -0.0}, {-0.0, -0.0, 100}, {50, -0.0, 0}, {-0.0, 50, -0.0}},
         {sphere(-0.0, 0, 200, 20), sphere(0, -0.0, 200, 20), sphere(0, 0, -0.0, 300), sphere(-0.0, -0.0, 0, 300)});
@@ -91,7 +99,8 @@ void add_far_eyes(Trials& trials) {
         camera.eye = {far, -far, far};
         camera.center = camera.eye + glm::dvec3(0, 0, 100);
         std::vector<Sphere> spheres;
-        for (int i = 0; i < 30; ++i) spheres.push_back({camera.eye + glm::dvec3(i % 5 - 2, i % 7 - 3, 4 + i % 3), 0.3 + 0.01 * i, green});
+        for (int i = 0; i < 30; ++i)
+            spheres.push_back({camera.eye + glm::dvec3(i % 5 - 2, i % 7 - 3, 4 + i % 3), 0.3 + 0.01 * i, green});
         add(trials, "a far eye before small spheres", camera, spheres, {41, 39});
         spheres.push_back(sphere(0, 0, 0, std::sqrt(3.0) * far));
         add(trials, "a far eye nearly on a large sphere", camera, spheres, {41, 39});
@@ -118,7 +127,8 @@ void add_far_screens(Trials& trials) {
 void add_odd_pictures(Trials& trials) {
     std::vector<Sphere> row;
     for (int i = -20; i <= 20; ++i) row.push_back(sphere(8 * i, i % 3, 200 + i % 7, 5 + 0.1 * (i + 20)));
-    for (const PictureSize size : {PictureSize{1, 1}, {2, 1}, {1, 2}, {1, 300}, {300, 1}, {1023, 2}, {3, 511}, {127, 5}, {129, 5}, {64, 64}}) {
+    for (const PictureSize size :
+         {PictureSize{1, 1}, {2, 1}, {1, 2}, {1, 300}, {300, 1}, {1023, 2}, {3, 511}, {127, 5}, {129, 5}, {64, 64}}) {
         add(trials, "an odd picture", {}, row, size);
         add(trials, "nothing to see", {}, {}, size);
     }

@@ -43,7 +43,7 @@ int compare_roots(const Integer& a, const Quadratic<Integer>& p, Which of_p, con
         sign = -root_against(a, p, of_p, offset, Integer(-slope));
     }
     const bool smaller = of_q == Which::smaller;
-    if (sign < 0) return smaller ? 1 : -1;  // between the roots of q
+    if (sign < 0) return smaller ? 1 : -1;              // between the roots of q
     const int side = root_against(a, p, of_p, q.b, a);  // of the root of p, seen from q's vertex
     if (sign > 0) return side;
     if (side < 0) return smaller ? 0 : -1;

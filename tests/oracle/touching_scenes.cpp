@@ -33,7 +33,8 @@ void add_axis_tangents(Trials& trials) {
             const Sphere behind = sphere(0, 0, 500, 40);
             trials.push_back({"the axis touches a sphere", scene_of({behind, sphere(r, 0, 300, r), sphere(0, -r, 300, r)}), size});
             trials.push_back({"the axis is a hair's breadth inside and outside",
-                              scene_of({behind, sphere(0, r, 300, below(r)), sphere(-r, 0, 310, above(r)), sphere(0, r, 320, r)}), size});
+                              scene_of({behind, sphere(0, r, 300, below(r)), sphere(-r, 0, 310, above(r)), sphere(0, r, 320, r)}),
+                              size});
         }
     }
 }
@@ -145,8 +146,8 @@ void add_ulp_depths(Trials& trials) {
 
 void add_eyes_on_surfaces(Trials& trials) {
     // x^2 + y^2 + z^2 = r^2 in whole numbers.
-    const std::vector<glm::dvec4> quadruples = {{2, 3, 6, 7},   {1, 4, 8, 9},  {2, 6, 9, 11},  {6, 6, 7, 11}, {0, 3, 4, 5},
-                                                {12, 9, 20, 25}, {0, 0, 1, 1}, {8, 9, 12, 17}, {3, 4, 0, 5}, {4, 13, 16, 21}};
+    const std::vector<glm::dvec4> quadruples = {{2, 3, 6, 7},    {1, 4, 8, 9}, {2, 6, 9, 11},  {6, 6, 7, 11}, {0, 3, 4, 5},
+                                                {12, 9, 20, 25}, {0, 0, 1, 1}, {8, 9, 12, 17}, {3, 4, 0, 5},  {4, 13, 16, 21}};
     for (const glm::dvec3& eye : {glm::dvec3(0.0), glm::dvec3(3, -5, 7), glm::dvec3(0x1p40, 0.5, -0x1p30)}) {
         for (int variant = 0; variant < 6; ++variant) {
             Scene scene;
@@ -167,7 +168,8 @@ void add_eyes_on_surfaces(Trials& trials) {
 
 void add_insides(Trials& trials) {
     Scene nested;
-    for (const double r : {300.0, 10.0, 150.0, 10.000000000000002, 1e-300, 5e-324, 1e200, 0.1}) nested.spheres.push_back(sphere(0, 0, 0, r));
+    for (const double r : {300.0, 10.0, 150.0, 10.000000000000002, 1e-300, 5e-324, 1e200, 0.1})
+        nested.spheres.push_back(sphere(0, 0, 0, r));
     trials.push_back({"the eye at the centre of nested spheres", nested, {31, 17}});
     Scene touching;  // from inside, at one point of the axis
     for (const double r : {100.0, 50.0, 25.0, 12.5, 150.0}) touching.spheres.push_back(sphere(0, 0, 300 - r, r));
@@ -177,9 +179,11 @@ void add_insides(Trials& trials) {
     for (Sphere& each : touching.spheres) each.center.z = 200 - each.radius;
     trials.push_back({"nested spheres around and before the eye that touch", touching, {31, 31}});
     Scene plane;  // through the plane z = 0 of the eye
-    plane.spheres = {sphere(20, 0, 10, 15), sphere(-20, 5, -3, 15), sphere(0, 30, 0, 29), sphere(0, -30, 0, 30), sphere(0, 0, -50, 50),
-                     sphere(0, 0, -50, above(50)), sphere(0, 0, -50, 49), sphere(1e6, 0, 1, 1e6 - 1), sphere(0, 1e9, -1, 1e9 - 4)};
-    for (const PictureSize size : {PictureSize{64, 64}, {63, 61}, {101, 11}}) trials.push_back({"across the eye's plane", plane, size});
+    plane.spheres = {sphere(20, 0, 10, 15), sphere(-20, 5, -3, 15),     sphere(0, 30, 0, 29),
+                     sphere(0, -30, 0, 30), sphere(0, 0, -50, 50),      sphere(0, 0, -50, above(50)),
+                     sphere(0, 0, -50, 49), sphere(1e6, 0, 1, 1e6 - 1), sphere(0, 1e9, -1, 1e9 - 4)};
+    for (const PictureSize size : {PictureSize{64, 64}, {63, 61}, {101, 11}})
+        trials.push_back({"across the eye's plane", plane, size});
     for (const Sphere& each : plane.spheres) trials.push_back({"across the eye's plane, one", scene_of({each}), {33, 31}});
 }
 

@@ -14,8 +14,9 @@ namespace sphereview::oracle {
 using Unlimited = boost::multiprecision::cpp_int;
 
 // Without allocations, so much faster; throws on overflow rather than being wrong.
-using Limited = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
-    1024, 1024, boost::multiprecision::signed_magnitude, boost::multiprecision::checked, void>>;
+using Limited =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024, 1024, boost::multiprecision::signed_magnitude,
+                                                                         boost::multiprecision::checked, void>>;
 inline constexpr int limited_bits = 1024;
 
 // mantissa * 2^exponent; the mantissa is odd, or 0.
