@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/commands.hpp"
+#include "app/load_scene.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
@@ -15,11 +16,10 @@ ExitCode run_convert(const ConvertOptions& options) {
     }
     check_output(options.output);
 
-    const InputFile file(options.input);
-    const Scene scene = parse_scene(file.bytes(), file.name());
+    const auto [scene, name] = load_scene(options.input);
     const SceneFormat format = options.to ? *options.to : format_of_name(options.output);
     if (const std::string lost = lost_in(scene, format); !lost.empty()) {
-        std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", file.name().c_str(), lost.c_str());
+        std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", name.c_str(), lost.c_str());
     }
     write_output(options.output, write_scene(scene, format));
     return ExitCode::done;

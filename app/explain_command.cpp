@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
+#include "app/load_scene.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
@@ -146,13 +147,12 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
 }  // namespace
 
 ExitCode run_explain(const ExplainOptions& options) {
-    const InputFile file(options.scene);
-    const Scene scene = parse_scene(file.bytes(), file.name());
+    const auto [scene, name] = load_scene(options.scene);
     const PixelExplanation explanation = explain_pixel(scene, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const std::string text =
-        options.json ? to_json(options, file.name(), scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
-                     : in_words(options, file.name(), scene, explanation, background);
+        options.json ? to_json(options, name, scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+                     : in_words(options, name, scene, explanation, background);
     write_output(std::string(standard_stream), text);
     return ExitCode::done;
 }

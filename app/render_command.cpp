@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/failure.hpp"
+#include "app/load_scene.hpp"
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "app/render_report.hpp"
@@ -73,8 +74,7 @@ private:
 
     static Scene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        const InputFile file(path);
-        return parse_scene(file.bytes(), file.name());
+        return load_scene(path).scene;
     }
 
     OpenBackend& backend_for(std::size_t drawn, RenderReport& report) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -9,6 +10,11 @@
 
 #include "base/error.hpp"
 #include "base/standard_streams.hpp"
+
+#ifndef _WIN32
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
 
 namespace sphereview {
 
@@ -60,5 +66,18 @@ InputFile::InputFile(const std::string& path, Content content) : name_(path == s
         if (!regular && size_ > most_streamed) fail("it does not end within 2 GiB");
     }
 }
+
+#ifdef _WIN32
+void InputFile::release_first(std::size_t) {}
+#else
+void InputFile::release_first(std::size_t count) {
+    // Whole pages inside the bytes alone; what the allocator keeps around them is left.
+    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+    const auto data = reinterpret_cast<std::uintptr_t>(data_.get());
+    const std::uintptr_t first = (data + page - 1) / page * page;
+    const std::uintptr_t last = (data + std::min(count, size_)) / page * page;
+    if (last > first) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+}
+#endif
 
 }  // namespace sphereview

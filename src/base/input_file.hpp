@@ -25,6 +25,9 @@ public:
     const std::string& name() const { return name_; }
     std::string_view bytes() const { return {data_.get(), size_}; }
 
+    // Gives the memory of the first `count` bytes back to the system, where it can: from now on they read as anything.
+    void release_first(std::size_t count);
+
 private:
     std::string name_;
     std::unique_ptr<char[]> data_;  // not a vector: its bytes would be cleared before they are read

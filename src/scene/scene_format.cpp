@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "scene/text_format.hpp"
 #include "scene/toml_format.hpp"
 
 namespace sphereview {
@@ -42,10 +41,10 @@ SceneFormat detect_format(std::string_view content, std::string_view name) {
     return number ? SceneFormat::text : format_of_name(name);
 }
 
-Scene parse_scene(std::string_view content, const std::string& name) {
+Scene parse_scene(std::string_view content, const std::string& name, const Consumed& consumed) {
     if (detect_format(content, name) == SceneFormat::toml) return parse_toml(content, name);
     Scene scene;
-    scene.spheres = parse_text_spheres({name, content});
+    scene.spheres = parse_text_spheres({name, content, {}, consumed});
     return scene;
 }
 

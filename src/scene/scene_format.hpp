@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "scene/scene.hpp"
+#include "scene/text_format.hpp"
 
 namespace sphereview {
 
@@ -18,8 +19,9 @@ SceneFormat detect_format(std::string_view content, std::string_view name);
 // The format for writing to `path`, by its name: .toml is TOML, all else is text.
 SceneFormat format_of_name(std::string_view path);
 
-// Reads a scene of either format. `name` is how messages call it. Throws InputError "NAME:LINE:COLUMN: ...".
-Scene parse_scene(std::string_view content, const std::string& name);
+// Reads a scene of either format. `name` is how messages call it; `consumed` may give memory back while a long text is read.
+// Throws InputError "NAME:LINE:COLUMN: ...".
+Scene parse_scene(std::string_view content, const std::string& name, const Consumed& consumed = {});
 
 // The scene as a file's content. Reading it gives the same doubles, bit for bit.
 std::string write_scene(const Scene& scene, SceneFormat format);

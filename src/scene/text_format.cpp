@@ -74,6 +74,16 @@ public:
         return rest_.substr(0, static_cast<std::size_t>(end - rest_.begin()));
     }
 
+    // Between two spheres: lets go of what was read, if there is enough of it.
+    void let_go() {
+        constexpr std::size_t enough = std::size_t{1} << 22;
+        const std::size_t offset = text_.size() - rest_.size();
+        if (!source_.consumed || offset - kept_from_ < enough) return;
+        kept_place_ = position_at(text_.substr(kept_from_), offset - kept_from_, kept_place_);
+        kept_from_ = offset;
+        source_.consumed(source_.text.size() - rest_.size());
+    }
+
     [[noreturn]] void fail(std::string_view token, const std::string& expected) const {
         const auto offset = static_cast<std::size_t>(token.data() - text_.data());
         throw InputError(place(offset) + "found " + in_quotes(token) + ", expected " + expected);
@@ -85,7 +95,7 @@ public:
 
 private:
     std::string place(std::size_t offset) const {
-        const TextPosition position = position_at(text_, offset, source_.origin);
+        const TextPosition position = position_at(text_.substr(kept_from_), offset - kept_from_, kept_place_);
         return source_.name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
     }
 
@@ -106,6 +116,8 @@ private:
     const TextSource& source_;
     std::string_view text_;
     std::string_view rest_;
+    std::size_t kept_from_ = 0;  // what lies before was let go
+    TextPosition kept_place_ = source_.origin;
 };
 
 }  // namespace
@@ -133,6 +145,7 @@ std::vector<Sphere> parse_text_spheres(const TextSource& source) {
         sphere.center.z = reader.number(of_sphere("the centre's z"));
         sphere.radius = reader.positive_number(of_sphere("the radius"));
         spheres.push_back(sphere);
+        reader.let_go();
     }
     if (!reader.at_end()) {
         reader.fail(reader.peek(), "the end of the text after " + std::to_string(count) + (count == 1 ? " sphere" : " spheres"));

@@ -1,6 +1,8 @@
 // The text format: N, then for each sphere `R G B`, `x y z`, `radius`, separated by white space and line ends of any kind.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +12,15 @@
 
 namespace sphereview {
 
+// Told, now and then, that the first `bytes` of a text will not be looked at again.
+using Consumed = std::function<void(std::size_t bytes)>;
+
 // A piece of a file: what messages call the file, and where in it the text begins.
 struct TextSource {
     std::string name;
     std::string_view text;
     TextPosition origin{};
+    Consumed consumed = {};
 };
 
 // Reads the spheres of a whole text. Memory grows with the text, not with the count it claims. A byte-order mark is
