@@ -56,6 +56,19 @@ TEST(NoDisplay, IsEverOpened) {
     }
 }
 
+TEST(NoDisplay, IsOpenedEvenAsALastResort) {
+    const Listener x_server;
+    Command command;
+    command.arguments = {"render", "-", "-s", "5x5", "-o", "-", "--verbose"};
+    command.input = red_scene;
+    // A driver that is too old makes the program try everything that EGL offers.
+    command.environment = {{"DISPLAY", x_server.display()}, {"MESA_GL_VERSION_OVERRIDE", "3.2"}};
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "backend: cpu; passed over: EGL device 0"));
+    EXPECT_FALSE(x_server.somebody_came());
+}
+
 TEST(NoDisplay, ListenerNoticesAVisitor) {
     const Listener x_server;
     EXPECT_FALSE(x_server.somebody_came());
