@@ -34,7 +34,7 @@ Trials full_size_trials() {
         trials.push_back(trial);
     }
     Trial wide = trials[1];
-    wide.size = {side + 201, side - 301};
+    wide.size = {side * 6 / 5 + 1, side * 7 / 10 - 1};
     wide.scene.background = {{255, 255, 255}, true};
     wide.scene.camera = random_camera(random, 100.0);
     trials.push_back(wide);
