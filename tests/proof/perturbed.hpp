@@ -29,16 +29,19 @@ public:
     double factor(double units) { return 1.0 + directions_.at(operations_++) * units * gpu_unit; }
     std::size_t operations() const { return operations_; }
 
-    void note_less(double difference) { last_less = difference; }
-    void note_greater(double difference) { greater.at(greaters_++) = difference; }
+    void note_less(double difference) { last_less_ = difference; }
+    void note_greater(double difference) { greater_.at(greaters_++) = difference; }
 
-    double last_less = 0.0;           // a - b of the last a < b
-    std::array<double, 4> greater{};  // a - b of each a > b, in order
+    // a - b of the last a < b, and of an a > b counted from the last, 1.
+    double last_less() const { return last_less_; }
+    double greater_from_last(std::size_t count) const { return greater_.at(greaters_ - count); }
 
 private:
     static inline thread_local Rounding* current_ = nullptr;
     const Directions& directions_;
     std::size_t operations_ = 0;
+    double last_less_ = 0.0;
+    std::array<double, 8> greater_{};
     std::size_t greaters_ = 0;
 };
 
