@@ -1,4 +1,5 @@
-// Every pixel of full-size pictures. The scenes of 1000 x 1000 take minutes: only with SPHEREVIEW_LONG=1.
+// Every pixel of full-size pictures. The scenes of 1000 x 1000 take minutes: a program of their own, oracle_long_test
+// (label long), which is this file with SPHEREVIEW_LONG defined.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -15,10 +16,11 @@ namespace sphereview::oracle {
 
 namespace {
 
-bool is_long() {
-    const char* setting = std::getenv("SPHEREVIEW_LONG");
-    return setting != nullptr && std::string_view(setting) == "1";
-}
+#ifdef SPHEREVIEW_LONG
+constexpr bool is_long = true;
+#else
+constexpr bool is_long = false;
+#endif
 
 Trial shipped_scene(int number) {
     const std::string name = "input" + std::to_string(number) + ".txt";
@@ -26,22 +28,6 @@ Trial shipped_scene(int number) {
     EXPECT_TRUE(file) << name;
     const std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     return {name, parse_scene(content, name), {1000, 1000}};
-}
-
-Trial crowded_trial(int count, Random& random) {
-    Trial trial{std::to_string(count) + " spheres, SPHEREVIEW_SEED=" + std::to_string(seed()), {}, {1000, 1000}};
-    if (count % 3 == 0) trial.scene.camera = random_camera(random, 100.0);
-    const Camera& camera = trial.scene.camera;
-    for (int i = 0; i < count; ++i) {
-        const double depth = random.between(0.5, 10.0);
-        const double across = random.between(-1.0, 1.0);
-        const double upward = random.between(-1.0, 1.0);
-        const glm::dvec3 ray = camera.center - camera.eye + across * camera.right + upward * camera.up;
-        const double edge =
-            std::sqrt(camera.right.x * camera.right.x + camera.right.y * camera.right.y + camera.right.z * camera.right.z);
-        trial.scene.spheres.push_back({camera.eye + depth * ray, random.between(0.3, 2.0) * depth * edge / std::sqrt(count)});
-    }
-    return trial;
 }
 
 // The filter is right where it decides, and decides nearly everything.
@@ -90,21 +76,37 @@ void expect_the_filters_pictures(const Trials& trials) {
 // The shipped scenes; a quick look at the first one is for every run.
 TEST(FullSizeOracle, shipped_scenes) {
     Trials trials;
-    for (int number = 1; number <= (is_long() ? 4 : 1); ++number) trials.push_back(shipped_scene(number));
-    if (!is_long()) trials.front().size = {500, 500};
+    for (int number = 1; number <= (is_long ? 4 : 1); ++number) trials.push_back(shipped_scene(number));
+    if (!is_long) trials.front().size = {500, 500};
     expect_the_filters_pictures(trials);
+}
+
+#ifdef SPHEREVIEW_LONG
+
+Trial crowded_trial(int count, Random& random) {
+    Trial trial{std::to_string(count) + " spheres, SPHEREVIEW_SEED=" + std::to_string(seed()), {}, {1000, 1000}};
+    if (count % 3 == 0) trial.scene.camera = random_camera(random, 100.0);
+    const Camera& camera = trial.scene.camera;
+    for (int i = 0; i < count; ++i) {
+        const double depth = random.between(0.5, 10.0);
+        const double across = random.between(-1.0, 1.0);
+        const double upward = random.between(-1.0, 1.0);
+        const glm::dvec3 ray = camera.center - camera.eye + across * camera.right + upward * camera.up;
+        const double edge =
+            std::sqrt(camera.right.x * camera.right.x + camera.right.y * camera.right.y + camera.right.z * camera.right.z);
+        trial.scene.spheres.push_back({camera.eye + depth * ray, random.between(0.3, 2.0) * depth * edge / std::sqrt(count)});
+    }
+    return trial;
 }
 
 class LongPictures : public testing::TestWithParam<int> {};
 
 TEST_P(LongPictures, crowded) {
-    if (!is_long()) GTEST_SKIP() << "only with SPHEREVIEW_LONG=1";
     Random random(seed() + static_cast<std::uint64_t>(GetParam()));
     expect_the_filters_pictures({crowded_trial(GetParam(), random)});
 }
 
 TEST_P(LongPictures, degenerate) {
-    if (!is_long()) GTEST_SKIP() << "only with SPHEREVIEW_LONG=1";
     Trials trials;
     for (const auto make : {random_trial, lattice_trial, near_miss_trial}) {
         trials.push_back(make(static_cast<std::uint64_t>(GetParam()) + 7000));
@@ -114,6 +116,8 @@ TEST_P(LongPictures, degenerate) {
 }
 
 INSTANTIATE_TEST_SUITE_P(spheres, LongPictures, testing::Values(4, 21, 100, 300, 1000));
+
+#endif
 
 }  // namespace
 
