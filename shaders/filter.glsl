@@ -2,6 +2,9 @@
 // No infinities here: drivers disagree about them. No distance reaches `never`.
 const float never = 3.0e38;
 
+// Some drivers compute sqrt(x) as x inversesqrt(x), which at 0 is no number. Off by at most 2^-61, far below every bound.
+float root(float x) { return sqrt(max(x, 1.9e-37)); }
+
 // The interval of the hit's distance along the ray. Missed: x is never. Not sure to be a hit: y is never.
 // Haines, Guenther and Akenine-Moeller, "Precision improvements for ray/sphere intersection", 2019: the closest approach h
 // first, because b^2 - c cancels.
@@ -11,11 +14,12 @@ vec2 hit_bounds(vec4 sphere, float w, vec3 ray) {
         return vec2(along < -w ? never : 2.0 * (along - w), along > w ? 2.0 * (along + w) : never);
     }
     float r = abs(sphere.w);
-    float h = length(sphere.xyz - along * ray);
+    vec3 approach = sphere.xyz - along * ray;
+    float h = root(dot(approach, approach));
     bool inside = sphere.w < 0.0;
     if (!inside && (h - r > w || along < -w)) return vec2(never);
-    float longest = sqrt(max(r - h + w, 0.0) * (r + h + w));
-    float shortest = sqrt(max(r - h - w, 0.0) * max(r + h - w, 0.0));
+    float longest = root(max(r - h + w, 0.0) * (r + h + w));
+    float shortest = root(max(r - h - w, 0.0) * max(r + h - w, 0.0));
     if (inside) return vec2(along + shortest - w, along + longest + w);
     bool sure = r - h > w && along > w;
     return vec2(along - longest - w, sure ? along - shortest + w : never);
