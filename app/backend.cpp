@@ -10,8 +10,8 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::array<std::pair<Backend, std::string_view>, 4> names = {{
-    {Backend::automatic, "auto"}, {Backend::egl, "egl"}, {Backend::osmesa, "osmesa"}, {Backend::cpu, "cpu"}}};
+constexpr std::array<std::pair<Backend, std::string_view>, 4> names = {
+    {{Backend::automatic, "auto"}, {Backend::egl, "egl"}, {Backend::osmesa, "osmesa"}, {Backend::cpu, "cpu"}}};
 
 bool hardware_ruled_out() {
     // As Mesa reads it.
@@ -43,7 +43,8 @@ void close(OpenBackend& open) {
 
 bool try_egl_device(OpenBackend& open, const EglDevice& device, Timings& timings) {
     try {
-        open_gl(open, Backend::egl, device.name, [&] { return open_egl(device); }, timings);
+        open_gl(
+            open, Backend::egl, device.name, [&] { return open_egl(device); }, timings);
         return true;
     } catch (const RenderError& error) {
         open.passed_over.push_back(device.name + ": " + error.what());
@@ -100,7 +101,8 @@ void open_numbered_device(OpenBackend& open, int number, Timings& timings) {
     for (const EglDevice& device : devices) {
         if (device.kind != EglDevice::Kind::device) continue;
         if (count++ != number) continue;
-        open_gl(open, Backend::egl, device.name, [&] { return open_egl(device); }, timings);
+        open_gl(
+            open, Backend::egl, device.name, [&] { return open_egl(device); }, timings);
         return;
     }
     const std::string range = count == 0   ? "EGL lists no devices here"

@@ -88,16 +88,18 @@ void add_render(CLI::App& app, Typed& typed) {
 void add_convert(CLI::App& app, Typed& typed) {
     CLI::App* convert = app.add_subcommand("convert", "Convert a scene between the text format and TOML");
     convert->add_option("IN", typed.convert.input, "Scene file; - is standard input")->required();
-    convert->add_option("OUT", typed.convert.output, "Scene file: .toml is TOML, all else text; - is standard output")
-        ->required();
+    convert->add_option("OUT", typed.convert.output, "Scene file: .toml is TOML, all else text; - is standard output")->required();
     convert->add_option("--to", typed.to, "text or toml, whatever OUT is called")->type_name("FORMAT");
     convert->footer(std::string(convert_examples) + exit_codes);
 }
 
 void add_explain(CLI::App& app, Typed& typed) {
-    CLI::App* explain = app.add_subcommand("explain", "Everything about one pixel: its ray, every hit, which sphere it shows and why");
+    CLI::App* explain =
+        app.add_subcommand("explain", "Everything about one pixel: its ray, every hit, which sphere it shows and why");
     explain->add_option("SCENE", typed.explain.scene, "Scene file; - is standard input")->required();
-    explain->add_option("-p,--pixel", typed.pixel, "Column from the left and row from the top, from 0")->required()->type_name("X,Y");
+    explain->add_option("-p,--pixel", typed.pixel, "Column from the left and row from the top, from 0")
+        ->required()
+        ->type_name("X,Y");
     explain->add_option("-s,--size", typed.size, "Width and height of the picture in pixels [1000x1000]")->type_name("WxH");
     explain->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
@@ -146,8 +148,8 @@ void check_first_word(const CLI::App& app, const std::string& word) {
         wrong_usage("unknown option " + in_quotes(word) + did_you_mean(word, known));
     }
     std::error_code ignored;
-    const bool path = word == standard_stream || word.find_first_of("/\\.") != std::string::npos ||
-                      std::filesystem::exists(word, ignored);
+    const bool path =
+        word == standard_stream || word.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(word, ignored);
     if (path) wrong_usage("a scene is not a command; to render it: sphereview render " + word);
     wrong_usage("unknown command " + in_quotes(word) + did_you_mean(word, commands));
 }
@@ -212,7 +214,8 @@ ExplainOptions checked_explain(const Typed& typed) {
     options.background = checked_background(typed.background);
     const NumberPair pair = parse_pair(typed.pixel, ",");
     if (!pair.well_formed) wrong_usage("--pixel: found " + in_quotes(typed.pixel) + ", expected X,Y, such as 500,500", "explain");
-    if (pair.too_large || pair.first < 0 || pair.second < 0 || pair.first >= options.size.width || pair.second >= options.size.height) {
+    if (pair.too_large || pair.first < 0 || pair.second < 0 || pair.first >= options.size.width ||
+        pair.second >= options.size.height) {
         wrong_usage("--pixel: found " + in_quotes(typed.pixel) + ", expected a pixel from 0,0 to " +
                         std::to_string(options.size.width - 1) + "," + std::to_string(options.size.height - 1),
                     "explain");
@@ -246,7 +249,9 @@ std::string one_line(std::string text) {
 }  // namespace
 
 PictureSize parse_size(const std::string& text) {
-    const auto fail = [&](const std::string& expected) { wrong_usage("--size: found " + in_quotes(text) + ", expected " + expected); };
+    const auto fail = [&](const std::string& expected) {
+        wrong_usage("--size: found " + in_quotes(text) + ", expected " + expected);
+    };
     const NumberPair pair = parse_pair(text, "xX,");
     if (!pair.well_formed) fail("WIDTHxHEIGHT, such as 1000x1000");
     if (pair.too_large || (pair.first > 0 && pair.second > 0 && pair.first > most_pixels / pair.second)) {

@@ -49,9 +49,11 @@ std::string advice(const std::string& backend, const std::string& reason) {
         return "install OSMesa (Debian 12: apt install libosmesa6; Mesa 25.1 and later have none: EGL serves instead)";
     }
     if (says("hung") || says("crashed") || says("ended the program")) {
-        return backend == "egl" ? "update the driver, or choose another with --device N or --backend" : "update Mesa, or use --backend cpu";
+        return backend == "egl" ? "update the driver, or choose another with --device N or --backend"
+                                : "update Mesa, or use --backend cpu";
     }
-    if (says("eglInitialize") || says("opening the display")) return "install a driver for it (Debian: apt install libgl1-mesa-dri)";
+    if (says("eglInitialize") || says("opening the display"))
+        return "install a driver for it (Debian: apt install libgl1-mesa-dri)";
     if (says("3.3")) return "it needs OpenGL 3.3: update the driver, or use --backend cpu";
     return "update the driver, or use --backend cpu";
 }
@@ -70,7 +72,8 @@ Json diagnose(double timeout_seconds) {
     } else {
         for (std::size_t i = 0; i < egl["devices"].size(); ++i) {
             const Json& device = egl["devices"][i];
-            add("egl", device["name"].get<std::string>(), device["device"], probe_apart("egl " + std::to_string(i), timeout_seconds));
+            add("egl", device["name"].get<std::string>(), device["device"],
+                probe_apart("egl " + std::to_string(i), timeout_seconds));
         }
     }
     add("osmesa", "OSMesa", nullptr, probe_apart("osmesa", timeout_seconds));

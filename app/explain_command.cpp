@@ -63,7 +63,8 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     line("t1 = (-b - sqrt(discriminant)) / (2 a)  = " + shortest(hit.t1));
     line("t2 = (-b + sqrt(discriminant)) / (2 a)  = " + shortest(hit.t2));
     line(why(hit));
-    line("t = " + shortest(hit.t) + ", point O + t D = " + in_words(hit.point) + ", normal (point - C) / r = " + in_words(hit.normal));
+    line("t = " + shortest(hit.t) + ", point O + t D = " + in_words(hit.point) +
+         ", normal (point - C) / r = " + in_words(hit.normal));
     if (hit.as_near_as_last) line("exactly as near as the sphere before it, which comes first in the file");
     return text + "\n";
 }
@@ -76,8 +77,9 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
     text += "ray P = O + t D\n  O = " + in_words(e.origin) + "  the eye\n  D = " + in_words(e.direction) +
             "  through the pixel's centre, where t = 1\n\n";
     for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);
-    text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) + " spheres: " + std::to_string(e.missed) +
-            " missed (discriminant < 0), " + std::to_string(e.behind) + " without a positive root (behind the eye)";
+    text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) +
+            " spheres: " + std::to_string(e.missed) + " missed (discriminant < 0), " + std::to_string(e.behind) +
+            " without a positive root (behind the eye)";
     if (e.hidden > 0) text += "; hidden: " + std::to_string(e.hidden);
     text += "\n\n";
     const std::int32_t visible = e.visible();
@@ -151,8 +153,9 @@ ExitCode run_explain(const ExplainOptions& options) {
     const PixelExplanation explanation = explain_pixel(scene, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const std::string text =
-        options.json ? to_json(options, name, scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
-                     : in_words(options, name, scene, explanation, background);
+        options.json
+            ? to_json(options, name, scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+            : in_words(options, name, scene, explanation, background);
     write_output(std::string(standard_stream), text);
     return ExitCode::done;
 }

@@ -7,9 +7,9 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "app/failure.hpp"
+#include "base/input_file.hpp"
 #include "base/interrupt.hpp"
 #include "base/output_file.hpp"
-#include "base/input_file.hpp"
 
 namespace {
 

@@ -79,7 +79,8 @@ Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>
     Json result = {{"works", true}};
     result.update(describe_context(*open.context, *open.gpu));
     check_pixels(render_test(open), expected, "a test picture");
-    check_pixels(open.gpu->shade(test_scene(), drawn_spheres(test_scene()), test_background), expected, "the same picture in a window");
+    check_pixels(open.gpu->shade(test_scene(), drawn_spheres(test_scene()), test_background), expected,
+                 "the same picture in a window");
     return result;
 }
 

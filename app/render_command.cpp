@@ -78,12 +78,13 @@ private:
     }
 
     OpenBackend& backend_for(std::size_t drawn, RenderReport& report) {
-        if (!backend_) backend_ = open_backend(options_.backend, options_.device, report.timings);
-        report.passed_over = backend_->passed_over;
-        const bool too_many = backend_->gpu && drawn > static_cast<std::size_t>(backend_->gpu->sphere_capacity());
-        if (options_.backend != Backend::automatic || !too_many) return *backend_;
-        report.passed_over.push_back(backend_->description + ": its uniform buffer holds " +
-                                     std::to_string(backend_->gpu->sphere_capacity()) + " spheres, the scene has " +
+        // Never closed: the process ends soon, and taking a driver down in good order takes milliseconds.
+        static OpenBackend& opened = *new OpenBackend(open_backend(options_.backend, options_.device, report.timings));
+        report.passed_over = opened.passed_over;
+        const bool too_many = opened.gpu && drawn > static_cast<std::size_t>(opened.gpu->sphere_capacity());
+        if (options_.backend != Backend::automatic || !too_many) return opened;
+        report.passed_over.push_back(opened.description + ": its uniform buffer holds " +
+                                     std::to_string(opened.gpu->sphere_capacity()) + " spheres, the scene has " +
                                      std::to_string(drawn));
         return cpu_;
     }
@@ -110,7 +111,6 @@ private:
     const RenderOptions& options_;
     std::size_t scenes_;
     std::size_t started_ = 0;
-    std::optional<OpenBackend> backend_;
     OpenBackend cpu_;
     Progress progress_{true};
 };

@@ -36,7 +36,8 @@ public:
         for (int y = 0; y < picture_.height(); y += block_height) {
             for (int x = 0; x < picture_.width(); x += block_width) {
                 const Block block{x, y, std::min(block_width, picture_.width() - x), std::min(block_height, picture_.height() - y)};
-                const std::span visible(buffer.get(), static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+                const std::span visible(buffer.get(),
+                                        static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
                 trace(block, visible);
                 finish(block, visible);
             }
@@ -81,10 +82,11 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     const PictureSize size = options.size;
     if (!backend.gpu) {
         const CpuRenderer cpu(drawn, scene.camera, size);
-        return picture.draw(size.width, cpu_block_height(size, drawn.size()), [&](const Block& block, std::span<std::int32_t> visible) {
-            const PhaseTimer timer(timings, Phase::trace);
-            cpu.trace(block, visible);
-        });
+        return picture.draw(size.width, cpu_block_height(size, drawn.size()),
+                            [&](const Block& block, std::span<std::int32_t> visible) {
+                                const PhaseTimer timer(timings, Phase::trace);
+                                cpu.trace(block, visible);
+                            });
     }
     GpuRenderer& gpu = *backend.gpu;
     if (drawn.size() > static_cast<std::size_t>(gpu.sphere_capacity())) {
@@ -93,7 +95,8 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     }
     gpu.upload(drawn, scene.camera, size, timings);
     const int side = gpu.largest_block_side();
-    return picture.draw(side, side, [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
+    return picture.draw(side, side,
+                        [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
 }
 
 }  // namespace sphereview

@@ -13,7 +13,7 @@ namespace sphereview {
 struct RenderJob {
     std::string scene;
     std::string label;  // how messages call the scene: as given, or "stdin"
-    std::string name;  // the scene's file name without folder and last extension; "stdin" for "-"
+    std::string name;   // the scene's file name without folder and last extension; "stdin" for "-"
     std::optional<std::string> output;
     std::optional<std::string> expect;
     std::optional<std::string> diff;

@@ -28,7 +28,8 @@ Json to_json(const RenderReport& report) {
         {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
         {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
         {"passed_over", report.passed_over},
-        {"decided", {{"float", report.decisions.in_float}, {"double", report.decisions.in_double}, {"exact", report.decisions.exactly}}},
+        {"decided",
+         {{"float", report.decisions.in_float}, {"double", report.decisions.in_double}, {"exact", report.decisions.exactly}}},
         {"timings_ms", timings},
     };
     if (report.comparison) {

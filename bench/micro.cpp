@@ -73,10 +73,10 @@ void timed(benchmark::internal::Benchmark* one) { one->Unit(benchmark::kMillisec
 
 BENCHMARK_CAPTURE(read, text, SceneFormat::text)->Apply(timed);
 BENCHMARK_CAPTURE(read, toml, SceneFormat::toml)->Apply(timed);
-BENCHMARK_CAPTURE(encode, ours/input4, encode_png, input4_picture)->Apply(timed);
-BENCHMARK_CAPTURE(encode, stb/input4, encode_png_stb, input4_picture)->Apply(timed);
-BENCHMARK_CAPTURE(encode, ours/10000_half, encode_png, busy_picture)->Apply(timed);
-BENCHMARK_CAPTURE(encode, stb/10000_half, encode_png_stb, busy_picture)->Apply(timed);
+BENCHMARK_CAPTURE(encode, ours / input4, encode_png, input4_picture)->Apply(timed);
+BENCHMARK_CAPTURE(encode, stb / input4, encode_png_stb, input4_picture)->Apply(timed);
+BENCHMARK_CAPTURE(encode, ours / 10000_half, encode_png, busy_picture)->Apply(timed);
+BENCHMARK_CAPTURE(encode, stb / 10000_half, encode_png_stb, busy_picture)->Apply(timed);
 BENCHMARK(trace_on_cpu)->Arg(4)->Arg(100)->Arg(1000)->Apply(timed);
 
 }  // namespace

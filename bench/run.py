@@ -151,6 +151,35 @@ def reading(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
+def certificate(bench: Bench) -> tuple[list[Row], dict]:
+    """What certifying costs, also with the eye on a surface, and what spheres cost that are copies of one."""
+    pairs = []
+    for count in [4, 100, 1000]:
+        text = subprocess.run([bench.program("make_scene"), "volume", str(count)], capture_output=True, text=True, check=True).stdout
+        spheres = text.split("\n", 1)[1]
+        # The eye lies on this one's surface, which it does not hide: it is behind the eye.
+        for name, scene in [("", text), (", eye on a surface", f"{count + 1}\n0 0 9 0 0 -10 10\n{spheres}")]:
+            path = bench.out / f"certify-{count}{name.replace(', ', '-').replace(' ', '-')}.txt"
+            path.write_text(scene)
+            for backend in ["cpu", "egl"]:
+                options = ["--backend", backend]
+                pairs.append((f"{count} spheres{name}, {backend}: certified / not", 1.5,
+                              bench.render(f"{path.stem}-{backend}", path, *options),
+                              bench.render(f"{path.stem}-{backend}-not", path, *options, "--no-certify")))
+    one = "255 0 0 0 0 300 120\n"
+    for name, scene in [("one", f"1\n{one}"), ("copies", f"1000\n{one * 1000}"), ("twins", f"2\n{one}0 255 0 0 0 300 120\n")]:
+        (bench.out / f"{name}.txt").write_text(scene)
+    for name in ["copies", "twins"]:
+        pairs.append((f"1 sphere, {name}: with / without", 3.0, bench.render(name, bench.out / f"{name}.txt", "--backend", "cpu"),
+                      bench.render(f"one-{name}", bench.out / "one.txt", "--backend", "cpu")))
+    rows, data = [], {}
+    for what, limit, with_it, without in pairs:
+        samples = bench.interleaved([with_it, without])
+        rows.append(at_most(what, median(samples[with_it.name], "wall_s") / median(samples[without.name], "wall_s"), limit))
+        data |= samples
+    return rows, data
+
+
 def micro(bench: Bench) -> tuple[list[Row], dict]:
     """The parts one by one; see micro.cpp."""
     command = [bench.program("micro_benchmarks"), "--benchmark_format=json", "--benchmark_repetitions=10",
@@ -173,7 +202,7 @@ def micro(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
-SECTIONS = {"whole process": whole_process, "reading": reading, "micro": micro}
+SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "micro": micro}
 
 
 def first_line(command: list[str]) -> str:
@@ -195,7 +224,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "bench", help="where the bench preset was built")
     parser.add_argument("--runs", type=int, default=20, help="runs of each case (default: %(default)s)")
-    parser.add_argument("--no-micro", action="store_true", help="leave micro_benchmarks out")
+    parser.add_argument("--only", choices=SECTIONS, action="append", help="only this section; may be repeated")
     options = parser.parse_args()
     if options.runs < 1:
         parser.error("--runs: expected at least 1")
@@ -209,7 +238,7 @@ def main() -> int:
                "machine": machine(), "versions": versions, "runs": options.runs, "rows": [], "data": {}}
     status = 0
     for name, section in SECTIONS.items():
-        if section is micro and options.no_micro:
+        if options.only and name not in options.only:
             continue
         try:
             rows, results["data"][name] = section(bench)

@@ -8,19 +8,19 @@ float root(float x) { return sqrt(max(x, 1.9e-37)); }
 // The interval of the hit's distance along the ray. Missed: x is never. Not sure to be a hit: y is never.
 // Haines, Guenther and Akenine-Moeller, "Precision improvements for ray/sphere intersection", 2019: the closest approach h
 // first, because b^2 - c cancels.
+// Without branches: llvmpipe only masks them, and pays for both sides.
 vec2 hit_bounds(vec4 sphere, float w, vec3 ray) {
     float along = dot(sphere.xyz, ray);
-    if (sphere.w == 0.0) {  // the roots are 0, which does not count, and 2 b
-        return vec2(along < -w ? never : 2.0 * (along - w), along > w ? 2.0 * (along + w) : never);
-    }
     float r = abs(sphere.w);
     vec3 approach = sphere.xyz - along * ray;
     float h = root(dot(approach, approach));
-    bool inside = sphere.w < 0.0;
-    if (!inside && (h - r > w || along < -w)) return vec2(never);
     float longest = root(max(r - h + w, 0.0) * (r + h + w));
     float shortest = root(max(r - h - w, 0.0) * max(r + h - w, 0.0));
-    if (inside) return vec2(along + shortest - w, along + longest + w);
+    bool missed = h - r > w || along < -w;
     bool sure = r - h > w && along > w;
-    return vec2(along - longest - w, sure ? along - shortest + w : never);
+    vec2 outside = vec2(missed ? never : along - longest - w, sure ? along - shortest + w : never);
+    vec2 inside = vec2(along + shortest - w, along + longest + w);
+    // The roots are 0, which does not count, and 2 b.
+    vec2 on_surface = vec2(along < -w ? never : 2.0 * (along - w), along > w ? 2.0 * (along + w) : never);
+    return sphere.w > 0.0 ? outside : sphere.w < 0.0 ? inside : on_surface;
 }

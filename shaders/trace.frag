@@ -27,17 +27,13 @@ void main() {
         vec4 sphere = sphere_at(i);
         float w = error_scale * (abs(sphere.x) + abs(sphere.y) + abs(sphere.z) + abs(sphere.w));
         vec2 hit = hit_bounds(sphere, w, ray);
-        if (hit.x < low) {
-            second_low = low;
-            low = hit.x;
-            guess = i;
-        } else {
-            second_low = min(second_low, hit.x);
-        }
-        if (hit.y < smallest_high) {
-            smallest_high = hit.y;
-            sure = i;
-        }
+        bool nearer = hit.x < low;
+        second_low = min(second_low, nearer ? low : hit.x);
+        low = nearer ? hit.x : low;
+        guess = nearer ? i : guess;
+        bool surer = hit.y < smallest_high;
+        smallest_high = surer ? hit.y : smallest_high;
+        sure = surer ? i : sure;
     }
     bool decided = all_doubtful == 0 && guess == sure && (guess < 0 || second_low > smallest_high);
     visible = decided ? guess : doubtful(guess);

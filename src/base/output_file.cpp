@@ -49,8 +49,7 @@ fs::path hidden_sibling(const fs::path& target) {
     constexpr std::size_t longest_stem = 200;  // names of more than 255 bytes are refused by most file systems
     std::array<char, 32> suffix{};
     std::random_device random;
-    std::snprintf(suffix.data(), suffix.size(), ".%08x%08x.tmp", static_cast<unsigned>(random()),
-                  static_cast<unsigned>(random()));
+    std::snprintf(suffix.data(), suffix.size(), ".%08x%08x.tmp", static_cast<unsigned>(random()), static_cast<unsigned>(random()));
     std::string name(1, '.');
     name += target.filename().string().substr(0, longest_stem);
     name += suffix.data();

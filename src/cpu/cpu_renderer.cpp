@@ -73,8 +73,7 @@ template <EyeSide side>
 void add_sphere(Nearest& nearest, const Rays& rays, std::int32_t index, const glm::vec4& sphere, float w) {
     const float radius = std::fabs(sphere.w);
     for (int i = 0; i < run_length; ++i) {
-        const HitBounds<float> hit =
-            hit_bounds<side>(sphere.x, sphere.y, sphere.z, radius, w, rays.x[i], rays.y[i], rays.z[i]);
+        const HitBounds<float> hit = hit_bounds<side>(sphere.x, sphere.y, sphere.z, radius, w, rays.x[i], rays.y[i], rays.z[i]);
         // All loads before all stores: a conditional one would keep this from becoming SIMD.
         const float low = nearest.low[i];
         const float second_low = nearest.second_low[i];
@@ -123,8 +122,7 @@ void CpuRenderer::trace_run(int x, int y, int count, std::int32_t* visible) cons
 
     std::int32_t index = 0;
     for (const glm::vec4& sphere : spheres_.center_radius) {
-        const float w =
-            view_.error_scale * (std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) + std::fabs(sphere.w));
+        const float w = view_.error_scale * (std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) + std::fabs(sphere.w));
         if (sphere.w > 0.0F) {
             if (!all_miss(rays, sphere, w)) add_sphere<EyeSide::outside>(nearest, rays, index, sphere, w);
         } else if (sphere.w < 0.0F) {

@@ -23,9 +23,7 @@ struct DrawnSpheres {
     bool beyond_float = false;
 
     std::size_t size() const { return center_radius.size(); }
-    std::int32_t number(std::size_t index) const {
-        return numbers.empty() ? static_cast<std::int32_t>(index) : numbers[index];
-    }
+    std::int32_t number(std::size_t index) const { return numbers.empty() ? static_cast<std::int32_t>(index) : numbers[index]; }
     EyeSide side(std::size_t index) const {
         const float w = center_radius[index].w;
         return w > 0.0F ? EyeSide::outside : w < 0.0F ? EyeSide::inside : EyeSide::on_surface;

@@ -15,7 +15,7 @@ EyeSide eye_side(const Sphere& sphere, const glm::dvec3& eye);
 
 // A sphere that a pixel may show.
 struct Contender {
-    std::int32_t number;   // ties are won by the lower one
+    std::int32_t number;  // ties are won by the lower one
     const Sphere* sphere;
 };
 

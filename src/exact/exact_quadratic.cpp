@@ -86,8 +86,8 @@ ExactQuadratic::ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, c
 
 std::optional<ExactRoot> smallest_positive_root(const ExactQuadratic& q) {
     if (q.d < 0) return std::nullopt;
-    if (q.c < 0) return ExactRoot{q.b, q.d, +1};      // the eye is inside: one root each side of it
-    if (q.b <= 0) return std::nullopt;                // both roots behind the eye, or at it
+    if (q.c < 0) return ExactRoot{q.b, q.d, +1};     // the eye is inside: one root each side of it
+    if (q.b <= 0) return std::nullopt;               // both roots behind the eye, or at it
     return ExactRoot{q.b, q.d, q.c == 0 ? +1 : -1};  // on the surface the nearer root is 0, which does not count
 }
 

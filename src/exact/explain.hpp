@@ -32,9 +32,9 @@ struct ExplainedHit {
     double t1 = 0.0;
     double t2 = 0.0;
     CountingRoot counts = CountingRoot::t1;
-    double t = 0.0;               // t1 or t2
-    glm::dvec3 point{0.0};        // O + t D
-    glm::dvec3 normal{0.0};       // (point - C) / r, away from the centre
+    double t = 0.0;                // t1 or t2
+    glm::dvec3 point{0.0};         // O + t D
+    glm::dvec3 normal{0.0};        // (point - C) / r, away from the centre
     bool as_near_as_last = false;  // exactly the same t as the hit before
 };
 

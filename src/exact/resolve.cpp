@@ -24,7 +24,8 @@ HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r,
     return {};
 }
 
-HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, double error_scale, const glm::dvec3& ray) {
+HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, double error_scale,
+                                   const glm::dvec3& ray) {
     const glm::dvec3 c = sphere.center - eye;
     const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
     // Also when it is not a number: then nothing is known.
@@ -77,7 +78,8 @@ std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
     std::vector<Contender> contenders;
     for (std::size_t i = 0; i < drawn_.size(); ++i) {
         const double low = frame_.in_range ? bounds_of(i).low : 0.0;
-        if (low < NearestHits<double>::never && low <= nearest.smallest_high) contenders.push_back({drawn_.number(i), &sphere_at(i)});
+        if (low < NearestHits<double>::never && low <= nearest.smallest_high)
+            contenders.push_back({drawn_.number(i), &sphere_at(i)});
     }
     return decide_exactly(scene_.camera, size_, pixel, contenders);
 }

@@ -7,7 +7,7 @@ namespace sphereview {
 
 // What a pixel shows: the number of a sphere (0 and up), the background, or a doubtful guess: float could not tell.
 inline constexpr std::int32_t visible_background = -1;
-inline constexpr std::int32_t doubtful_background = -2;   // perhaps nothing
+inline constexpr std::int32_t doubtful_background = -2;    // perhaps nothing
 inline constexpr std::int32_t first_doubtful_sphere = -3;  // perhaps sphere 0; -4: perhaps sphere 1; ...
 
 constexpr bool is_doubtful(std::int32_t visible) { return visible <= doubtful_background; }

@@ -94,8 +94,8 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const Camera& camera, Pict
     frame_.all_doubtful = view.all_doubtful ? 1 : 0;
     frame_.picture_size = {size.width, size.height};
     frame_.sphere_count = static_cast<std::int32_t>(spheres.center_radius.size());
-    put_into(sphere_buffer_, BlockBinding::spheres, spheres.center_radius.data(),
-             spheres.center_radius.size() * sizeof(glm::vec4), static_cast<std::size_t>(capacity_) * sizeof(glm::vec4));
+    put_into(sphere_buffer_, BlockBinding::spheres, spheres.center_radius.data(), spheres.center_radius.size() * sizeof(glm::vec4),
+             static_cast<std::size_t>(capacity_) * sizeof(glm::vec4));
     check_gl("uploading the spheres");
 }
 

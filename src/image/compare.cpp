@@ -44,8 +44,7 @@ std::string describe(const Comparison& comparison, const Image& actual, const Im
     if (!comparison.same_size) return "the picture is " + size(actual) + ", expected " + size(expected);
     if (comparison.equal()) return "the pictures are equal";
     const auto pixels = static_cast<std::int64_t>(actual.width()) * actual.height();
-    std::string text = std::to_string(comparison.different_pixels) + " of " + std::to_string(pixels) +
-                       " pixels differ, by at most";
+    std::string text = std::to_string(comparison.different_pixels) + " of " + std::to_string(pixels) + " pixels differ, by at most";
     constexpr std::array<const char*, 4> channels = {" R ", " G ", " B ", " A "};
     for (std::size_t c = 0; c < 4; ++c) {
         if (c == 3 && comparison.largest[c] == 0) break;  // alpha concerns few

@@ -28,9 +28,7 @@ public:
 
     // The bytes of pixel (x, y), (0, 0) at the top left.
     std::uint8_t* at(int x, int y) { return bytes_.get() + size_of(width_, y, channels_) + size_of(x, 1, channels_); }
-    const std::uint8_t* at(int x, int y) const {
-        return bytes_.get() + size_of(width_, y, channels_) + size_of(x, 1, channels_);
-    }
+    const std::uint8_t* at(int x, int y) const { return bytes_.get() + size_of(width_, y, channels_) + size_of(x, 1, channels_); }
 
 private:
     static std::size_t size_of(int width, int height, int channels) {

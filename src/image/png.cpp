@@ -48,7 +48,8 @@ std::string encode_png(const Image& image) {
     // No filter: rows of flat colours compress best as they are, and trying all five costs more than compressing.
     stbi_write_force_png_filter = 0;
     std::string bytes;
-    const int done = stbi_write_png_to_func(append, &bytes, image.width(), image.height(), image.channels(), image.bytes().data(), 0);
+    const int done =
+        stbi_write_png_to_func(append, &bytes, image.width(), image.height(), image.channels(), image.bytes().data(), 0);
     if (done == 0) throw std::bad_alloc();
     return bytes;
 }
@@ -68,8 +69,8 @@ Image decode_png(std::string_view bytes, const std::string& name) {
     if (stbi_is_16_bit_from_memory(data, size) != 0) fail("its channels have 16 bits, expected 8");
 
     const auto load = [&](int wanted) {
-        std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-            stbi_load_from_memory(data, size, &width, &height, &channels, wanted), &stbi_image_free);
+        std::unique_ptr<stbi_uc, void (*)(void*)> pixels(stbi_load_from_memory(data, size, &width, &height, &channels, wanted),
+                                                         &stbi_image_free);
         if (pixels == nullptr) fail(stbi_failure_reason());
         return pixels;
     };

@@ -47,8 +47,15 @@ public:
     OsmesaContext() {
         if (!osmesa().library) throw RenderError("libOSMesa cannot be opened: " + osmesa().library.error());
         if (!osmesa().complete()) throw RenderError("libOSMesa lacks functions that Mesa 12 and later have");
-        constexpr std::array<int, 9> wanted = {osmesa_format, GL_RGBA, osmesa_profile, osmesa_core_profile,
-                                               osmesa_context_major_version, 3, osmesa_context_minor_version, 3, 0};
+        constexpr std::array<int, 9> wanted = {osmesa_format,
+                                               GL_RGBA,
+                                               osmesa_profile,
+                                               osmesa_core_profile,
+                                               osmesa_context_major_version,
+                                               3,
+                                               osmesa_context_minor_version,
+                                               3,
+                                               0};
         context_ = osmesa().create(wanted.data(), nullptr);
         if (context_ == nullptr) throw RenderError("OSMesa has no OpenGL 3.3 core context");
         if (osmesa().make_current(context_, screen_.data(), GL_UNSIGNED_BYTE, side, side) == 0 ||

@@ -20,8 +20,7 @@ constexpr bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
 // Walks through the numbers of a text; knows how to say where it stands.
 class TokenReader {
 public:
-    explicit TokenReader(const TextSource& source)
-        : source_(source), text_(without_byte_order_mark(source.text)), rest_(text_) {
+    explicit TokenReader(const TextSource& source) : source_(source), text_(without_byte_order_mark(source.text)), rest_(text_) {
         skip_space();
     }
 

@@ -1,10 +1,10 @@
+#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 #include <sstream>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "base/error.hpp"

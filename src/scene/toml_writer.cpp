@@ -67,8 +67,8 @@ std::string write_toml(const Scene& scene) {
     std::string text;
     if (scene.background != Background{}) text += "background = \"" + to_string(scene.background) + "\"\n";
 
-    const bool plain = scene.names.empty() &&
-                       std::none_of(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
+    const bool plain =
+        scene.names.empty() && std::none_of(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
     const bool as_text = plain && scene.spheres.size() > most_sphere_tables;
     if (as_text) text += "spheres = \"\"\"\n" + write_text_spheres(scene.spheres) + "\"\"\"\n";
 

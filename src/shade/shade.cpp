@@ -37,7 +37,8 @@ void shade_flat(const Scene& scene, const Background& background, const Block& b
             const std::int32_t number = *numbers;
             const std::int32_t* const run_end = std::find_if(numbers, end, [=](std::int32_t other) { return other != number; });
             const Color color = number >= 0 ? scene.spheres[static_cast<std::size_t>(number)].color : background.color;
-            const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, number >= 0 ? std::uint8_t{255} : background_alpha};
+            const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b,
+                                                       number >= 0 ? std::uint8_t{255} : background_alpha};
             const auto count = static_cast<std::size_t>(run_end - numbers);
             fill(out, count, pixel.data(), channels);
             out += count * channels;

@@ -36,7 +36,9 @@ TEST(BadScene, TextIsRefusedWithItsPlaceWhatWasFoundAndExpected) {
         {" \n\t\n", "3:1", "empty", "expected the number of spheres"},
         {"hello\n", "1:1", "found 'hello'", "expected the number of spheres, a whole number"},
         {binary, "1:1", "found '1\\x00\\x01\\x02'", "expected the number of spheres"},
-        {"\x7f" "ELF", "1:1", "found '\\x7fELF'", "expected the number of spheres"},
+        {"\x7f"
+         "ELF",
+         "1:1", "found '\\x7fELF'", "expected the number of spheres"},
         {"-1\n", "1:1", "found '-1'", "expected the number of spheres from 0 to"},
         {"2.5\n", "1:1", "found '2.5'", "expected the number of spheres, a whole number"},
         {"2000000001\n", "1:1", "found '2000000001'", "from 0 to 2000000000"},
@@ -89,7 +91,8 @@ TEST(BadScene, TomlIsRefusedWithItsPlaceWhatWasFoundAndExpected) {
         {sphere("radius = -1.5" + rest), "2:10", "found -1.5", "expected 'radius' above 0"},
         {sphere("radius = nan" + rest), "2:10", "found nan", "expected 'radius' as a finite number above 0"},
         {sphere("radius = \"3\"" + rest), "2:10", "found '3'", "expected 'radius' as a finite number"},
-        {sphere("radius = 3\ncenter = [0, 0, 9]\ncolor = [1, 2, 256]"), "4:16", "found 256", "whole numbers [R, G, B] from 0 to 255"},
+        {sphere("radius = 3\ncenter = [0, 0, 9]\ncolor = [1, 2, 256]"), "4:16", "found 256",
+         "whole numbers [R, G, B] from 0 to 255"},
         {sphere("radius = 3\ncenter = [0, 0, 9]\ncolor = [1, 2.0, 3]"), "4:13", "found 2.0", "whole numbers"},
         {sphere("radius = 3\nhiden = true" + rest), "3:1", "unknown key 'hiden' in [[sphere]] 1", "did you mean 'hidden'?"},
         {sphere("radius = 3\nhidden = 1" + rest), "3:10", "found 1", "'hidden' as true or false"},
@@ -122,9 +125,10 @@ TEST(BadScene, StandardInputIsCalledStdin) {
 
 TEST(GoodScene, MayHaveAByteOrderMarkOddLineEndsOrNone) {
     const std::string mark = "\xEF\xBB\xBF";
-    for (const std::string& scene : {mark + red_scene, std::string("1\r\n255 0 0\r\n0 0 200\r\n20"), std::string("1\r255 0 0\r0 0 200\r20\r"),
-                                     std::string("1 255 0 0 0 0 200 20"), std::string("+1\n\n255\t0 0\f0 0\v2e2\n+20.0"),
-                                     mark + "# comment\r\nspheres = '''1 255 0 0 0 0 200 20'''\r\n"}) {
+    for (const std::string& scene :
+         {mark + red_scene, std::string("1\r\n255 0 0\r\n0 0 200\r\n20"), std::string("1\r255 0 0\r0 0 200\r20\r"),
+          std::string("1 255 0 0 0 0 200 20"), std::string("+1\n\n255\t0 0\f0 0\v2e2\n+20.0"),
+          mark + "# comment\r\nspheres = '''1 255 0 0 0 0 200 20'''\r\n"}) {
         EXPECT_EQ(picture_of(scene, "cpu", {"-s", "5x5"}).at(2, 2), (std::vector<int>{255, 0, 0})) << testing::PrintToString(scene);
     }
     EXPECT_EQ(picture_of("0", "cpu", {"-s", "5x5"}), plain_picture(5, 5, {0, 0, 0}));

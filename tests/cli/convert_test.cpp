@@ -89,8 +89,9 @@ TEST_F(Convert, SaysWhatTheTextFormatCannotHold) {
     folder_.write("rich.toml", rich_toml);
     const Outcome outcome = convert({"rich.toml", "poor.txt"});
     EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(outcome.errors,
-              "rich.toml: the text format cannot hold the background, the camera, the names (1), the hidden spheres (1); left out\n");
+    EXPECT_EQ(
+        outcome.errors,
+        "rich.toml: the text format cannot hold the background, the camera, the names (1), the hidden spheres (1); left out\n");
     EXPECT_EQ(folder_.read("poor.txt"), "1\n1 2 3\n0.1 1e+300 -0\n5e-324\n");
 }
 

@@ -52,8 +52,9 @@ TEST_F(Expect, AnotherSizeIsADifference) {
 TEST_F(Expect, TransparencyCounts) {
     const Outcome outcome = render_small({"red.txt", "--expect", "golden.png", "--background", "transparent"});
     EXPECT_EQ(outcome.status, 1) << outcome;
-    EXPECT_TRUE(contains(outcome.errors, "24 of 25 pixels differ, by at most R 0 G 0 B 0 A 255; the first at pixel 0,0: "
-                                         "found (0, 0, 0, 0), expected (0, 0, 0, 255)"));
+    EXPECT_TRUE(contains(outcome.errors,
+                         "24 of 25 pixels differ, by at most R 0 G 0 B 0 A 255; the first at pixel 0,0: "
+                         "found (0, 0, 0, 0), expected (0, 0, 0, 255)"));
     Picture opaque = plain_picture(5, 5, {0, 0, 0, 255});
     opaque.bytes[48] = '\xFF';
     folder_.write("opaque.png", encode_png(opaque));
@@ -71,7 +72,8 @@ TEST_F(Expect, AMissingOrBrokenGoldenIsABadInput) {
     folder_.write("empty.png", "");
     folder_.write("folder/file", "");
     const auto before = folder_.names();
-    for (const char* golden : {"endless.png", "missing.png", "cut.png", "header.png", "corrupt.png", "empty.png", "blue.txt", "folder"}) {
+    for (const char* golden :
+         {"endless.png", "missing.png", "cut.png", "header.png", "corrupt.png", "empty.png", "blue.txt", "folder"}) {
         const Outcome outcome = render_small({"red.txt", "--expect", golden});
         EXPECT_EQ(outcome.status, 2) << golden << ": " << outcome;
         EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;

@@ -84,7 +84,8 @@ TEST_P(Interrupt, ClearsTheProgressBar) {
     EXPECT_EQ(folder_.names(), Names{"scene"});
 }
 
-INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, testing::Values(std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGHUP, 129)),
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt,
+                         testing::Values(std::pair(SIGINT, 130), std::pair(SIGTERM, 143), std::pair(SIGHUP, 129)),
                          [](const auto& signal) { return "Status" + std::to_string(signal.param.second); });
 
 TEST(InterruptOfABackgroundJob, IsStillIgnored) {

@@ -57,8 +57,11 @@ TEST(Size, ThatCannotBeIsRefusedBeforeAnyWork) {
 }
 
 TEST(Background, IsAnyColourOrNone) {
-    const std::vector<std::pair<std::string, std::vector<int>>> cases = {
-        {"black", {0, 0, 0}}, {"white", {255, 255, 255}}, {"#ff8001", {255, 128, 1}}, {"#FFaA00", {255, 170, 0}}, {"transparent", {0, 0, 0, 0}}};
+    const std::vector<std::pair<std::string, std::vector<int>>> cases = {{"black", {0, 0, 0}},
+                                                                         {"white", {255, 255, 255}},
+                                                                         {"#ff8001", {255, 128, 1}},
+                                                                         {"#FFaA00", {255, 170, 0}},
+                                                                         {"transparent", {0, 0, 0, 0}}};
     for (const auto& [option, color] : cases) {
         const Picture picture = picture_of(red_scene, "cpu", {"-s", "5x5", "--background", option});
         Picture expected = plain_picture(5, 5, color);
@@ -79,8 +82,8 @@ TEST(Background, ThatIsNoColourIsRefused) {
     for (const char* color : {"red", "#ff80", "#gggggg", "#ff80001", "BLACK", " white", "0xff8000", ""}) {
         const Outcome outcome = run({"render", "missing.txt", "--background", color});
         EXPECT_EQ(outcome.status, 2) << color << ": " << outcome;
-        EXPECT_TRUE(contains(outcome.errors, "--background: found '" + std::string(color) +
-                                                 "', expected black, white, transparent or #rrggbb"));
+        EXPECT_TRUE(contains(outcome.errors,
+                             "--background: found '" + std::string(color) + "', expected black, white, transparent or #rrggbb"));
     }
 }
 

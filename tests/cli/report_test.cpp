@@ -11,7 +11,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> phases = {"read", "context", "shaders", "upload", "trace", "read back", "resolve", "encode", "write"};
+const std::vector<std::string> phases = {"read",      "context", "shaders", "upload", "trace",
+                                         "read back", "resolve", "encode",  "write"};
 
 class Report : public testing::Test {
 protected:

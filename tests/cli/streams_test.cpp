@@ -48,7 +48,8 @@ TEST(Streams, AClosedOrFullStandardOutputIsAnOutputError) {
             const Outcome outcome = run(command);
             EXPECT_EQ(outcome.status, 4) << testing::PrintToString(arguments) << outcome;
             const bool full = output == StandardOutput::full_disk;
-            EXPECT_EQ(outcome.errors, std::string("stdout: cannot be written: ") + (full ? "No space left on device\n" : "Broken pipe\n"));
+            EXPECT_EQ(outcome.errors,
+                      std::string("stdout: cannot be written: ") + (full ? "No space left on device\n" : "Broken pipe\n"));
         }
     }
 }

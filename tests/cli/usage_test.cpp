@@ -10,11 +10,13 @@ namespace {
 
 TEST(Usage, EachCommandHasHelpWithExamplesAndExitStatus) {
     const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases = {
-        {{"--help"}, {"render", "convert", "explain", "doctor", "Exit status: 0 done; 1 ", "2 wrong usage", "3 nothing", "4 the output", "130, 143"}},
+        {{"--help"},
+         {"render", "convert", "explain", "doctor", "Exit status: 0 done; 1 ", "2 wrong usage", "3 nothing", "4 the output",
+          "130, 143"}},
         {{"-h"}, {"render", "Exit status"}},
         {{"render", "--help"},
-         {"Examples:", "sphereview render scene.txt", "Exit status: 0", "--output", "--size", "--background", "--backend", "--device",
-          "--expect", "--diff", "--timings", "--json", "--verbose", "SPHEREVIEW_BACKEND"}},
+         {"Examples:", "sphereview render scene.txt", "Exit status: 0", "--output", "--size", "--background", "--backend",
+          "--device", "--expect", "--diff", "--timings", "--json", "--verbose", "SPHEREVIEW_BACKEND"}},
         {{"convert", "--help"}, {"Examples:", "sphereview convert scene.txt scene.toml", "--to", "Exit status"}},
         {{"explain", "--help"}, {"Examples:", "sphereview explain scene.txt --pixel", "--json", "Exit status"}},
         {{"doctor", "--help"}, {"Examples:", "sphereview doctor --json", "--timeout", "Exit status 0 if any backend works"}},

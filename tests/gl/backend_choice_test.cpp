@@ -43,7 +43,8 @@ protected:
 };
 
 TEST_F(BackendChoice, AutomaticPrefersEgl) {
-    for (const Environment& environment : {Environment{}, Environment{{"LIBGL_ALWAYS_SOFTWARE", "1"}}, Environment{{"SPHEREVIEW_BACKEND", "auto"}}}) {
+    for (const Environment& environment :
+         {Environment{}, Environment{{"LIBGL_ALWAYS_SOFTWARE", "1"}}, Environment{{"SPHEREVIEW_BACKEND", "auto"}}}) {
         const Outcome outcome = render_small({"red.txt", "--verbose"}, environment);
         EXPECT_EQ(outcome.status, 0) << outcome;
         EXPECT_TRUE(matches(line_with(outcome.errors, "backend:"), "red\\.txt: backend: egl \\(EGL device [0-9]+, .+\\).*"));
@@ -67,7 +68,8 @@ TEST_F(BackendChoice, NamesAreObeyed) {
 }
 
 TEST_F(BackendChoice, FallsBackToOsmesaWhereEglHasNoDriver) {
-    const Outcome outcome = render_small({"red.txt", "--verbose"}, {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere"}, {"DISPLAY", std::nullopt}});
+    const Outcome outcome =
+        render_small({"red.txt", "--verbose"}, {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/nowhere"}, {"DISPLAY", std::nullopt}});
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_TRUE(matches(line_with(outcome.errors, "backend:"), "red\\.txt: backend: osmesa \\(.*\\); passed over: EGL.*"));
 }
@@ -112,7 +114,8 @@ TEST_F(BackendChoice, MoreSpheresThanTheUniformBufferHoldsAreForTheCpu) {
         const Outcome named = render_small({"many.txt", "--backend", backend, "-o", "other.png"});
         EXPECT_EQ(named.status, 3) << named;
         EXPECT_EQ(lines(named.errors).size(), 1U) << named;
-        EXPECT_TRUE(contains(named.errors, "holds at most " + std::to_string(capacity()) + " spheres in its uniform buffer, the scene has " + count));
+        EXPECT_TRUE(contains(named.errors, "holds at most " + std::to_string(capacity()) +
+                                               " spheres in its uniform buffer, the scene has " + count));
         EXPECT_FALSE(folder_.has("other.png"));
     }
 }
@@ -151,7 +154,8 @@ TEST_F(BackendChoice, ADeviceIsPickedByNumber) {
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_TRUE(outcome.errors.starts_with("red.txt: backend: egl (EGL device 0, ")) << outcome;
     // A device counts more than the variable, which names no device.
-    EXPECT_TRUE(contains(render_small({"red.txt", "--device", "0", "--verbose"}, {{"SPHEREVIEW_BACKEND", "cpu"}}).errors, "backend: egl"));
+    EXPECT_TRUE(
+        contains(render_small({"red.txt", "--device", "0", "--verbose"}, {{"SPHEREVIEW_BACKEND", "cpu"}}).errors, "backend: egl"));
     for (const char* number : {"99", "-1"}) {
         const Outcome missing = render_small({"red.txt", "--device", number});
         EXPECT_EQ(missing.status, 2) << missing;

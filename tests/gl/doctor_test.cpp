@@ -30,7 +30,8 @@ TEST(Doctor, TriesEveryBackendAndDescribesIt) {
         }
         working.push_back(row["backend"]);
         if (row["backend"] == "cpu") continue;
-        for (const char* text : {"vendor", "renderer", "version", "glsl"}) EXPECT_FALSE(row[text].get<std::string>().empty()) << text;
+        for (const char* text : {"vendor", "renderer", "version", "glsl"})
+            EXPECT_FALSE(row[text].get<std::string>().empty()) << text;
         EXPECT_TRUE(row["software"].is_boolean());
         EXPECT_GE(row["largest_uniform_block_bytes"].get<int>(), 16384);
         EXPECT_GE(row["spheres_in_uniform_block"].get<int>(), 1024);
@@ -45,8 +46,9 @@ TEST(Doctor, TriesEveryBackendAndDescribesIt) {
 TEST(Doctor, SaysTheSameInWords) {
     const Outcome outcome = run({"doctor"});
     ASSERT_EQ(outcome.status, 0) << outcome;
-    for (const char* part : {"EGL device 0: works", "OSMesa: works", "CPU: works", "renderer:  llvmpipe", "vendor:    ", "OpenGL:    ",
-                             "uniform block ", "texture side ", "use:       --backend egl --device 0", "use:       --backend osmesa"}) {
+    for (const char* part : {"EGL device 0: works", "OSMesa: works", "CPU: works", "renderer:  llvmpipe",
+                             "vendor:    ", "OpenGL:    ", "uniform block ", "texture side ", "use:       --backend egl --device 0",
+                             "use:       --backend osmesa"}) {
         EXPECT_TRUE(contains(outcome.output, part));
     }
 }
@@ -57,8 +59,11 @@ TEST(Doctor, SaysWhyADriverDoesNotServeAndWhatToDo) {
     command.environment = {{"MESA_GL_VERSION_OVERRIDE", "3.2"}};
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.status, 0) << outcome;  // the CPU works
-    EXPECT_TRUE(contains(outcome.output, "EGL device 0: does not work\n    why:       eglCreateContext for OpenGL 3.3 core failed"));
-    EXPECT_TRUE(contains(outcome.output, "OSMesa: does not work\n    why:       OSMesa has no OpenGL 3.3 core context\n    try:       it needs OpenGL 3.3"));
+    EXPECT_TRUE(
+        contains(outcome.output, "EGL device 0: does not work\n    why:       eglCreateContext for OpenGL 3.3 core failed"));
+    EXPECT_TRUE(contains(
+        outcome.output,
+        "OSMesa: does not work\n    why:       OSMesa has no OpenGL 3.3 core context\n    try:       it needs OpenGL 3.3"));
 }
 
 TEST(Doctor, ThatCannotWriteFails) {

@@ -60,7 +60,8 @@ std::vector<std::uint8_t> rgba_bytes(const Image& picture) {
 
 TEST_P(GpuRendererTest, ShadesAWindowExactlyAsAnExport) {
     const Scene scene = colorful_scene();
-    const std::vector<Background> backgrounds = {{{0, 0, 0}, false}, {{255, 255, 255}, false}, {{1, 128, 254}, false}, {{0, 0, 0}, true}};
+    const std::vector<Background> backgrounds = {
+        {{0, 0, 0}, false}, {{255, 255, 255}, false}, {{1, 128, 254}, false}, {{0, 0, 0}, true}};
     // Large first: later pictures use a part of the larger target.
     for (const PictureSize size : {PictureSize{320, 240}, PictureSize{99, 201}, PictureSize{1, 1}}) {
         const Block whole{0, 0, size.width, size.height};

@@ -64,7 +64,8 @@ const std::vector<Case> cases = {
     {"BehindTheEye", "2 10 20 30 0 0 -100 50 255 255 0 -40 0 -20 45", "99x99"},
     {"CrossingTheEyesPlane", "1 10 20 30 20 0 10 15", "99x99"},
     {"EqualSpheresTheFirstCounts", "2 1 1 1 0 0 200 30 2 2 2 0 0 200 30", "99x99"},
-    {"Camera", "[camera]\neye = [30, 40, -20]\ncenter = [0, 10, 80]\nright = [0, 0, 40]\nup = [40, 0, 0]" + three_spheres, "301x200"},
+    {"Camera", "[camera]\neye = [30, 40, -20]\ncenter = [0, 10, 80]\nright = [0, 0, 40]\nup = [40, 0, 0]" + three_spheres,
+     "301x200"},
     {"CameraOffTheAxis", "[camera]\ncenter = [60, -20, 100]\nright = [30, 30, 0]\nup = [-30, 30, 0]" + three_spheres, "301x200"},
     {"FarAway", "2 5 6 7 1e6 1e6 5e6 1e6 8 9 10 -1e9 0 4e9 5e8", "200x200"},
     {"HundredSpheres", random_spheres(100, 1), "400x300"},
@@ -101,8 +102,9 @@ TEST(PictureOf, SpheresBehindTheEyeShowsBackground) {
 }
 
 TEST(PictureOf, ATurnedCameraShowsWhatItLooksAt) {
-    const std::string scene = "spheres = '2  255 0 0  200 30 0 10  0 255 0  200 0 30 10'\n"
-                              "[camera]\ncenter = [100, 0, 0]\nright = [0, 0, -50]\nup = [0, 50, 0]\n";
+    const std::string scene =
+        "spheres = '2  255 0 0  200 30 0 10  0 255 0  200 0 30 10'\n"
+        "[camera]\ncenter = [100, 0, 0]\nright = [0, 0, -50]\nup = [0, 50, 0]\n";
     const Picture picture = picture_of(scene, "egl", {"-s", "101x101"});
     EXPECT_EQ(picture.at(50, 35), (std::vector<int>{255, 0, 0}));  // above
     EXPECT_EQ(picture.at(35, 50), (std::vector<int>{0, 255, 0}));  // to the left

@@ -135,10 +135,10 @@ TEST_F(ShaderTest, AMissingFileIsNamed) {
 TEST(ShaderLog, NamesFilesWhoeverWroteIt) {
     const std::vector<std::string> files = {"trace.frag", "frame.glsl"};
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"0:12(5): error: `x' undeclared", "trace.frag:12(5): error: `x' undeclared\n"},                      // Mesa
-        {"1:3(1): warning: unused\n", "frame.glsl:3(1): warning: unused\n"},                                  // Mesa
+        {"0:12(5): error: `x' undeclared", "trace.frag:12(5): error: `x' undeclared\n"},                               // Mesa
+        {"1:3(1): warning: unused\n", "frame.glsl:3(1): warning: unused\n"},                                           // Mesa
         {"0(12) : error C1008: undefined variable \"x\"", "trace.frag:12 : error C1008: undefined variable \"x\"\n"},  // NVIDIA
-        {"ERROR: 0:12: 'x' : undeclared identifier", "ERROR: trace.frag:12: 'x' : undeclared identifier\n"},  // Apple, AMD
+        {"ERROR: 0:12: 'x' : undeclared identifier", "ERROR: trace.frag:12: 'x' : undeclared identifier\n"},           // Apple, AMD
         {"ERROR: 1:3: bad\nERROR: 0:4: worse", "ERROR: frame.glsl:3: bad\nERROR: trace.frag:4: worse\n"},
         {"7:12(5): error: another source", "7:12(5): error: another source\n"},  // no such file
         {"error C0000: version 330:1", "error C0000: version 330:1\n"},

@@ -63,7 +63,8 @@ void limit(int resource, rlim_t most) {
 }
 
 // Between fork and exec. `failed` closes by itself when the program has started; else a byte says that it has not.
-[[noreturn]] void become(const Command& command, const std::string& program, char** argv, const std::array<int, 3>& streams, int failed) {
+[[noreturn]] void become(const Command& command, const std::string& program, char** argv, const std::array<int, 3>& streams,
+                         int failed) {
     for (int i = 0; i < 3; ++i) dup2(streams[static_cast<std::size_t>(i)], i);
     limit(RLIMIT_FSIZE, command.largest_file);
     limit(RLIMIT_AS, command.most_memory);
@@ -85,9 +86,12 @@ void limit(int resource, rlim_t most) {
 }  // namespace
 
 std::ostream& operator<<(std::ostream& stream, const Outcome& outcome) {
-    if (outcome.out_of_time) stream << "it did not end in time";
-    else if (outcome.signal != 0) stream << "it was ended by signal " << outcome.signal;
-    else stream << "it exited with status " << outcome.status;
+    if (outcome.out_of_time)
+        stream << "it did not end in time";
+    else if (outcome.signal != 0)
+        stream << "it was ended by signal " << outcome.signal;
+    else
+        stream << "it exited with status " << outcome.status;
     const bool binary = outcome.output.find('\0') != std::string::npos;
     stream << "\nstdout: " << (binary ? std::to_string(outcome.output.size()) + " binary bytes" : outcome.output);
     return stream << "\nstderr: " << outcome.errors;
@@ -151,8 +155,10 @@ bool Running::collect() {
     const auto take = [&](const pollfd& from, int& descriptor, std::string& into) {
         if (from.revents == 0) return;
         const ssize_t count = read(descriptor, buffer.data(), buffer.size());
-        if (count > 0) into.append(buffer.data(), static_cast<std::size_t>(count));
-        else drop(descriptor);  // also EIO: how a terminal ends
+        if (count > 0)
+            into.append(buffer.data(), static_cast<std::size_t>(count));
+        else
+            drop(descriptor);  // also EIO: how a terminal ends
     };
     take(waiting[0], output_, outcome_.output);
     take(waiting[1], errors_, outcome_.errors);

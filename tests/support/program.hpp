@@ -18,18 +18,18 @@ enum class StandardOutput { captured, closed_pipe, full_disk };
 
 struct Command {
     std::vector<std::string> arguments;
-    std::string program = "";      // "": the sphereview that this build made
-    std::string folder = ".";      // where it runs
-    std::string input = "";        // its standard input, through a pipe
-    bool input_stays_open = false; // until Running::close_input()
+    std::string program = "";       // "": the sphereview that this build made
+    std::string folder = ".";       // where it runs
+    std::string input = "";         // its standard input, through a pipe
+    bool input_stays_open = false;  // until Running::close_input()
     // Changes to the environment; nothing removes a variable. SPHEREVIEW_BACKEND is removed unless it is named here.
     std::vector<std::pair<std::string, std::optional<std::string>>> environment = {};
     StandardOutput output = StandardOutput::captured;
-    bool errors_to_terminal = false;     // standard error is a terminal
-    bool obeys_permissions = false;      // also when the tests run as root
-    bool ignores_interrupts = false;     // SIGINT is ignored when the program starts, as in a shell's background job
-    rlim_t largest_file = RLIM_INFINITY; // bytes that a file may grow to
-    rlim_t most_memory = RLIM_INFINITY;  // bytes of address space
+    bool errors_to_terminal = false;      // standard error is a terminal
+    bool obeys_permissions = false;       // also when the tests run as root
+    bool ignores_interrupts = false;      // SIGINT is ignored when the program starts, as in a shell's background job
+    rlim_t largest_file = RLIM_INFINITY;  // bytes that a file may grow to
+    rlim_t most_memory = RLIM_INFINITY;   // bytes of address space
 };
 
 // How it ended. Exactly one of: an exit status, a signal, out of time (then it was killed).

@@ -13,7 +13,8 @@ testing::AssertionResult contains(std::string_view text, std::string_view part) 
 
 testing::AssertionResult matches(const std::string& text, const std::string& expression) {
     regex_t compiled{};
-    if (regcomp(&compiled, ("^(" + expression + ")$").c_str(), REG_EXTENDED | REG_NOSUB) != 0) throw std::invalid_argument(expression);
+    if (regcomp(&compiled, ("^(" + expression + ")$").c_str(), REG_EXTENDED | REG_NOSUB) != 0)
+        throw std::invalid_argument(expression);
     const bool found = regexec(&compiled, text.c_str(), 0, nullptr, 0) == 0;
     regfree(&compiled);
     if (found) return testing::AssertionSuccess() << expression << " matches: " << text;
