@@ -56,7 +56,9 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize si
       drawn_(drawn),
       size_(size),
       frame_(ray_frame<double>(scene.camera, size)),
-      error_scale_(error_scale(ray_condition(scene.camera), double_unit)) {}
+      error_scale_(error_scale(ray_condition(scene.camera), double_unit)) {
+    frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
+}
 
 std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
     const glm::dvec3 ray = unit_ray(frame_, size_, pixel);
