@@ -1,0 +1,24 @@
+// Leaks of the GPU path, which a build with AddressSanitizer reports when the program ends.
+#include <gtest/gtest.h>
+
+#include "support/render.hpp"
+
+namespace sphereview::test {
+namespace {
+
+TEST(Leaks, AreNotLeftByTheGpuPath) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    folder.write("blue.txt", blue_scene);
+    folder.write("bad.txt", bad_scene);
+    Command command;
+    command.arguments = {"render", "red.txt", "bad.txt", "blue.txt", "--backend", "osmesa", "-s", "50x50"};
+    command.folder = folder.path();
+    command.environment = {{"LSAN_OPTIONS", "suppressions=" SOURCE_DIR "/tests/lsan.supp"}};
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 2) << outcome;  // the bad scene's
+    EXPECT_EQ(outcome.errors.find("LeakSanitizer"), std::string::npos) << outcome;
+}
+
+}  // namespace
+}  // namespace sphereview::test
