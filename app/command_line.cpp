@@ -128,7 +128,8 @@ std::vector<std::string> option_names(const CLI::App& app) {
 
 // CLI11 keeps what it does not know; the first of it is the mistake.
 void reject_extras(const CLI::App& app) {
-    const std::vector<std::string> extras = app.remaining();
+    std::vector<std::string> extras = app.remaining();
+    std::erase(extras, "--");  // that what follows are no options, it has heeded itself
     if (extras.empty()) return;
     const std::string word = extras.front().substr(0, extras.front().find('='));
     const bool is_option = word.starts_with('-');
@@ -271,6 +272,7 @@ Command parse_command_line(int argc, const char* const* argv) {
     add_explain(app, typed);
     add_doctor(app, typed);
     for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
+    app.require_subcommand(1);  // and no second: "doctor" behind it is a file's name
 
     if (argc < 2) wrong_usage("expected a command: render, convert, explain or doctor");
     check_first_word(app, argv[1]);

@@ -92,6 +92,18 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
     }
 }
 
+TEST(Usage, WhatFollowsTheCommandIsAFileWhateverItIsCalled) {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"render", "-s", "3x3", "--", "-absent.txt"},
+                                                      {"render", "-s", "3x3", "--expect", "g.png", "doctor"},
+                                                      {"convert", "doctor", "render"}}) {
+        Command command;
+        command.arguments = arguments;
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_TRUE(contains(outcome.errors, "cannot be read: No such file or directory"));
+    }
+}
+
 TEST(Usage, APathAsFirstWordIsToldHowToRenderIt) {
     const TemporaryFolder folder;
     folder.write("scene", red_scene);
