@@ -42,32 +42,36 @@ TEST_P(Interrupt, WhileReadingOrRenderingLeavesNothing) {
     }
 }
 
-// The file of an interrupted conversion is complete or is not there, and its hidden forerunner is gone.
-TEST_P(Interrupt, WhileWritingLeavesAllOrNothing) {
+// Interrupted at each system call from the end of its input to its own end, the program leaves the whole file or nothing.
+TEST_P(Interrupt, AtAnySystemCallLeavesAllOrNothing) {
     const auto [signal_number, status] = GetParam();
-    folder_.write("scene.txt", many_spheres(100'000));
     Command command;
-    command.arguments = {"convert", "scene.txt", "new.txt"};
+    command.arguments = {"convert", "-", "new.txt", "--to", "text"};
     command.folder = folder_.path();
-    ASSERT_EQ(run(command).status, 0);
-    const std::size_t whole = folder_.read("new.txt").size();
-    std::filesystem::remove(folder_.path("new.txt"));
-    int interrupted = 0;
-    for (int i = 0; i < 10; ++i) {
+    command.input = red_scene;
+    command.input_stays_open = true;
+    command.environment = {{"LSAN_OPTIONS", "detect_leaks=0"}};  // it, too, would want to trace the program
+    bool met_a_hidden_file = false;
+    for (int calls = 0;; ++calls) {
+        SCOPED_TRACE(calls);
+        folder_.write("new.txt", "old");
         Running program(command);
-        while (folder_.names() == Names{"scene", "scene.txt"}) {
-        }  // until the hidden file or the new one appears
-        program.send(signal_number);
+        const bool stopped = program.stop_after_system_calls(calls);
+        met_a_hidden_file = met_a_hidden_file || folder_.names().size() > 2;
+        if (stopped) program.resume_with(signal_number);
         const Outcome outcome = program.wait();
-        EXPECT_TRUE(outcome.status == status || outcome.status == 0) << outcome;
-        if (outcome.status == status) ++interrupted;
-        if (folder_.has("new.txt")) {
-            EXPECT_EQ(folder_.read("new.txt").size(), whole);
+        const std::string content = folder_.read("new.txt");
+        ASSERT_EQ(folder_.names(), (Names{"new.txt", "scene"})) << outcome;
+        ASSERT_TRUE(content == "old" || content == red_scene) << content;
+        if (!stopped) {
+            EXPECT_EQ(outcome.status, 0) << outcome;
+            EXPECT_EQ(content, red_scene);
+            break;
         }
-        std::filesystem::remove(folder_.path("new.txt"));
-        ASSERT_EQ(folder_.names(), (Names{"scene", "scene.txt"}));
+        // A signal during the very last call, exit itself, comes too late.
+        ASSERT_TRUE(outcome.status == status || (outcome.status == 0 && content == red_scene)) << outcome;
     }
-    RecordProperty("interrupted", interrupted);
+    EXPECT_TRUE(met_a_hidden_file);  // or nothing was tested
 }
 
 TEST_P(Interrupt, ClearsTheProgressBar) {

@@ -11,9 +11,8 @@ namespace {
 
 // Work that lasts longer than the bar's patience on any machine: it is ended by the test.
 Command endless_render(const TemporaryFolder& folder) {
-    Command command = cpu_render(folder, {"-", "-s", "10000x10000"});
-    command.input = many_spheres(5000);
-    return command;
+    folder.write("endless.txt", many_spheres(5000));
+    return cpu_render(folder, {"endless.txt", "-s", "10000x10000"});
 }
 
 TEST(ProgressBar, IsShownOnATerminalWhenTheWorkIsLong) {
@@ -21,7 +20,7 @@ TEST(ProgressBar, IsShownOnATerminalWhenTheWorkIsLong) {
     Command command = endless_render(folder);
     command.errors_to_terminal = true;
     Running program(command);
-    EXPECT_TRUE(program.wait_for_errors("s left  stdin"));
+    EXPECT_TRUE(program.wait_for_errors("s left  endless"));
     program.send(SIGTERM);
     const Outcome outcome = program.wait();
     EXPECT_TRUE(outcome.errors.starts_with("\r\x1b[K[")) << testing::PrintToString(outcome.errors);
@@ -42,10 +41,10 @@ TEST(ProgressBar, IsNotShownWhereStandardErrorIsNoTerminal) {
     const TemporaryFolder folder;
     Command command = endless_render(folder);
     Running silent(command);
-    // The same work, begun later, at a terminal: when its bar shows, it was time for the other's too.
+    // The same work, begun later, at a terminal: when its bar was drawn many times, it was time for the other's too.
     command.errors_to_terminal = true;
     Running shown(command);
-    ASSERT_TRUE(shown.wait_for_errors("s left"));
+    ASSERT_TRUE(shown.wait_for_errors("s left", 6));
     silent.send(SIGTERM);
     const Outcome outcome = silent.wait();
     EXPECT_EQ(outcome.status, 143) << outcome;

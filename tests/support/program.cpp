@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/ptrace.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -83,6 +85,13 @@ void limit(int resource, rlim_t most) {
     _exit(127);
 }
 
+// Whether the traced process stands at the beginning of read(0, ...).
+bool enters_a_read_of_input(pid_t process) {
+    __ptrace_syscall_info info{};
+    return ptrace(PTRACE_GET_SYSCALL_INFO, process, sizeof info, &info) > 0 && info.op == PTRACE_SYSCALL_INFO_ENTRY &&
+           info.entry.nr == SYS_read && info.entry.args[0] == STDIN_FILENO;
+}
+
 }  // namespace
 
 std::ostream& operator<<(std::ostream& stream, const Outcome& outcome) {
@@ -123,7 +132,7 @@ Running::Running(const Command& command) : input_stays_open_(command.input_stays
 }
 
 Running::~Running() {
-    if (process_ > 0) {
+    if (process_ > 0 && !ended_) {
         send(SIGKILL);
         waitpid(process_, nullptr, 0);
     }
@@ -134,7 +143,9 @@ void Running::send(int signal_number) const { kill(process_, signal_number); }
 
 void Running::close_input() {
     input_stays_open_ = false;
-    if (unwritten_input_.empty()) drop(input_);
+    while (!unwritten_input_.empty() && collect()) {
+    }
+    drop(input_);
 }
 
 void Running::drop(int& descriptor) {
@@ -173,19 +184,52 @@ bool Running::collect() {
     return true;
 }
 
-bool Running::wait_for_errors(const std::string& text) {
-    while (outcome_.errors.find(text) == std::string::npos) {
-        if (!collect()) return false;
+bool Running::wait_for_errors(const std::string& text, int times) {
+    std::size_t after = 0;
+    for (int found = 0; found < times;) {
+        const std::size_t at = outcome_.errors.find(text, after);
+        if (at != std::string::npos) {
+            after = at + text.size();
+            ++found;
+        } else if (!collect()) {
+            return false;
+        }
     }
     return true;
+}
+
+bool Running::stop_after_system_calls(int count) {
+    if (ptrace(PTRACE_SEIZE, process_, nullptr, PTRACE_O_TRACESYSGOOD) != 0 ||
+        ptrace(PTRACE_INTERRUPT, process_, nullptr, nullptr) != 0) {
+        ADD_FAILURE() << "the program cannot be traced";
+        return false;
+    }
+    close_input();
+    bool reading = false;
+    int status = 0;
+    while (waitpid(process_, &status, 0) > 0) {
+        if (!WIFSTOPPED(status)) {
+            ended_ = status;
+            return false;
+        }
+        reading = reading || enters_a_read_of_input(process_);
+        if (reading && count-- == 0) return true;
+        ptrace(PTRACE_SYSCALL, process_, nullptr, nullptr);
+    }
+    return false;
+}
+
+void Running::resume_with(int signal_number) const {
+    send(signal_number);
+    ptrace(PTRACE_DETACH, process_, nullptr, nullptr);
 }
 
 Outcome Running::wait() {
     while (collect()) {
     }
     if (outcome_.out_of_time) send(SIGKILL);
-    int status = 0;
-    while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    int status = ended_.value_or(0);
+    while (!ended_ && waitpid(process_, &status, 0) < 0 && errno == EINTR) {
     }
     process_ = 0;
     if (outcome_.out_of_time) return outcome_;

@@ -54,10 +54,19 @@ public:
     Running& operator=(const Running&) = delete;
 
     void send(int signal_number) const;
+
+    // Ends the program's input, after all of it was taken.
     void close_input();
 
-    // Collects output until `text` appears in standard error; false when the program ends or time runs out first.
-    bool wait_for_errors(const std::string& text);
+    // Collects output until `text` has appeared so many times in standard error; false when the program ends or time runs
+    // out first.
+    bool wait_for_errors(const std::string& text, int times = 1);
+
+    // Ends the input and, from the first time that the program reads it, lets it enter or leave so many system calls; then
+    // it stands still until resume_with(). False when it ended before that. Only for a program of one thread whose input is
+    // still open and that prints less than a pipe holds.
+    bool stop_after_system_calls(int count);
+    void resume_with(int signal_number) const;
 
     // Collects output until the program ends, then says how; kills it after a time that no healthy run needs.
     Outcome wait();
@@ -67,6 +76,7 @@ private:
     void drop(int& descriptor);
 
     pid_t process_ = 0;
+    std::optional<int> ended_;  // what waitpid said, if it was asked already
     int input_ = -1;
     int output_ = -1;
     int errors_ = -1;
