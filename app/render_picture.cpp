@@ -7,7 +7,6 @@
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
-#include "cpu/idle_threads.hpp"
 #include "shade/shade.hpp"
 
 namespace sphereview {
@@ -43,7 +42,6 @@ public:
                 finish(block, visible);
             }
         }
-        end_idle_threads();
         return std::move(picture_);
     }
 

@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/parallel.hpp"
+
 // Where the loader can choose among versions of a function by the processor at hand, wide SIMD serves those that have it.
 // Same bits: without contraction every operation is IEEE 754's, however many at a time. (Sanitizers start too late for it.)
 #if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
@@ -99,14 +101,14 @@ CpuRenderer::CpuRenderer(const DrawnSpheres& spheres, const Camera& camera, Pict
 void CpuRenderer::trace(const Block& block, std::span<std::int32_t> visible) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     const int runs = (block.width + run_length - 1) / run_length;
-#pragma omp parallel for collapse(2) schedule(dynamic, 8)
-    for (int row = 0; row < block.height; ++row) {
+    parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t in_block) {
+        const auto row = static_cast<int>(in_block);
         for (int run = 0; run < runs; ++run) {
             const int begin = run * run_length;
             trace_run(block.x + begin, block.y + row, std::min(run_length, block.width - begin),
                       visible.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width) + begin);
         }
-    }
+    });
 }
 
 SPHEREVIEW_FOR_EACH_SIMD

@@ -9,7 +9,7 @@
 
 namespace sphereview {
 
-// Traces with all cores (OpenMP). The spheres passed in must outlive it.
+// Traces with all cores. The spheres passed in must outlive it.
 class CpuRenderer {
 public:
     CpuRenderer(const DrawnSpheres& spheres, const Camera& camera, PictureSize size);

@@ -1,9 +1,11 @@
 #include "exact/resolve.hpp"
 
+#include <atomic>
 #include <cassert>
 #include <cmath>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "exact/exact_decision.hpp"
 
 namespace sphereview {
@@ -103,25 +105,28 @@ DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, Pict
 
 DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> visible) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    std::int64_t in_double = 0;
-    std::int64_t exactly = 0;
+    std::atomic<std::int64_t> all_in_double = 0;
+    std::atomic<std::int64_t> all_exactly = 0;
     const bool renumber = !drawn_.numbers.empty();
-#pragma omp parallel for schedule(dynamic, 4) reduction(+ : in_double, exactly)
-    for (int row = 0; row < block.height; ++row) {
-        std::int32_t* numbers = visible.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width);
+    parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
+        std::int64_t in_double = 0;
+        std::int64_t exactly = 0;
+        std::int32_t* numbers = visible.data() + row * static_cast<std::size_t>(block.width);
         for (int column = 0; column < block.width; ++column) {
             std::int32_t& number = numbers[column];
             if (is_doubtful(number)) {
                 DecisionLevel level = DecisionLevel::in_float;
-                number = resolve({block.x + column, block.y + row}, level);
+                number = resolve({block.x + column, block.y + static_cast<int>(row)}, level);
                 (level == DecisionLevel::exactly ? exactly : in_double) += 1;
             } else if (number >= 0 && renumber) {
                 number = drawn_.numbers[static_cast<std::size_t>(number)];
             }
         }
-    }
+        all_in_double += in_double;
+        all_exactly += exactly;
+    });
     const auto pixels = static_cast<std::int64_t>(visible.size());
-    return {pixels - in_double - exactly, in_double, exactly};
+    return {pixels - all_in_double - all_exactly, all_in_double, all_exactly};
 }
 
 void Resolver::accept_guesses(std::span<std::int32_t> visible) const {

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "base/parallel.hpp"
+
 namespace sphereview {
 
 Image make_picture(PictureSize size, const Background& background) {
@@ -28,11 +30,10 @@ void shade_flat(const Scene& scene, const Background& background, const Block& b
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     const auto channels = static_cast<std::size_t>(picture.channels());
     const std::uint8_t background_alpha = background.transparent ? 0 : 255;
-#pragma omp parallel for schedule(static)
-    for (int row = 0; row < block.height; ++row) {
-        const std::int32_t* numbers = visible.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width);
+    parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
+        const std::int32_t* numbers = visible.data() + row * static_cast<std::size_t>(block.width);
         const std::int32_t* const end = numbers + block.width;
-        std::uint8_t* out = picture.at(block.x, block.y + row);
+        std::uint8_t* out = picture.at(block.x, block.y + static_cast<int>(row));
         while (numbers != end) {
             const std::int32_t number = *numbers;
             const std::int32_t* const run_end = std::find_if(numbers, end, [=](std::int32_t other) { return other != number; });
@@ -44,7 +45,7 @@ void shade_flat(const Scene& scene, const Background& background, const Block& b
             out += count * channels;
             numbers = run_end;
         }
-    }
+    });
 }
 
 }  // namespace sphereview

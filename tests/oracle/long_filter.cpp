@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.hpp"
 #include "oracle/oracle.hpp"
 
 namespace sphereview::oracle {
@@ -153,8 +154,9 @@ FilteredPicture filtered_picture(const Scene& scene, PictureSize size) {
     std::vector<char> decided(picture.numbers.size());
     const auto width = static_cast<std::size_t>(size.width);
     const auto pixel_at = [&](std::size_t i) { return Pixel{static_cast<int>(i % width), static_cast<int>(i / width)}; };
-#pragma omp parallel for schedule(dynamic, 256)
-    for (std::size_t i = 0; i < decided.size(); ++i) decided[i] = filter.decide(pixel_at(i), picture.numbers[i]) ? 1 : 0;
+    parallel_pieces(decided.size(), 256, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) decided[i] = filter.decide(pixel_at(i), picture.numbers[i]) ? 1 : 0;
+    });
 
     std::vector<Pixel> undecided;
     for (std::size_t i = 0; i < decided.size(); ++i) {

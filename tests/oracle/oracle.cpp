@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "base/parallel.hpp"
 #include "oracle/roots.hpp"
 #include "oracle/whole_numbers.hpp"
 
@@ -138,8 +139,9 @@ Grids grids_of(const Scene& scene) {
 template <typename Integer>
 std::vector<std::int32_t> traced(const Tracer<Integer>& tracer, const std::vector<Pixel>& pixels) {
     std::vector<std::int32_t> numbers(pixels.size());
-#pragma omp parallel for schedule(dynamic, 64)
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = tracer.visible(pixels[i]);
+    parallel_pieces(numbers.size(), 64, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) numbers[i] = tracer.visible(pixels[i]);
+    });
     return numbers;
 }
 

@@ -17,11 +17,11 @@ const std::map<std::string_view, Names> allowed = {
     {"image", {"base", "stb", "libdeflate"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact"}},
-    {"cpu", {"base", "scene", "exact", "glm", "omp"}},
+    {"cpu", {"base", "scene", "exact", "glm"}},
     {"gpu", {"base", "scene", "image", "exact", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "system"}},
-    {"app", {"base",       "scene", "image", "exact", "shade", "cpu",    "gpu",  "platform", "glm",  "toml++", "stb",
-             "libdeflate", "boost", "omp",   "glad",  "EGL",   "OSMesa", "GLFW", "CLI11",    "json", "imgui"}},
+    {"app", {"base", "scene",      "image", "exact", "shade", "cpu",    "gpu",  "platform", "glm",  "toml++",
+             "stb",  "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11",    "json", "imgui"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.
@@ -31,7 +31,6 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"stb", {"stb_", "stb/"}},
     {"libdeflate", {"libdeflate.h"}},
     {"boost", {"boost/"}},
-    {"omp", {"omp.h"}},
     {"glad", {"glad/"}},
     {"EGL", {"EGL/"}},
     {"OSMesa", {"GL/osmesa.h"}},

@@ -64,7 +64,6 @@ TEST(IncludeRules, AllowWhatTheTableSays) {
         {"scene", "  #  include   <glm/vec3.hpp>  // why"},
         {"image", "#include <stb_image.h>"},
         {"exact", "#include <boost/multiprecision/cpp_int.hpp>"},
-        {"cpu", "#include <omp.h>"},
         {"gpu", "#include <glad/gl.h>"},
         {"platform", "#include <dlfcn.h>"},
         {"platform", "#include <GLFW/glfw3.h>"},

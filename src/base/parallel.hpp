@@ -1,0 +1,35 @@
+// Work shared by all cores.
+#pragma once
+
+#include <cstddef>
+
+namespace sphereview {
+
+// How many threads share the work: one for each core that this process may use.
+int worker_count();
+
+namespace detail {
+
+// Calls call(work, i) for every i below `count`.
+void share_work(std::size_t count, void (*call)(const void* work, std::size_t i), const void* work);
+
+}  // namespace detail
+
+// Calls work(i) once for each i below `count`, on all cores and in any order, and returns when all calls have. The first
+// exception stops what has not begun and is thrown here. Inside work(), and while another thread is here, it runs alone.
+template <typename Work>
+void parallel_for(std::size_t count, const Work& work) {
+    detail::share_work(
+        count, [](const void* w, std::size_t i) { (*static_cast<const Work*>(w))(i); }, &work);
+}
+
+// Calls work(begin, end) for pieces of [0, count) of at most `piece` each.
+template <typename Work>
+void parallel_pieces(std::size_t count, std::size_t piece, const Work& work) {
+    parallel_for((count + piece - 1) / piece, [&](std::size_t i) {
+        const std::size_t begin = i * piece;
+        work(begin, count - begin < piece ? count : begin + piece);
+    });
+}
+
+}  // namespace sphereview
