@@ -30,10 +30,10 @@ Scene test_scene() {
 
 Image render_test(OpenBackend& backend) {
     Timings timings;
-    DecisionCounts counts;
+    PictureFacts facts;
     Progress silent(false);
     const Scene scene = test_scene();
-    return render_picture(backend, scene, drawn_spheres(scene), {test_size, test_background, true}, timings, counts, silent);
+    return render_picture(backend, scene, drawn_spheres(scene), {test_size, test_background, true}, timings, facts, silent);
 }
 
 Json describe_context(const GlContext& context, const GpuRenderer& gpu) {
@@ -44,7 +44,7 @@ Json describe_context(const GlContext& context, const GpuRenderer& gpu) {
             {"glsl", gl.glsl},
             {"software", context.is_software()},
             {"largest_uniform_block_bytes", gl.largest_uniform_block},
-            {"spheres_in_uniform_block", gpu.sphere_capacity()},
+            {"spheres_in_uniform_block", gpu.uniform_capacity()},
             {"largest_texture_side", gl.largest_texture_side},
             {"largest_viewport", gl.largest_viewport}};
 }

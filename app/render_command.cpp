@@ -57,11 +57,8 @@ private:
             const PhaseTimer timer(report.timings, Phase::upload);
             return drawn_spheres(scene);
         }();
-        OpenBackend& backend = backend_for(drawn.size(), report);
-        report.backend = name_of(backend.backend);
-        report.renderer = backend.description;
         const PictureOptions options{options_.size, options_.background.value_or(scene.background), options_.certify};
-        const Image picture = render_picture(backend, scene, drawn, options, report.timings, report.decisions, progress_);
+        const Image picture = render_by_what_holds_it(scene, drawn, options, report);
 
         if (job.output) write_png(picture, *job.output, report.timings);
         if (golden) check(picture, *golden, job, report);
@@ -77,16 +74,31 @@ private:
         return load_scene(path).scene;
     }
 
-    OpenBackend& backend_for(std::size_t drawn, RenderReport& report) {
+    Image render_by_what_holds_it(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
+                                  RenderReport& report) {
+        const auto render = [&](OpenBackend& backend) {
+            report.backend = name_of(backend.backend);
+            report.renderer = backend.description;
+            return render_picture(backend, scene, drawn, options, report.timings, report.facts, progress_);
+        };
+        OpenBackend& opened = backend_for(report);
+        try {
+            return render(opened);
+        } catch (const TooLarge& error) {
+            if (options_.backend != Backend::automatic) {
+                throw RenderError("the backend " + opened.description + " cannot hold the scene: " + error.what() +
+                                  "; use --backend cpu");
+            }
+            report.passed_over.push_back(opened.description + ": " + error.what());
+            return render(cpu_);
+        }
+    }
+
+    OpenBackend& backend_for(RenderReport& report) {
         // Never closed: the process ends soon, and taking a driver down in good order takes milliseconds.
         static OpenBackend& opened = *new OpenBackend(open_backend(options_.backend, options_.device, report.timings));
         report.passed_over = opened.passed_over;
-        const bool too_many = opened.gpu && drawn > static_cast<std::size_t>(opened.gpu->sphere_capacity());
-        if (options_.backend != Backend::automatic || !too_many) return opened;
-        report.passed_over.push_back(opened.description + ": its uniform buffer holds " +
-                                     std::to_string(opened.gpu->sphere_capacity()) + " spheres, the scene has " +
-                                     std::to_string(drawn));
-        return cpu_;
+        return opened;
     }
 
     static void write_png(const Image& picture, const std::string& path, Timings& timings) {

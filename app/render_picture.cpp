@@ -1,6 +1,7 @@
 #include "app/render_picture.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <span>
 #include <utility>
@@ -8,6 +9,7 @@
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
 #include "shade/shade.hpp"
+#include "tiles/build_lists.hpp"
 
 namespace sphereview {
 
@@ -16,11 +18,11 @@ namespace {
 // What happens to each block of a picture after it was traced.
 class PictureInProgress {
 public:
-    PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options, Timings& timings,
-                      DecisionCounts& counts, Progress& progress)
+    PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
+                      Timings& timings, DecisionCounts& counts, Progress& progress)
         : scene_(scene),
           options_(options),
-          resolver_(scene, drawn, options.size),
+          resolver_(scene, drawn, options.size, &lists),
           picture_(make_picture(options.size, options.background)),
           timings_(timings),
           counts_(counts),
@@ -46,17 +48,35 @@ public:
     }
 
 private:
+    // In strips that take about as long as people wait for a sign of life: an exact pixel may cost a million times a usual one.
     void finish(const Block& block, std::span<std::int32_t> visible) {
         const PhaseTimer timer(timings_, Phase::resolve);
+        const auto width = static_cast<std::size_t>(block.width);
+        int rows = first_strip;
+        for (int y = 0; y < block.height;) {
+            const Block strip{block.x, block.y + y, block.width, std::min(rows, block.height - y)};
+            const auto begin = std::chrono::steady_clock::now();
+            finish_strip(strip,
+                         visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(strip.height) * width));
+            const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            y += strip.height;
+            const double block_part = static_cast<double>(y) / block.height;
+            progress_.update((block.y + block.height * (block.x + block_part * block.width) / picture_.width()) /
+                             picture_.height());
+            rows = static_cast<int>(std::clamp(rows * std::clamp(0.1 / seconds, 0.1, 16.0), 1.0, 1e6));
+        }
+    }
+
+    void finish_strip(const Block& strip, std::span<std::int32_t> visible) {
         if (options_.certify) {
-            counts_ += resolver_.certify(block, visible);
+            counts_ += resolver_.certify(strip, visible);
         } else {
             resolver_.accept_guesses(visible);
         }
-        shade_flat(scene_, options_.background, block, visible, picture_);
-        const double row_part = static_cast<double>(block.x + block.width) / picture_.width();
-        progress_.update((block.y + block.height * row_part) / picture_.height());
+        shade_flat(scene_, options_.background, strip, visible, picture_);
     }
+
+    static constexpr int first_strip = 64;
 
     const Scene& scene_;
     const PictureOptions& options_;
@@ -68,32 +88,45 @@ private:
 };
 
 // Rows of a CPU block: enough work for all cores, little enough for a progress bar.
-int cpu_block_height(PictureSize size, std::size_t spheres) {
-    constexpr double tests_per_block = 3e8;
-    const double rows = tests_per_block / (static_cast<double>(size.width) * static_cast<double>(spheres + 1));
-    return static_cast<int>(std::clamp(rows, 4.0, static_cast<double>(std::max(4, size.height))));
+int cpu_block_height(PictureSize size, const CandidateLists& lists) {
+    constexpr double tests_per_block = 1e8;
+    const double in_tile = static_cast<double>(lists.candidates.size()) / static_cast<double>(lists.begins.size());
+    const double cells = tests_per_block / (static_cast<double>(size.width) * (in_tile + 10.0) * (1 << cpu_cell_shift));
+    return static_cast<int>(std::clamp(cells, 1.0, 1e6)) << cpu_cell_shift;
+}
+
+void describe(const CandidateLists& lists, PictureFacts& facts) {
+    facts.tile_sides.clear();
+    for (const TileLevel& level : lists.levels) facts.tile_sides.push_back(1 << level.shift);
+    facts.candidates = lists.candidates.size();
+    facts.longest_list = 0;
+    for (std::size_t i = 1; i < lists.begins.size(); ++i) {
+        facts.longest_list = std::max<std::size_t>(facts.longest_list, lists.begins[i] - lists.begins[i - 1]);
+    }
 }
 
 }  // namespace
 
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                     Timings& timings, DecisionCounts& counts, Progress& progress) {
-    PictureInProgress picture(scene, drawn, options, timings, counts, progress);
+                     Timings& timings, PictureFacts& facts, Progress& progress) {
     const PictureSize size = options.size;
+    const CandidateLists lists = [&] {
+        const PhaseTimer timer(timings, Phase::lists);
+        return build_lists(drawn, scene.camera, size, backend.gpu ? gpu_tile_costs : cpu_tile_costs);
+    }();
+    PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress);
+    describe(lists, facts);
     if (!backend.gpu) {
-        const CpuRenderer cpu(drawn, scene.camera, size);
-        return picture.draw(size.width, cpu_block_height(size, drawn.size()),
-                            [&](const Block& block, std::span<std::int32_t> visible) {
-                                const PhaseTimer timer(timings, Phase::trace);
-                                cpu.trace(block, visible);
-                            });
+        facts.spheres_in = "memory";
+        const CpuRenderer cpu(drawn, lists, scene.camera, size);
+        return picture.draw(size.width, cpu_block_height(size, lists), [&](const Block& block, std::span<std::int32_t> visible) {
+            const PhaseTimer timer(timings, Phase::trace);
+            cpu.trace(block, visible);
+        });
     }
     GpuRenderer& gpu = *backend.gpu;
-    if (drawn.size() > static_cast<std::size_t>(gpu.sphere_capacity())) {
-        throw RenderError("the backend " + backend.description + " holds at most " + std::to_string(gpu.sphere_capacity()) +
-                          " spheres in its uniform buffer, the scene has " + std::to_string(drawn.size()) + "; use --backend cpu");
-    }
-    gpu.upload(drawn, scene.camera, size, timings);
+    gpu.upload(drawn, lists, scene.camera, size, timings);
+    facts.spheres_in = gpu.storage();
     const int side = gpu.largest_block_side();
     return picture.draw(side, side,
                         [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });

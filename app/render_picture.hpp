@@ -1,6 +1,8 @@
 // Scene -> Image, by whichever renderer is open.
 #pragma once
 
+#include <string>
+#include <vector>
 #include "app/backend.hpp"
 #include "base/progress.hpp"
 #include "exact/resolve.hpp"
@@ -15,9 +17,18 @@ struct PictureOptions {
     bool certify = true;  // false: best guesses stay as they are
 };
 
-// Traces block by block, certifies and colours on the CPU; `counts` says how the pixels were decided. An OpenBackend without a GPU
-// renderer stands for the CPU's. Throws RenderError when the GPU renderer cannot hold the scene.
+// How a picture came about.
+struct PictureFacts {
+    DecisionCounts decisions;
+    std::string spheres_in;       // where the renderer kept them
+    std::vector<int> tile_sides;  // of the levels that are not empty, in pixels, the coarsest first
+    std::size_t candidates = 0;   // in all lists
+    std::size_t longest_list = 0;
+};
+
+// Traces block by block, certifies and colours on the CPU. An OpenBackend without a GPU
+// renderer stands for the CPU's. Throws TooLarge when the GPU renderer cannot hold the scene.
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                     Timings& timings, DecisionCounts& counts, Progress& progress);
+                     Timings& timings, PictureFacts& facts, Progress& progress);
 
 }  // namespace sphereview

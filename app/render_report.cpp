@@ -29,7 +29,14 @@ Json to_json(const RenderReport& report) {
         {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
         {"passed_over", report.passed_over},
         {"decided",
-         {{"float", report.decisions.in_float}, {"double", report.decisions.in_double}, {"exact", report.decisions.exactly}}},
+         {{"float", report.facts.decisions.in_float},
+          {"double", report.facts.decisions.in_double},
+          {"exact", report.facts.decisions.exactly}}},
+        {"spheres_in", report.facts.spheres_in.empty() ? Json(nullptr) : Json(report.facts.spheres_in)},
+        {"tiles",
+         {{"sides", report.facts.tile_sides},
+          {"candidates", report.facts.candidates},
+          {"longest_list", report.facts.longest_list}}},
         {"timings_ms", timings},
     };
     if (report.comparison) {
@@ -50,9 +57,23 @@ void print_backend(const RenderReport& report) {
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 
+// "NAME: tiles of 16 and 4 pixels, candidates: 2,600,000, in the longest list: 400; spheres in buffer textures".
+void print_tiles(const RenderReport& report) {
+    const PictureFacts& facts = report.facts;
+    if (facts.spheres_in.empty()) return;
+    std::string sides;
+    for (std::size_t i = 0; i < facts.tile_sides.size(); ++i) {
+        const char* const joint = i == 0 ? "" : i + 1 == facts.tile_sides.size() ? " and " : ", ";
+        sides += joint + std::to_string(facts.tile_sides[i]);
+    }
+    const std::string tiles = sides.empty() ? "no sphere is in the picture" : "tiles of " + sides + " pixels";
+    std::fprintf(stderr, "%s: %s, candidates: %s, in the longest list: %s; spheres in %s\n", report.job.label.c_str(), tiles.c_str(),
+                 in_groups(facts.candidates).c_str(), in_groups(facts.longest_list).c_str(), facts.spheres_in.c_str());
+}
+
 // Nothing was counted where best guesses were kept, or nothing was drawn.
 void print_decisions(const RenderReport& report) {
-    const DecisionCounts& counts = report.decisions;
+    const DecisionCounts& counts = report.facts.decisions;
     if (counts.in_float + counts.in_double + counts.exactly == 0) return;
     std::fprintf(stderr, "%s: pixels decided: %lld in float, %lld in double, %lld exactly\n", report.job.label.c_str(),
                  static_cast<long long>(counts.in_float), static_cast<long long>(counts.in_double),
@@ -71,7 +92,10 @@ void print_timings(const RenderReport& report) {
 void print(const RenderReport& report, const RenderOptions& options) {
     if (options.verbose && !report.renderer.empty()) print_backend(report);
     if (options.timings) print_timings(report);
-    if (options.verbose || options.timings) print_decisions(report);
+    if (options.verbose || options.timings) {
+        print_tiles(report);
+        print_decisions(report);
+    }
     if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
     if (options.json) {
         // Paths need not be UTF-8, JSON must be.

@@ -7,9 +7,9 @@
 
 #include "app/exit_code.hpp"
 #include "app/options.hpp"
+#include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "base/timings.hpp"
-#include "exact/resolve.hpp"
 #include "image/compare.hpp"
 
 namespace sphereview {
@@ -22,7 +22,7 @@ struct RenderReport {
     std::string renderer;                  // OpenBackend::description
     std::vector<std::string> passed_over;  // better ones, with reasons
     Timings timings;
-    DecisionCounts decisions;
+    PictureFacts facts;
     std::optional<Comparison> comparison;
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done

@@ -21,7 +21,8 @@ constexpr std::size_t million = 1'000'000;
 
 std::vector<std::int32_t> trace(const DrawnSpheres& drawn, const Camera& camera) {
     std::vector<std::int32_t> visible(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
-    CpuRenderer(drawn, camera, size).trace(whole_picture, visible);
+    const CandidateLists lists = build_lists(drawn, camera, size, cpu_tile_costs);
+    CpuRenderer(drawn, lists, camera, size).trace(whole_picture, visible);
     return visible;
 }
 

@@ -6,7 +6,8 @@ layout(std140) uniform Frame {
     vec4 background;     // colour where no sphere is, 0..1, with alpha
     ivec2 picture_size;  // of the whole picture, in pixels
     ivec2 block_origin;  // top left pixel of what is drawn
-    int sphere_count;
     float error_scale;   // c(kappa, u) of docs/exactness.md
     int all_doubtful;    // not 0: float proves nothing about this scene
+    int level_count;     // of tiles
+    ivec4 levels[8];     // x: a tile's side is 2^x pixels; y: tiles in a row; z: the number of the first
 };

@@ -1,5 +1,6 @@
 #version 330 core
-// Solves the ray's quadratic for every sphere and writes the number of the visible one, or that it is doubtful.
+// Solves the ray's quadratic for every sphere that the pixel can show and writes the number of the visible one, or that it is doubtful.
+#include "candidates.glsl"
 #include "frame.glsl"
 #include "spheres.glsl"
 #include "visible.glsl"
@@ -17,23 +18,31 @@ vec3 ray_direction(ivec2 pixel) {
 
 void main() {
     // Row 0 of the attachment is the top row of the block.
-    vec3 ray = ray_direction(block_origin + ivec2(gl_FragCoord.xy));
+    ivec2 pixel = block_origin + ivec2(gl_FragCoord.xy);
+    vec3 ray = ray_direction(pixel);
     float smallest_high = never;  // over the sure hits
     int sure = -1;
     float low = never;            // the smallest lower bound over all candidates
     int guess = -1;
     float second_low = never;     // the smallest over all candidates but the guess
-    for (int i = 0; i < sphere_count; ++i) {
-        vec4 sphere = sphere_at(i);
-        float w = error_scale * (abs(sphere.x) + abs(sphere.y) + abs(sphere.z) + abs(sphere.w));
-        vec2 hit = hit_bounds(sphere, w, ray);
-        bool nearer = hit.x < low;
-        second_low = min(second_low, nearer ? low : hit.x);
-        low = nearer ? hit.x : low;
-        guess = nearer ? i : guess;
-        bool surer = hit.y < smallest_high;
-        smallest_high = surer ? hit.y : smallest_high;
-        sure = surer ? i : sure;
+    for (int i = 0; i < level_count; ++i) {
+        ivec2 list = list_at(levels[i], pixel);
+        for (int place = list.x; place < list.y; ++place) {
+            uvec2 candidate = candidate_at(place);
+            // It and all after it begin beyond a sure hit.
+            if (uintBitsToFloat(candidate.y) > smallest_high) break;
+            int index = int(candidate.x);
+            vec4 sphere = sphere_at(index);
+            float w = error_scale * (abs(sphere.x) + abs(sphere.y) + abs(sphere.z) + abs(sphere.w));
+            vec2 hit = hit_bounds(sphere, w, ray);
+            bool nearer = hit.x < low;
+            second_low = min(second_low, nearer ? low : hit.x);
+            low = nearer ? hit.x : low;
+            guess = nearer ? index : guess;
+            bool surer = hit.y < smallest_high;
+            smallest_high = surer ? hit.y : smallest_high;
+            sure = surer ? index : sure;
+        }
     }
     bool decided = all_doubtful == 0 && guess == sure && (guess < 0 || second_low > smallest_high);
     visible = decided ? guess : doubtful(guess);

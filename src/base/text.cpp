@@ -108,4 +108,10 @@ std::string shortest(double value) {
     return {buffer.data(), end.ptr};
 }
 
+std::string in_groups(std::uint64_t value) {
+    std::string text = std::to_string(value);
+    for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, ",");
+    return text;
+}
+
 }  // namespace sphereview

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -31,6 +32,9 @@ std::string fixed(double value, int places);
 
 // The shortest decimal text that reads back as the same double; "inf" and "nan" where there is none.
 std::string shortest(double value);
+
+// 1234567 as "1,234,567".
+std::string in_groups(std::uint64_t value);
 
 // `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
 std::string_view without_byte_order_mark(std::string_view text);

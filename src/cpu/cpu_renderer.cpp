@@ -1,8 +1,9 @@
-// The same filter as shaders/trace.frag, a run of pixels at a time so that the compiler can use SIMD.
+// The same filter as shaders/trace.frag, a small square of pixels (a cell) at a time so that the compiler can use SIMD.
 #include "cpu/cpu_renderer.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -20,20 +21,21 @@ namespace sphereview {
 
 namespace {
 
-constexpr int run_length = 128;  // pixels whose rays and nearest hits stay in the first-level cache
+constexpr int cell_side = 1 << cpu_cell_shift;
+constexpr int cell_size = cell_side * cell_side;
 constexpr float never = NearestHits<float>::never;
 
-using Lane = std::array<float, run_length>;
-using IndexLane = std::array<std::int32_t, run_length>;
+using Lane = std::array<float, cell_size>;
+using IndexLane = std::array<std::int32_t, cell_size>;
 
-// The unit directions of a run of rays.
+// The unit directions of a cell's rays.
 struct Rays {
     Lane x;
     Lane y;
     Lane z;
 };
 
-// NearestHits (exact/filter.hpp) for a run of rays.
+// NearestHits (exact/filter.hpp) for a cell's rays.
 struct Nearest {
     Lane smallest_high;
     Lane low;
@@ -42,26 +44,34 @@ struct Nearest {
     IndexLane guess;
 };
 
-void aim(Rays& rays, const RayFrame<float>& frame, const RayCoefficients& first) {
-    const glm::vec3 row = frame.forward + static_cast<float>(first.upward) * frame.up;
-    for (int i = 0; i < run_length; ++i) {
-        const auto across = static_cast<float>(static_cast<std::int32_t>(first.across) + 2 * i);
-        const float x = row.x + across * frame.right.x;
-        const float y = row.y + across * frame.right.y;
-        const float z = row.z + across * frame.right.z;
-        const float scale = 1.0F / std::sqrt(x * x + y * y + z * z);
-        rays.x[i] = x * scale;
-        rays.y[i] = y * scale;
-        rays.z[i] = z * scale;
+// Beyond the picture's edge the last pixel's ray is repeated.
+void aim(Rays& rays, const RayFrame<float>& frame, PictureSize size, Pixel cell) {
+    const RayCoefficients first = ray_coefficients(size, cell);
+    const int last_x = std::min(cell_side, size.width - cell.x) - 1;
+    const int last_y = std::min(cell_side, size.height - cell.y) - 1;
+    for (int row = 0; row < cell_side; ++row) {
+        const auto upward = static_cast<float>(static_cast<std::int32_t>(first.upward) - 2 * std::min(row, last_y));
+        const glm::vec3 middle = frame.forward + upward * frame.up;
+        for (int column = 0; column < cell_side; ++column) {
+            const auto across = static_cast<float>(static_cast<std::int32_t>(first.across) + 2 * std::min(column, last_x));
+            const float x = middle.x + across * frame.right.x;
+            const float y = middle.y + across * frame.right.y;
+            const float z = middle.z + across * frame.right.z;
+            const float scale = 1.0F / std::sqrt(x * x + y * y + z * z);
+            const int i = row * cell_side + column;
+            rays.x[i] = x * scale;
+            rays.y[i] = y * scale;
+            rays.z[i] = z * scale;
+        }
     }
 }
 
-// Whether all rays of the run surely miss, from outside: without square roots, by twice the bound.
+// Whether all rays surely miss, from outside: without square roots, by twice the bound.
 bool all_miss(const Rays& rays, const glm::vec4& sphere, float w) {
     const float reach = sphere.w + 2.0F * w;
     const float reach_square = reach * reach;
     int near = 0;
-    for (int i = 0; i < run_length; ++i) {
+    for (int i = 0; i < cell_size; ++i) {
         const float along = sphere.x * rays.x[i] + sphere.y * rays.y[i] + sphere.z * rays.z[i];
         const float px = sphere.x - along * rays.x[i];
         const float py = sphere.y - along * rays.y[i];
@@ -74,7 +84,7 @@ bool all_miss(const Rays& rays, const glm::vec4& sphere, float w) {
 template <EyeSide side>
 void add_sphere(Nearest& nearest, const Rays& rays, std::int32_t index, const glm::vec4& sphere, float w) {
     const float radius = std::fabs(sphere.w);
-    for (int i = 0; i < run_length; ++i) {
+    for (int i = 0; i < cell_size; ++i) {
         const HitBounds<float> hit = hit_bounds<side>(sphere.x, sphere.y, sphere.z, radius, w, rays.x[i], rays.y[i], rays.z[i]);
         // All loads before all stores: a conditional one would keep this from becoming SIMD.
         const float low = nearest.low[i];
@@ -93,28 +103,56 @@ void add_sphere(Nearest& nearest, const Rays& rays, std::int32_t index, const gl
     }
 }
 
+// The largest of the smallest sure distances. They are positive, and floats that are compare like integers, of which the
+// compiler knows that their order of comparison does not matter.
+float farthest(const Lane& smallest_high) {
+    std::int32_t most = 0;
+    for (const float high : smallest_high) {
+        const auto bits = std::bit_cast<std::int32_t>(high);
+        most = most < bits ? bits : most;
+    }
+    return std::bit_cast<float>(most);
+}
+
+void add_candidate(Nearest& nearest, const Rays& rays, std::int32_t index, const glm::vec4& sphere, float error_scale) {
+    const float w = error_scale * (std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) + std::fabs(sphere.w));
+    if (sphere.w > 0.0F) {
+        if (!all_miss(rays, sphere, w)) add_sphere<EyeSide::outside>(nearest, rays, index, sphere, w);
+    } else if (sphere.w < 0.0F) {
+        add_sphere<EyeSide::inside>(nearest, rays, index, sphere, w);
+    } else {
+        add_sphere<EyeSide::on_surface>(nearest, rays, index, sphere, w);
+    }
+}
+
 }  // namespace
 
-CpuRenderer::CpuRenderer(const DrawnSpheres& spheres, const Camera& camera, PictureSize size)
-    : spheres_(spheres), view_(float_view(spheres, camera, size, float_unit)), size_(size) {}
+CpuRenderer::CpuRenderer(const DrawnSpheres& spheres, const CandidateLists& lists, const Camera& camera, PictureSize size)
+    : spheres_(spheres), lists_(lists), view_(float_view(camera, size, float_unit)), size_(size) {}
 
 void CpuRenderer::trace(const Block& block, std::span<std::int32_t> visible) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    const int runs = (block.width + run_length - 1) / run_length;
-    parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t in_block) {
-        const auto row = static_cast<int>(in_block);
-        for (int run = 0; run < runs; ++run) {
-            const int begin = run * run_length;
-            trace_run(block.x + begin, block.y + row, std::min(run_length, block.width - begin),
-                      visible.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(block.width) + begin);
-        }
-    });
+    if (block.width <= 0 || block.height <= 0) return;
+    // Cells lie on a grid of the picture, as tiles do.
+    const int left = block.x >> cpu_cell_shift;
+    const int top = block.y >> cpu_cell_shift;
+    const int across = ((block.x + block.width - 1) >> cpu_cell_shift) - left + 1;
+    const int down = ((block.y + block.height - 1) >> cpu_cell_shift) - top + 1;
+    constexpr std::size_t cells_at_once = 16;
+    parallel_pieces(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), cells_at_once,
+                    [&](std::size_t begin, std::size_t end) {
+                        for (std::size_t cell = begin; cell < end; ++cell) {
+                            const int x = left + static_cast<int>(cell % static_cast<std::size_t>(across));
+                            const int y = top + static_cast<int>(cell / static_cast<std::size_t>(across));
+                            trace_cell({x * cell_side, y * cell_side}, block, visible.data());
+                        }
+                    });
 }
 
 SPHEREVIEW_FOR_EACH_SIMD
-void CpuRenderer::trace_run(int x, int y, int count, std::int32_t* visible) const {
+void CpuRenderer::trace_cell(Pixel cell, const Block& block, std::int32_t* visible) const {
     Rays rays;
-    aim(rays, view_.rays, ray_coefficients(size_, {x, y}));
+    aim(rays, view_.rays, size_, cell);
     Nearest nearest;
     nearest.smallest_high.fill(never);
     nearest.low.fill(never);
@@ -122,23 +160,27 @@ void CpuRenderer::trace_run(int x, int y, int count, std::int32_t* visible) cons
     nearest.sure.fill(-1);
     nearest.guess.fill(-1);
 
-    std::int32_t index = 0;
-    for (const glm::vec4& sphere : spheres_.center_radius) {
-        const float w = view_.error_scale * (std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) + std::fabs(sphere.w));
-        if (sphere.w > 0.0F) {
-            if (!all_miss(rays, sphere, w)) add_sphere<EyeSide::outside>(nearest, rays, index, sphere, w);
-        } else if (sphere.w < 0.0F) {
-            add_sphere<EyeSide::inside>(nearest, rays, index, sphere, w);
-        } else {
-            add_sphere<EyeSide::on_surface>(nearest, rays, index, sphere, w);
+    for (const TileLevel& level : lists_.levels) {
+        for (const Candidate& candidate : lists_.at(level, cell.x, cell.y)) {
+            if (candidate.nearest > farthest(nearest.smallest_high)) break;
+            add_candidate(nearest, rays, static_cast<std::int32_t>(candidate.index), spheres_.center_radius[candidate.index],
+                          view_.error_scale);
         }
-        ++index;
     }
-    for (int i = 0; i < count; ++i) {
-        const std::int32_t guess = nearest.guess[i];
-        const bool decided =
-            !view_.all_doubtful && guess == nearest.sure[i] && (guess < 0 || nearest.second_low[i] > nearest.smallest_high[i]);
-        visible[i] = decided ? guess : doubtful(guess);
+
+    const int first_x = std::max(cell.x, block.x);
+    const int first_y = std::max(cell.y, block.y);
+    const int end_x = std::min(cell.x + cell_side, block.x + block.width);
+    const int end_y = std::min(cell.y + cell_side, block.y + block.height);
+    for (int y = first_y; y < end_y; ++y) {
+        std::int32_t* out = visible + static_cast<std::ptrdiff_t>(y - block.y) * block.width - block.x;
+        for (int x = first_x; x < end_x; ++x) {
+            const int i = (y - cell.y) * cell_side + (x - cell.x);
+            const std::int32_t guess = nearest.guess[i];
+            const bool decided =
+                !view_.all_doubtful && guess == nearest.sure[i] && (guess < 0 || nearest.second_low[i] > nearest.smallest_high[i]);
+            out[x] = decided ? guess : doubtful(guess);
+        }
     }
 }
 

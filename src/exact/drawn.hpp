@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <unordered_map>
 #include <vector>
 
 #include "exact/filter.hpp"
@@ -15,19 +16,18 @@ namespace sphereview {
 // (of equal hits the first is seen, so it never is). Renderers write indices into these vectors.
 struct DrawnSpheres {
     // x, y, z: the centre relative to the eye, subtracted in double, times 2^scale. w: the radius likewise; negative when
-    // the eye is inside, 0 when it lies exactly on the surface.
+    // the eye is inside, 0 when it lies exactly on the surface. All 0: beyond float, see below.
     std::vector<glm::vec4> center_radius;
     std::vector<std::int32_t> numbers;  // in the scene; empty when nothing was left out: index i is number i
-    int scale = 0;                      // 0 unless the scene is very small or very large
-    // The float filter proves nothing about some of the spheres, so every pixel is doubtful.
-    bool beyond_float = false;
+    int scale = 0;                      // 0 unless most of the scene is very small or very large
+    // The spheres so small or large that the float filter proves nothing about them. They are uploaded as zeros, for which the
+    // filter finds "perhaps hit, at 0 or farther": every pixel that tries one is doubtful.
+    std::unordered_map<std::uint32_t, EyeSide> beyond_float;
 
     std::size_t size() const { return center_radius.size(); }
     std::int32_t number(std::size_t index) const { return numbers.empty() ? static_cast<std::int32_t>(index) : numbers[index]; }
-    EyeSide side(std::size_t index) const {
-        const float w = center_radius[index].w;
-        return w > 0.0F ? EyeSide::outside : w < 0.0F ? EyeSide::inside : EyeSide::on_surface;
-    }
+    // The eye's side of a sphere, also of one that is beyond float.
+    EyeSide side(std::size_t index) const;
 };
 
 DrawnSpheres drawn_spheres(const Scene& scene);
@@ -40,6 +40,6 @@ struct FloatView {
 };
 
 // `unit` is the arithmetic's: gpu_unit or float_unit.
-FloatView float_view(const DrawnSpheres& drawn, const Camera& camera, PictureSize size, double unit);
+FloatView float_view(const Camera& camera, PictureSize size, double unit);
 
 }  // namespace sphereview

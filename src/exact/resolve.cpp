@@ -16,6 +16,9 @@ namespace {
 constexpr double smallest_size = 0x1p-300;
 constexpr double largest_size = 0x1p300;
 
+// Anything may be true.
+constexpr HitBounds<double> unknown_hit = {-NearestHits<double>::never, NearestHits<double>::never};
+
 template <typename Real>
 HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r, Real w, const glm::vec<3, Real>& ray) {
     switch (side) {
@@ -31,7 +34,7 @@ HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm
     const glm::dvec3 c = sphere.center - eye;
     const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
     // Also when it is not a number: then nothing is known.
-    if (!(size > smallest_size && size < largest_size)) return {-NearestHits<double>::never, NearestHits<double>::never};
+    if (!(size > smallest_size && size < largest_size)) return unknown_hit;
     return bounds_of_side<double>(side, c, sphere.radius, error_scale * size, ray);
 }
 
@@ -53,49 +56,67 @@ DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& other) {
     return *this;
 }
 
-Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size)
+Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, const CandidateLists* lists)
     : scene_(scene),
       drawn_(drawn),
+      lists_(lists),
       size_(size),
       frame_(ray_frame<double>(scene.camera, size)),
       error_scale_(error_scale(ray_condition(scene.camera), double_unit)) {
     frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
 }
 
-std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
+NearestHits<double> Resolver::contest(Pixel pixel, std::vector<Contest>& contests) const {
     const glm::dvec3 ray = unit_ray(frame_, size_, pixel);
-    const auto sphere_at = [&](std::size_t i) -> const Sphere& {
-        return scene_.spheres[static_cast<std::size_t>(drawn_.number(i))];
-    };
-    const auto bounds_of = [&](std::size_t i) {
-        return bounds_in_double(sphere_at(i), drawn_.side(i), scene_.camera.eye, error_scale_, ray);
-    };
     NearestHits<double> nearest;
-    if (frame_.in_range) {
-        for (std::size_t i = 0; i < drawn_.size(); ++i) nearest.add(static_cast<int>(i), bounds_of(i));
-        if (nearest.decided()) {
-            level = DecisionLevel::in_double;
-            return nearest.guess < 0 ? visible_background : drawn_.number(static_cast<std::size_t>(nearest.guess));
+    const auto add = [&](std::uint32_t i) {
+        const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(drawn_.number(i))];
+        const HitBounds<double> hit =
+            frame_.in_range ? bounds_in_double(sphere, drawn_.side(i), scene_.camera.eye, error_scale_, ray) : unknown_hit;
+        nearest.add(static_cast<int>(i), hit);
+        if (hit.low < NearestHits<double>::never) contests.push_back({i, hit.low});
+    };
+    if (lists_ == nullptr) {
+        for (std::uint32_t i = 0; i < drawn_.size(); ++i) add(i);
+        return nearest;
+    }
+    for (const TileLevel& level : lists_->levels) {
+        double beyond = NearestHits<double>::never;
+        for (const Candidate& candidate : lists_->at(level, pixel.x, pixel.y)) {
+            if (candidate.nearest > beyond) break;
+            add(candidate.index);
+            beyond = std::ldexp(nearest.smallest_high, drawn_.scale);  // in the units of the lists
         }
+    }
+    return nearest;
+}
+
+std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
+    std::vector<Contest> contests;
+    const NearestHits<double> nearest = contest(pixel, contests);
+    if (frame_.in_range && nearest.decided()) {
+        level = DecisionLevel::in_double;
+        return nearest.guess < 0 ? visible_background : drawn_.number(static_cast<std::size_t>(nearest.guess));
     }
     level = DecisionLevel::exactly;
     std::vector<Contender> contenders;
-    for (std::size_t i = 0; i < drawn_.size(); ++i) {
-        const double low = frame_.in_range ? bounds_of(i).low : 0.0;
-        if (low < NearestHits<double>::never && low <= nearest.smallest_high)
-            contenders.push_back({drawn_.number(i), &sphere_at(i)});
+    for (const Contest& contest : contests) {
+        if (contest.low > nearest.smallest_high) continue;
+        const std::int32_t number = drawn_.number(contest.index);
+        contenders.push_back({number, &scene_.spheres[static_cast<std::size_t>(number)]});
     }
     return decide_exactly(scene_.camera, size_, pixel, contenders);
 }
 
 DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, Pixel pixel) {
-    const FloatView view = float_view(drawn, scene.camera, size, gpu_unit);
+    const FloatView view = float_view(scene.camera, size, gpu_unit);
     const glm::vec3 ray = unit_ray(view.rays, size, pixel);
     NearestHits<float> nearest;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         const glm::vec4& s = drawn.center_radius[i];
         const float w = view.error_scale * (std::fabs(s.x) + std::fabs(s.y) + std::fabs(s.z) + std::fabs(s.w));
-        nearest.add(static_cast<int>(i), bounds_of_side<float>(drawn.side(i), glm::vec3(s), std::fabs(s.w), w, ray));
+        const EyeSide side = s.w > 0.0F ? EyeSide::outside : s.w < 0.0F ? EyeSide::inside : EyeSide::on_surface;
+        nearest.add(static_cast<int>(i), bounds_of_side<float>(side, glm::vec3(s), std::fabs(s.w), w, ray));
     }
     if (!view.all_doubtful && nearest.decided()) return DecisionLevel::in_float;
     DecisionLevel level = DecisionLevel::in_double;

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
+#include "exact/candidates.hpp"
 #include "exact/drawn.hpp"
 #include "exact/rays.hpp"
 #include "exact/visible.hpp"
@@ -24,10 +26,11 @@ enum class DecisionLevel { in_float, in_double, exactly };
 // What it takes to decide a pixel: float with the bound assumed of GPUs, double, or exact integers.
 DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, Pixel pixel);
 
-// Turns what a renderer wrote into the numbers of the exact picture. The scene and its drawn spheres must outlive it.
+// Turns what a renderer wrote into the numbers of the exact picture. What is passed in must outlive it.
 class Resolver {
 public:
-    Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size);
+    // With the lists of the picture it tries only the spheres that a pixel can show, without them all.
+    Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, const CandidateLists* lists = nullptr);
 
     // The number in the scene of the sphere that the pixel shows, or visible_background; `level` says what it took.
     std::int32_t resolve(Pixel pixel, DecisionLevel& level) const;
@@ -39,8 +42,16 @@ public:
     void accept_guesses(std::span<std::int32_t> visible) const;
 
 private:
+    // A sphere and the bounds of its hit in double.
+    struct Contest {
+        std::uint32_t index;
+        double low;
+    };
+    NearestHits<double> contest(Pixel pixel, std::vector<Contest>& contests) const;
+
     const Scene& scene_;
     const DrawnSpheres& drawn_;
+    const CandidateLists* lists_;
     PictureSize size_;
     RayFrame<double> frame_;
     double error_scale_;

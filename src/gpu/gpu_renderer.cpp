@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "gpu/program.hpp"
 
 namespace sphereview {
@@ -30,15 +31,15 @@ void draw_everywhere(const Block& block) {
 
 }  // namespace
 
-GpuRenderer::GpuRenderer(Timings& timings) {
+GpuRenderer::GpuRenderer(Timings& timings, const TextureBounds& bounds) : bounds_(bounds) {
     {
         const PhaseTimer timer(timings, Phase::shaders);
-        capacity_ = std::min(gl_limit(GL_MAX_UNIFORM_BLOCK_SIZE), largest_uniform_block) / static_cast<int>(sizeof(glm::vec4));
+        uniform_capacity_ =
+            std::min(gl_limit(GL_MAX_UNIFORM_BLOCK_SIZE), largest_uniform_block) / static_cast<int>(sizeof(glm::vec4));
         std::array<GLint, 2> viewport{};
         glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
         largest_block_side_ = std::min({gl_limit(GL_MAX_TEXTURE_SIZE), viewport[0], viewport[1], preferred_block_side});
 
-        trace_ = make_program("trace.frag", {"SPHERE_CAPACITY " + std::to_string(capacity_)});
         no_vertices_ = make_vertex_array();
         frame_buffer_ = make_buffer();
         sphere_buffer_ = make_buffer();
@@ -53,16 +54,45 @@ GpuRenderer::GpuRenderer(Timings& timings) {
 void GpuRenderer::self_check(Timings& timings) {
     Scene scene;
     scene.spheres.resize(1);
+    constexpr PictureSize size{3, 1};
+    const DrawnSpheres drawn = drawn_spheres(scene);
     Timings unreported;
-    upload(drawn_spheres(scene), scene.camera, {3, 1}, unreported);
     std::array<std::int32_t, 3> visible{};
     {
         const PhaseTimer timer(timings, Phase::shaders);  // the driver compiles at the first draw
+        upload(drawn, build_lists(drawn, scene.camera, size, gpu_tile_costs), scene.camera, size, unreported);
         trace({0, 0, 3, 1}, visible, unreported);
     }
     if (visible != std::array<std::int32_t, 3>{visible_background, 0, visible_background}) {
         throw RenderError("a test picture of one sphere came out wrong");
     }
+}
+
+std::vector<std::string> GpuRenderer::defines() const {
+    std::vector<std::string> defines = table_defines(storage_.tables);
+    if (storage_.in_block) defines.push_back("SPHERE_CAPACITY " + std::to_string(uniform_capacity_));
+    return defines;
+}
+
+std::string GpuRenderer::storage() const {
+    if (storage_.in_block) return "uniform buffer";
+    return storage_.tables.shift ? "2D textures" : "buffer textures";
+}
+
+void GpuRenderer::choose_storage(std::size_t spheres, const CandidateLists& lists) {
+    Storage storage;
+    storage.in_block = spheres <= static_cast<std::size_t>(uniform_capacity_);
+    const std::size_t longest = std::max({storage.in_block ? 1 : spheres, lists.candidates.size(), lists.begins.size()});
+    storage.tables = table_limits(longest, bounds_);
+    if (longest > storage.tables.most_texels) {
+        throw TooLarge("its textures hold tables of " + in_groups(storage.tables.most_texels) + " elements, the scene's " +
+                       in_groups(spheres) + " spheres need " + in_groups(longest));
+    }
+    const bool same_shaders = storage.in_block == storage_.in_block && storage.tables.shift == storage_.tables.shift;
+    storage_ = storage;
+    if (trace_ && same_shaders) return;
+    shade_ = Program();
+    trace_ = make_program("trace.frag", defines());
 }
 
 void GpuRenderer::resize_target(int width, int height) {
@@ -83,19 +113,33 @@ void GpuRenderer::resize_target(int width, int height) {
     check_gl("making the buffer of visible spheres");
 }
 
-void GpuRenderer::upload(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, Timings& timings) {
+void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& lists, const Camera& camera, PictureSize size,
+                         Timings& timings) {
     const PhaseTimer timer(timings, Phase::upload);
-    assert(spheres.center_radius.size() <= static_cast<std::size_t>(capacity_));
-    const FloatView view = float_view(spheres, camera, size, gpu_unit);
+    choose_storage(spheres.size(), lists);
+    const FloatView view = float_view(camera, size, gpu_unit);
     frame_.forward = glm::vec4(view.rays.forward, 0.0F);
     frame_.right = glm::vec4(view.rays.right, 0.0F);
     frame_.up = glm::vec4(view.rays.up, 0.0F);
     frame_.error_scale = view.error_scale;
     frame_.all_doubtful = view.all_doubtful ? 1 : 0;
     frame_.picture_size = {size.width, size.height};
-    frame_.sphere_count = static_cast<std::int32_t>(spheres.center_radius.size());
-    put_into(sphere_buffer_, BlockBinding::spheres, spheres.center_radius.data(), spheres.center_radius.size() * sizeof(glm::vec4),
-             static_cast<std::size_t>(capacity_) * sizeof(glm::vec4));
+    frame_.level_count = static_cast<std::int32_t>(lists.levels.size());
+    for (std::size_t i = 0; i < lists.levels.size(); ++i) {
+        const TileLevel& level = lists.levels[i];
+        frame_.levels[i] = {level.shift, level.across, static_cast<std::int32_t>(level.first), 0};
+    }
+    if (storage_.in_block) {
+        put_into(sphere_buffer_, BlockBinding::spheres, spheres.center_radius.data(), spheres.size() * sizeof(glm::vec4),
+                 static_cast<std::size_t>(uniform_capacity_) * sizeof(glm::vec4));
+    } else {
+        sphere_table_.upload(spheres.center_radius.data(), spheres.size(), TexelKind::vec4, TextureUnit::sphere_table,
+                             storage_.tables);
+    }
+    candidate_table_.upload(lists.candidates.data(), lists.candidates.size(), TexelKind::uint_pair, TextureUnit::candidate_table,
+                            storage_.tables);
+    list_begin_table_.upload(lists.begins.data(), lists.begins.size(), TexelKind::uint, TextureUnit::list_begin_table,
+                             storage_.tables);
     check_gl("uploading the spheres");
 }
 
@@ -122,21 +166,22 @@ void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Tim
 }
 
 Image GpuRenderer::shade(const Scene& scene, const DrawnSpheres& drawn, const Background& background) {
-    if (!shade_) {
-        shade_ = make_program("shade.frag", {"SPHERE_CAPACITY " + std::to_string(capacity_)});
-        glUseProgram(shade_.name());
-        glUniform1i(glGetUniformLocation(shade_.name(), "visible_spheres"), 0);
-        color_buffer_ = make_buffer();
-    }
+    if (!shade_) shade_ = make_program("shade.frag", defines());
+    const auto color_of = [&](std::size_t i) { return scene.spheres[static_cast<std::size_t>(drawn.number(i))].color; };
     const auto channel = [](std::uint8_t value) { return static_cast<float>(value) / 255.0F; };
-    std::vector<glm::vec4> colors;
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        const Color color = scene.spheres[static_cast<std::size_t>(drawn.number(i))].color;
-        colors.emplace_back(channel(color.r), channel(color.g), channel(color.b), 1.0F);
+    if (storage_.in_block) {
+        std::vector<glm::vec4> colors;
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
+            colors.emplace_back(channel(color_of(i).r), channel(color_of(i).g), channel(color_of(i).b), 1.0F);
+        }
+        if (!color_buffer_) color_buffer_ = make_buffer();
+        put_into(color_buffer_, BlockBinding::colors, colors.data(), colors.size() * sizeof(glm::vec4),
+                 static_cast<std::size_t>(uniform_capacity_) * sizeof(glm::vec4));
+    } else {
+        std::vector<std::array<std::uint8_t, 4>> colors;
+        for (std::size_t i = 0; i < drawn.size(); ++i) colors.push_back({color_of(i).r, color_of(i).g, color_of(i).b, 255});
+        color_table_.upload(colors.data(), colors.size(), TexelKind::rgba8, TextureUnit::color_table, storage_.tables);
     }
-    assert(colors.size() <= static_cast<std::size_t>(capacity_));
-    put_into(color_buffer_, BlockBinding::colors, colors.data(), colors.size() * sizeof(glm::vec4),
-             static_cast<std::size_t>(capacity_) * sizeof(glm::vec4));
     FrameBlock frame = frame_;
     frame.background = glm::vec4(channel(background.color.r), channel(background.color.g), channel(background.color.b),
                                  background.transparent ? 0.0F : 1.0F);

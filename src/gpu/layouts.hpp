@@ -1,4 +1,4 @@
-// The uniform blocks as C++ writes them. Twins: shaders/frame.glsl and shaders/spheres.glsl; gpu/program.cpp compares the
+// The uniform blocks as C++ writes them. Twins: shaders/frame.glsl, spheres.glsl and candidates.glsl; gpu/program.cpp compares the
 // offsets with those that GL reports.
 #pragma once
 
@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
+
+#include "exact/candidates.hpp"
 
 namespace sphereview {
 
@@ -18,10 +20,11 @@ struct FrameBlock {
     glm::vec4 background{0.0F};
     glm::ivec2 picture_size{0};
     glm::ivec2 block_origin{0};
-    std::int32_t sphere_count = 0;
     float error_scale = 0.0F;
     std::int32_t all_doubtful = 0;
-    std::int32_t padding = 0;  // std140 rounds a block up to 16 bytes
+    std::int32_t level_count = 0;
+    std::int32_t padding = 0;  // std140 begins an array at a multiple of 16 bytes
+    std::array<glm::ivec4, most_tile_levels> levels{};
 };
 
 struct BlockMember {
@@ -29,23 +32,32 @@ struct BlockMember {
     std::size_t offset;
 };
 
-inline constexpr std::array<BlockMember, 9> frame_members = {{
+inline constexpr std::array<BlockMember, 10> frame_members = {{
     {"forward", offsetof(FrameBlock, forward)},
     {"right", offsetof(FrameBlock, right)},
     {"up", offsetof(FrameBlock, up)},
     {"background", offsetof(FrameBlock, background)},
     {"picture_size", offsetof(FrameBlock, picture_size)},
     {"block_origin", offsetof(FrameBlock, block_origin)},
-    {"sphere_count", offsetof(FrameBlock, sphere_count)},
     {"error_scale", offsetof(FrameBlock, error_scale)},
     {"all_doubtful", offsetof(FrameBlock, all_doubtful)},
+    {"level_count", offsetof(FrameBlock, level_count)},
+    {"levels", offsetof(FrameBlock, levels)},
 }};
 
-static_assert(sizeof(FrameBlock) == 96);
+static_assert(sizeof(FrameBlock) == 224);
 static_assert(sizeof(glm::vec4) == 16, "an element of the arrays in the blocks Spheres and Colors");
+
+static_assert(most_tile_levels == 8, "levels in frame.glsl");
+static_assert(sizeof(Candidate) == 8, "two 32-bit numbers a texel in candidates.glsl");
 
 // Where each block is bound.
 enum class BlockBinding : unsigned { frame = 0, spheres = 1, colors = 2 };
+
+// The texture unit of each sampler, by its name in the shaders.
+enum class TextureUnit : int { visible_spheres, sphere_table, color_table, candidate_table, list_begin_table };
+inline constexpr std::array<const char*, 5> sampler_names = {"visible_spheres", "sphere_table", "color_table", "candidate_table",
+                                                             "list_begin_table"};
 
 // A uniform block is guaranteed 16 KiB, 1,024 spheres; more is used up to this, which every desktop GPU offers.
 inline constexpr int largest_uniform_block = 65536;

@@ -66,6 +66,11 @@ Program make_program(std::string_view fragment_file, const std::vector<std::stri
     bind_block(program.name(), "Spheres", BlockBinding::spheres);
     bind_block(program.name(), "Colors", BlockBinding::colors);
     check_frame_layout(program.name(), fragment_file);
+    glUseProgram(program.name());
+    for (std::size_t unit = 0; unit < sampler_names.size(); ++unit) {
+        const GLint location = glGetUniformLocation(program.name(), sampler_names[unit]);
+        if (location >= 0) glUniform1i(location, static_cast<GLint>(unit));
+    }
     return program;
 }
 

@@ -13,10 +13,6 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Many minutes of work on the CPU, in blocks short enough for a progress bar.
-constexpr int endless_spheres = 5000;
-constexpr const char* endless_size = "10000x10000";
-
 class Interrupt : public testing::TestWithParam<std::pair<int, int>> {
 protected:
     Interrupt() { mkfifo(folder_.path("scene").c_str(), 0600); }
@@ -31,7 +27,7 @@ TEST_P(Interrupt, WhileReadingOrRenderingLeavesNothing) {
         folder_.write("old.png", "old");
         Running program(cpu_render(folder_, {"scene", "-s", endless_size, "-o", "old.png"}));
         std::ofstream scene(folder_.path("scene"));
-        scene << many_spheres(endless_spheres);
+        scene << endless_scene();
         if (whole_scene) scene.close();  // now it renders, or is about to
         program.send(signal_number);
         const Outcome outcome = program.wait();
@@ -77,7 +73,7 @@ TEST_P(Interrupt, AtAnySystemCallLeavesAllOrNothing) {
 TEST_P(Interrupt, ClearsTheProgressBar) {
     const auto [signal_number, status] = GetParam();
     Command command = cpu_render(folder_, {"-", "-s", endless_size, "-o", "new.png"});
-    command.input = many_spheres(endless_spheres);
+    command.input = endless_scene();
     command.errors_to_terminal = true;
     Running program(command);
     ASSERT_TRUE(program.wait_for_errors(" %"));

@@ -11,8 +11,8 @@ namespace {
 
 // Work that lasts longer than the bar's patience on any machine: it is ended by the test.
 Command endless_render(const TemporaryFolder& folder) {
-    folder.write("endless.txt", many_spheres(5000));
-    return cpu_render(folder, {"endless.txt", "-s", "10000x10000"});
+    folder.write("endless.txt", endless_scene());
+    return cpu_render(folder, {"endless.txt", "-s", endless_size});
 }
 
 TEST(ProgressBar, IsShownOnATerminalWhenTheWorkIsLong) {

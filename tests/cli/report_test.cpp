@@ -11,8 +11,10 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> phases = {"read",      "context", "shaders", "upload", "trace",
-                                         "read back", "resolve", "encode",  "write"};
+const std::vector<std::string> phases = {"read",  "context",   "shaders", "lists",  "upload",
+                                         "trace", "read back", "resolve", "encode", "write"};
+
+const std::string one_tile = "red.txt: tiles of 8 pixels, candidates: 1, in the longest list: 1; spheres in memory";
 
 class Report : public testing::Test {
 protected:
@@ -29,7 +31,8 @@ TEST_F(Report, TimingsAreOneLineAPhaseInOrderThenTheDecisionsOnStandardError) {
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.output, "");
     const std::vector<std::string> said = lines(outcome.errors);
-    ASSERT_EQ(said.size(), phases.size() + 1) << outcome;
+    ASSERT_EQ(said.size(), phases.size() + 2) << outcome;
+    EXPECT_EQ(said[phases.size()], one_tile);
     EXPECT_EQ(said.back(), "red.txt: pixels decided: 25 in float, 0 in double, 0 exactly");
     for (std::size_t i = 0; i < phases.size(); ++i) EXPECT_TRUE(matches(said[i], phases[i] + " +[0-9]+\\.[0-9]{3} ms"));
 }
@@ -50,6 +53,8 @@ TEST_F(Report, JsonIsOneLineASceneOnStandardOutput) {
     EXPECT_EQ(good["spheres"], 1);
     EXPECT_EQ(good["backend"], "cpu");
     EXPECT_EQ(good["passed_over"], Json::array());
+    EXPECT_EQ(good["spheres_in"], "memory");
+    EXPECT_EQ(good["tiles"], Json::parse(R"({"sides": [8], "candidates": 1, "longest_list": 1})"));
     EXPECT_FALSE(good.contains("comparison"));
     ASSERT_EQ(good["timings_ms"].size(), phases.size());
     for (const std::string& phase : phases) EXPECT_GE(good["timings_ms"][phase].get<double>(), 0.0) << phase;
@@ -95,14 +100,16 @@ TEST_F(Report, VerboseNamesTheBackendAndHowPixelsWereDecidedOnStandardError) {
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.output, "");
     EXPECT_EQ(outcome.errors,
-              "red.txt: backend: cpu\nred.txt: pixels decided: 25 in float, 0 in double, 0 exactly\n"
-              "two.txt: backend: cpu\ntwo.txt: pixels decided: 25 in float, 0 in double, 0 exactly\n");
+              "red.txt: backend: cpu\n" + one_tile +
+                  "\nred.txt: pixels decided: 25 in float, 0 in double, 0 exactly\n"
+                  "two.txt: backend: cpu\ntwo.txt: tiles of 8 pixels, candidates: 2, in the longest list: 2; spheres in memory\n"
+                  "two.txt: pixels decided: 25 in float, 0 in double, 0 exactly\n");
 }
 
 TEST_F(Report, WithoutCertifyingNothingIsCounted) {
     const Outcome outcome = render(folder_, {"red.txt", "-s", "5x5", "--verbose", "--no-certify"});
     EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(outcome.errors, "red.txt: backend: cpu\n");
+    EXPECT_EQ(outcome.errors, "red.txt: backend: cpu\n" + one_tile + "\n");
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST_P(ShaderInContext, ErrorsNameTheFileAndLineAsWritten) {
     // A file, and the line in it where a mistake is put.
     const std::vector<std::pair<std::string, std::string>> cases = {{"trace.frag", "out int visible;"},
                                                                     {"trace.frag", "void main()"},
-                                                                    {"spheres.glsl", "vec4 sphere_at(int number)"},
+                                                                    {"spheres.glsl", "vec4 sphere_at(int index) { return center_radius"},
                                                                     {"visible.glsl", "const int visible_background"}};
     for (const auto& [file, line] : cases) {
         const std::string& text = shader_texts()[file];

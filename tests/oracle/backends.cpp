@@ -33,11 +33,12 @@ OpenBackend opened(Backend backend) {
 
 Image flat_picture(OpenBackend& backend, const Scene& scene, PictureSize size, bool certify, DecisionCounts* counts) {
     Timings timings;
-    DecisionCounts own_counts;
+    PictureFacts facts;
     Progress progress(false);
     const PictureOptions options{size, scene.background, certify};
-    return render_picture(backend, scene, drawn_spheres(scene), options, timings, counts != nullptr ? *counts : own_counts,
-                          progress);
+    Image picture = render_picture(backend, scene, drawn_spheres(scene), options, timings, facts, progress);
+    if (counts != nullptr) *counts += facts.decisions;
+    return picture;
 }
 
 std::vector<std::int32_t> visible_spheres(OpenBackend& backend, const Trial& trial, bool certify, DecisionCounts* counts) {

@@ -111,7 +111,7 @@ TEST(DrawnSpheres, stay_finite_whatever_the_numbers) {
             ASSERT_EQ(as_sign(drawn.side(k)), oracle::eye_side(sphere, trial.scene.camera.eye)) << trial.name;
         }
         for (const double unit : {float_unit, gpu_unit}) {
-            const FloatView view = float_view(drawn, trial.scene.camera, trial.size, unit);
+            const FloatView view = float_view(trial.scene.camera, trial.size, unit);
             ASSERT_TRUE(std::isfinite(view.error_scale)) << trial.name;
             for (const glm::vec3& v : {view.rays.forward, view.rays.right, view.rays.up}) {
                 ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) << trial.name;

@@ -2,11 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
+
 namespace sphereview::test {
 
 std::string many_spheres(int count) {
     std::string text = std::to_string(count) + "\n";
     for (int i = 0; i < count; ++i) text += "1 2 3\n0 0 " + std::to_string(1000 + i) + "\n1\n";
+    return text;
+}
+
+std::string endless_scene() {
+    constexpr int count = 20;
+    std::array<char, 64> line{};
+    std::string text = std::to_string(count) + "\n";
+    for (int i = 0; i < count; ++i) {
+        std::snprintf(line.data(), line.size(), "1 2 3  0 0 0  %.17g\n", 1000 + i * 0x1p-43);
+        text += line.data();
+    }
     return text;
 }
 

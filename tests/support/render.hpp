@@ -19,8 +19,13 @@ inline constexpr const char* blue_scene = "1\n0 0 250\n0 0 200\n20\n";
 // One sphere whose radius is not allowed: an error at line 4, column 1.
 inline constexpr const char* bad_scene = "1\n1 2 3\n0 0 200\n-5\n";
 
-// A text scene of `count` spheres far away, for work that takes as long as one likes.
+// A text scene of `count` spheres far away.
 std::string many_spheres(int count);
+
+// A scene whose picture takes hours at endless_size: spheres around the eye that differ in the last bit of their radii, so
+// that every pixel is decided exactly. Its blocks are short enough for a progress bar.
+std::string endless_scene();
+inline constexpr const char* endless_size = "1000x100000";
 
 // `sphereview render` on the CPU with more arguments, run in `folder`.
 Command cpu_render(const TemporaryFolder& folder, const std::vector<std::string>& arguments);

@@ -17,7 +17,8 @@ using Numbers = std::vector<std::int32_t>;
 Numbers traced(const Scene& scene, PictureSize size, const Block& block) {
     const DrawnSpheres drawn = drawn_spheres(scene);
     Numbers visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height), -7);
-    CpuRenderer(drawn, scene.camera, size).trace(block, visible);
+    const CandidateLists lists = build_lists(drawn, scene.camera, size, cpu_tile_costs);
+    CpuRenderer(drawn, lists, scene.camera, size).trace(block, visible);
     return visible;
 }
 

@@ -17,11 +17,12 @@ const std::map<std::string_view, Names> allowed = {
     {"image", {"base", "stb", "libdeflate"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact"}},
-    {"cpu", {"base", "scene", "exact", "glm"}},
-    {"gpu", {"base", "scene", "image", "exact", "glad", "glm"}},
+    {"tiles", {"base", "scene", "exact", "glm"}},
+    {"cpu", {"base", "scene", "exact", "tiles", "glm"}},
+    {"gpu", {"base", "scene", "image", "exact", "tiles", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "system"}},
-    {"app", {"base", "scene",      "image", "exact", "shade", "cpu",    "gpu",  "platform", "glm",  "toml++",
-             "stb",  "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11",    "json", "imgui"}},
+    {"app", {"base", "scene",      "image", "exact", "shade", "tiles",  "cpu",  "gpu",   "platform", "glm",  "toml++",
+             "stb",  "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11", "json",     "imgui"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.

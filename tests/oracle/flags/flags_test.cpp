@@ -17,8 +17,9 @@ void expect_the_oracles_pictures(const Trials& trials) {
         const DrawnSpheres drawn = drawn_spheres(trial.scene);
         const Block all{0, 0, trial.size.width, trial.size.height};
         std::vector<std::int32_t> visible(static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height));
-        CpuRenderer(drawn, trial.scene.camera, trial.size).trace(all, visible);
-        counts += Resolver(trial.scene, drawn, trial.size).certify(all, visible);
+        const CandidateLists lists = build_lists(drawn, trial.scene.camera, trial.size, cpu_tile_costs);
+        CpuRenderer(drawn, lists, trial.scene.camera, trial.size).trace(all, visible);
+        counts += Resolver(trial.scene, drawn, trial.size, &lists).certify(all, visible);
         ASSERT_EQ(difference(trial, "cpu as in " VARIANT, picture(trial.scene, trial.size), visible), "");
     }
     EXPECT_GT(counts.in_float, 0);

@@ -1,0 +1,46 @@
+// Which spheres a pixel can show: the lists of its screen tiles. Made by tiles/build_lists.hpp. Twin: shaders/candidates.glsl.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace sphereview {
+
+// A sphere in the list of a tile.
+struct Candidate {
+    std::uint32_t index = 0;  // among the drawn spheres
+    float nearest = 0.0F;     // its hits are not nearer to the eye than this, in the units of DrawnSpheres; at least 0
+
+    bool operator==(const Candidate&) const = default;
+};
+
+// Square tiles of one size that cover the picture, row by row.
+struct TileLevel {
+    int shift = 0;            // a tile's side is 2^shift pixels
+    int across = 0;           // tiles in a row
+    std::uint32_t first = 0;  // the number of the top left one; tiles are numbered through all levels
+
+    bool operator==(const TileLevel&) const = default;
+};
+
+inline constexpr std::size_t most_tile_levels = 8;
+
+// A pixel can show only spheres from the lists of the tiles that it lies in, one of each level, the coarsest first. In a list
+// `nearest` never falls, so that a walk may stop at a sphere that begins beyond a sure hit.
+struct CandidateLists {
+    std::vector<TileLevel> levels;            // at most most_tile_levels; only those in which something is listed
+    std::vector<std::uint32_t> begins = {0};  // where each tile's list begins; one more, for the end of the last
+    std::vector<Candidate> candidates;
+
+    // The list of the level's tile in which pixel (x, y) lies.
+    std::span<const Candidate> at(const TileLevel& level, int x, int y) const {
+        const auto across = static_cast<std::size_t>(level.across);
+        const std::size_t tile =
+            level.first + static_cast<std::size_t>(y >> level.shift) * across + static_cast<std::size_t>(x >> level.shift);
+        return {candidates.data() + begins[tile], candidates.data() + begins[tile + 1]};
+    }
+};
+
+}  // namespace sphereview

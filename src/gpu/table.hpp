@@ -1,0 +1,48 @@
+// Long arrays for shaders. Twin: shaders/tables.glsl.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gpu/gl_object.hpp"
+#include "gpu/layouts.hpp"
+
+namespace sphereview {
+
+// What to use of what the context offers, in texels; less than all for tests.
+struct TextureBounds {
+    std::size_t in_buffer = std::numeric_limits<std::size_t>::max();
+    std::size_t side = std::numeric_limits<std::size_t>::max();
+};
+
+// How the context holds long arrays.
+struct TableLimits {
+    std::size_t most_texels = 0;  // in one table
+    std::optional<int> shift;     // tables are 2D textures of 2^shift columns; none: buffer textures
+};
+
+// Buffer textures if they hold `texels`, or at least as much as 2D textures do.
+TableLimits table_limits(std::size_t texels, const TextureBounds& bounds);
+
+// The defines that shaders need for it.
+std::vector<std::string> table_defines(const TableLimits& limits);
+
+// What a texel is.
+enum class TexelKind { vec4, rgba8, uint_pair, uint };
+
+// One array, in a buffer texture or a 2D texture.
+class Table {
+public:
+    // Uploads `count` texels and binds the texture to its unit. At most limits.most_texels.
+    void upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits);
+
+private:
+    Buffer buffer_;
+    Texture texture_;
+    bool flat_ = false;  // a 2D texture
+};
+
+}  // namespace sphereview

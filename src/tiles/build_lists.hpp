@@ -1,0 +1,23 @@
+// The spheres of each screen tile, nearest first.
+#pragma once
+
+#include <cstddef>
+
+#include "exact/candidates.hpp"
+#include "exact/drawn.hpp"
+#include "scene/camera.hpp"
+
+namespace sphereview {
+
+// What tiles cost a renderer: they are chosen so that one picture costs least. It is the same whatever they are.
+struct TileCosts {
+    int smallest_shift = 0;  // no tile's side is below 2^this pixels
+    double candidate = 1.0;  // of listing one sphere in one tile
+    double test = 1.0;       // of trying one candidate for one pixel
+};
+
+// The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of
+// larger ones.
+CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs);
+
+}  // namespace sphereview

@@ -1,0 +1,47 @@
+// Which sizes of tiles suit a scene.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "exact/candidates.hpp"
+#include "scene/camera.hpp"
+#include "tiles/build_lists.hpp"
+#include "tiles/pixel_range.hpp"
+
+namespace sphereview {
+
+// A rectangle of tiles of one level, inclusive.
+struct TileRange {
+    int left;
+    int top;
+    int right;
+    int bottom;
+
+    std::int64_t count() const { return (std::int64_t{right} - left + 1) * (std::int64_t{bottom} - top + 1); }
+};
+
+// The tiles with a side of 2^shift pixels that a range of pixels touches.
+inline TileRange tiles_of(const PixelRange& pixels, int shift) {
+    return {pixels.left >> shift, pixels.top >> shift, pixels.right >> shift, pixels.bottom >> shift};
+}
+
+// The tile sizes of a picture, the finest first, each four times the one before.
+struct TilePlan {
+    std::vector<int> shifts;
+    std::int64_t most_tiles = 0;  // a sphere that covers more tiles goes to the next level; not from the last one
+
+    // The level (an index into `shifts`) in which a sphere is listed.
+    std::size_t level_of(const PixelRange& pixels) const {
+        std::size_t level = 0;
+        while (level + 1 < shifts.size() && tiles_of(pixels, shifts[level]).count() > most_tiles) ++level;
+        return level;
+    }
+};
+
+// The plan with the finest tiles that pay, judged by a sample of the spheres' ranges.
+TilePlan plan_tiles(std::span<const PixelRange> ranges, PictureSize size, const TileCosts& costs);
+
+}  // namespace sphereview

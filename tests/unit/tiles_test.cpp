@@ -1,0 +1,195 @@
+// The lists of the tiles: conservative, in order, bounded, the same each time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <random>
+
+#include "exact/resolve.hpp"
+#include "tiles/build_lists.hpp"
+#include "tiles/pixel_range.hpp"
+
+namespace sphereview {
+namespace {
+
+constexpr TileCosts fine = {.smallest_shift = 0, .candidate = 1.0, .test = 1.0};
+constexpr TileCosts coarse = {.smallest_shift = 3, .candidate = 20.0, .test = 1.0};
+
+Sphere ball(const glm::dvec3& center, double radius) { return {center, radius, {}, false}; }
+
+PixelRange range_of(const Sphere& sphere, PictureSize size, const Camera& camera = {}) {
+    Scene scene;
+    scene.camera = camera;
+    scene.spheres = {sphere};
+    return PixelPlanes(camera, size).range(drawn_spheres(scene).center_radius[0]);
+}
+
+// Whether the ray of a pixel hits the sphere, or nearly, in the textbook's doubles.
+bool nearly_hit(const Sphere& sphere, const Camera& camera, PictureSize size, Pixel pixel) {
+    const RayCoefficients k = ray_coefficients(size, pixel);
+    const double m = size.shorter_side();
+    const glm::dvec3 d =
+        m * (camera.center - camera.eye) + static_cast<double>(k.across) * camera.right + static_cast<double>(k.upward) * camera.up;
+    const glm::dvec3 c = sphere.center - camera.eye;
+    const double a = glm::dot(d, d);
+    const double b = glm::dot(c, d);
+    const double discriminant = b * b - a * (glm::dot(c, c) - sphere.radius * sphere.radius);
+    return discriminant >= 0.0 && b + std::sqrt(discriminant) > 0.0;
+}
+
+bool holds(const PixelRange& range, Pixel pixel) {
+    return pixel.x >= range.left && pixel.x <= range.right && pixel.y >= range.top && pixel.y <= range.bottom;
+}
+
+TEST(PixelRange, IsTightAroundASphereStraightAhead) {
+    // It covers 3 pixels of 11 on its axis: the planes of the pixels beside those pass it by.
+    EXPECT_EQ(range_of(ball({0, 0, 100}, 10), {11, 11}), (PixelRange{4, 4, 6, 6}));
+    EXPECT_EQ(range_of(ball({0, 0, 100}, 1), {11, 11}), (PixelRange{5, 5, 5, 5}));
+}
+
+TEST(PixelRange, IsEmptyForWhatNoPixelShows) {
+    EXPECT_TRUE(range_of(ball({0, 0, -100}, 10), {100, 100}).empty());    // behind the eye
+    EXPECT_TRUE(range_of(ball({300, 0, 100}, 10), {100, 100}).empty());   // beside the picture
+    EXPECT_TRUE(range_of(ball({0, -300, 100}, 10), {100, 100}).empty());  // below it
+    EXPECT_TRUE(range_of(ball({0, 0, 100}, 0.1), {100, 100}).empty());    // between the pixels' centres
+    EXPECT_FALSE(range_of(ball({0, 0, 100}, 0.1), {101, 101}).empty());
+}
+
+TEST(PixelRange, HoldsASphereThatCrossesTheEyesPlane) {
+    const PixelRange range = range_of(ball({20, 0, 10}, 15), {1000, 1000});
+    EXPECT_NEAR(range.left, 890, 1);
+    EXPECT_EQ(range.right, 999);
+    EXPECT_EQ(range_of(ball({0, 0, 0}, 15), {1000, 1000}), (PixelRange{0, 0, 999, 999}));  // around the eye
+}
+
+TEST(PixelRange, IsTheWholePictureWhereNothingIsKnown) {
+    EXPECT_EQ(PixelPlanes({}, {7, 5}).range(glm::vec4(0.0F)), (PixelRange{0, 0, 6, 4}));
+    Camera oblique;
+    oblique.center = {1e6, 0, 100};
+    EXPECT_EQ(range_of(ball({0, 0, 100}, 1), {7, 5}, oblique), (PixelRange{0, 0, 6, 4}));
+}
+
+TEST(PixelRange, HoldsEveryPixelThatMayShowTheSphere) {
+    std::mt19937_64 random(20261);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const PictureSize sizes[] = {{31, 17}, {64, 64}, {1, 40}, {97, 1}};
+    int hits = 0;
+    for (int trial = 0; trial < 20'000; ++trial) {
+        SCOPED_TRACE(trial);
+        const PictureSize size = sizes[trial % 4];
+        Camera camera;
+        if (trial % 3 != 0) {
+            const double field = std::exp(3.0 * unit(random));
+            const glm::dvec3 right = glm::normalize(glm::dvec3(unit(random), unit(random), unit(random)));
+            const glm::dvec3 up = glm::normalize(glm::cross(right, glm::dvec3(unit(random), unit(random), unit(random))));
+            camera.eye = 50.0 * glm::dvec3(unit(random), unit(random), unit(random));
+            camera.right = field * right;
+            camera.up = field * up;
+            camera.center = camera.eye + glm::cross(right, up) + unit(random) * right + unit(random) * up;
+        }
+        const glm::dvec3 center = camera.eye + std::exp(5.0 * unit(random)) * glm::dvec3(unit(random), unit(random), unit(random));
+        const Sphere sphere = ball(center, glm::length(center - camera.eye) * std::exp(4.0 * unit(random) - 2.0));
+        const PixelRange range = range_of(sphere, size, camera);
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                if (!nearly_hit(sphere, camera, size, {x, y})) continue;
+                ++hits;
+                ASSERT_TRUE(holds(range, {x, y})) << x << " " << y;
+            }
+        }
+    }
+    EXPECT_GT(hits, 100'000);
+}
+
+Scene cloud(std::size_t count, double radius, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    Scene scene;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double z = 300.0 + 200.0 * unit(random);
+        scene.spheres.push_back(ball({0.5 * z * unit(random), 0.5 * z * unit(random), z}, radius * (1.5 + unit(random))));
+    }
+    return scene;
+}
+
+// Every list in order and without a sphere twice; and each sphere's hits no nearer than it says.
+void expect_lists_in_order(const CandidateLists& lists, const DrawnSpheres& drawn) {
+    for (std::size_t tile = 0; tile + 1 < lists.begins.size(); ++tile) {
+        for (std::uint32_t i = lists.begins[tile]; i < lists.begins[tile + 1]; ++i) {
+            const Candidate& candidate = lists.candidates[i];
+            const glm::dvec4 s(drawn.center_radius[candidate.index]);
+            ASSERT_LE(candidate.nearest, glm::length(glm::dvec3(s)) - s.w);
+            if (i == lists.begins[tile]) continue;
+            ASSERT_LE(lists.candidates[i - 1].nearest, candidate.nearest);
+            ASSERT_NE(lists.candidates[i - 1].index, candidate.index);
+        }
+    }
+}
+
+TEST(CandidateLists, HoldEverySphereThatAPixelShows) {
+    const PictureSize size{203, 150};
+    for (const auto& [count, radius] : {std::pair<std::size_t, double>{3, 100.0}, {300, 10.0}, {5000, 1.0}, {30'000, 0.5}}) {
+        const Scene scene = cloud(count, radius, 7);
+        const DrawnSpheres drawn = drawn_spheres(scene);
+        const Resolver by_all(scene, drawn, size);
+        for (const TileCosts& costs : {fine, coarse}) {
+            const CandidateLists lists = build_lists(drawn, scene.camera, size, costs);
+            expect_lists_in_order(lists, drawn);
+            const Resolver by_lists(scene, drawn, size, &lists);
+            DecisionLevel level{};
+            for (int y = 0; y < size.height; y += 5) {
+                for (int x = 0; x < size.width; x += 3) ASSERT_EQ(by_lists.resolve({x, y}, level), by_all.resolve({x, y}, level));
+            }
+        }
+    }
+}
+
+TEST(CandidateLists, AreTheSameEachTime) {
+    const Scene scene = cloud(20'000, 2.0, 8);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const CandidateLists first = build_lists(drawn, scene.camera, {500, 500}, fine);
+    for (int round = 0; round < 5; ++round) {
+        const CandidateLists again = build_lists(drawn, scene.camera, {500, 500}, fine);
+        ASSERT_EQ(again.begins, first.begins);
+        ASSERT_TRUE(again.candidates == first.candidates && again.levels == first.levels);
+    }
+}
+
+// Spheres that all cover the whole picture, and others that all lie in one tile.
+TEST(CandidateLists, StayInProportionToTheSpheres) {
+    for (const double radius : {0.001, 2.0, 90.0, 900.0}) {
+        Scene scene;
+        for (int i = 0; i < 50'000; ++i) scene.spheres.push_back(ball({0.001, 0.001, 1000.0 + i * 1e-3}, radius));
+        const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, fine);
+        EXPECT_LE(lists.candidates.size(), 16U * scene.spheres.size()) << radius;
+        EXPECT_LE(lists.levels.size(), most_tile_levels);
+    }
+}
+
+TEST(CandidateLists, AdaptTheirTilesToTheScene) {
+    const auto finest = [](const Scene& scene) {
+        const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, fine);
+        return lists.levels.back().shift;
+    };
+    EXPECT_GT(finest(cloud(4, 50.0, 9)), finest(cloud(100'000, 0.2, 9)));
+}
+
+TEST(CandidateLists, AreEmptyWithoutSpheres) {
+    const CandidateLists lists = build_lists({}, {}, {10, 10}, fine);
+    EXPECT_TRUE(lists.levels.empty() && lists.candidates.empty());
+}
+
+TEST(CandidateLists, SuitPicturesOfAnyShape) {
+    const Scene scene = cloud(1000, 5.0, 10);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    for (const PictureSize size : {PictureSize{1, 1}, {1, 100'000}, {300'000'000, 1}, {65'000, 3}, {20'000, 20'000}}) {
+        const CandidateLists lists = build_lists(drawn, scene.camera, size, fine);
+        EXPECT_LE(lists.begins.size(), 2U << 20) << size.width;
+        for (const TileLevel& level : lists.levels) lists.at(level, size.width - 1, size.height - 1);
+        expect_lists_in_order(lists, drawn);
+    }
+}
+
+}  // namespace
+}  // namespace sphereview
