@@ -1,11 +1,12 @@
 #include "tiles/build_lists.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <memory>
+#include <limits>
+#include <new>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "tiles/pixel_range.hpp"
@@ -16,7 +17,6 @@ namespace sphereview {
 namespace {
 
 constexpr std::size_t spheres_at_once = 4096;
-constexpr std::size_t tiles_at_once = 256;
 constexpr double tolerance = 0x1p-21;  // of |x| + |y| + |z| + r, for the rounding to float of the input and of the result
 
 // No hit of the sphere is nearer to the eye than this.
@@ -28,7 +28,7 @@ float nearest_distance(const glm::vec4& sphere) {
     return static_cast<float>(std::max(0.0, std::fabs(glm::length(center) - radius) - tolerance * all));
 }
 
-// Nearest first; of equally near ones the order does not matter, but it should be the same each time.
+// Nearest first; of equally near ones the order does not matter, but it is the same each time.
 void sort(Candidate* begin, Candidate* end) {
     // Floats that are not negative are in the order of their bits.
     static_assert(std::endian::native == std::endian::little && sizeof(Candidate) == sizeof(std::uint64_t));
@@ -37,37 +37,99 @@ void sort(Candidate* begin, Candidate* end) {
     });
 }
 
-// All tiles of all levels, and which of them a sphere is in.
-class Tiles {
+// Some rows of one level's tiles, few enough that their lists stay in the processor's cache while they are filled.
+struct Band {
+    TileLevel level;
+    int first_row;
+    int end_row;
+
+    std::uint32_t tile(int x, int y) const {
+        return level.first + static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(level.across) +
+               static_cast<std::uint32_t>(x);
+    }
+};
+
+// A sphere in the tiles of a band that it can be seen through.
+struct Entry {
+    Candidate candidate;
+    TileRange tiles;
+};
+
+// All tiles of all levels, and which band a row of them is in.
+class Bands {
 public:
-    Tiles(const TilePlan& plan, PictureSize size) : plan_(plan) {
+    Bands(const TilePlan& plan, PictureSize size) : plan_(plan) {
         for (const int shift : plan.shifts) {
             const auto along = [=](int pixels) { return ((pixels - 1) >> shift) + 1; };
-            levels_.push_back({shift, along(size.width), count_});
-            count_ += static_cast<std::uint32_t>(along(size.width)) * static_cast<std::uint32_t>(along(size.height));
+            const TileLevel level{shift, along(size.width), tiles_};
+            const int rows = along(size.height);
+            const int rows_at_once = (rows + bands_per_level - 1) / bands_per_level;
+            levels_.push_back({level, bands_.size(), rows_at_once});
+            for (int row = 0; row < rows; row += rows_at_once) bands_.push_back({level, row, std::min(rows, row + rows_at_once)});
+            tiles_ += static_cast<std::uint32_t>(level.across) * static_cast<std::uint32_t>(rows);
         }
     }
 
-    std::uint32_t count() const { return count_; }
-    const std::vector<TileLevel>& levels() const { return levels_; }
+    std::size_t size() const { return bands_.size(); }
+    const Band& operator[](std::size_t i) const { return bands_[i]; }
+    std::uint32_t tile_count() const { return tiles_; }
 
-    // Calls visit(tile) for the number of each tile that the sphere is listed in.
+    // Calls visit(band number, tiles) for each band that has tiles in which the sphere is listed.
     template <typename Visit>
     void for_each(const PixelRange& range, const Visit& visit) const {
         if (range.empty()) return;
-        const TileLevel& level = levels_[plan_.level_of(range)];
-        const TileRange tiles = tiles_of(range, level.shift);
-        for (int y = tiles.top; y <= tiles.bottom; ++y) {
-            const std::uint32_t row = level.first + static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(level.across);
-            for (int x = tiles.left; x <= tiles.right; ++x) visit(row + static_cast<std::uint32_t>(x));
+        const Level& level = levels_[plan_.level_of(range)];
+        const TileRange tiles = tiles_of(range, level.tiles.shift);
+        for (int row = tiles.top; row <= tiles.bottom;) {
+            const std::size_t band = level.first_band + static_cast<std::size_t>(row / level.rows_at_once);
+            const int end = std::min(tiles.bottom + 1, bands_[band].end_row);
+            visit(band, TileRange{tiles.left, row, tiles.right, end - 1});
+            row = end;
         }
     }
 
 private:
+    static constexpr int bands_per_level = 64;
+    struct Level {
+        TileLevel tiles;
+        std::size_t first_band;
+        int rows_at_once;
+    };
+
     const TilePlan& plan_;
-    std::vector<TileLevel> levels_;
-    std::uint32_t count_ = 0;
+    std::vector<Level> levels_;
+    std::vector<Band> bands_;
+    std::uint32_t tiles_ = 0;
 };
+
+// How much of a band comes from each piece of the spheres, and later where it goes.
+struct Share {
+    std::size_t entries = 0;
+    std::size_t candidates = 0;
+};
+
+// Fills a band's part of the lists: a counting sort by tile, then each list by distance.
+void fill(const Band& band, const Entry* begin, const Entry* end, std::size_t first_candidate, CandidateLists& lists) {
+    const std::uint32_t first_tile = band.tile(0, band.first_row);
+    const std::uint32_t end_tile = band.tile(0, band.end_row);
+    const auto for_each_tile = [&](const auto& visit) {
+        for (const Entry* entry = begin; entry != end; ++entry) {
+            const TileRange& tiles = entry->tiles;
+            for (int y = tiles.top; y <= tiles.bottom; ++y) {
+                for (int x = tiles.left; x <= tiles.right; ++x) visit(band.tile(x, y), entry->candidate);
+            }
+        }
+    };
+    std::uint32_t* const begins = lists.begins.data();
+    for_each_tile([&](std::uint32_t tile, const Candidate&) { ++begins[tile]; });
+    auto sum = static_cast<std::uint32_t>(first_candidate);
+    for (std::uint32_t tile = first_tile; tile < end_tile; ++tile) begins[tile] = sum += begins[tile];
+    // Backwards from each list's end, so that the places end as the beginnings.
+    for_each_tile([&](std::uint32_t tile, const Candidate& candidate) { lists.candidates[--begins[tile]] = candidate; });
+    for (std::uint32_t tile = first_tile; tile < end_tile; ++tile) {
+        sort(lists.candidates.data() + begins[tile], lists.candidates.data() + (tile + 1 < end_tile ? begins[tile + 1] : sum));
+    }
+}
 
 }  // namespace
 
@@ -80,41 +142,59 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
         for (std::size_t i = begin; i < end; ++i) ranges[i] = planes.range(spheres.center_radius[i]);
     });
     const TilePlan plan = plan_tiles(ranges, size, costs);
-    const Tiles tiles(plan, size);
+    const Bands bands(plan, size);
 
-    // A counting sort by tile. Threads fill a list in any order; sorting it by distance makes it the same each time.
-    const auto places = std::make_unique<std::atomic<std::uint32_t>[]>(tiles.count());
-    parallel_pieces(ranges.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    // Into the bands first: writing straight into lists all over memory would take most of the time.
+    const std::size_t piece = std::max(spheres_at_once, ranges.size() / 64 + 1);
+    const std::size_t pieces = (ranges.size() + piece - 1) / piece;
+    std::vector<Share> shares(pieces * bands.size());
+    const auto share_of = [&](std::size_t sphere, std::size_t band) -> Share& {
+        return shares[sphere / piece * bands.size() + band];
+    };
+    parallel_pieces(ranges.size(), piece, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            tiles.for_each(ranges[i], [&](std::uint32_t tile) { places[tile].fetch_add(1, std::memory_order_relaxed); });
-        }
-    });
-    lists.begins.resize(std::size_t{tiles.count()} + 1);
-    std::uint32_t sum = 0;
-    for (std::uint32_t tile = 0; tile < tiles.count(); ++tile) {
-        lists.begins[tile] = sum;
-        sum += places[tile].load(std::memory_order_relaxed);
-        places[tile].store(lists.begins[tile], std::memory_order_relaxed);
-    }
-    lists.begins[tiles.count()] = sum;
-    lists.candidates.resize(sum);
-    parallel_pieces(ranges.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const Candidate candidate = {static_cast<std::uint32_t>(i), nearest_distance(spheres.center_radius[i])};
-            tiles.for_each(ranges[i], [&](std::uint32_t tile) {
-                lists.candidates[places[tile].fetch_add(1, std::memory_order_relaxed)] = candidate;
+            bands.for_each(ranges[i], [&](std::size_t band, const TileRange& tiles) {
+                Share& share = share_of(i, band);
+                ++share.entries;
+                share.candidates += static_cast<std::size_t>(tiles.count());
             });
         }
     });
-    parallel_pieces(tiles.count(), tiles_at_once, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t tile = begin; tile < end; ++tile) {
-            sort(lists.candidates.data() + lists.begins[tile], lists.candidates.data() + lists.begins[tile + 1]);
+    std::vector<Share> begins(bands.size() + 1);  // of each band
+    Share sum;
+    for (std::size_t band = 0; band < bands.size(); ++band) {
+        begins[band] = sum;
+        for (std::size_t i = 0; i < pieces; ++i) {
+            Share& share = shares[i * bands.size() + band];
+            sum.candidates += share.candidates;
+            sum.entries += std::exchange(share.entries, sum.entries);
+        }
+    }
+    begins[bands.size()] = sum;
+    if (sum.candidates > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();  // 34 GB
+
+    std::vector<Entry> entries(sum.entries);
+    parallel_pieces(ranges.size(), piece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const Candidate candidate = {static_cast<std::uint32_t>(i), nearest_distance(spheres.center_radius[i])};
+            bands.for_each(ranges[i], [&](std::size_t band, const TileRange& tiles) {
+                entries[share_of(i, band).entries++] = {candidate, tiles};
+            });
         }
     });
+    ranges = {};
 
-    for (auto level = tiles.levels().rbegin(); level != tiles.levels().rend(); ++level) {
-        const std::uint32_t end = level == tiles.levels().rbegin() ? tiles.count() : (level - 1)->first;
-        if (lists.begins[end] > lists.begins[level->first]) lists.levels.push_back(*level);
+    lists.begins.assign(std::size_t{bands.tile_count()} + 1, 0);
+    lists.begins.back() = static_cast<std::uint32_t>(sum.candidates);
+    lists.candidates.resize(sum.candidates);
+    parallel_for(bands.size(), [&](std::size_t band) {
+        fill(bands[band], entries.data() + begins[band].entries, entries.data() + begins[band + 1].entries, begins[band].candidates,
+             lists);
+    });
+
+    for (std::size_t band = bands.size(); band-- > 0;) {
+        if (begins[band].entries == begins[band + 1].entries) continue;
+        if (lists.levels.empty() || !(lists.levels.back() == bands[band].level)) lists.levels.push_back(bands[band].level);
     }
     return lists;
 }

@@ -15,10 +15,10 @@ namespace sphereview {
 
 // A rectangle of tiles of one level, inclusive.
 struct TileRange {
-    int left;
-    int top;
-    int right;
-    int bottom;
+    int left = 0;
+    int top = 0;
+    int right = -1;
+    int bottom = -1;
 
     std::int64_t count() const { return (std::int64_t{right} - left + 1) * (std::int64_t{bottom} - top + 1); }
 };

@@ -1,0 +1,93 @@
+// What a frame costs when nothing but the picture is wanted: building the lists, and tracing with lists built.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "app/backend.hpp"
+#include "cpu/cpu_renderer.hpp"
+#include "random_scene.hpp"
+
+namespace {
+
+using namespace sphereview;
+
+constexpr PictureSize size{1000, 1000};
+constexpr Block whole_picture{0, 0, size.width, size.height};
+
+double wall_ms() { return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+// User and system time of all threads.
+double cpu_ms() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto in_ms = [](const timeval& t) { return 1e3 * static_cast<double>(t.tv_sec) + 1e-3 * static_cast<double>(t.tv_usec); };
+    return in_ms(usage.ru_utime) + in_ms(usage.ru_stime);
+}
+
+struct Cost {
+    double wall;
+    double cpu;
+};
+
+// Medians over `runs` calls, after one that warms up.
+template <typename Work>
+Cost median_cost(int runs, const Work& work) {
+    work();
+    std::vector<double> wall;
+    std::vector<double> cpu;
+    for (int i = 0; i < runs; ++i) {
+        const double wall_begin = wall_ms();
+        const double cpu_begin = cpu_ms();
+        work();
+        wall.push_back(wall_ms() - wall_begin);
+        cpu.push_back(cpu_ms() - cpu_begin);
+    }
+    const auto median = [](std::vector<double>& values) {
+        std::ranges::sort(values);
+        return values[values.size() / 2];
+    };
+    return {median(wall), median(cpu)};
+}
+
+void print(const char* what, const Cost& cost) {
+    std::printf("\"%s\": {\"wall_ms\": %.3f, \"cpu_ms\": %.3f}, ", what, cost.wall, cost.cpu);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 4 || (std::string(argv[1]) != "volume" && std::string(argv[1]) != "half")) {
+        std::fprintf(stderr, "usage: frames volume|half COUNT RUNS: one JSON line on standard output\n");
+        return 2;
+    }
+    const std::size_t count = std::strtoul(argv[2], nullptr, 10);
+    const int runs = std::max(1, std::atoi(argv[3]));
+    const Scene scene = random_scene(std::string(argv[1]) == "volume" ? SceneSet::volume : SceneSet::half, count);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    std::vector<std::int32_t> visible(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
+    Timings timings;
+
+    std::printf("{\"set\": \"%s\", \"count\": %zu, ", argv[1], count);
+    print("drawn", median_cost(runs, [&] { drawn_spheres(scene); }));
+    CandidateLists lists;
+    print("cpu lists", median_cost(runs, [&] { lists = build_lists(drawn, scene.camera, size, cpu_tile_costs); }));
+    const CpuRenderer cpu(drawn, lists, scene.camera, size);
+    print("cpu frame", median_cost(runs, [&] { cpu.trace(whole_picture, visible); }));
+
+    print("gpu lists", median_cost(runs, [&] { lists = build_lists(drawn, scene.camera, size, gpu_tile_costs); }));
+    OpenBackend& backend = *new OpenBackend(open_backend(Backend::egl, std::nullopt, timings));
+    GpuRenderer& gpu = *backend.gpu;
+    print("upload", median_cost(runs, [&] { gpu.upload(drawn, lists, scene.camera, size, timings); }));
+    const auto median_trace = median_cost(runs, [&] { gpu.trace(whole_picture, visible, timings); });
+    print("gpu frame with read back", median_trace);
+    std::printf("\"tiles\": [");
+    for (std::size_t i = 0; i < lists.levels.size(); ++i) std::printf(i == 0 ? "%d" : ", %d", 1 << lists.levels[i].shift);
+    std::printf("], \"candidates\": %zu, \"renderer\": \"%s\"}\n", lists.candidates.size(), backend.description.c_str());
+    std::fflush(stdout);
+    std::_Exit(0);
+}
