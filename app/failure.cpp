@@ -15,6 +15,8 @@ Failure describe_current_exception() {
         return {ExitCode::no_output, error.what()};
     } catch (const RenderError& error) {
         return {ExitCode::no_renderer, error.what()};
+    } catch (const MemoryError& error) {
+        return {ExitCode::no_renderer, error.what()};
     } catch (const std::bad_alloc&) {
         return {ExitCode::no_renderer, "sphereview: memory ran out"};
     } catch (const std::exception& error) {

@@ -1,14 +1,40 @@
 #include "app/load_scene.hpp"
 
+#include <algorithm>
+
 #include "base/input_file.hpp"
 #include "scene/scene_format.hpp"
 
 namespace sphereview {
 
-LoadedScene load_scene(const std::string& path) {
-    InputFile file(path);
-    Scene scene = parse_scene(file.bytes(), file.name(), [&](std::size_t bytes) { file.release_first(bytes); });
-    return {std::move(scene), file.name()};
+namespace {
+
+// Small enough to stay in the processor's cache, large enough to keep many cores at work.
+constexpr std::size_t block = std::size_t{1} << 22;
+
+std::vector<Sphere> read_text(InputStream& stream, Progress* progress) {
+    SphereTextReader reader(stream.name(), {}, stream.size());
+    while (true) {
+        stream.drop_first(reader.read(stream.bytes(), stream.ended()));
+        if (stream.ended()) return reader.take_spheres();
+        if (progress != nullptr) progress->update(reader.fraction());
+        stream.fill(std::max(block, 2 * stream.bytes().size()));  // more than a block when a token has not ended in it
+    }
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& path, Progress* progress) {
+    InputStream stream(path);
+    if (progress != nullptr) progress->start(stream.name());
+    stream.fill(std::min(block, stream.size().value_or(block) + 1));
+    if (detect_format(stream.bytes(), stream.name()) == SceneFormat::text) {
+        Scene scene;
+        scene.spheres = read_text(stream, progress);
+        return {std::move(scene), stream.name()};
+    }
+    stream.fill();
+    return {parse_scene(stream.bytes(), stream.name()), stream.name()};
 }
 
 }  // namespace sphereview

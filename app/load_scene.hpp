@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/progress.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
@@ -13,8 +14,8 @@ struct LoadedScene {
     std::string name;
 };
 
-// Reads a scene file of any format, or standard input for "-"; gives back the memory of the text while it reads.
-// Throws InputError.
-LoadedScene load_scene(const std::string& path);
+// Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
+// InputError, and MemoryError when it cannot fit.
+LoadedScene load_scene(const std::string& path, Progress* progress = nullptr);
 
 }  // namespace sphereview

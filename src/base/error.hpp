@@ -17,6 +17,11 @@ struct RenderError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// What was asked does not fit in memory; the message has the figures.
+struct MemoryError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 // An output could not be written, and why.
 struct OutputError : std::runtime_error {
     using std::runtime_error::runtime_error;

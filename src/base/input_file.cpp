@@ -2,19 +2,13 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 
+#include "base/available_memory.hpp"
 #include "base/error.hpp"
 #include "base/standard_streams.hpp"
-
-#ifndef _WIN32
-#include <sys/mman.h>
-#include <unistd.h>
-#endif
 
 namespace sphereview {
 
@@ -24,60 +18,70 @@ namespace {
 
 constexpr std::size_t most_streamed = std::size_t{1} << 31;
 
+int leave_open(std::FILE*) { return 0; }
+
 }  // namespace
 
-InputFile::InputFile(const std::string& path, Content content) : name_(path == standard_stream ? "stdin" : path) {
+InputStream::InputStream(const std::string& path, Content content)
+    : name_(path == standard_stream ? "stdin" : path), file_(nullptr, &leave_open) {
     const bool from_stdin = path == standard_stream;
-    const auto fail = [&](const std::string& why) -> void { throw InputError(name_ + ": cannot be read: " + why); };
-
     std::error_code ignored;
     if (!from_stdin && fs::is_directory(path, ignored)) fail("it is a folder; expected a file");
     std::FILE* file = from_stdin ? binary_stdin() : std::fopen(path.c_str(), "rb");
     if (file == nullptr) fail(std::strerror(errno));
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> closer(from_stdin ? nullptr : file, &std::fclose);
+    file_ = {file, from_stdin ? &leave_open : &std::fclose};
 
     const bool regular = !from_stdin && fs::is_regular_file(path, ignored);
-    std::size_t capacity = 1 << 16;
-    if (regular) {
-        const auto size = fs::file_size(path, ignored);
-        if (!ignored) capacity = static_cast<std::size_t>(size) + 1;  // one more, so that the end is met without growing
+    ends_at_zero_ = !regular && content == Content::text;
+    if (!regular) return;
+    const auto size = fs::file_size(path, ignored);
+    if (!ignored && size != 0) size_ = static_cast<std::size_t>(size);
+}
+
+void InputStream::fail(const std::string& why) const { throw InputError(name_ + ": cannot be read: " + why); }
+
+void InputStream::make_room(std::size_t capacity) {
+    if (capacity <= capacity_) {
+        std::memmove(data_.get(), data_.get() + begin_, end_ - begin_);
+    } else {
+        auto grown = std::make_unique_for_overwrite<char[]>(capacity);
+        std::copy_n(data_.get() + begin_, end_ - begin_, grown.get());
+        data_ = std::move(grown);
+        capacity_ = capacity;
     }
-    data_ = std::make_unique_for_overwrite<char[]>(capacity);
-    while (true) {
-        if (size_ == capacity) {
-            auto grown = std::make_unique_for_overwrite<char[]>(capacity * 2);
-            std::copy_n(data_.get(), size_, grown.get());
-            data_ = std::move(grown);
-            capacity *= 2;
-        }
+    end_ -= begin_;
+    begin_ = 0;
+}
+
+void InputStream::fill(std::size_t most) {
+    if (ended_ || end_ - begin_ >= most) return;
+    make_room(most);
+    while (end_ < most) {
         errno = 0;
-        const std::size_t count = std::fread(data_.get() + size_, 1, capacity - size_, file);
+        const std::size_t count = std::fread(data_.get() + end_, 1, most - end_, file_.get());
         if (count == 0) {
-            if (std::ferror(file) != 0) fail(errno != 0 ? std::strerror(errno) : "a read error");
+            if (std::ferror(file_.get()) != 0) fail(errno != 0 ? std::strerror(errno) : "a read error");
+            ended_ = true;
             return;
         }
-        const bool whole = regular || content == Content::binary;
-        const char* zero = whole ? nullptr : static_cast<const char*>(std::memchr(data_.get() + size_, 0, count));
-        size_ += count;
+        const void* zero = ends_at_zero_ ? std::memchr(data_.get() + end_, 0, count) : nullptr;
+        end_ += count;
         if (zero != nullptr) {
-            size_ = static_cast<std::size_t>(zero - data_.get()) + 1;
+            end_ = static_cast<std::size_t>(static_cast<const char*>(zero) - data_.get()) + 1;
+            ended_ = true;
             return;
         }
-        if (!regular && size_ > most_streamed) fail("it does not end within 2 GiB");
     }
 }
 
-#ifdef _WIN32
-void InputFile::release_first(std::size_t) {}
-#else
-void InputFile::release_first(std::size_t count) {
-    // Whole pages inside the bytes alone; what the allocator keeps around them is left.
-    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto data = reinterpret_cast<std::uintptr_t>(data_.get());
-    const std::uintptr_t first = (data + page - 1) / page * page;
-    const std::uintptr_t last = (data + std::min(count, size_)) / page * page;
-    if (last > first) madvise(reinterpret_cast<void*>(first), last - first, MADV_DONTNEED);
+void InputStream::fill() {
+    if (size_) require_memory(*size_, name_ + ": its bytes need");
+    // One more than the size, so that the end is met without growing.
+    fill(size_ ? *size_ + 1 : std::size_t{1} << 16);
+    while (!ended_) {
+        if (!size_ && bytes().size() > most_streamed) fail("it does not end within 2 GiB");
+        fill(2 * bytes().size());
+    }
 }
-#endif
 
 }  // namespace sphereview

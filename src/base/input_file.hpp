@@ -1,8 +1,10 @@
-// Reading a whole input file.
+// Reading input files: whole, or front to back.
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -14,24 +16,57 @@ inline constexpr std::string_view standard_stream = "-";
 // What a file holds, which tells where a device or pipe without an end is left.
 enum class Content { text, binary };
 
-// A whole file in memory. It is read, not mapped: a mapped file that its editor truncates kills the reader (SIGBUS).
-class InputFile {
+// A file, device or pipe read front to back, of which only a window is in memory. It is read, not mapped: a mapped file that
+// its editor truncates kills the reader (SIGBUS).
+class InputStream {
 public:
-    // Reads `path`, or standard input for "-". Throws InputError when it is missing, a folder or unreadable.
-    // A device or pipe is read up to its first zero byte, which no text holds (/dev/zero has no end), or up to 2 GiB.
-    explicit InputFile(const std::string& path, Content content = Content::text);
+    // Opens `path`, or standard input for "-". Throws InputError when it is missing, a folder or unreadable.
+    // A text from a device or pipe ends with its first zero byte, which no text holds (/dev/zero has no end).
+    explicit InputStream(const std::string& path, Content content = Content::text);
 
     // How messages call it: the path as given, or "stdin".
     const std::string& name() const { return name_; }
-    std::string_view bytes() const { return {data_.get(), size_}; }
+    // Of a regular file, when it was opened; some, as in /proc, hide it.
+    std::optional<std::size_t> size() const { return size_; }
 
-    // Gives the memory of the first `count` bytes back to the system, where it can: from now on they read as anything.
-    void release_first(std::size_t count);
+    // The window: what was read and not dropped.
+    std::string_view bytes() const { return {data_.get() + begin_, end_ - begin_}; }
+    // Whether nothing follows the window.
+    bool ended() const { return ended_; }
+
+    void drop_first(std::size_t count) { begin_ += count; }
+    // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError.
+    void fill(std::size_t most);
+    // Widens the window to all that is left. Throws InputError, also when a device or pipe does not end within 2 GiB, and
+    // MemoryError when it cannot fit.
+    void fill();
 
 private:
+    [[noreturn]] void fail(const std::string& why) const;
+    void make_room(std::size_t capacity);
+
     std::string name_;
-    std::unique_ptr<char[]> data_;  // not a vector: its bytes would be cleared before they are read
-    std::size_t size_ = 0;
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+    std::optional<std::size_t> size_{};
+    bool ends_at_zero_ = false;
+    bool ended_ = false;
+    std::unique_ptr<char[]> data_{};  // not a vector: its bytes would be cleared before they are read
+    std::size_t capacity_ = 0;
+    std::size_t begin_ = 0;  // of the window
+    std::size_t end_ = 0;
+};
+
+// A whole file in memory.
+class InputFile {
+public:
+    // As InputStream, and reads all of it.
+    explicit InputFile(const std::string& path, Content content = Content::text) : stream_(path, content) { stream_.fill(); }
+
+    const std::string& name() const { return stream_.name(); }
+    std::string_view bytes() const { return stream_.bytes(); }
+
+private:
+    InputStream stream_;
 };
 
 }  // namespace sphereview

@@ -5,22 +5,27 @@
 #include <charconv>
 #include <vector>
 
+#include "base/count.hpp"
+
 namespace sphereview {
 
 TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin) {
-    TextPosition place = origin;
     offset = std::min(offset, text.size());
-    for (std::size_t i = 0; i < offset; ++i) {
-        const auto byte = static_cast<unsigned char>(text[i]);
-        const bool line_end = byte == '\n' || (byte == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
-        if (line_end) {
-            ++place.line;
-            place.column = 1;
-        } else if ((byte & 0xC0) != 0x80) {  // not the continuation of a UTF-8 sequence
-            ++place.column;
-        }
-    }
-    return place;
+    if (offset == 0) return origin;
+    const auto ends_line = [&](std::size_t i) {
+        return text[i] == '\n' || (text[i] == '\r' && (i + 1 == text.size() || text[i + 1] != '\n'));
+    };
+    const auto ends_line_before_another = [bytes = text.data()](std::size_t i) {
+        return (bytes[i] == '\n') | ((bytes[i] == '\r') & (bytes[i + 1] != '\n'));
+    };
+    const auto begins_character = [bytes = text.data()](std::size_t i) {
+        return (bytes[i] & 0xC0) != 0x80;  // not the continuation of a UTF-8 sequence
+    };
+    const std::size_t line_ends = count_places(0, offset - 1, ends_line_before_another) + (ends_line(offset - 1) ? 1 : 0);
+    std::size_t line_begin = offset;
+    while (line_begin > 0 && !ends_line(line_begin - 1)) --line_begin;
+    const std::size_t characters = count_places(line_begin, offset, begins_character);
+    return {origin.line + line_ends, (line_begin == 0 ? origin.column : 1) + characters};
 }
 
 std::string in_quotes(std::string_view found) {

@@ -41,10 +41,10 @@ SceneFormat detect_format(std::string_view content, std::string_view name) {
     return number ? SceneFormat::text : format_of_name(name);
 }
 
-Scene parse_scene(std::string_view content, const std::string& name, const Consumed& consumed) {
+Scene parse_scene(std::string_view content, const std::string& name) {
     if (detect_format(content, name) == SceneFormat::toml) return parse_toml(content, name);
     Scene scene;
-    scene.spheres = parse_text_spheres({name, content, {}, consumed});
+    scene.spheres = parse_text_spheres({name, content});
     return scene;
 }
 

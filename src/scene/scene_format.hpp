@@ -19,9 +19,8 @@ SceneFormat detect_format(std::string_view content, std::string_view name);
 // The format for writing to `path`, by its name: .toml is TOML, all else is text.
 SceneFormat format_of_name(std::string_view path);
 
-// Reads a scene of either format. `name` is how messages call it; `consumed` may give memory back while a long text is read.
-// Throws InputError "NAME:LINE:COLUMN: ...".
-Scene parse_scene(std::string_view content, const std::string& name, const Consumed& consumed = {});
+// Reads a scene of either format. `name` is how messages call it. Throws InputError "NAME:LINE:COLUMN: ...".
+Scene parse_scene(std::string_view content, const std::string& name);
 
 // The scene as a file's content. Reading it gives the same doubles, bit for bit.
 std::string write_scene(const Scene& scene, SceneFormat format);

@@ -2,7 +2,8 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,19 +13,52 @@
 
 namespace sphereview {
 
-// Told, now and then, that the first `bytes` of a text will not be looked at again.
-using Consumed = std::function<void(std::size_t bytes)>;
-
 // A piece of a file: what messages call the file, and where in it the text begins.
 struct TextSource {
     std::string name;
     std::string_view text;
     TextPosition origin{};
-    Consumed consumed = {};
 };
 
-// Reads the spheres of a whole text. Memory grows with the text, not with the count it claims. A byte-order mark is
-// skipped. Throws InputError "NAME:LINE:COLUMN: found ..., expected ...".
+class TokenReader;
+
+// Reads a text as it comes in, on all cores. Memory grows with the text, not with the count it claims.
+class SphereTextReader {
+public:
+    // How much of a text one core reads at a time.
+    static constexpr std::size_t usual_piece = std::size_t{1} << 16;
+
+    // `size`: bytes of the whole text, where that is known.
+    SphereTextReader(std::string name, TextPosition origin, std::optional<std::size_t> size, std::size_t piece = usual_piece)
+        : name_(std::move(name)), place_(origin), size_(size), piece_(piece) {}
+
+    // Reads the spheres that end inside `text`, which goes on where the last call's did; `last`: nothing follows. Returns how
+    // many bytes are done with: the next call's text begins with the others. A byte-order mark is skipped. Throws InputError
+    // "NAME:LINE:COLUMN: found ..., expected ..." for the first fault, and MemoryError when the spheres cannot fit.
+    std::size_t read(std::string_view text, bool last);
+
+    // How much of the spheres was read, 0..1.
+    double fraction() const;
+
+    // All of them, when the last text was read.
+    std::vector<Sphere> take_spheres() { return std::move(spheres_); }
+
+private:
+    std::size_t read_whole_tokens(std::string_view text, bool last);
+    void read_count(TokenReader& reader, std::optional<std::size_t> bytes_left);
+    std::size_t read_pieces(const TextSource& source, std::size_t begin, TextPosition& place);
+    Sphere read_sphere(TokenReader& reader, std::size_t index) const;
+
+    std::string name_;
+    TextPosition place_;  // where the text of the next call begins
+    std::optional<std::size_t> size_;
+    std::size_t piece_;
+    std::size_t done_ = 0;  // bytes of earlier calls
+    std::optional<std::size_t> count_{};
+    std::vector<Sphere> spheres_{};
+};
+
+// Reads the spheres of a whole text. Throws as SphereTextReader::read.
 std::vector<Sphere> parse_text_spheres(const TextSource& source);
 
 // The spheres, without those that are hidden, as text that parse_text_spheres reads back bit for bit.

@@ -1,0 +1,24 @@
+// Whether something large fits in memory, asked before it is begun.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace sphereview {
+
+// Bytes that this process can still have: what the system has free or can free without swapping, and the limits of its control
+// groups and of its address space. Nothing where that cannot be told (only Linux tells).
+std::optional<std::uint64_t> available_memory();
+
+// Throws MemoryError "WHAT 80.0 GB of memory, 3.1 GB are available" when `bytes` are more than that; `what` ends with "need".
+// Asks nobody about amounts that any machine has.
+void require_memory(std::uint64_t bytes, const std::string& what);
+
+// "3.1 GB", "20 MB"
+std::string in_bytes(std::uint64_t bytes);
+
+// "2,000,000"
+std::string with_commas(std::uint64_t number);
+
+}  // namespace sphereview

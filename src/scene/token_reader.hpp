@@ -1,0 +1,124 @@
+// Walks through the numbers of a text, and says where it stands when one is wrong.
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "scene/number.hpp"
+#include "scene/text_format.hpp"
+
+namespace sphereview {
+
+inline constexpr std::string_view white_space = " \t\n\v\f\r";
+
+// Without a branch, so that loops over bytes become SIMD.
+constexpr bool is_space(char c) { return (c == ' ') | (static_cast<unsigned char>(c - '\t') <= '\r' - '\t'); }
+
+// `expected`, here, is a function that describes what should stand there: its words are only made for a message.
+class TokenReader {
+public:
+    // Begins at the first token at or after `offset`, which lies between two tokens.
+    TokenReader(const TextSource& source, std::size_t offset)
+        : source_(source), next_(source.text.data() + offset), end_(source.text.data() + source.text.size()) {
+        skip_space();
+    }
+
+    bool at_end() const { return next_ == end_; }
+
+    // Of the next token, or of the text's end.
+    std::size_t offset() const { return static_cast<std::size_t>(next_ - source_.text.data()); }
+
+    // An integer from `low` to `high`.
+    template <typename Expected>
+    std::int64_t integer(std::int64_t low, std::int64_t high, const Expected& expected) {
+        if (at_end()) fail_at_end("the text ends", expected());
+        const char* first = next_;
+        if (*first == '+' && end_ - first > 1 && first[1] != '-') ++first;
+        std::int64_t value = 0;
+        const auto result = std::from_chars(first, end_, value);
+        if (result.ec == std::errc::invalid_argument || !ends_token(result.ptr)) fail(expected() + ", a whole number");
+        if (result.ec != std::errc{} || value < low || value > high) {
+            fail(expected() + " from " + std::to_string(low) + " to " + std::to_string(high));
+        }
+        step_to(result.ptr);
+        return value;
+    }
+
+    // A finite number.
+    template <typename Expected>
+    double number(const Expected& expected) {
+        const auto is_good = [](double) { return true; };
+        return number(expected, is_good, "");
+    }
+
+    template <typename Expected>
+    double positive_number(const Expected& expected) {
+        const auto is_good = [](double value) { return value > 0.0; };
+        return number(expected, is_good, " above 0");
+    }
+
+    void skip_tokens(std::size_t count) {
+        for (; count > 0; --count) step_to(token().data() + token().size());
+    }
+
+    // Says that the next token is wrong.
+    [[noreturn]] void fail(const std::string& expected) const {
+        throw InputError(place(offset()) + "found " + in_quotes(token()) + ", expected " + expected);
+    }
+
+    [[noreturn]] void fail_at_end(const std::string& found, const std::string& expected) const {
+        throw InputError(place(source_.text.size()) + found + ", expected " + expected);
+    }
+
+private:
+    template <typename Expected, typename IsGood>
+    double number(const Expected& expected, const IsGood& is_good, const char* what_is_good) {
+        if (at_end()) fail_at_end("the text ends", expected());
+        double value = 0.0;
+        const auto result = std::from_chars(next_, end_, value);
+        const char* last = result.ptr;
+        if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
+            last = next_ + token().size();
+            switch (parse_double(token(), value)) {
+                case NumberFault::none: break;
+                case NumberFault::not_a_number: fail(expected() + ", a number");
+                case NumberFault::not_finite: fail(expected() + ", a finite number");
+                case NumberFault::too_large: fail(expected() + ", a number that a double can hold (at most 1.8e308)");
+            }
+        }
+        if (!is_good(value)) fail(expected() + what_is_good);
+        step_to(last);
+        return value;
+    }
+
+    std::string_view token() const { return {next_, static_cast<std::size_t>(std::find_if(next_, end_, is_space) - next_)}; }
+
+    bool ends_token(const char* place) const { return place == end_ || is_space(*place); }
+
+    void step_to(const char* place) {
+        next_ = place;
+        skip_space();
+    }
+
+    void skip_space() {
+        while (next_ != end_ && is_space(*next_)) ++next_;
+    }
+
+    std::string place(std::size_t offset) const {
+        const TextPosition position = position_at(source_.text, offset, source_.origin);
+        return source_.name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+    }
+
+    const TextSource& source_;
+    const char* next_;
+    const char* end_;
+};
+
+}  // namespace sphereview
