@@ -26,7 +26,7 @@ std::vector<Sphere> read_text(InputStream& stream, Progress* progress) {
 
 LoadedScene load_scene(const std::string& path, Progress* progress) {
     InputStream stream(path);
-    if (progress != nullptr) progress->start(stream.name());
+    if (progress != nullptr) progress->start(stream.name(), 1e-6 * static_cast<double>(stream.size().value_or(0)), "MB");
     stream.fill(std::min(block, stream.size().value_or(block) + 1));
     if (detect_format(stream.bytes(), stream.name()) == SceneFormat::text) {
         Scene scene;

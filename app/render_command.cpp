@@ -52,7 +52,7 @@ private:
         report.spheres = scene.spheres.size();
 
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
-        progress_.start(job.name + order);
+        progress_.start(job.name + order, 1e-6 * options_.size.width * options_.size.height, "Mpixel");
         const DrawnSpheres drawn = [&] {
             const PhaseTimer timer(report.timings, Phase::upload);
             return drawn_spheres(scene);
@@ -69,9 +69,9 @@ private:
         return decode_png(file.bytes(), file.name());
     }
 
-    static Scene read_scene(const std::string& path, RenderReport& report) {
+    Scene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        return load_scene(path).scene;
+        return load_scene(path, &progress_).scene;
     }
 
     Image render_by_what_holds_it(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,

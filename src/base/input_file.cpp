@@ -44,6 +44,7 @@ void InputStream::make_room(std::size_t capacity) {
     if (capacity <= capacity_) {
         std::memmove(data_.get(), data_.get() + begin_, end_ - begin_);
     } else {
+        require_memory(capacity, name_ + ": its bytes need");
         auto grown = std::make_unique_for_overwrite<char[]>(capacity);
         std::copy_n(data_.get() + begin_, end_ - begin_, grown.get());
         data_ = std::move(grown);
@@ -75,7 +76,6 @@ void InputStream::fill(std::size_t most) {
 }
 
 void InputStream::fill() {
-    if (size_) require_memory(*size_, name_ + ": its bytes need");
     // One more than the size, so that the end is met without growing.
     fill(size_ ? *size_ + 1 : std::size_t{1} << 16);
     while (!ended_) {

@@ -35,10 +35,10 @@ public:
     bool ended() const { return ended_; }
 
     void drop_first(std::size_t count) { begin_ += count; }
-    // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError.
+    // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError, and
+    // MemoryError when the window cannot fit.
     void fill(std::size_t most);
-    // Widens the window to all that is left. Throws InputError, also when a device or pipe does not end within 2 GiB, and
-    // MemoryError when it cannot fit.
+    // Widens the window to all that is left. Throws as above, also when a device or pipe does not end within 2 GiB.
     void fill();
 
 private:

@@ -6,6 +6,7 @@
 
 #include "base/interrupt.hpp"
 #include "base/standard_streams.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -14,14 +15,18 @@ namespace {
 constexpr std::chrono::milliseconds patience{500};  // shorter work needs no bar
 constexpr std::chrono::milliseconds redraw_every{100};
 
+std::string three_digits(double value) { return fixed(value, value < 10 ? 2 : value < 100 ? 1 : 0); }
+
 }  // namespace
 
 Progress::Progress(bool enabled) : enabled_(enabled && stderr_is_terminal()) {}
 
 Progress::~Progress() { clear(); }
 
-void Progress::start(std::string what) {
+void Progress::start(std::string what, double amount, std::string unit) {
     what_ = std::move(what);
+    amount_ = amount;
+    unit_ = std::move(unit);
     begin_ = Clock::now();
 }
 
@@ -36,8 +41,10 @@ void Progress::update(double fraction) {
     bar.resize(width, '.');
     const double elapsed = std::chrono::duration<double>(now - begin_).count();
     const double left = fraction > 0 ? elapsed / fraction - elapsed : 0;
+    const std::string rate = amount_ > 0 ? three_digits(amount_ * fraction / elapsed) + " " + unit_ + "/s, " : "";
     set_progress_bar_shown(true);
-    std::fprintf(stderr, "\r\x1b[K[%s] %3.0f %%, %.0f s left  %s", bar.c_str(), 100 * fraction, left, what_.c_str());
+    std::fprintf(stderr, "\r\x1b[K[%s] %3.0f %%, %s%.0f s left  %s", bar.c_str(), 100 * fraction, rate.c_str(), left,
+                 what_.c_str());
     std::fflush(stderr);
     drawn_ = true;
     drawn_at_ = now;

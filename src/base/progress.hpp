@@ -16,8 +16,9 @@ public:
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
 
-    // What is being done, e.g. "scene.txt (2 of 5)". Starts the fraction anew.
-    void start(std::string what);
+    // What is being done, e.g. "scene.txt (2 of 5)". Starts the fraction anew. When all of it is `amount` units, e.g. 70 "MB",
+    // the rate is shown too.
+    void start(std::string what, double amount = 0.0, std::string unit = "");
     // How much of it is done, 0..1. Cheap: draws at most ten times a second.
     void update(double fraction);
     // Removes the bar, so that something else can be printed; update() draws it again.
@@ -28,6 +29,8 @@ private:
     bool enabled_;
     bool drawn_ = false;
     std::string what_;
+    double amount_ = 0.0;
+    std::string unit_;
     Clock::time_point begin_;
     Clock::time_point drawn_at_;
 };

@@ -1,7 +1,13 @@
 // The progress bar: for people who wait at a terminal, and for nobody else.
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <chrono>
 #include <csignal>
+#include <fstream>
+#include <regex>
+#include <thread>
 
 #include "support/render.hpp"
 #include "support/text_match.hpp"
@@ -24,7 +30,30 @@ TEST(ProgressBar, IsShownOnATerminalWhenTheWorkIsLong) {
     program.send(SIGTERM);
     const Outcome outcome = program.wait();
     EXPECT_TRUE(outcome.errors.starts_with("\r\x1b[K[")) << testing::PrintToString(outcome.errors);
+    const std::regex bar("\\[#*\\.*\\] +[0-9]+ %, [0-9.]+ Mpixel/s, [0-9]+ s left  endless");
+    EXPECT_TRUE(std::regex_search(outcome.errors, bar)) << testing::PrintToString(outcome.errors);
     EXPECT_EQ(outcome.output, "");
+}
+
+// A file that comes in slowly: a FIFO, fed by the test.
+TEST(ProgressBar, IsShownWhileALongTextIsRead) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(mkfifo(folder.path("slow").c_str(), 0600), 0);
+    Command command = cpu_render(folder, {"slow", "-s", "5x5"});
+    command.errors_to_terminal = true;
+    Running program(command);
+    std::ofstream slow(folder.path("slow"));
+    slow << "1000000\n";
+    const auto feed = [&] {
+        for (int i = 0; i < 400'000; ++i) slow << "1 2 3 4.5 5.5 6.5 7\n";  // 8 MB
+        slow.flush();
+    };
+    feed();
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));  // more than the bar's patience
+    feed();
+    EXPECT_TRUE(program.wait_for_errors(" s left  slow"));
+    program.send(SIGTERM);
+    EXPECT_EQ(program.wait().status, 143);
 }
 
 TEST(ProgressBar, IsNotShownWhenTheWorkIsShort) {

@@ -59,6 +59,22 @@ TEST(ExitStatus, Is3WhenMemoryRunsOut) {
     EXPECT_TRUE(contains(outcome.errors, "memory ran out"));
     EXPECT_EQ(folder.names(), std::vector<std::string>{"red.txt"});
 }
+
+TEST(ExitStatus, Is3WhenASceneCannotFitInMemory) {
+    const TemporaryFolder folder;
+    folder.write("big.txt", "50000000\n");
+    folder.write("big.toml", "# \n");
+    for (const char* name : {"big.txt", "big.toml"}) std::filesystem::resize_file(folder.path(name), 1'500'000'000);  // sparse
+    for (const auto& [name, said] : {std::pair{"big.txt", "big.txt: 50,000,000 spheres need 2.0 GB of memory, "},
+                                     std::pair{"big.toml", "big.toml: its bytes need 1.5 GB of memory, "}}) {
+        Command command = cpu_render(folder, {name, "-s", "5x5"});
+        command.most_memory = 1'000'000'000;
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 3) << outcome;
+        EXPECT_TRUE(outcome.errors.starts_with(said)) << outcome;
+        EXPECT_TRUE(outcome.errors.ends_with(" MB are available\n")) << outcome;
+    }
+}
 #endif
 
 }  // namespace

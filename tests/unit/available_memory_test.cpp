@@ -1,0 +1,39 @@
+#include "base/available_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+TEST(AvailableMemory, IsKnownOnLinux) {
+#ifdef __linux__
+    const auto available = available_memory();
+    ASSERT_TRUE(available.has_value());
+    EXPECT_GT(*available, 1'000'000U);
+    EXPECT_LT(*available, std::uint64_t{1} << 50);
+#endif
+}
+
+TEST(AvailableMemory, IsAskedForInVainWithTheFigures) {
+    if (!available_memory()) GTEST_SKIP() << "this system does not tell";
+    const std::string message = message_of<MemoryError>([] { require_memory(std::uint64_t{1} << 60, "s.txt: they need"); });
+    EXPECT_TRUE(message.starts_with("s.txt: they need 1152921504.6 GB of memory, ")) << message;
+    EXPECT_TRUE(message.ends_with("B are available")) << message;
+    EXPECT_NO_THROW(require_memory(1000, "it needs"));
+    EXPECT_NO_THROW(require_memory(50'000'000, "it needs"));
+}
+
+TEST(AvailableMemory, IsWrittenForPeople) {
+    EXPECT_EQ(in_bytes(0), "0 MB");
+    EXPECT_EQ(in_bytes(3'600'000), "4 MB");
+    EXPECT_EQ(in_bytes(999'000'000), "999 MB");
+    EXPECT_EQ(in_bytes(80'040'000'000), "80.0 GB");
+    EXPECT_EQ(with_commas(0), "0");
+    EXPECT_EQ(with_commas(999), "999");
+    EXPECT_EQ(with_commas(1000), "1,000");
+    EXPECT_EQ(with_commas(2'000'000'000), "2,000,000,000");
+}
+
+}  // namespace sphereview
