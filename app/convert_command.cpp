@@ -16,7 +16,10 @@ ExitCode run_convert(const ConvertOptions& options) {
     }
     check_output(options.output);
 
-    const auto [scene, name] = load_scene(options.input);
+    const auto [scene, name] = [&] {
+        Progress progress(true);
+        return load_scene(options.input, &progress);
+    }();
     const SceneFormat format = options.to ? *options.to : format_of_name(options.output);
     if (const std::string lost = lost_in(scene, format); !lost.empty()) {
         std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", name.c_str(), lost.c_str());

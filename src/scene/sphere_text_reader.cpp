@@ -19,7 +19,11 @@ constexpr std::size_t spheres_begun_before(std::size_t token) { return (token + 
 // How many tokens begin in [begin, end) of a text; at `first` stands nothing or white space before the text's first token.
 std::size_t tokens_begun(std::string_view text, std::size_t first, std::size_t begin, std::size_t end) {
     if (begin == end) return 0;
-    const auto begins = [bytes = text.data()](std::size_t i) { return is_space(bytes[i - 1]) & !is_space(bytes[i]); };
+    const auto begins = [bytes = text.data()](std::size_t i) {
+        const bool behind_space = is_space(bytes[i - 1]);
+        const bool in_token = !is_space(bytes[i]);
+        return behind_space & in_token;
+    };
     const bool at_once = begin == first ? !is_space(text[begin]) : begins(begin);
     return (at_once ? 1 : 0) + count_places(begin + 1, end, begins);
 }
