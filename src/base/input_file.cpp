@@ -1,6 +1,7 @@
 #include "base/input_file.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -39,6 +40,11 @@ InputStream::InputStream(const std::string& path, Content content)
 }
 
 void InputStream::fail(const std::string& why) const { throw InputError(name_ + ": cannot be read: " + why); }
+
+void InputStream::drop_first(std::size_t count) {
+    assert(count <= end_ - begin_);
+    begin_ += count;
+}
 
 void InputStream::make_room(std::size_t capacity) {
     if (capacity <= capacity_) {

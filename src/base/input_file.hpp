@@ -34,7 +34,7 @@ public:
     // Whether nothing follows the window.
     bool ended() const { return ended_; }
 
-    void drop_first(std::size_t count) { begin_ += count; }
+    void drop_first(std::size_t count);
     // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError, and
     // MemoryError when the window cannot fit.
     void fill(std::size_t most);

@@ -61,16 +61,12 @@ std::size_t SphereTextReader::read(std::string_view text, bool last) {
 std::size_t SphereTextReader::read_whole_tokens(std::string_view text, bool last) {
     const TextSource source{name_, text, place_};
     TokenReader reader(source, 0);
-    if (!count_) {
-        if (!reader.at_end()) {
-            read_count(reader, last ? std::optional(text.size()) : size_);
-        } else if (last) {
-            reader.fail_at_end("the text is empty", "the number of spheres");
-        }
-    }
-    TextPosition place = position_at(text, reader.offset(), place_);
-    const std::size_t end = count_ ? read_pieces(source, reader.offset(), place) : reader.offset();
+    if (!count_ && !reader.at_end()) read_count(reader, last ? done_ + text.size() : size_);
+    if (!count_ && last) reader.fail_at_end("the text is empty", "the number of spheres");
+    std::size_t end = reader.offset();
+    TextPosition place = position_at(text, end, place_);
     if (count_) {
+        end = read_pieces(source, end, place);
         TokenReader rest(source, end);
         // Too few tokens for another sphere: one of them is wrong, or one is missing.
         if (last && spheres_.size() < *count_) read_sphere(rest, spheres_.size());

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <thread>
 
+#include "base/available_memory.hpp"
 #include "base/error.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/message_of.hpp"
@@ -55,6 +56,48 @@ TEST(InputFile, ReadsAPipeToItsEnd) {
     const InputFile file(pipe);
     writer.join();
     EXPECT_TRUE(file.bytes() == sent);
+}
+
+TEST(InputStream, ShowsTheFileThroughAWindow) {
+    const test::TemporaryFolder folder;
+    folder.write("in", "0123456789");
+    InputStream stream(folder.path("in"));
+    EXPECT_EQ(stream.size(), 10U);
+    EXPECT_EQ(stream.bytes(), "");
+    stream.fill(4);
+    EXPECT_EQ(stream.bytes(), "0123");
+    stream.drop_first(3);
+    EXPECT_EQ(stream.bytes(), "3");
+    stream.fill(4);
+    EXPECT_EQ(stream.bytes(), "3456");
+    stream.fill(2);
+    EXPECT_EQ(stream.bytes(), "3456");
+    EXPECT_FALSE(stream.ended());
+    stream.drop_first(4);
+    stream.fill(100);
+    EXPECT_EQ(stream.bytes(), "789");
+    EXPECT_TRUE(stream.ended());
+}
+
+TEST(InputStream, WidensItsWindowToTheEnd) {
+    const test::TemporaryFolder folder;
+    const std::string bytes(300'000, 'x');
+    folder.write("in", bytes);
+    InputStream stream(folder.path("in"));
+    stream.fill(10);
+    stream.drop_first(3);
+    stream.fill();
+    EXPECT_TRUE(stream.ended());
+    EXPECT_TRUE(stream.bytes() == std::string_view(bytes).substr(3));
+}
+
+TEST(InputStream, IsRefusedAWindowThatCannotFit) {
+    const test::TemporaryFolder folder;
+    folder.write("in", "0123456789");
+    InputStream stream(folder.path("in"));
+    const std::size_t much = std::size_t{1} << 60;
+    if (!available_memory()) GTEST_SKIP() << "this system does not tell";
+    EXPECT_THROW(stream.fill(much), MemoryError);
 }
 
 }  // namespace sphereview
