@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/spheres_literal.hpp"
 #include "scene/text_format.hpp"
 #include "scene/toml_format.hpp"
 
@@ -20,6 +21,7 @@ namespace {
 struct Document {
     const std::string& name;
     std::string_view content;
+    std::optional<std::string_view> literal{};  // what the string `spheres` held before it was emptied
 };
 
 [[noreturn]] void fail(const Document& document, const toml::source_position& place, const std::string& message) {
@@ -161,7 +163,7 @@ TextSource inside_string(const Document& document, const toml::value<std::string
     } else {
         origin.column += 1;
     }
-    return {document.name, value.get(), origin};
+    return {document.name, document.literal ? *document.literal : std::string_view(value.get()), origin};
 }
 
 void read_spheres(const Document& document, const TableReader& reader, Scene& scene) {
@@ -198,7 +200,9 @@ toml::table parse(const Document& document) {
 
 Scene parse_toml(std::string_view content, const std::string& name) {
     content = without_byte_order_mark(content);
-    const Document document{name, content};
+    const auto literal = find_spheres_literal(content);
+    if (literal) content = literal->rest;
+    const Document document{name, content, literal ? std::optional(literal->text) : std::nullopt};
     if (content.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
     }
