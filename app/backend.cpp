@@ -108,7 +108,7 @@ void open_numbered_device(OpenBackend& open, int number, Timings& timings) {
     const std::string range = count == 0   ? "EGL lists no devices here"
                               : count == 1 ? "expected 0, the only EGL device"
                                            : "expected an EGL device from 0 to " + std::to_string(count - 1);
-    throw InputError("sphereview: --device: found " + std::to_string(number) + ", " + range + " (see 'sphereview doctor')");
+    throw InputError("sphereview: --device: found '" + std::to_string(number) + "', " + range + " (see 'sphereview doctor')");
 }
 
 std::string joined(const std::vector<std::string>& reasons) {

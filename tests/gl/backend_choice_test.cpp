@@ -152,7 +152,7 @@ TEST_F(BackendChoice, ADeviceIsPickedByNumber) {
     for (const char* number : {"99", "-1"}) {
         const Outcome missing = render_small({"red.txt", "--device", number});
         EXPECT_EQ(missing.status, 2) << missing;
-        EXPECT_TRUE(contains(missing.errors, std::string("--device: found ") + number + ", expected ")) << missing;
+        EXPECT_TRUE(contains(missing.errors, std::string("--device: found '") + number + "', expected ")) << missing;
     }
 }
 
