@@ -6,13 +6,15 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
 namespace {
 
+constexpr std::string_view placeholder = "{name}";
+
 std::string fill_in(std::string pattern, const std::string& name) {
-    constexpr std::string_view placeholder = "{name}";
     for (std::size_t at = 0; (at = pattern.find(placeholder, at)) != std::string::npos; at += name.size()) {
         pattern.replace(at, placeholder.size(), name);
     }
@@ -36,26 +38,40 @@ public:
         }
     }
 
-    void write(const std::string& path, const std::string& as) {
-        if (path == standard_stream) {
-            if (!stdout_use_.empty()) throw InputError("sphereview: stdout cannot be both " + stdout_use_ + " and " + as);
-            stdout_use_ = as;
-            return;
-        }
+    void write_stdout(const std::string& as) {
+        if (!stdout_use_.empty()) throw InputError("sphereview: stdout cannot be both " + stdout_use_ + " and " + as);
+        stdout_use_ = as;
+    }
+
+    // `path` is `pattern` with the job's name filled in.
+    void write(const std::string& path, const std::string& as, const RenderJob& job, const std::string& pattern) {
+        if (path == standard_stream) return write_stdout(as);
         const std::string file = file_identity(path);
         if (file.empty()) return;
         if (const auto input = inputs_.find(file); input != inputs_.end()) {
             throw InputError(path + ": cannot be both " + as + " and " + input->second);
         }
-        const auto [other, added] = outputs_.emplace(file, as);
-        if (!added) {
-            throw InputError(path + ": cannot be both " + as + " and " + other->second + "; use {name} for each scene's own name");
-        }
+        const auto [other, added] = outputs_.emplace(file, Output{as, &job});
+        if (!added)
+            throw InputError(path + ": cannot be both " + as + " and " + other->second.as +
+                             advice(*other->second.job, job, pattern));
     }
 
 private:
+    struct Output {
+        std::string as;
+        const RenderJob* job;
+    };
+
+    static std::string advice(const RenderJob& first, const RenderJob& second, const std::string& pattern) {
+        if (&first == &second) return "; they need two names";
+        if (first.name == second.name) return "; both scenes are called " + in_quotes(first.name) + ": render them one at a time";
+        return pattern.find(placeholder) == std::string::npos ? "; use {name} for each scene's own name"
+                                                              : "; choose another pattern";
+    }
+
     std::map<std::string, std::string> inputs_;
-    std::map<std::string, std::string> outputs_;
+    std::map<std::string, Output> outputs_;
     std::string stdin_use_;
     std::string stdout_use_;
 };
@@ -63,17 +79,14 @@ private:
 }  // namespace
 
 std::vector<RenderJob> plan_render(const RenderOptions& options) {
+    const std::string output = options.output.value_or(std::string(placeholder) + ".png");
     std::vector<RenderJob> jobs;
     for (const std::string& scene : options.scenes) {
         RenderJob job;
         job.scene = scene;
         job.label = scene == standard_stream ? "stdin" : scene;
         job.name = scene == standard_stream ? "stdin" : std::filesystem::path(scene).stem().string();
-        if (options.output) {
-            job.output = fill_in(*options.output, job.name);
-        } else if (!options.expect) {
-            job.output = job.name + ".png";
-        }
+        if (options.output || !options.expect) job.output = fill_in(output, job.name);
         job.expect = fill_in(options.expect, job.name);
         job.diff = fill_in(options.diff, job.name);
         jobs.push_back(job);
@@ -84,10 +97,10 @@ std::vector<RenderJob> plan_render(const RenderOptions& options) {
         uses.read(job.scene, "the scene " + job.label);
         if (job.expect) uses.read(*job.expect, "the expected picture of " + job.label);
     }
-    if (options.json) uses.write(std::string(standard_stream), "the JSON report");
+    if (options.json) uses.write_stdout("the JSON report");
     for (const RenderJob& job : jobs) {
-        if (job.output) uses.write(*job.output, "the picture of " + job.label);
-        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label);
+        if (job.output) uses.write(*job.output, "the picture of " + job.label, job, output);
+        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, job, *options.diff);
     }
     return jobs;
 }
