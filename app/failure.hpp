@@ -12,7 +12,8 @@ struct Failure {
     std::string message;  // one line, or a shader's log
 };
 
-// Translates the exception being handled; call inside a catch.
-Failure describe_current_exception();
+// Translates the exception being handled; call inside a catch. `scene` is the one that was being rendered, if any: errors that do
+// not name a file of their own begin with it.
+Failure describe_current_exception(const std::string& scene = "");
 
 }  // namespace sphereview

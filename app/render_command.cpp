@@ -33,16 +33,29 @@ public:
         try {
             work(job, report);
         } catch (...) {
-            const Failure failure = describe_current_exception();
+            const Failure failure = describe_current_exception(job.label);
             report.status = failure.code;
             report.error = failure.message;
         }
         progress_.clear();
-        print(report, options_);
+        print_words(report, options_);
+        if (options_.json && !report_failed_) print_json_if_possible(report);
         return report.status;
     }
 
+    // Whether a line of the JSON report could not be written; the person has been told.
+    bool report_failed() const { return report_failed_; }
+
 private:
+    void print_json_if_possible(const RenderReport& report) {
+        try {
+            print_json(report);
+        } catch (const OutputError& error) {
+            std::fprintf(stderr, "%s\n", error.what());
+            report_failed_ = true;  // what does not arrive whole is not worth going on with; the pictures are
+        }
+    }
+
     void work(const RenderJob& job, RenderReport& report) {
         if (job.output) check_output(*job.output);
         if (job.diff) check_output(*job.diff);
@@ -123,6 +136,7 @@ private:
     const RenderOptions& options_;
     std::size_t scenes_;
     std::size_t started_ = 0;
+    bool report_failed_ = false;
     OpenBackend cpu_;
     Progress progress_{true};
 };
@@ -144,7 +158,7 @@ ExitCode run_render(const RenderOptions& options) {
         for (const std::string& scene : failed) summary += " " + scene;
         std::fprintf(stderr, "sphereview: %s\n", summary.c_str());
     }
-    return worst;
+    return batch.report_failed() ? std::max(worst, ExitCode::no_output) : worst;
 }
 
 }  // namespace sphereview

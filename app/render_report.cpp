@@ -41,12 +41,13 @@ Json to_json(const RenderReport& report) {
     };
     if (report.comparison) {
         const Comparison& comparison = *report.comparison;
+        const bool has_first = comparison.different_pixels > 0;
         json["comparison"] = {{"expected", optional_path(report.job.expect)},
                               {"equal", comparison.equal()},
                               {"same_size", comparison.same_size},
                               {"different_pixels", comparison.different_pixels},
                               {"largest_difference", comparison.largest},
-                              {"first", {comparison.first_x, comparison.first_y}}};
+                              {"first", has_first ? Json{comparison.first_x, comparison.first_y} : Json(nullptr)}};
     }
     return json;
 }
@@ -89,7 +90,7 @@ void print_timings(const RenderReport& report) {
 
 }  // namespace
 
-void print(const RenderReport& report, const RenderOptions& options) {
+void print_words(const RenderReport& report, const RenderOptions& options) {
     if (options.verbose && !report.renderer.empty()) print_backend(report);
     if (options.timings) print_timings(report);
     if (options.verbose || options.timings) {
@@ -97,11 +98,12 @@ void print(const RenderReport& report, const RenderOptions& options) {
         print_decisions(report);
     }
     if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
-    if (options.json) {
-        // Paths need not be UTF-8, JSON must be.
-        const std::string line = to_json(report).dump(-1, ' ', false, Json::error_handler_t::replace);
-        write_output(std::string(standard_stream), line + "\n");
-    }
+}
+
+void print_json(const RenderReport& report) {
+    // Paths need not be UTF-8, JSON must be.
+    const std::string line = to_json(report).dump(-1, ' ', false, Json::error_handler_t::replace);
+    write_output(std::string(standard_stream), line + "\n");
 }
 
 }  // namespace sphereview

@@ -28,7 +28,10 @@ struct RenderReport {
     std::string error;  // "" when done
 };
 
-// Prints what `options` ask for (--verbose, --timings, --json), and the error if there is one.
-void print(const RenderReport& report, const RenderOptions& options);
+// On stderr: what `options` ask for (--verbose, --timings), and the error if there is one.
+void print_words(const RenderReport& report, const RenderOptions& options);
+
+// On stdout, as one line. Throws OutputError.
+void print_json(const RenderReport& report);
 
 }  // namespace sphereview

@@ -79,6 +79,14 @@ TEST_F(Report, JsonHoldsTheComparison) {
         "different_pixels": 25, "largest_difference": [255, 10, 0, 0], "first": [0, 0]})"));
 }
 
+TEST_F(Report, JsonNamesNoFirstDifferentPixelWhereThereIsNone) {
+    ASSERT_EQ(render(folder_, {"red.txt", "-s", "5x5", "-o", "golden.png"}).status, 0);
+    const Outcome equal = render(folder_, {"red.txt", "-s", "5x5", "--json", "--expect", "golden.png"});
+    EXPECT_EQ(Json::parse(equal.output)["comparison"]["first"], nullptr);
+    const Outcome larger = render(folder_, {"red.txt", "-s", "6x5", "--json", "--expect", "golden.png"});
+    EXPECT_EQ(Json::parse(larger.output)["comparison"]["first"], nullptr);
+}
+
 TEST_F(Report, JsonIsUtf8WhateverThePathsAre) {
     folder_.write("\xFF\"\n.txt", red_scene);
     const Outcome outcome = render(folder_, {"\xFF\"\n.txt", "-s", "5x5", "--json"});
@@ -93,6 +101,22 @@ TEST_F(Report, JsonThatCannotBeWrittenIsAnOutputError) {
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.status, 4) << outcome;
     EXPECT_EQ(outcome.errors, "stdout: cannot be written: No space left on device\n");
+}
+
+TEST_F(Report, JsonThatCannotBeWrittenStopsNoPicture) {
+    for (const StandardOutput output : {StandardOutput::full_disk, StandardOutput::closed_pipe}) {
+        Command command = cpu_render(folder_, {"red.txt", "bad.txt", "two.txt", "-s", "5x5", "--json", "-o", "out-{name}.png"});
+        command.output = output;
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 4) << outcome;
+        const std::vector<std::string> said = lines(outcome.errors);
+        ASSERT_EQ(said.size(), 3U) << outcome;
+        EXPECT_TRUE(said[0].starts_with("stdout: cannot be written: ")) << outcome;
+        EXPECT_TRUE(said[1].starts_with("bad.txt:4:1: ")) << outcome;
+        EXPECT_EQ(said[2], "sphereview: 1 of 3 scenes failed: bad.txt");
+        EXPECT_TRUE(folder_.has("out-red.png") && folder_.has("out-two.png"));
+        std::filesystem::remove(folder_.path("out-two.png"));
+    }
 }
 
 TEST_F(Report, VerboseNamesTheBackendAndHowPixelsWereDecidedOnStandardError) {

@@ -56,7 +56,7 @@ TEST(ExitStatus, Is3WhenMemoryRunsOut) {
     command.most_memory = 1'000'000'000;
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.status, 3) << outcome;
-    EXPECT_TRUE(contains(outcome.errors, "memory ran out"));
+    EXPECT_EQ(outcome.errors, "red.txt: memory ran out\n");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"red.txt"});
 }
 
