@@ -10,6 +10,7 @@
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
+#include "platform/gl_context.hpp"
 
 namespace sphereview {
 
@@ -24,6 +25,7 @@ std::string last_line(std::string text) {
 
 // Probes in a child process, so that a driver that hangs or crashes ends only the child.
 Json probe_apart(const std::string& what, double timeout_seconds) {
+    const std::string culprit = what == "cpu" ? "the CPU renderer" : "the driver";
     const auto limit = std::chrono::milliseconds(static_cast<long long>(timeout_seconds * 1000.0));
     const ChildResult child = run_self({"doctor", "--probe", what}, limit);
     const auto failed = [&](const std::string& reason) {
@@ -32,25 +34,39 @@ Json probe_apart(const std::string& what, double timeout_seconds) {
     };
     switch (child.end) {
         case ChildResult::End::not_started: return probe(what);
-        case ChildResult::End::timed_out: return failed("the driver hung: no answer within " + fixed(timeout_seconds, 0) + " s");
-        case ChildResult::End::killed_by_signal: return failed("the driver crashed (signal " + std::to_string(child.code) + ")");
+        case ChildResult::End::timed_out: return failed(culprit + " gave no answer within " + shortest(timeout_seconds) + " s");
+        case ChildResult::End::killed_by_signal: return failed(culprit + " crashed (signal " + std::to_string(child.code) + ")");
         case ChildResult::End::exited: break;
     }
     Json result = Json::parse(child.output, nullptr, false);
     if (result.is_object()) return result;
-    return failed("the driver ended the program (status " + std::to_string(child.code) + ")");
+    return failed(culprit + " ended the program (status " + std::to_string(child.code) + ")");
 }
 
-// What a person can do about a backend that does not work; `reason` is the probe's.
-std::string advice(const std::string& backend, const std::string& reason) {
+// What a person can do about the backend of `row`, which does not work; `earlier` are the rows before it.
+std::string advice(const Json& row, const Json& earlier) {
+    const std::string backend = row["backend"].get<std::string>();
+    const std::string reason = row.value("reason", "");
     const auto says = [&](const char* words) { return reason.find(words) != std::string::npos; };
+    if (backend == "cpu") {
+        return says("no answer") ? "allow it more time with --timeout" : "report this: the CPU renderer needs nothing but a CPU";
+    }
     if (says("libEGL cannot be opened")) return "install libEGL and a driver (Debian: apt install libegl1 libgl1-mesa-dri)";
     if (says("libOSMesa cannot be opened")) {
         return "install OSMesa (Debian 12: apt install libosmesa6; Mesa 25.1 and later have none: EGL serves instead)";
     }
-    if (says("hung") || says("crashed") || says("ended the program")) {
-        return backend == "egl" ? "update the driver, or choose another with --device N or --backend"
-                                : "update Mesa, or use --backend cpu";
+    if (says("no answer") || says("crashed") || says("ended the program")) {
+        const std::string patience = says("no answer") ? "; if it is only slow, allow it more time with --timeout" : "";
+        return (backend == "egl" ? "update the driver, or choose another with --device N or --backend"
+                                 : "update Mesa, or use --backend cpu") +
+               patience;
+    }
+    if (row["name"] == default_display_name) {
+        for (const Json& other : earlier) {
+            if (other["backend"] == "egl" && other["works"].get<bool>()) {
+                return "nothing: without X or Wayland it is seldom there, and " + other["name"].get<std::string>() + " works";
+            }
+        }
     }
     if (says("eglInitialize") || says("opening the display"))
         return "install a driver for it (Debian: apt install libgl1-mesa-dri)";
@@ -63,7 +79,7 @@ Json diagnose(double timeout_seconds) {
     const auto add = [&](const std::string& backend, const std::string& name, const Json& device, const Json& result) {
         Json row = {{"backend", backend}, {"name", name}, {"device", device}};
         row.update(result);
-        if (!row["works"].get<bool>()) row["advice"] = advice(backend, row.value("reason", ""));
+        if (!row["works"].get<bool>()) row["advice"] = advice(row, rows);
         rows.push_back(row);
     };
     const Json egl = probe_apart("egl", timeout_seconds);
@@ -111,6 +127,7 @@ std::string in_words(const Json& rows) {
 ExitCode run_doctor(const DoctorOptions& options) {
     const std::string out(standard_stream);
     if (!options.probe.empty()) {
+        end_with_parent();
         write_output(out, probe(options.probe).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
         return ExitCode::done;
     }

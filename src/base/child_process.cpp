@@ -17,6 +17,9 @@
 #ifdef __APPLE__
 #include <mach-o/dyld.h>
 #endif
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 
 extern char** environ;
 #endif
@@ -137,6 +140,17 @@ ChildResult run_self(const std::vector<std::string>& arguments, std::chrono::mil
     return result;
 }
 
+#endif
+
+#ifdef __linux__
+void end_with_parent() {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // A parent that ended before that sends no signal, but has left nobody to read what we write.
+    pollfd output{STDOUT_FILENO, 0, 0};
+    if (poll(&output, 1, 0) > 0 && (output.revents & POLLERR) != 0) _exit(128 + SIGKILL);
+}
+#else
+void end_with_parent() {}
 #endif
 
 }  // namespace sphereview

@@ -149,7 +149,7 @@ std::vector<EglDevice> list_egl_devices() {
     if (has_extension(extensions, "EGL_MESA_platform_surfaceless") && eglGetPlatformDisplayEXT != nullptr) {
         found.push_back({EglDevice::Kind::surfaceless, 0, "EGL surfaceless", false});
     }
-    if (!x_or_wayland_is_there()) found.push_back({EglDevice::Kind::default_display, 0, "EGL default display", false});
+    if (!x_or_wayland_is_there()) found.push_back({EglDevice::Kind::default_display, 0, default_display_name, false});
     return found;
 }
 

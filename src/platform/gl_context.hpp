@@ -32,6 +32,8 @@ struct EglDevice {
     bool software = false;  // it says so itself
 };
 
+inline constexpr const char* default_display_name = "EGL default display";
+
 // Everything EGL offers on this machine: its devices in its order, then the surfaceless platform, then, unless that would
 // open a connection to X or Wayland, the default display. Throws RenderError when there is no usable libEGL.
 std::vector<EglDevice> list_egl_devices();

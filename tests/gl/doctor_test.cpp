@@ -53,6 +53,21 @@ TEST(Doctor, SaysTheSameInWords) {
     }
 }
 
+TEST(Doctor, AsksForNoDriverWhereOnlyTheDefaultDisplayFails) {
+    Command command;
+    command.arguments = {"doctor", "--json"};
+    command.environment = {{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}};
+    const Outcome outcome = run(command);
+    const Json report = Json::parse(outcome.output);
+    bool met = false;
+    for (const Json& row : report["backends"]) {
+        if (row["name"] != "EGL default display" || row["works"].get<bool>()) continue;
+        met = true;
+        EXPECT_TRUE(row["advice"].get<std::string>().ends_with("and EGL device 0 works")) << row;
+    }
+    if (!met) GTEST_SKIP() << "the default display works here";
+}
+
 TEST(Doctor, SaysWhyADriverDoesNotServeAndWhatToDo) {
     Command command;
     command.arguments = {"doctor"};

@@ -1,7 +1,12 @@
 // Drivers that hang, crash, end the program or are not what they are called.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -49,8 +54,38 @@ Json egl_row(const std::string& driver, const std::string& timeout) {
 TEST(FakeDriver, ThatHangsIsARowOfDoctor) {
     // The limit holds for the CPU's probe too, which needs milliseconds.
     const auto begin = std::chrono::steady_clock::now();
-    EXPECT_TRUE(contains(egl_row("hanging_egl", "8")["reason"].get<std::string>(), "the driver hung: no answer within 8 s"));
+    EXPECT_TRUE(contains(egl_row("hanging_egl", "8")["reason"].get<std::string>(), "the driver gave no answer within 8 s"));
     EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::seconds(8));
+}
+
+TEST(FakeDriver, ThatHangsEndsWithTheDoctorThatIsKilled) {
+    const TemporaryFolder folder;
+    const std::string fifo = folder.path("alive");
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    for (const int signal_number : {SIGTERM, SIGKILL}) {
+        Command command = with_libraries(fake("hanging_egl"), {"doctor", "--timeout", "600"});
+        command.environment.emplace_back("SPHEREVIEW_TEST_FIFO", fifo);
+        Running doctor(command);
+        const int alive = open(fifo.c_str(), O_RDONLY);
+        pid_t child = 0;
+        ASSERT_EQ(read(alive, &child, sizeof child), static_cast<ssize_t>(sizeof child));
+        doctor.send(signal_number);
+        doctor.wait();
+        pollfd end{alive, POLLIN, 0};
+        const bool ended = poll(&end, 1, 10'000) == 1;
+        EXPECT_TRUE(ended) << "after signal " << signal_number;
+        if (!ended) kill(child, SIGKILL);
+        close(alive);
+    }
+}
+
+TEST(FakeDriver, ThatIsOnlySlowIsNotSaidToHang) {
+    const Outcome outcome = run({"doctor", "--json", "--timeout", "0.001"});
+    EXPECT_EQ(outcome.status, 3) << outcome;
+    const Json report = Json::parse(outcome.output);
+    EXPECT_EQ(row_of(report, "cpu")["reason"], "the CPU renderer gave no answer within 0.001 s");
+    EXPECT_EQ(row_of(report, "cpu")["advice"], "allow it more time with --timeout");
+    EXPECT_EQ(row_of(report, "osmesa")["reason"], "the driver gave no answer within 0.001 s");
 }
 
 TEST(FakeDriver, ThatCrashesIsARowOfDoctor) {

@@ -1,4 +1,5 @@
 /* A libEGL that loads and then fails at its first real call, in one of the ways that drivers do. */
+#include <fcntl.h>
 #include <stdlib.h>
 #include <unistd.h>
 
@@ -17,6 +18,12 @@ const char* eglQueryString(Display display, int name) {
     (void)display;
     (void)name;
 #if defined(HANGS)
+    /* A FIFO that stays open for as long as this process lives, and first holds its number. */
+    const char* fifo = getenv("SPHEREVIEW_TEST_FIFO");
+    if (fifo != NULL) {
+        const pid_t self = getpid();
+        if (write(open(fifo, O_WRONLY), &self, sizeof self) < 0) exit(7);
+    }
     for (;;) pause();
 #elif defined(CRASHES)
     *(volatile int*)NULL = 1;
