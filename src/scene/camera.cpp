@@ -26,17 +26,17 @@ Scaled scaled(const glm::dvec3& v) {
 
 }  // namespace
 
-std::optional<std::string> camera_fault(const Camera& camera) {
+std::optional<CameraFault> camera_fault(const Camera& camera) {
     const glm::dvec3 zero{0.0};
     if (!finite(camera.eye) || !finite(camera.center) || !finite(camera.right) || !finite(camera.up)) {
-        return "its numbers are not all finite";
+        return CameraFault{"its numbers are not all finite", {"eye", "center", "right", "up"}};
     }
     // Halved only where the difference overflows: half of the smallest double is 0.
     glm::dvec3 axis = camera.center - camera.eye;
     if (!finite(axis)) axis = camera.center * 0.5 - camera.eye * 0.5;
-    if (camera.right == zero) return "'right' is zero";
-    if (camera.up == zero) return "'up' is zero";
-    if (axis == zero) return "'eye' and 'center' are the same point";
+    if (camera.right == zero) return CameraFault{"'right' is zero", {"right"}};
+    if (camera.up == zero) return CameraFault{"'up' is zero", {"up"}};
+    if (axis == zero) return CameraFault{"'eye' and 'center' are the same point", {"eye", "center"}};
 
     const Scaled right = scaled(camera.right);
     const Scaled up = scaled(camera.up);
@@ -44,11 +44,13 @@ std::optional<std::string> camera_fault(const Camera& camera) {
     const glm::dvec3 unit_right = glm::normalize(right.vector);
     const glm::dvec3 unit_up = glm::normalize(up.vector);
 
-    if (std::fabs(glm::dot(unit_right, unit_up)) > camera_tolerance) return "'up' is not perpendicular to 'right'";
+    if (std::fabs(glm::dot(unit_right, unit_up)) > camera_tolerance)
+        return CameraFault{"'up' is not perpendicular to 'right'", {"up", "right"}};
     const double ratio = glm::length(up.vector) / glm::length(right.vector) * std::ldexp(1.0, up.exponent - right.exponent);
-    if (!(std::fabs(ratio - 1.0) <= camera_tolerance)) return "'right' and 'up' are not equally long";
+    if (!(std::fabs(ratio - 1.0) <= camera_tolerance)) return CameraFault{"'right' and 'up' are not equally long", {"up", "right"}};
     if (std::fabs(glm::dot(forward, glm::cross(unit_right, unit_up))) <= camera_tolerance) {
-        return "'eye' lies in the screen's plane";
+        return CameraFault{"'eye' lies in the screen's plane, or within 1e-6 of its distance from 'center'",
+                           {"eye", "center", "up", "right"}};
     }
     return std::nullopt;
 }

@@ -4,6 +4,8 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace sphereview {
 
@@ -37,8 +39,13 @@ struct Camera {
 // relative to the lengths of the vectors involved.
 inline constexpr double camera_tolerance = 1e-6;
 
-// What is wrong with the camera ("'up' is not perpendicular to 'right'"), or nothing.
-std::optional<std::string> camera_fault(const Camera& camera);
+// What is wrong with a camera: "'up' is not perpendicular to 'right'".
+struct CameraFault {
+    std::string what;
+    std::vector<std::string_view> vectors;  // "eye", "center", "right" or "up": those concerned, the likeliest mistake first
+};
+
+std::optional<CameraFault> camera_fault(const Camera& camera);
 
 // The coefficients of pixel (x, y)'s ray, times the shorter side m: m D = m (center - eye) + across right + upward up,
 // with D = (center - eye) + (2x + 1 - W) / m right + (H - 1 - 2y) / m up. Whole numbers, so that nothing is rounded.

@@ -24,9 +24,14 @@ struct Document {
     std::optional<std::string_view> literal{};  // what the string `spheres` held before it was emptied
 };
 
+// "NAME:LINE:COLUMN: "
+std::string in_words(const Document& document, const toml::source_position& place) {
+    return document.name + ":" + std::to_string(std::max<toml::source_index>(1, place.line)) + ":" +
+           std::to_string(std::max<toml::source_index>(1, place.column)) + ": ";
+}
+
 [[noreturn]] void fail(const Document& document, const toml::source_position& place, const std::string& message) {
-    throw InputError(document.name + ":" + std::to_string(std::max<toml::source_index>(1, place.line)) + ":" +
-                     std::to_string(std::max<toml::source_index>(1, place.column)) + ": " + message);
+    throw InputError(in_words(document, place) + message);
 }
 
 [[noreturn]] void fail(const Document& document, const toml::node& node, const std::string& message) {
@@ -141,14 +146,19 @@ Camera read_camera(const Document& document, const toml::table& table) {
     if (const auto* node = reader.find("right")) camera.right = reader.vector(*node, "right");
     if (const auto* node = reader.find("up")) camera.up = reader.vector(*node, "up");
     if (const auto fault = camera_fault(camera)) {
-        fail(document, table,
-             "found a camera that cannot be used: " + *fault +
+        const toml::node* culprit = &table;
+        for (auto key = fault->vectors.rbegin(); key != fault->vectors.rend(); ++key) {
+            if (const auto* given = reader.find(*key)) culprit = given;
+        }
+        fail(document, *culprit,
+             "found a camera that cannot be used: " + fault->what +
                  "; expected perpendicular, equally long 'right' and 'up' (within 1e-6) and an eye off the screen's plane");
     }
     return camera;
 }
 
-// The text inside a string value, with its place in the file.
+// The text inside a string value, with its place in the file: where it begins, or, where escapes shift what follows them, that of
+// the whole value.
 TextSource inside_string(const Document& document, const toml::value<std::string>& value) {
     const toml::source_position begin = value.source().begin;
     TextPosition origin{begin.line, begin.column};
@@ -156,6 +166,11 @@ TextSource inside_string(const Document& document, const toml::value<std::string
     for (toml::source_index line = 1; line < begin.line; ++line) offset = document.content.find('\n', offset) + 1;
     // Only white space, a key and '=' stand before it on its line, all ASCII, so a column is a byte.
     std::string_view quotes = document.content.substr(std::min(offset + begin.column - 1, document.content.size()));
+    const bool basic = quotes.starts_with('"');
+    const std::string_view delimiter = quotes.substr(0, quotes.starts_with(R"(""")") ? 3 : 1);
+    if (basic && quotes.substr(0, quotes.find(delimiter, delimiter.size())).find('\\') != std::string_view::npos) {
+        return {in_words(document, begin) + "in the value's text", value.get(), {}};
+    }
     if (quotes.starts_with(R"(""")") || quotes.starts_with("'''")) {
         quotes.remove_prefix(3);
         origin.column += 3;
@@ -178,11 +193,14 @@ void read_spheres(const Document& document, const TableReader& reader, Scene& sc
         scene.spheres = parse_text_spheres(inside_string(document, *value));
     } else if (tables != nullptr) {
         const toml::array* array = tables->as_array();
-        if (array == nullptr || !array->is_homogeneous(toml::node_type::table)) {
-            if (array == nullptr || !array->empty()) wrong(document, *tables, "'sphere' as tables, each headed [[sphere]]");
-        }
+        const std::string expected = "'sphere' as tables, each headed [[sphere]]";
+        if (array == nullptr) wrong(document, *tables, expected);
         scene.spheres.reserve(array->size());
-        for (std::size_t i = 0; i < array->size(); ++i) read_sphere(document, *array->at(i).as_table(), i, scene);
+        for (std::size_t i = 0; i < array->size(); ++i) {
+            const toml::table* sphere = array->at(i).as_table();
+            if (sphere == nullptr) wrong(document, array->at(i), expected);
+            read_sphere(document, *sphere, i, scene);
+        }
     }
 }
 
@@ -192,7 +210,15 @@ toml::table parse(const Document& document) {
     } catch (const toml::parse_error& error) {
         std::string description;
         for (const char c : error.description()) description += c >= ' ' && c <= '~' ? c : '?';
-        fail(document, error.source().begin, "this is not TOML: " + description);
+        // The parser's name for its limit, which nobody here can change.
+        if (const std::size_t macro = description.find(" (TOML_"); macro != std::string::npos) description.resize(macro);
+        // A number that is too large is only met behind it: 'NUMBER' is ... (without its sign)
+        toml::source_position place = error.source().begin;
+        const std::size_t quote = description.find('\'');
+        const std::size_t length = description.rfind('\'') - quote - 1;
+        const bool number = description.ends_with("representable in 64 bits") || description.ends_with("interpreted as a value");
+        if (number && length < place.column) place.column -= static_cast<toml::source_index>(length);
+        fail(document, place, "this is not TOML: " + description);
     }
 }
 

@@ -80,7 +80,9 @@ TEST(TomlErrors, SayWhichTypeWasExpected) {
         {sphere_with("radius", "radius = 7\nname = 1"), "5:8: found 1, expected 'name' as a string"},
         {"camera = 1", "1:10: found 1, expected the table [camera]"},
         {"sphere = 1", "1:10: found 1, expected 'sphere' as tables, each headed [[sphere]]"},
-        {"sphere = [1]", "1:10: found a value of type 'array', expected 'sphere' as tables, each headed [[sphere]]"},
+        {"sphere = [1]", "1:11: found 1, expected 'sphere' as tables, each headed [[sphere]]"},
+        {"sphere = [{color = [1, 2, 3], center = [4, 5, 6], radius = 7}, true]",
+         "1:64: found a value of type 'boolean', expected 'sphere' as tables, each headed [[sphere]]"},
         {"[sphere]\nradius = 1", "1:1: found a value of type 'table', expected 'sphere' as tables, each headed [[sphere]]"},
         {"spheres = 1", "1:11: found 1, expected 'spheres' as a string in the text format"},
         {"background = 0", "1:14: found 0, expected 'background' as a string: black, white, transparent or #rrggbb"},
@@ -91,16 +93,21 @@ TEST(TomlErrors, SayWhichTypeWasExpected) {
 }
 
 TEST(TomlErrors, SayWhyACameraCannotBeUsed) {
+    const std::string in_plane = "'eye' lies in the screen's plane, or within 1e-6 of its distance from 'center'";
     const std::vector<std::pair<std::string, std::string>> cases = {
-        {"up = [1, 50, 0]", "'up' is not perpendicular to 'right'"},
-        {"up = [0, 51, 0]", "'right' and 'up' are not equally long"},
-        {"eye = [1, 2, 100]", "'eye' lies in the screen's plane"},
-        {"eye = [0, 0, 100]", "'eye' and 'center' are the same point"},
-        {"right = [0, 0, 0]", "'right' is zero"},
+        {"up = [1, 50, 0]", "3:6: 'up' is not perpendicular to 'right'"},
+        {"right = [50, 1, 0]", "3:9: 'up' is not perpendicular to 'right'"},
+        {"right = [50, 0, 0]\nup = [0, 51, 0]", "4:6: 'right' and 'up' are not equally long"},
+        {"center = [0, 0, 9]\neye = [1, 2, 9]", "4:7: " + in_plane},
+        {"center = [9, 0, 0]", "3:10: " + in_plane},
+        {"right = [0, 0, 50]", "3:9: " + in_plane},
+        {"eye = [0, 0, 100]", "3:7: 'eye' and 'center' are the same point"},
+        {"right = [0, 0, 0]", "3:9: 'right' is zero"},
     };
     for (const auto& [line, fault] : cases) {
         EXPECT_EQ(message("# a comment\n[camera]\n" + line + "\n"),
-                  "s.toml:2:1: found a camera that cannot be used: " + fault +
+                  "s.toml:" + fault.substr(0, fault.find(' ')) +
+                      " found a camera that cannot be used:" + fault.substr(fault.find(' ')) +
                       "; expected perpendicular, equally long 'right' and 'up' (within 1e-6) and an eye off the screen's plane");
     }
 }
@@ -115,6 +122,9 @@ TEST(TomlErrors, StandWhereTheyAreInsideTheSpheresText) {
         {"  spheres  =  \"1 x\"", "1:18: " + red},
         {"\xEF\xBB\xBFspheres = '''1 x'''", "1:16: " + red},
         {"# \xC3\xA9\nspheres = '1 x'", "2:14: " + red},
+        {"\nspheres = \"1\\n x\"", "2:11: in the value's text:2:2: " + red},
+        {"spheres = \"\"\"\n1\n\\u0020x \\\" \"\"\"", "1:11: in the value's text:2:2: " + red},
+        {"spheres = '1 x\\n'", "1:14: found 'x\\n', expected the red of sphere 1 of 1, a whole number"},
         {"spheres = ''", "1:12: the text is empty, expected the number of spheres"},
         {"spheres = '1'", "1:13: the text ends, expected the red of sphere 1 of 1"},
     };
@@ -140,6 +150,9 @@ TEST(TomlErrors, SayWhereTheFileIsNotToml) {
              {"[camera\n", "1:8"},
              {std::string("a\0b = 1", 7), "1:2"},
              {"a = '\xFF'", "1:5"},
+             {"a = 99999999999999999999", "1:5"},
+             {"a = [1, 0xfffffffffffffffff, 3]", "1:9"},
+             {"a = 1\nb = 1e400 # large\n", "2:5"},
          }) {
         EXPECT_TRUE(message(text).starts_with("s.toml:" + place + ": this is not TOML: ")) << message(text);
     }
@@ -152,7 +165,8 @@ TEST(TomlErrors, AreOnePrintableLine) {
 }
 
 TEST(TomlErrors, RefuseDeepNestingWithoutExhaustingTheStack) {
-    EXPECT_TRUE(message("a = " + std::string(100'000, '[')).starts_with("s.toml:1:"));
+    const std::string said = message("a = " + std::string(100'000, '['));
+    EXPECT_TRUE(said.starts_with("s.toml:1:") && said.ends_with("exceeded maximum nested value depth of 256")) << said;
 }
 
 }  // namespace sphereview
