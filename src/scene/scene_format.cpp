@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/toml_format.hpp"
 
@@ -9,15 +10,28 @@ namespace sphereview {
 
 namespace {
 
+constexpr const char* white_space = " \t\r\n\v\f";
+
+std::string_view skip_white_space(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(white_space);
+    return begin == std::string_view::npos ? std::string_view{} : text.substr(begin);
+}
+
 // The content from its first character that is neither white space nor a byte-order mark.
-std::string_view first_words(std::string_view content) {
-    content = without_byte_order_mark(content);
-    const std::size_t begin = content.find_first_not_of(" \t\r\n\v\f");
-    return begin == std::string_view::npos ? std::string_view{} : content.substr(begin);
+std::string_view first_words(std::string_view content) { return skip_white_space(without_byte_order_mark(content)); }
+
+// The same, behind any lines of comment.
+std::string_view first_words_behind_comments(std::string_view content) {
+    std::string_view words = first_words(content);
+    while (words.starts_with('#')) {
+        const std::size_t end = words.find_first_of("\r\n");
+        words = end == std::string_view::npos ? std::string_view{} : skip_white_space(words.substr(end));
+    }
+    return words;
 }
 
 bool starts_a_toml_line(std::string_view words) {
-    if (words.starts_with('#') || words.starts_with('[')) return true;
+    if (words.starts_with('[')) return true;
     // A key of letters, digits, '_', '-', '.' or quotes, then '='.
     const std::string_view line = words.substr(0, words.find_first_of("\r\n"));
     const std::size_t equals = line.find('=');
@@ -35,14 +49,21 @@ SceneFormat format_of_name(std::string_view path) {
 }
 
 SceneFormat detect_format(std::string_view content, std::string_view name) {
-    const std::string_view words = first_words(content);
-    if (starts_a_toml_line(words)) return SceneFormat::toml;
+    const bool comment = first_words(content).starts_with('#');
+    const std::string_view words = first_words_behind_comments(content);
+    if (starts_a_toml_line(words) || (comment && words.empty())) return SceneFormat::toml;
     const bool number = !words.empty() && std::string_view("0123456789+-.").find(words[0]) != std::string_view::npos;
     return number ? SceneFormat::text : format_of_name(name);
 }
 
 Scene parse_scene(std::string_view content, const std::string& name) {
     if (detect_format(content, name) == SceneFormat::toml) return parse_toml(content, name);
+    if (const std::string_view words = first_words(content); words.starts_with('#')) {
+        const std::string_view text = without_byte_order_mark(content);
+        const TextPosition place = position_at(text, static_cast<std::size_t>(words.data() - text.data()));
+        throw InputError(name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
+                         ": found a comment, expected the number of spheres: only TOML has comments, the text format has none");
+    }
     Scene scene;
     scene.spheres = parse_text_spheres({name, content});
     return scene;

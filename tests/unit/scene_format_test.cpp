@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "unit/message_of.hpp"
@@ -13,17 +15,18 @@ TEST(DetectFormat, BelievesTheContentBeforeTheName) {
     for (const char* content : {"0", "  \n 3 ",
                                 "\xEF\xBB\xBF"
                                 "1",
-                                "+1", "-1", ".5", "1\n# not a comment here\na = 1"}) {
+                                "+1", "-1", ".5", "1\n# not a comment here\na = 1", "# two spheres\n2"}) {
         EXPECT_EQ(detect_format(content, "s.toml"), SceneFormat::text) << content;
     }
-    for (const char* content : {"# a comment", "\xEF\xBB\xBF\n# a comment", "[camera]", "[[sphere]]", "background = 'white'",
-                                "camera.eye = [0, 0, 0]", "\"background\"=\"white\"", "\r\n  spheres = '0'", "1 = 2"}) {
+    for (const char* content :
+         {"# a comment", "\xEF\xBB\xBF\n# a comment", "# a comment\r\n\n #b\rspheres = '0'", "[camera]", "[[sphere]]",
+          "background = 'white'", "camera.eye = [0, 0, 0]", "\"background\"=\"white\"", "\r\n  spheres = '0'", "1 = 2"}) {
         EXPECT_EQ(detect_format(content, "s.txt"), SceneFormat::toml) << content;
     }
 }
 
 TEST(DetectFormat, BelievesTheNameWhereTheContentIsUnclear) {
-    for (const char* content : {"", " \n", "hello", "\x89PNG", "\xEF\xBB\xBF", "is 2 + 2 = 4?"}) {
+    for (const char* content : {"", " \n", "hello", "\x89PNG", "\xEF\xBB\xBF", "is 2 + 2 = 4?", "# a comment\nhello"}) {
         for (const char* name : {"s.toml", "S.TOML", "a.txt/s.Toml"}) {
             EXPECT_EQ(detect_format(content, name), SceneFormat::toml) << content;
         }
@@ -46,6 +49,15 @@ TEST(ParseScene, ReadsEitherFormatWhateverTheName) {
     EXPECT_EQ(text, toml);
     ASSERT_EQ(text.spheres.size(), 1U);
     EXPECT_EQ(text.spheres[0], (Sphere{{4, 5, 6}, 7, {1, 2, 3}, false}));
+}
+
+TEST(ParseScene, SaysThatTheTextFormatHasNoComments) {
+    for (const auto& [text, place] : std::vector<std::pair<std::string, std::string>>{
+             {"# two\n2 1 2 3", "1:1"}, {"\xEF\xBB\xBF\n  # two\n # b\n2", "2:3"}, {"# hello\nhello", "1:1"}}) {
+        EXPECT_EQ(message_of<InputError>([&] { parse_scene(text, "s.txt"); }),
+                  "s.txt:" + place +
+                      ": found a comment, expected the number of spheres: only TOML has comments, the text format has none");
+    }
 }
 
 TEST(ParseScene, NamesTheFileInBothFormats) {
