@@ -1,5 +1,6 @@
 // sphereview explain: the arithmetic of one pixel, to be checked with pen and paper.
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -16,7 +17,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string in_words(const glm::dvec3& v) { return "(" + shortest(v.x) + ", " + shortest(v.y) + ", " + shortest(v.z) + ")"; }
+constexpr const char* unshown_small = "too small for a double to show; decided exactly";
+constexpr const char* unshown_large = "too large for a double to show; decided exactly";
+
+// Signs are known exactly where a double has become 0 or infinite: what is shown must not contradict what was decided.
+std::string in_words(double value, int sign) {
+    const std::string side = sign > 0 ? "(above 0, " : "(below 0, ";
+    if (std::isinf(value)) return (value > 0.0 ? "(above 0, " : "(below 0, ") + std::string(unshown_large) + ")";
+    if (value == 0.0 && sign != 0) return side + unshown_small + ")";
+    return shortest(value + 0.0);  // -0 becomes 0
+}
+
+std::string in_words(const glm::dvec3& v) {
+    const auto part = [](double value) {
+        return std::isinf(value) ? (value > 0.0 ? "" : "-") + std::string("(too large for a double)") : shortest(value + 0.0);
+    };
+    return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
+}
+
+// The explanation has 100 digits: where the centre is larger than the radius by more, nothing is left of the difference.
+bool is_lost(const glm::dvec3& normal) { return !(std::fabs(glm::dot(normal, normal) - 1.0) < 1e-9); }
 
 std::string in_words(const Color& color) {
     return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
@@ -55,16 +75,20 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     const auto line = [&](const std::string& what) { text += "  " + what + "\n"; };
     text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + in_words(sphere.center) +
             ", r = " + shortest(sphere.radius) + "\n";
-    line("a = D.D                     = " + shortest(hit.a));
-    line("b = 2 D.(O - C)             = " + shortest(hit.b));
-    line("c = (O - C).(O - C) - r^2   = " + shortest(hit.c));
-    line("discriminant = b^2 - 4 a c  = " + shortest(hit.discriminant) +
+    const int c_sign = hit.eye == EyeSide::outside ? 1 : hit.eye == EyeSide::inside ? -1 : 0;
+    const int b_sign = c_sign >= 0 ? -1 : 0;  // a hit in front of the eye, or nothing known
+    line("a = D.D                     = " + in_words(hit.a, 1));
+    line("b = 2 D.(O - C)             = " + in_words(hit.b, b_sign));
+    line("c = (O - C).(O - C) - r^2   = " + in_words(hit.c, c_sign));
+    line("discriminant = b^2 - 4 a c  = " + in_words(hit.discriminant, hit.discriminant_sign) +
          (hit.discriminant_sign > 0 ? "  > 0: two roots" : "  = 0 exactly: tangent, one root"));
-    line("t1 = (-b - sqrt(discriminant)) / (2 a)  = " + shortest(hit.t1));
-    line("t2 = (-b + sqrt(discriminant)) / (2 a)  = " + shortest(hit.t2));
+    line("t1 = (-b - sqrt(discriminant)) / (2 a)  = " + in_words(hit.t1, c_sign));
+    const bool too_near = hit.discriminant_sign > 0 && hit.t1 == hit.t2 && hit.t2 != 0.0 && std::isfinite(hit.t2);
+    line("t2 = (-b + sqrt(discriminant)) / (2 a)  = " + in_words(hit.t2, 1) +
+         (too_near ? "  (larger than t1 by too little for a double to show)" : ""));
     line(why(hit));
-    line("t = " + shortest(hit.t) + ", point O + t D = " + in_words(hit.point) +
-         ", normal (point - C) / r = " + in_words(hit.normal));
+    line("t = " + in_words(hit.t, 1) + ", point O + t D = " + in_words(hit.point) +
+         ", normal (point - C) / r = " + (is_lost(hit.normal) ? "(r is too small beside C to show it)" : in_words(hit.normal)));
     if (hit.as_near_as_last) line("exactly as near as the sphere before it, which comes first in the file");
     return text + "\n";
 }
@@ -95,7 +119,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
 }
 
 // JSON has no infinity: null where a double cannot hold the number.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(double value) { return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr); }  // -0 becomes 0
 Json vector(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
 Json rgb(const Color& color) { return {color.r, color.g, color.b}; }
 
@@ -121,7 +145,7 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
             {"why", why(hit)},
             {"t", number(hit.t)},
             {"point", vector(hit.point)},
-            {"normal", vector(hit.normal)},
+            {"normal", is_lost(hit.normal) ? Json{nullptr, nullptr, nullptr} : vector(hit.normal)},
             {"as_near_as_last", hit.as_near_as_last}};
 }
 
