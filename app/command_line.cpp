@@ -14,7 +14,7 @@ namespace {
 constexpr const char* exit_codes =
     "Exit status: 0 done; 1 the picture differs from the expected one; 2 wrong usage or a bad scene;\n"
     "3 nothing here could render, or memory ran out; 4 the output could not be written;\n"
-    "130, 143 interrupted. Of several the highest counts.";
+    "129, 130, 143 interrupted. Of several the highest counts.";
 
 constexpr const char* render_examples =
     "Examples:\n"

@@ -12,7 +12,7 @@ TEST(Usage, EachCommandHasHelpWithExamplesAndExitStatus) {
     const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases = {
         {{"--help"},
          {"render", "convert", "explain", "doctor", "Exit status: 0 done; 1 ", "2 wrong usage", "3 nothing", "4 the output",
-          "130, 143"}},
+          "129, 130, 143 interrupted"}},
         {{"-h"}, {"render", "Exit status"}},
         {{"render", "--help"},
          {"Examples:", "sphereview render scene.txt", "Exit status: 0", "--output", "--size", "--background", "--backend",
