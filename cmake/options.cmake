@@ -8,6 +8,8 @@ else()
         $<$<BOOL:${SPHEREVIEW_WERROR}>:-Werror>
         # False alarms on joining strings (GCC bug 105651).
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
+        # Part of -Wconversion for Clang alone.
+        $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
         # Exact pictures: no multiplication and addition may be fused behind our back.
         -ffp-contract=off)
 endif()

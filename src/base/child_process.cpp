@@ -21,7 +21,7 @@
 #include <sys/prctl.h>
 #endif
 
-extern char** environ;
+extern char** environ;  // NOLINT(readability-redundant-declaration): glibc declares it, POSIX does not
 #endif
 
 namespace sphereview {
