@@ -30,6 +30,18 @@ std::string in_words(const Document& document, const toml::source_position& plac
            std::to_string(std::max<toml::source_index>(1, place.column)) + ": ";
 }
 
+// The byte at `place`: its column counts characters.
+std::size_t offset_of(const Document& document, const toml::source_position& place) {
+    const std::string_view text = document.content;
+    std::size_t offset = 0;
+    for (toml::source_index line = 1; line < place.line; ++line) offset = text.find('\n', offset) + 1;
+    for (toml::source_index column = 1; column < place.column && offset < text.size(); ++column) {
+        do ++offset;
+        while (offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xC0) == 0x80);
+    }
+    return offset;
+}
+
 [[noreturn]] void fail(const Document& document, const toml::source_position& place, const std::string& message) {
     throw InputError(in_words(document, place) + message);
 }
@@ -162,10 +174,7 @@ Camera read_camera(const Document& document, const toml::table& table) {
 TextSource inside_string(const Document& document, const toml::value<std::string>& value) {
     const toml::source_position begin = value.source().begin;
     TextPosition origin{begin.line, begin.column};
-    std::size_t offset = 0;  // of the opening quotes
-    for (toml::source_index line = 1; line < begin.line; ++line) offset = document.content.find('\n', offset) + 1;
-    // Only white space, a key and '=' stand before it on its line, all ASCII, so a column is a byte.
-    std::string_view quotes = document.content.substr(std::min(offset + begin.column - 1, document.content.size()));
+    std::string_view quotes = document.content.substr(offset_of(document, begin));
     const bool basic = quotes.starts_with('"');
     const std::string_view delimiter = quotes.substr(0, quotes.starts_with(R"(""")") ? 3 : 1);
     if (basic && quotes.substr(0, quotes.find(delimiter, delimiter.size())).find('\\') != std::string_view::npos) {
@@ -212,12 +221,13 @@ toml::table parse(const Document& document) {
         for (const char c : error.description()) description += c >= ' ' && c <= '~' ? c : '?';
         // The parser's name for its limit, which nobody here can change.
         if (const std::size_t macro = description.find(" (TOML_"); macro != std::string::npos) description.resize(macro);
-        // A number that is too large is only met behind it: 'NUMBER' is ... (without its sign)
         toml::source_position place = error.source().begin;
-        const std::size_t quote = description.find('\'');
-        const std::size_t length = description.rfind('\'') - quote - 1;
-        const bool number = description.ends_with("representable in 64 bits") || description.ends_with("interpreted as a value");
-        if (number && length < place.column) place.column -= static_cast<toml::source_index>(length);
+        // A number that is too large is met behind its end.
+        if (description.ends_with("representable in 64 bits") || description.ends_with("interpreted as a value")) {
+            const std::string_view before = document.content.substr(0, offset_of(document, place));
+            const std::size_t begin = before.find_last_not_of("+-._0123456789abcdefABCDEFx") + 1;
+            place.column -= std::min(place.column, static_cast<toml::source_index>(before.size() - begin));
+        }
         fail(document, place, "this is not TOML: " + description);
     }
 }

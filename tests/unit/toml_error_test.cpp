@@ -153,6 +153,7 @@ TEST(TomlErrors, SayWhereTheFileIsNotToml) {
              {"a = 99999999999999999999", "1:5"},
              {"a = [1, 0xfffffffffffffffff, 3]", "1:9"},
              {"a = 1\nb = 1e400 # large\n", "2:5"},
+             {"\"\xC3\xA9\"=-99_999_999_999_999_999_999", "1:5"},
          }) {
         EXPECT_TRUE(message(text).starts_with("s.toml:" + place + ": this is not TOML: ")) << message(text);
     }
