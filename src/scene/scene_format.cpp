@@ -42,6 +42,14 @@ bool starts_a_toml_line(std::string_view words) {
     });
 }
 
+// Of a text scene that begins with one.
+[[noreturn]] void refuse_comment(std::string_view content, std::string_view name) {
+    content = without_byte_order_mark(content);
+    const TextPosition place = position_at(content, content.find('#'));
+    throw InputError(std::string(name) + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
+                     ": found a comment, expected the number of spheres: only TOML has comments, the text format has none");
+}
+
 }  // namespace
 
 SceneFormat format_of_name(std::string_view path) {
@@ -53,17 +61,13 @@ SceneFormat detect_format(std::string_view content, std::string_view name) {
     const std::string_view words = first_words_behind_comments(content);
     if (starts_a_toml_line(words) || (comment && words.empty())) return SceneFormat::toml;
     const bool number = !words.empty() && std::string_view("0123456789+-.").find(words[0]) != std::string_view::npos;
-    return number ? SceneFormat::text : format_of_name(name);
+    const SceneFormat format = number ? SceneFormat::text : format_of_name(name);
+    if (format == SceneFormat::text && comment) refuse_comment(content, name);
+    return format;
 }
 
 Scene parse_scene(std::string_view content, const std::string& name) {
     if (detect_format(content, name) == SceneFormat::toml) return parse_toml(content, name);
-    if (const std::string_view words = first_words(content); words.starts_with('#')) {
-        const std::string_view text = without_byte_order_mark(content);
-        const TextPosition place = position_at(text, static_cast<std::size_t>(words.data() - text.data()));
-        throw InputError(name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-                         ": found a comment, expected the number of spheres: only TOML has comments, the text format has none");
-    }
     Scene scene;
     scene.spheres = parse_text_spheres({name, content});
     return scene;

@@ -14,6 +14,7 @@ enum class SceneFormat { text, toml };
 
 // The format that the content shows behind its comments: a first word that is a number is the text format; a table's head, a
 // `key =` or nothing but comments is TOML. Otherwise (empty, or neither) the name decides: .toml is TOML, all else is text.
+// Throws InputError where the text format begins with a comment, which it cannot have.
 SceneFormat detect_format(std::string_view content, std::string_view name);
 
 // The format for writing to `path`, by its name: .toml is TOML, all else is text.
