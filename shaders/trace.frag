@@ -25,12 +25,15 @@ void main() {
     float low = never;            // the smallest lower bound over all candidates
     int guess = -1;
     float second_low = never;     // the smallest over all candidates but the guess
-    for (int i = 0; i < level_count; ++i) {
-        ivec2 list = list_at(levels[i], pixel);
-        for (int place = list.x; place < list.y; ++place) {
-            uvec2 candidate = candidate_at(place);
-            // It and all after it begin beyond a sure hit.
-            if (uintBitsToFloat(candidate.y) > smallest_high) break;
+    // The loops end, rather than begin, with their tests: where nothing is left to do for any of its pixels, llvmpipe runs a
+    // loop's body once all the same.
+    int level = 0;
+    do {
+        ivec2 list = list_at(levels[level], pixel);
+        int place = list.x;
+        uvec2 candidate = candidate_at(place);
+        bool more = place < list.y && nearest(candidate) <= smallest_high;
+        if (more) do {
             int index = int(candidate.x);
             vec4 sphere = sphere_at(index);
             float w = error_scale * (abs(sphere.x) + abs(sphere.y) + abs(sphere.z) + abs(sphere.w));
@@ -42,8 +45,13 @@ void main() {
             bool surer = hit.y < smallest_high;
             smallest_high = surer ? hit.y : smallest_high;
             sure = surer ? index : sure;
-        }
-    }
+            ++place;
+            candidate = candidate_at(place);
+            // What begins beyond a sure hit is not seen, and neither is what comes after it.
+            more = place < list.y && nearest(candidate) <= smallest_high;
+        } while (more);
+        ++level;
+    } while (level < level_count);
     bool decided = all_doubtful == 0 && guess == sure && (guess < 0 || second_low > smallest_high);
     visible = decided ? guess : doubtful(guess);
 }

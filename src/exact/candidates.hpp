@@ -31,7 +31,7 @@ inline constexpr std::size_t most_tile_levels = 8;
 // `nearest` never falls, so that a walk may stop at a sphere that begins beyond a sure hit.
 struct CandidateLists {
     std::vector<TileLevel> levels;            // at most most_tile_levels; only those in which something is listed
-    std::vector<std::uint32_t> begins = {0};  // where each tile's list begins; one more, for the end of the last
+    std::vector<std::uint32_t> begins = {0, 0};  // where each tile's list begins; one more, for the end of the last
     std::vector<Candidate> candidates;
 
     // The list of the level's tile in which pixel (x, y) lies.

@@ -82,7 +82,7 @@ std::string GpuRenderer::storage() const {
 void GpuRenderer::choose_storage(std::size_t spheres, const CandidateLists& lists) {
     Storage storage;
     storage.in_block = spheres <= static_cast<std::size_t>(uniform_capacity_);
-    const std::size_t longest = std::max({storage.in_block ? 1 : spheres, lists.candidates.size(), lists.begins.size()});
+    const std::size_t longest = std::max({storage.in_block ? 1 : spheres, lists.candidates.size(), lists.begins.size()}) + 1;
     storage.tables = table_limits(longest, bounds_);
     if (longest > storage.tables.most_texels) {
         throw TooLarge("its textures hold tables of " + in_groups(storage.tables.most_texels) + " elements, the scene's " +
@@ -124,7 +124,9 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& list
     frame_.error_scale = view.error_scale;
     frame_.all_doubtful = view.all_doubtful ? 1 : 0;
     frame_.picture_size = {size.width, size.height};
-    frame_.level_count = static_cast<std::int32_t>(lists.levels.size());
+    // At least one: of a picture without spheres, a single tile with an empty list.
+    frame_.level_count = std::max(1, static_cast<std::int32_t>(lists.levels.size()));
+    frame_.levels[0] = {30, 0, 0, 0};
     for (std::size_t i = 0; i < lists.levels.size(); ++i) {
         const TileLevel& level = lists.levels[i];
         frame_.levels[i] = {level.shift, level.across, static_cast<std::int32_t>(level.first), 0};

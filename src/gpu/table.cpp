@@ -51,16 +51,15 @@ void Table::upload(const void* data, std::size_t count, TexelKind kind, TextureU
     if (!limits.shift) {
         if (!buffer_) buffer_ = make_buffer();
         glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-        // One element at least: a buffer without storage makes no texture.
-        const auto bytes = static_cast<GLsizeiptr>(std::max<std::size_t>(count, 1) * format.bytes);
-        glBufferData(GL_TEXTURE_BUFFER, bytes, count == 0 ? nullptr : data, GL_DYNAMIC_DRAW);
+        glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>((count + 1) * format.bytes), nullptr, GL_DYNAMIC_DRAW);
+        glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(count * format.bytes), data);
         glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
         glTexBuffer(GL_TEXTURE_BUFFER, format.internal, buffer_.name());
     } else {
         const auto columns = std::size_t{1} << *limits.shift;
         const std::size_t whole_rows = count / columns;
         const std::size_t rest = count % columns;
-        const auto rows = static_cast<GLsizei>(std::max<std::size_t>(1, whole_rows + (rest == 0 ? 0 : 1)));
+        const auto rows = static_cast<GLsizei>(whole_rows + 1);
         glBindTexture(GL_TEXTURE_2D, texture_.name());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -36,7 +36,7 @@ enum class TexelKind { vec4, rgba8, uint_pair, uint };
 // One array, in a buffer texture or a 2D texture.
 class Table {
 public:
-    // Uploads `count` texels and binds the texture to its unit. At most limits.most_texels.
+    // Uploads `count` texels, fewer than limits.most_texels, and binds the texture to its unit. One more can be fetched.
     void upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits);
 
 private:

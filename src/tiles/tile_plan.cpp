@@ -7,9 +7,9 @@ namespace sphereview {
 
 namespace {
 
-constexpr int level_step = 2;                // each level's tiles are 4 x 4 of the one before
-constexpr std::size_t sample_size = 20'000;  // spheres that stand for all
-constexpr double lookups_per_pixel = 4.0;    // what finding a list costs, in tests
+constexpr int level_step = 2;               // each level's tiles are 4 x 4 of the one before
+constexpr std::size_t sample_size = 5'000;  // spheres that stand for all
+constexpr double lookups_per_pixel = 4.0;   // what finding a list costs, in tests
 
 std::int64_t tile_count(PictureSize size, int shift) {
     const auto along = [=](int pixels) { return (std::int64_t{pixels} + (1 << shift) - 1) >> shift; };
