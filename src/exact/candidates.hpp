@@ -8,6 +8,17 @@
 
 namespace sphereview {
 
+// Columns left..right and rows top..bottom of a picture, all inclusive; empty when right < left or bottom < top.
+struct PixelRange {
+    std::int32_t left = 0;
+    std::int32_t top = 0;
+    std::int32_t right = -1;
+    std::int32_t bottom = -1;
+
+    bool empty() const { return right < left || bottom < top; }
+    bool operator==(const PixelRange&) const = default;
+};
+
 // A sphere in the list of a tile.
 struct Candidate {
     std::uint32_t index = 0;  // among the drawn spheres
@@ -30,9 +41,10 @@ inline constexpr std::size_t most_tile_levels = 8;
 // A pixel can show only spheres from the lists of the tiles that it lies in, one of each level, the coarsest first. In a list
 // `nearest` never falls, so that a walk may stop at a sphere that begins beyond a sure hit.
 struct CandidateLists {
-    std::vector<TileLevel> levels;            // at most most_tile_levels; only those in which something is listed
+    std::vector<TileLevel> levels;               // at most most_tile_levels; only those in which something is listed
     std::vector<std::uint32_t> begins = {0, 0};  // where each tile's list begins; one more, for the end of the last
     std::vector<Candidate> candidates;
+    PixelRange covered;  // outside it no pixel shows a sphere
 
     // The list of the level's tile in which pixel (x, y) lies.
     std::span<const Candidate> at(const TileLevel& level, int x, int y) const {

@@ -127,6 +127,7 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& list
     // At least one: of a picture without spheres, a single tile with an empty list.
     frame_.level_count = std::max(1, static_cast<std::int32_t>(lists.levels.size()));
     frame_.levels[0] = {30, 0, 0, 0};
+    covered_ = lists.covered;
     for (std::size_t i = 0; i < lists.levels.size(); ++i) {
         const TileLevel& level = lists.levels[i];
         frame_.levels[i] = {level.shift, level.across, static_cast<std::int32_t>(level.first), 0};
@@ -145,6 +146,23 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& list
     check_gl("uploading the spheres");
 }
 
+// Draws where there may be spheres; elsewhere the background is known.
+void GpuRenderer::draw_covered(const Block& block) {
+    const GLint nothing = frame_.all_doubtful != 0 ? doubtful_background : visible_background;
+    const int left = std::max(block.x, covered_.left);
+    const int top = std::max(block.y, covered_.top);
+    const int right = std::min(block.x + block.width - 1, covered_.right);
+    const int bottom = std::min(block.y + block.height - 1, covered_.bottom);
+    const bool all =
+        left == block.x && top == block.y && right == block.x + block.width - 1 && bottom == block.y + block.height - 1;
+    if (!all) glClearBufferiv(GL_COLOR, 0, &nothing);
+    if (right < left || bottom < top) return;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(left - block.x, top - block.y, right - left + 1, bottom - top + 1);
+    draw_everywhere(block);
+    glDisable(GL_SCISSOR_TEST);
+}
+
 void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Timings& timings) {
     assert(block.width <= largest_block_side_ && block.height <= largest_block_side_);
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
@@ -156,7 +174,7 @@ void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Tim
         glBindFramebuffer(GL_FRAMEBUFFER, visible_target_.name());
         glUseProgram(trace_.name());
         glBindVertexArray(no_vertices_.name());
-        draw_everywhere(block);
+        draw_covered(block);
         glFinish();
         check_gl("tracing");
     }

@@ -60,6 +60,7 @@ private:
     void choose_storage(std::size_t spheres, const CandidateLists& lists);
     void self_check(Timings& timings);
     void resize_target(int width, int height);
+    void draw_covered(const Block& block);
 
     int uniform_capacity_ = 0;
     TextureBounds bounds_;
@@ -80,6 +81,7 @@ private:
     int target_width_ = 0;
     int target_height_ = 0;
     FrameBlock frame_;
+    PixelRange covered_;  // of the picture; the rest shows no sphere
     Block last_block_;
 };
 

@@ -131,6 +131,18 @@ void fill(const Band& band, const Entry* begin, const Entry* end, std::size_t fi
     }
 }
 
+// The smallest range that holds all.
+PixelRange united(const std::vector<PixelRange>& ranges) {
+    constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
+    PixelRange all{far, far, -1, -1};
+    for (const PixelRange& range : ranges) {
+        if (range.empty()) continue;
+        all = {std::min(all.left, range.left), std::min(all.top, range.top), std::max(all.right, range.right),
+               std::max(all.bottom, range.bottom)};
+    }
+    return all;
+}
+
 }  // namespace
 
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs) {
@@ -141,6 +153,7 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
     parallel_pieces(ranges.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) ranges[i] = planes.range(spheres.center_radius[i]);
     });
+    lists.covered = united(ranges);
     const TilePlan plan = plan_tiles(ranges, size, costs);
     const Bands bands(plan, size);
 

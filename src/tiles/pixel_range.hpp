@@ -1,25 +1,13 @@
 // Which pixels a sphere can cover, conservatively. Derivation: docs/exactness.md, "Tiles".
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "exact/candidates.hpp"
 #include "scene/camera.hpp"
 
 namespace sphereview {
-
-// Columns left..right and rows top..bottom, all inclusive; empty when right < left or bottom < top.
-struct PixelRange {
-    std::int32_t left = 0;
-    std::int32_t top = 0;
-    std::int32_t right = -1;
-    std::int32_t bottom = -1;
-
-    bool empty() const { return right < left || bottom < top; }
-    bool operator==(const PixelRange&) const = default;
-};
 
 // The planes through the eye and the pixels' centres, column by column and row by row.
 class PixelPlanes {
