@@ -12,8 +12,9 @@ namespace {
 // Small enough to stay in the processor's cache, large enough to keep many cores at work.
 constexpr std::size_t block = std::size_t{1} << 22;
 
-std::vector<Sphere> read_text(InputStream& stream, Progress* progress) {
+std::vector<Sphere> read_text(InputStream& stream, Progress* progress, std::size_t more_per_sphere) {
     SphereTextReader reader(stream.name(), {}, stream.size());
+    reader.expect_bytes_per_sphere(sizeof(Sphere) + more_per_sphere);
     while (true) {
         stream.drop_first(reader.read(stream.bytes(), stream.ended()));
         if (stream.ended()) return reader.take_spheres();
@@ -24,13 +25,13 @@ std::vector<Sphere> read_text(InputStream& stream, Progress* progress) {
 
 }  // namespace
 
-LoadedScene load_scene(const std::string& path, Progress* progress) {
+LoadedScene load_scene(const std::string& path, Progress* progress, std::size_t more_per_sphere) {
     InputStream stream(path);
     if (progress != nullptr) progress->start(stream.name(), 1e-6 * static_cast<double>(stream.size().value_or(0)), "MB");
     stream.fill(std::min(block, stream.size().value_or(block) + 1));
     if (detect_format(stream.bytes(), stream.name()) == SceneFormat::text) {
         Scene scene;
-        scene.spheres = read_text(stream, progress);
+        scene.spheres = read_text(stream, progress, more_per_sphere);
         return {std::move(scene), stream.name()};
     }
     stream.fill();

@@ -14,6 +14,7 @@
 #include "base/output_file.hpp"
 #include "image/compare.hpp"
 #include "image/png.hpp"
+#include "tiles/build_lists.hpp"
 
 namespace sphereview {
 
@@ -84,7 +85,7 @@ private:
 
     Scene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        return load_scene(path, &progress_).scene;
+        return load_scene(path, &progress_, bytes_to_draw_a_sphere).scene;
     }
 
     Image render_by_what_holds_it(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,

@@ -16,6 +16,8 @@ import sys
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
+import peers
+
 ROOT = Path(__file__).resolve().parent.parent
 MILLION = 1_000_000
 NOTHING_COULD_RENDER = 3  # sphereview's exit status where a backend is missing
@@ -56,22 +58,23 @@ class Bench:
         picture = self.out / f"{name}.png"
         return Case(name, [self.program("sphereview"), "render", str(scene), "-o", str(picture), *options], environment)
 
-    def run(self, case: Case) -> dict:
+    def run(self, case: Case, limit_s: int | None = None) -> dict:
         """One run: wall_s, cpu_s (user + system), peak_bytes, and what it printed on standard output."""
         result = self.out / "measure.json"
-        done = subprocess.run([self.program("measure"), str(result), *case.command], capture_output=True, text=True,
+        limit = ["timeout", str(limit_s)] if limit_s else []  # its exit status then: 124
+        done = subprocess.run([self.program("measure"), str(result), *limit, *case.command], capture_output=True, text=True,
                               env={**os.environ, **case.environment})
         if done.returncode != 0:
             raise CannotRun(case.name, done.returncode, done.stderr.strip())
         return {**json.loads(result.read_text()), "stdout": done.stdout}
 
-    def interleaved(self, cases: list[Case]) -> dict[str, list[dict]]:
+    def interleaved(self, cases: list[Case], runs: int | None = None) -> dict[str, list[dict]]:
         """All runs of all cases, in turns, after one run each that warms the caches up (Mesa's of shaders too)."""
         for case in cases:
             self.run(case)
         samples: dict[str, list[dict]] = {case.name: [] for case in cases}
-        for number in range(self.runs):
-            progress(f"{', '.join(samples)}: run {number + 1} of {self.runs}")
+        for number in range(runs or self.runs):
+            progress(f"{', '.join(samples)}: run {number + 1} of {runs or self.runs}")
             for case in cases:
                 samples[case.name].append(self.run(case))
         progress("")
@@ -202,7 +205,27 @@ def micro(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
-SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "micro": micro}
+def frames(bench: Bench) -> tuple[list[Row], dict]:
+    """Frames with lists built, and the building of lists; see frames.cpp."""
+    rows, data, frame_ms = [], {}, {}
+    for scene_set in peers.SETS:
+        for count in peers.COUNTS:
+            case = Case(f"frames-{scene_set}-{count}", [bench.program("frames"), scene_set, str(count), str(bench.runs)],
+                        {"LIBGL_ALWAYS_SOFTWARE": "1"})
+            result = json.loads(bench.run(case)["stdout"])
+            data[case.name] = result
+            wall = {name: value["wall_ms"] for name, value in result.items() if isinstance(value, dict)}
+            frame_ms[scene_set, count] = wall["gpu frame with read back"]
+            rows.append(Row(f"{scene_set}, {count:,} spheres", ", ".join(f"{name} {value:.1f}" for name, value in wall.items()) + " ms"))
+            if count == MILLION:
+                rows.append(at_most("  gpu frame with read back", frame_ms[scene_set, count], {"volume": 40, "half": 150}[scene_set], " ms"))
+                rows.append(at_most("  building the lists, gpu", wall["gpu lists"], 100, " ms"))
+                rows.append(at_most("  building the lists, cpu", wall["cpu lists"], 100, " ms"))
+        rows.append(at_most(f"{scene_set}, gpu frame, 1,000 / 4 spheres", frame_ms[scene_set, 1000] / frame_ms[scene_set, 4], 2))
+    return rows, data
+
+
+SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "micro": micro}
 
 
 def first_line(command: list[str]) -> str:
@@ -225,6 +248,9 @@ def main() -> int:
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "bench", help="where the bench preset was built")
     parser.add_argument("--runs", type=int, default=20, help="runs of each case (default: %(default)s)")
     parser.add_argument("--only", choices=SECTIONS, action="append", help="only this section; may be repeated")
+    parser.add_argument("--peers", action="store_true", help="only the comparison with other programs (./dev bench --peers installs them)")
+    parser.add_argument("--counts", default=",".join(map(str, peers.COUNTS)), help="of spheres, for --peers (default: %(default)s)")
+    parser.add_argument("--publish", action="store_true", help="with --peers: write docs/peers.json and draw docs/peers.svg")
     options = parser.parse_args()
     if options.runs < 1:
         parser.error("--runs: expected at least 1")
@@ -237,7 +263,9 @@ def main() -> int:
     results = {"date": datetime.datetime.now().astimezone().isoformat(timespec="seconds"), "command": shlex.join(sys.argv),
                "machine": machine(), "versions": versions, "runs": options.runs, "rows": [], "data": {}}
     status = 0
-    for name, section in SECTIONS.items():
+    counts = [int(count) for count in options.counts.split(",")]
+    sections = {"peers": lambda bench: peers.section(bench, Case, Row, counts)} if options.peers else SECTIONS
+    for name, section in sections.items():
         if options.only and name not in options.only:
             continue
         try:
@@ -248,8 +276,12 @@ def main() -> int:
             verdict = "" if row.met is None else "met" if row.met else "NOT MET"
             print(f"{row.what:<42} {row.measured:<52} {row.target:<18} {verdict}", flush=True)
         results["rows"] += [asdict(row) for row in rows]
-    path = options.build / "results.json"
+    path = options.build / ("peers.json" if options.peers else "results.json")
     path.write_text(json.dumps(results, indent=1) + "\n")
+    if options.publish and options.peers:
+        published = ROOT / "docs" / "peers.json"
+        published.write_text(path.read_text())
+        subprocess.run(["/usr/bin/python3", str(ROOT / "bench" / "plot.py"), str(published)], check=True)  # Debian's, with matplotlib
     print(f"{results['machine']['cpu']}, {results['machine']['cores']} cores; medians of {options.runs}; all of it in {path}")
     return status
 

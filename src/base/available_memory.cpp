@@ -120,10 +120,4 @@ std::string in_bytes(std::uint64_t bytes) {
     return value < giga ? fixed(value / mega, 0) + " MB" : fixed(value / giga, 1) + " GB";
 }
 
-std::string with_commas(std::uint64_t number) {
-    std::string text = std::to_string(number);
-    for (std::size_t place = text.size(); place > 3; place -= 3) text.insert(place - 3, 1, ',');
-    return text;
-}
-
 }  // namespace sphereview

@@ -18,7 +18,4 @@ void require_memory(std::uint64_t bytes, const std::string& what);
 // "3.1 GB", "20 MB"
 std::string in_bytes(std::uint64_t bytes);
 
-// "2,000,000"
-std::string with_commas(std::uint64_t number);
-
 }  // namespace sphereview

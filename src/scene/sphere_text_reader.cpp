@@ -4,6 +4,7 @@
 #include "base/available_memory.hpp"
 #include "base/count.hpp"
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "scene/text_format.hpp"
 #include "scene/token_reader.hpp"
 
@@ -83,7 +84,7 @@ void SphereTextReader::read_count(TokenReader& reader, std::optional<std::size_t
     count_ = static_cast<std::size_t>(reader.integer(0, most_spheres, expected));
     std::size_t most = *count_;
     if (bytes) most = std::min(most, (*bytes - std::min(*bytes, done_ + reader.offset())) / shortest_sphere + 1);
-    require_memory(most * sizeof(Sphere), name_ + ": " + with_commas(most) + " spheres need");
+    require_memory(most * bytes_per_sphere_, name_ + ": " + in_groups(most) + " spheres need");
     if (bytes) spheres_.reserve(most);
 }
 

@@ -32,6 +32,9 @@ public:
     SphereTextReader(std::string name, TextPosition origin, std::optional<std::size_t> size, std::size_t piece = usual_piece)
         : name_(std::move(name)), place_(origin), size_(size), piece_(piece) {}
 
+    // How much memory a sphere will need, with what is made of it later; refusing at once beats failing late.
+    void expect_bytes_per_sphere(std::size_t bytes) { bytes_per_sphere_ = bytes; }
+
     // Reads the spheres that end inside `text`, which goes on where the last call's did; `last`: nothing follows. Returns how
     // many bytes are done with: the next call's text begins with the others. A byte-order mark is skipped. Throws InputError
     // "NAME:LINE:COLUMN: found ..., expected ..." for the first fault, and MemoryError when the spheres cannot fit.
@@ -53,6 +56,7 @@ private:
     TextPosition place_;  // where the text of the next call begins
     std::optional<std::size_t> size_;
     std::size_t piece_;
+    std::size_t bytes_per_sphere_ = sizeof(Sphere);
     std::size_t done_ = 0;  // bytes of earlier calls
     std::optional<std::size_t> count_{};
     std::vector<Sphere> spheres_{};

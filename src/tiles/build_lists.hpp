@@ -16,6 +16,9 @@ struct TileCosts {
     double test = 1.0;       // of trying one candidate for one pixel
 };
 
+// What a sphere takes in memory while its lists are built, as a drawn sphere and in them; more when most are large.
+inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
+
 // The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of
 // larger ones.
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs);

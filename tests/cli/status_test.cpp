@@ -65,7 +65,7 @@ TEST(ExitStatus, Is3WhenASceneCannotFitInMemory) {
     folder.write("big.txt", "50000000\n");
     folder.write("big.toml", "# \n");
     for (const char* name : {"big.txt", "big.toml"}) std::filesystem::resize_file(folder.path(name), 1'500'000'000);  // sparse
-    for (const auto& [name, said] : {std::pair{"big.txt", "big.txt: 50,000,000 spheres need 2.0 GB of memory, "},
+    for (const auto& [name, said] : {std::pair{"big.txt", "big.txt: 50,000,000 spheres need 6.5 GB of memory, "},
                                      std::pair{"big.toml", "big.toml: its bytes need 1.5 GB of memory, "}}) {
         Command command = cpu_render(folder, {name, "-s", "5x5"});
         command.most_memory = 1'000'000'000;

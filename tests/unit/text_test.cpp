@@ -109,4 +109,11 @@ TEST(Shortest, WritesTheShortestTextThatReadsBack) {
 
 TEST(LowerCase, ChangesAsciiLettersOnly) { EXPECT_EQ(lower_case("AZ@[az\xC3\x89"), "az@[az\xC3\x89"); }
 
+TEST(InGroups, SetsACommaBeforeEachThreeDigits) {
+    EXPECT_EQ(in_groups(0), "0");
+    EXPECT_EQ(in_groups(999), "999");
+    EXPECT_EQ(in_groups(1000), "1,000");
+    EXPECT_EQ(in_groups(2'000'000'000), "2,000,000,000");
+}
+
 }  // namespace sphereview
