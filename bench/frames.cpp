@@ -85,6 +85,10 @@ int main(int argc, char** argv) {
     print("upload", median_cost(runs, [&] { gpu.upload(drawn, lists, scene.camera, size, timings); }));
     const auto median_trace = median_cost(runs, [&] { gpu.trace(whole_picture, visible, timings); });
     print("gpu frame with read back", median_trace);
+    const std::size_t drawn_bytes = drawn.center_radius.size() * sizeof(glm::vec4);
+    const auto lists_bytes = static_cast<double>(lists.candidates.size() * sizeof(Candidate) + lists.begins.size() * 4);
+    const double on_gpu = (lists_bytes + static_cast<double>(drawn_bytes)) / static_cast<double>(count);
+    std::printf("\"bytes_per_sphere\": %.1f, \"gpu_bytes_per_sphere\": %.1f, ", on_gpu + sizeof(Sphere), on_gpu);
     std::printf("\"tiles\": [");
     for (std::size_t i = 0; i < lists.levels.size(); ++i) std::printf(i == 0 ? "%d" : ", %d", 1 << lists.levels[i].shift);
     std::printf("], \"candidates\": %zu, \"renderer\": \"%s\"}\n", lists.candidates.size(), backend.description.c_str());

@@ -101,6 +101,8 @@ PixelPlanes::Interval PixelPlanes::in_front(const Axis& axis, const Ball& ball) 
 
 // The planes end at no horizon: a ball beside the eye, or around it, is tried against each.
 PixelPlanes::Interval PixelPlanes::anywhere(const Axis& axis, const Ball& ball) {
+    constexpr int worth_trying = 1 << 15;  // of more pixels than this in a row, all: trying them would take too long
+    if (axis.count > worth_trying) return {0, axis.count - 1};
     const double base = glm::dot(ball.center, axis.base);
     const double step = glm::dot(ball.center, axis.step);
     int first = 0;
