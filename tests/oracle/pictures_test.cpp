@@ -62,6 +62,7 @@ TEST_P(Pictures, near_misses) { expect_the_oracles_pictures(random(near_miss_tri
 TEST_P(Pictures, bit_patterns) { expect_the_oracles_pictures(random(bit_pattern_trial, 400)); }
 TEST_P(Pictures, touching) { expect_the_oracles_pictures(made_by_hand(touching_trials())); }
 TEST_P(Pictures, range) { expect_the_oracles_pictures(made_by_hand(range_trials())); }
+TEST_P(Pictures, tiles) { expect_the_oracles_pictures(made_by_hand(tile_trials())); }
 
 INSTANTIATE_TEST_SUITE_P(part, Pictures, testing::Range(std::size_t{0}, std::size_t{4}));
 

@@ -43,4 +43,10 @@ Trial bit_pattern_trial(std::uint64_t seed);
 Trials touching_trials();
 Trials range_trials();
 
+// What lists of spheres by screen tiles may get wrong.
+Trials tile_trials();
+
+// Many small spheres and some huge ones: lists of tiles of several sizes.
+Trial crowded_tiles_trial(PictureSize size, int small, int huge);
+
 }  // namespace sphereview::oracle

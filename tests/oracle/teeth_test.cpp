@@ -1,12 +1,18 @@
-// The comparison can fail: wrong definitions, the textbook formula in float and uncertified pictures are all noticed.
+// The comparison can fail: wrong definitions, the textbook formula in float and uncertified pictures are all noticed; so are
+// lists of tiles that lack a sphere or let a walk end too soon.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iostream>
+#include <utility>
 
+#include "cpu/cpu_renderer.hpp"
 #include "oracle/backends.hpp"
+#include "oracle/long_filter.hpp"
 #include "oracle/oracle.hpp"
+#include "tiles/pixel_range.hpp"
 
 namespace sphereview::oracle {
 
@@ -30,21 +36,34 @@ Trials some_trials() {
     return trials;
 }
 
+// Trials and the oracle's pictures of them.
+struct Proven {
+    Trials trials;
+    std::vector<Answers> pictures;
+};
+
+Proven proven(Trials trials) {
+    Proven all{std::move(trials), {}};
+    for (const Trial& trial : all.trials) all.pictures.push_back(picture(trial.scene, trial.size));
+    return all;
+}
+
 // In how many of the trials the answers differ from the oracle's.
-std::size_t caught(const Trials& trials, const std::function<Answers(const Trial&)>& answers) {
+std::size_t caught(const Proven& proven, const std::function<Answers(const Trial&)>& answers) {
     std::size_t count = 0;
-    for (const Trial& trial : trials) {
-        if (!difference(trial, "a wrong picture", picture(trial.scene, trial.size), answers(trial)).empty()) ++count;
+    for (std::size_t i = 0; i < proven.trials.size(); ++i) {
+        const Trial& trial = proven.trials[i];
+        if (!difference(trial, "a wrong picture", proven.pictures[i], answers(trial)).empty()) ++count;
     }
     return count;
 }
 
-void expect_caught(const std::string& mistake, const std::function<Answers(const Trial&)>& answers) {
-    const Trials trials = some_trials();
-    const std::size_t count = caught(trials, answers);
-    std::cout << mistake << ": noticed in " << count << " of " << trials.size() << " scenes\n";
+void expect_caught(const std::string& mistake, const std::function<Answers(const Trial&)>& answers,
+                   const Proven& among = proven(some_trials())) {
+    const std::size_t count = caught(among, answers);
+    std::cout << mistake << ": noticed in " << count << " of " << among.trials.size() << " scenes\n";
     EXPECT_GT(count, 0U) << mistake;
-    EXPECT_LT(count, trials.size()) << mistake << ": and it is wrong everywhere, so this proves little";
+    EXPECT_LT(count, among.trials.size()) << mistake << ": and it is wrong everywhere, so this proves little";
 }
 
 // b^2 - 4 a c in float, as in any tutorial.
@@ -79,6 +98,81 @@ Answers textbook(const Trial& trial) {
     return numbers;
 }
 
+using Change = std::function<void(CandidateLists&, const Trial&)>;
+
+// What the resolver makes of the lists, after a change to them.
+Answers resolved(const Trial& trial, const TileCosts& costs, const Change& change) {
+    const DrawnSpheres drawn = drawn_spheres(trial.scene);
+    CandidateLists lists = build_lists(drawn, trial.scene.camera, trial.size, costs);
+    change(lists, trial);
+    const Block all{0, 0, trial.size.width, trial.size.height};
+    Answers numbers(static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height), doubtful_background);
+    Resolver(trial.scene, drawn, trial.size, &lists).certify(all, numbers);
+    return numbers;
+}
+
+struct Listed {
+    Candidate candidate;
+    PixelRange tile;      // its pixels
+    std::uint32_t after;  // how many follow in the list
+};
+
+// Leaves only the candidates for which keep(Listed) is true.
+template <typename Keep>
+void leave(CandidateLists& lists, const Keep& keep) {
+    const CandidateLists all = lists;
+    lists.candidates.clear();
+    for (std::uint32_t tile = 0; tile + 1 < all.begins.size(); ++tile) {
+        lists.begins[tile] = static_cast<std::uint32_t>(lists.candidates.size());
+        const TileLevel* level = nullptr;
+        for (const TileLevel& each : all.levels) {
+            if (each.first <= tile && (level == nullptr || each.first >= level->first)) level = &each;
+        }
+        for (std::uint32_t i = all.begins[tile]; i < all.begins[tile + 1]; ++i) {
+            const int side = 1 << level->shift;
+            const int x = static_cast<int>(tile - level->first) % level->across * side;
+            const int y = static_cast<int>(tile - level->first) / level->across * side;
+            const Listed listed{all.candidates[i], {x, y, x + side - 1, y + side - 1}, all.begins[tile + 1] - i - 1};
+            if (keep(listed)) lists.candidates.push_back(listed.candidate);
+        }
+    }
+    lists.begins.back() = static_cast<std::uint32_t>(lists.candidates.size());
+}
+
+// As if the pixels that a sphere can cover ended so many too early, or late, on each side.
+void shrink(CandidateLists& lists, const Trial& trial, const PixelRange& by) {
+    const DrawnSpheres drawn = drawn_spheres(trial.scene);
+    const PixelPlanes planes(trial.scene.camera, trial.size);
+    leave(lists, [&](const Listed& listed) {
+        const PixelRange& tile = listed.tile;
+        const PixelRange range = planes.range(drawn.center_radius[listed.candidate.index]);
+        return range.left + by.left <= tile.right && range.right - by.right >= tile.left && range.top + by.top <= tile.bottom &&
+               range.bottom - by.bottom >= tile.top;
+    });
+}
+
+const Proven& some_tile_trials() {
+    static const Proven some = [] {
+        const Trials all = tile_trials();
+        Trials third;
+        for (std::size_t i = 0; i < all.size(); i += 3) {
+            if (is_sampled(i / 3)) third.push_back(all[i]);
+        }
+        Proven trials = proven(third);
+        trials.trials.push_back(crowded_tiles_trial({827, 9}, 2000, 20));  // several sizes of tiles for all renderers
+        trials.pictures.push_back(filtered_picture(trials.trials.back().scene, trials.trials.back().size).numbers);
+        return trials;
+    }();
+    return some;
+}
+
+void expect_lists_caught(const std::string& mistake, const Change& change) {
+    for (const auto& [whose, costs] : {std::pair("gpu: ", gpu_tile_costs), {"cpu: ", cpu_tile_costs}}) {
+        expect_caught(
+            whose + mistake, [&](const Trial& trial) { return resolved(trial, costs, change); }, some_tile_trials());
+    }
+}
+
 TEST(Teeth, ties_that_go_to_the_last) {
     expect_caught("the last of equals", [](const Trial& t) { return picture(t.scene, t.size, {.first_of_equals = false}); });
 }
@@ -101,6 +195,43 @@ TEST(Teeth, pictures_that_are_not_certified) {
     for (const Backend backend : tested_backends()) {
         OpenBackend open = opened(backend);
         expect_caught("not certified, " + open.description, [&](const Trial& t) { return visible_spheres(open, t, false); });
+    }
+}
+
+TEST(Teeth, tiles_that_miss_a_pixel_at_their_border) {
+    expect_lists_caught("a column too few at the left", [](auto& lists, auto& trial) { shrink(lists, trial, {1, 0, 0, 0}); });
+    expect_lists_caught("a row too few at the top", [](auto& lists, auto& trial) { shrink(lists, trial, {0, 1, 0, 0}); });
+    expect_lists_caught("a column too few at the right", [](auto& lists, auto& trial) { shrink(lists, trial, {0, 0, 1, 0}); });
+    expect_lists_caught("a row too few at the bottom", [](auto& lists, auto& trial) { shrink(lists, trial, {0, 0, 0, 1}); });
+}
+
+TEST(Teeth, lists_that_lack_a_sphere) {
+    expect_lists_caught("the last of each list is missing",
+                        [](auto& lists, auto&) { leave(lists, [](const Listed& listed) { return listed.after > 0; }); });
+    expect_lists_caught("the coarser tiles are missing", [](auto& lists, auto&) {
+        if (lists.levels.size() > 1) lists.levels.erase(lists.levels.begin());
+    });
+}
+
+TEST(Teeth, walks_that_end_too_soon) {
+    expect_lists_caught("nearer than the lists say", [](auto& lists, auto&) {
+        for (Candidate& candidate : lists.candidates) candidate.nearest *= 1.001F;
+    });
+    expect_lists_caught("lists in the order of the file", [](auto& lists, auto&) {
+        for (std::size_t tile = 0; tile + 1 < lists.begins.size(); ++tile) {
+            const auto begin = lists.candidates.begin();
+            std::sort(begin + lists.begins[tile], begin + lists.begins[tile + 1],
+                      [](const Candidate& a, const Candidate& b) { return a.index < b.index; });
+        }
+    });
+}
+
+TEST(Teeth, lists_that_are_right) {
+    for (const TileCosts& costs : {gpu_tile_costs, cpu_tile_costs}) {
+        const auto unchanged = [&](const Trial& trial) {
+            return resolved(trial, costs, [](auto& lists, auto& of) { shrink(lists, of, {0, 0, 0, 0}); });
+        };
+        EXPECT_EQ(caught(some_tile_trials(), unchanged), 0U);
     }
 }
 
