@@ -30,6 +30,23 @@ std::string random_spheres(int count, unsigned seed) {
     return text;
 }
 
+// Before the eye, over a picture that is 42 times as wide as high; or, with x and y swapped, as high as wide.
+std::string band_of_spheres(int count, bool upright) {
+    std::mt19937 random(5);
+    std::string text = std::to_string(count) + "\n";
+    const auto below = [&](unsigned limit) { return static_cast<int>(random() % limit); };
+    for (int i = 0; i < count; ++i) {
+        const int z = 100 + below(400);
+        const std::string along = std::to_string(z * (below(4301) - 2150) / 100);
+        const std::string across = std::to_string(z * (below(141) - 70) / 100);
+        text += std::to_string(i % 256) + " " + std::to_string(i / 256) + " 200\n";
+        text += (upright ? across + " " + along : along + " " + across) + " " + std::to_string(z) + "\n";
+        // Now and then one that covers many tiles.
+        text += std::to_string(i % 100 == 0 ? 50 + below(500) : 1 + below(12)) + "\n";
+    }
+    return text;
+}
+
 const std::string three_spheres = R"(
 [[sphere]]
 name = "big"
@@ -56,6 +73,8 @@ const std::vector<Case> cases = {
     {"Tall", three_spheres, "100x1000"},
     {"WiderThanABlock", three_spheres, "2100x50"},
     {"HigherThanABlock", three_spheres, "50x2100"},
+    {"TilesAcrossBlocks", band_of_spheres(5000, false), "2100x50"},
+    {"TilesDownBlocks", band_of_spheres(5000, true), "50x2100"},
     {"Background", "background = '#0a141e'" + three_spheres, "100x80"},
     {"Transparent", "background = 'transparent'" + three_spheres, "100x80"},
     {"Hidden", three_spheres + "hidden = true\n[[sphere]]\ncolor = [9, 9, 9]\ncenter = [0, -20, 140]\nradius = 9", "200x200"},
