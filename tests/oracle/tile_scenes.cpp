@@ -295,9 +295,9 @@ Trial crowded_tiles_trial(PictureSize size, int small, int huge) {
         const Pixel pixel{random.whole(-3, size.width + 2), random.whole(-3, size.height + 2)};
         const double depth = random.of_size(0.3, 9.0) * (random.chance(0.05) ? -1.0 : 1.0);
         const glm::dvec3 center = camera.eye + depth * direction(camera, size, pixel);
-        // Of the huge ones most lie behind the small ones.
+        // Small enough that long lists are walked, which calls for fine tiles; the huge ones behind them go to coarser ones.
         const double pixel_side = 140.0 / size.shorter_side() * std::fabs(depth);
-        const double radius = pixel_side * (i < small ? random.of_size(0.01, 0.7) : random.of_size(2.0, 60.0));
+        const double radius = pixel_side * (i < small ? random.of_size(0.01, 0.4) : random.of_size(5.0, 1000.0));
         trial.scene.spheres.push_back({i < small ? center : camera.eye + 4.0 * (center - camera.eye), radius, blue});
     }
     return trial;
@@ -313,8 +313,8 @@ Trials tile_trials() {
     add_giants(trials, random);
     add_eye_plane(trials, random);
     add_beyond_float(trials, random);
-    trials.push_back(crowded_tiles_trial({31, 20}, 3000, 20));
-    trials.push_back(crowded_tiles_trial({101, 6}, 2000, 40));
+    trials.push_back(crowded_tiles_trial({31, 20}, 4000, 4));
+    trials.push_back(crowded_tiles_trial({101, 6}, 3000, 20));
     return trials;
 }
 
