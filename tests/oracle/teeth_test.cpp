@@ -151,22 +151,18 @@ void shrink(CandidateLists& lists, const Trial& trial, const PixelRange& by) {
     });
 }
 
+// With pictures by the filter, which a sanitised build can afford; the oracle's own are in pictures_test.cpp.
 const Proven& some_tile_trials() {
     static const Proven some = [] {
+        Proven trials;
         const Trials all = tile_trials();
-        Trials third;
-        for (std::size_t i = 0; i < all.size(); i += 3) {
-            if (is_sampled(i / 3)) third.push_back(all[i]);
-        }
-        Proven trials = proven(third);
+        for (std::size_t i = 0; i < all.size(); i += 3) trials.trials.push_back(all[i]);
 #ifdef SPHEREVIEW_SANITIZED
-        const Trial crowd = crowded_tiles_trial({411, 17}, 3000, 4);
+        trials.trials.push_back(crowded_tiles_trial({411, 17}, 3000, 4));
 #else
-        const Trial crowd = crowded_tiles_trial({29, 233}, 10'000, 20);
+        trials.trials.push_back(crowded_tiles_trial({29, 233}, 10'000, 20));
 #endif
-        // Several sizes of tiles for all renderers; too much work for the oracle alone.
-        trials.trials.push_back(crowd);
-        trials.pictures.push_back(filtered_picture(crowd.scene, crowd.size).numbers);
+        for (const Trial& trial : trials.trials) trials.pictures.push_back(filtered_picture(trial.scene, trial.size).numbers);
         return trials;
     }();
     return some;
