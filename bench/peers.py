@@ -1,122 +1,131 @@
-"""The same pictures by other programs: whole processes, scene file in, PNG out, 1000 x 1000.
+"""Whole runs on the two seeded sets of scenes, against the other programs that can draw them.
 
-Embree through embree_peer.cpp, the fastest known way on a CPU; Tachyon and POV-Ray as Debian has them. Each picture is compared
-with sphereview's, so that nobody is timed for drawing something else.
+Each is told to do as little as it can: flat colours, no shadows, no antialiasing; on all cores; a PNG out.
 """
 import json
-import shutil
-import statistics
+import os
 import subprocess
 from pathlib import Path
 
-COUNTS = [4, 1_000, 10_000, 100_000, 1_000_000]
+from harness import MILLION, Bench, CannotRun, Case, Row, at_most, first_line, median, progress
+from peer_scenes import SIDE, write_povray, write_tachyon
+
 SETS = ["volume", "half"]
-SLOW_LIMIT_S = 120
-DIFFERENT_LIMIT = 50_000  # of a million pixels: the others round, and Tachyon aims elsewhere in a pixel
-PEAK_LIMIT_MB = 250
-CPU_LIMIT = 0.7  # of Embree's time, everywhere
+COUNTS = [4, 1000, 10_000, 100_000, MILLION]
+PACKAGES = ["libembree-dev", "tachyon", "povray", "libgl1-mesa-dri"]  # for the report
+LIMIT_S = 120  # of one run; whoever takes longer is "more than" that
+LONG_S = 10  # a run that takes longer is not repeated
+SLOW_PEERS = {"tachyon": 3, "povray": 3}  # the most runs of each
+SHARE_OF_PIXELS = 0.001  # that may differ from the exact picture: the peers compute in float, or round
 
 
-def egl_limit(count: int) -> float:
-    return 1.0 if count >= 10_000 else 1.5
+def versions() -> dict[str, str]:
+    return {package: first_line(["dpkg-query", "-W", "-f", "${Version}", package]) for package in PACKAGES}
 
 
-def spheres(scene: Path):
-    """(r, g, b, x, y, z, radius) of each sphere of a text scene, as words."""
-    words = scene.read_text().split()
-    for i in range(1, len(words), 7):
-        yield words[i:i + 7]
+def cases_for(bench: Bench, scene: Path) -> list[Case]:
+    files = {name: bench.out / f"{name}.{kind}" for name, kind in [("tachyon", "dat"), ("povray", "pov")]}
+    write_tachyon(scene, files["tachyon"])
+    write_povray(scene, files["povray"])
+    picture = {name: str(bench.out / f"{name}.png") for name in ["embree", *files]}
+    return [
+        bench.render("cpu", scene, "--backend", "cpu"),
+        bench.render("egl", scene, "--backend", "egl", LIBGL_ALWAYS_SOFTWARE="1"),
+        Case("embree", [bench.program("embree_peer"), str(scene), picture["embree"]]),
+        Case("tachyon", ["tachyon", str(files["tachyon"]), "-lowshade", "-format", "PNG", "-o", picture["tachyon"]]),
+        # -D: no display; +Q0: flat colours; +BM2: the faster of its trees here; -GA: prints nothing.
+        Case("povray", ["povray", str(files["povray"]), f"+W{SIDE}", f"+H{SIDE}", f"+WT{os.cpu_count()}", "-D", "-GA", "-A", "+Q0",
+                        "+BM2", "+FN", "File_Gamma=1", f"+O{picture['povray']}"]),
+    ]
 
 
-def write_tachyon(scene: Path, out: Path) -> None:
-    """Flat colours: ambient light alone. Tachyon cuts colours off, so they point to the middle of their steps."""
-    with out.open("w") as file:
-        file.write("BEGIN_SCENE\nRESOLUTION 1000 1000\nCAMERA\nZOOM 1.0\nASPECTRATIO 1.0\nANTIALIASING 0\nRAYDEPTH 1\n"
-                   "CENTER 0 0 0\nVIEWDIR 0 0 1\nUPDIR 0 1 0\nEND_CAMERA\nBACKGROUND 0 0 0\n")
-        for *color, x, y, z, radius in spheres(scene):
-            r, g, b = ((int(c) + 0.5) / 255 for c in color)
-            file.write(f"SPHERE CENTER {x} {y} {z} RAD {radius} TEXTURE AMBIENT 1 DIFFUSE 0 SPECULAR 0 OPACITY 1 "
-                       f"COLOR {r:.5f} {g:.5f} {b:.5f} TEXFUNC 0\n")
-        file.write("END_SCENE\n")
+def measure(bench: Bench, cases: list[Case]) -> dict[str, dict]:
+    """Of each case its runs, in turns, or why there are none. The first of several runs warms the caches up."""
+    results: dict[str, dict] = {}
+    samples: dict[str, list[dict]] = {}
+    for case in cases:
+        progress(f"{case.name}: first run")
+        try:
+            samples[case.name] = [bench.run(case, LIMIT_S)]
+        except subprocess.TimeoutExpired:
+            results[case.name] = {"more_than_s": LIMIT_S}
+        except CannotRun as error:
+            results[case.name] = {"refused": str(error).splitlines()[-1]}
+    repeated = [case for case in cases if case.name in samples and samples[case.name][0]["wall_s"] <= LONG_S]
+    for case in repeated:
+        samples[case.name].clear()
+    for number in range(bench.runs):
+        progress(f"{', '.join(case.name for case in repeated)}: run {number + 1} of {bench.runs}")
+        for case in repeated:
+            if number < SLOW_PEERS.get(case.name, bench.runs):
+                samples[case.name].append(bench.run(case))
+    progress("")
+    for name, runs in samples.items():
+        results[name] = {**{key: median(runs, key) for key in ["wall_s", "cpu_s", "peak_bytes"]},
+                         "all_wall_s": [run["wall_s"] for run in runs]}
+    return {case.name: results[case.name] for case in cases}
 
 
-def write_povray(scene: Path, out: Path) -> None:
-    with out.open("w") as file:
-        file.write("#version 3.7;\nglobal_settings { assumed_gamma 1 ambient_light 1 }\ncamera { location 0 direction z right x up y }\n"
-                   "background { rgb 0 }\n#default { finish { ambient 1 diffuse 0 } }\n")
-        for r, g, b, x, y, z, radius in spheres(scene):
-            file.write(f"sphere {{ <{x},{y},{z}>,{radius} pigment {{ rgb <{r}/255,{g}/255,{b}/255> }} }}\n")
+def different_pixels(bench: Bench, scene: Path, picture: Path) -> float:
+    """The share of the picture's pixels that are not as the CPU backend has them."""
+    done = subprocess.run([bench.program("sphereview"), "render", str(scene), "--backend", "cpu", "--expect", str(picture),
+                           "--json"], capture_output=True, text=True)
+    if done.returncode > 1:
+        raise CannotRun(f"comparing {picture.name}", done.returncode, done.stderr.strip())
+    return json.loads(done.stdout)["comparison"]["different_pixels"] / SIDE**2
 
 
-def peer_cases(bench, case_type, scene: Path) -> list:
-    """The peers that are installed, each with its scene file written."""
-    name = scene.stem
-    cases = []
-    if Path(bench.program("embree_peer")).exists():
-        cases.append(case_type("Embree", [bench.program("embree_peer"), str(scene), str(bench.out / f"{name}-Embree.png")]))
-    if shutil.which("tachyon"):
-        data = bench.out / f"{name}.dat"
-        write_tachyon(scene, data)
-        cases.append(case_type("Tachyon", ["tachyon", str(data), "-o", str(bench.out / f"{name}-Tachyon.png"), "-format", "PNG"]))
-    if shutil.which("povray"):
-        data = bench.out / f"{name}.pov"
-        write_povray(scene, data)
-        cases.append(case_type("POV-Ray", ["povray", f"+I{data}", f"+O{bench.out / f'{name}-POV-Ray.png'}", "+W1000", "+H1000", "-D", "-A",
-                                           "-GA", "-V", "File_Gamma=1"]))
-    return cases
+def check_pictures(bench: Bench, scene: Path, results: dict[str, dict]) -> list[Row]:
+    """That everyone has drawn the same, so that no time is that of a wrong picture."""
+    drawn = [name for name, result in results.items() if "wall_s" in result]
+    if "cpu" not in drawn:
+        return [Row("  pixels that differ", "not checked, without a picture by cpu")]
+    for name in drawn:
+        results[name]["different_pixels"] = different_pixels(bench, scene, bench.out / f"{name}.png")
+    worst = max(drawn, key=lambda name: results[name]["different_pixels"])
+    share = results[worst]["different_pixels"]
+    rows = [at_most(f"  pixels that differ, most by {worst}", 100 * share, 100 * SHARE_OF_PIXELS, " %")]
+    if "egl" in drawn and results["egl"]["different_pixels"] != 0:
+        rows.append(Row("  egl's picture", "is not cpu's", "the same", False))
+    return rows
 
 
-def different_pixels(bench, scene: Path, picture: Path) -> int:
-    done = subprocess.run([bench.program("sphereview"), "render", str(scene), "--backend", "cpu", "--json", "--expect", str(picture)],
-                          capture_output=True, text=True)
-    return json.loads(done.stdout)["comparison"]["different_pixels"]
+def shown(result: dict) -> str:
+    if "wall_s" in result:
+        return f"{result['wall_s'] * 1e3:,.0f} ms"
+    return f"more than {result['more_than_s']} s" if "more_than_s" in result else "none"
 
 
-def measure_scene(bench, case_type, scene: Path, runs: int) -> tuple[dict, dict]:
-    """Samples of wall time and peak memory by program; and how many pixels of each peer's picture differ."""
-    ours = [bench.render("cpu", scene, "--backend", "cpu"), bench.render("egl", scene, "--backend", "egl", LIBGL_ALWAYS_SOFTWARE="1")]
-    peers = peer_cases(bench, case_type, scene)
-    fast = ours + [case for case in peers if case.name == "Embree"]
-    samples = bench.interleaved(fast, runs)
-    differing = {}
-    for case in peers:
-        if case not in fast:
-            try:
-                samples[case.name] = [bench.run(case, SLOW_LIMIT_S)]
-            except Exception as error:
-                if getattr(error, "status", None) != 124:
-                    raise
-                samples[case.name] = [{"wall_s": SLOW_LIMIT_S, "more_than": True, "cpu_s": 0, "peak_bytes": 0}]
-                continue
-        differing[case.name] = different_pixels(bench, scene, bench.out / f"{scene.stem}-{case.name}.png")
-    return samples, differing
+def against(results: dict[str, dict], ours: str, theirs: list[str], limit: float) -> Row:
+    """Our time over the fastest of theirs. Who takes more than a limit is compared as if taking just that long."""
+    times = [results[name].get("wall_s", results[name].get("more_than_s")) for name in theirs]
+    what = f"  {ours} / {', '.join(theirs)}"
+    known = [time for time in times if time is not None]
+    if "wall_s" not in results[ours] or not known:
+        missing = ours if "wall_s" not in results[ours] else theirs[0]
+        return Row(what, results[missing].get("refused", shown(results[missing])), f"at most {limit:g}", False)
+    return at_most(what, results[ours]["wall_s"] / min(known), limit)
 
 
-def section(bench, case_type, row_type, counts: list[int]) -> tuple[list, dict]:
-    rows, data = [], {"sets": {}}
+def peers(bench: Bench, counts: list[int]) -> tuple[list[Row], dict]:
+    """Both backends against Embree, Tachyon and POV-Ray, with more and more spheres."""
+    rows, data = [], {"counts": counts, "limit_s": LIMIT_S, "versions": versions(), "sets": {name: {} for name in SETS}}
     for scene_set in SETS:
-        data["sets"][scene_set] = []
         for count in counts:
-            scene = bench.out / f"{scene_set}-{count}.txt"
-            with scene.open("wb") as file:
-                subprocess.run([bench.program("make_scene"), scene_set, str(count)], stdout=file, check=True)
-            samples, differing = measure_scene(bench, case_type, scene, bench.runs)
-            median = {name: statistics.median(s["wall_s"] for s in all_of) for name, all_of in samples.items()}
-            peak = statistics.median(s["peak_bytes"] for s in samples["cpu"]) / 1e6
-            data["sets"][scene_set].append({"count": count, "median_s": median, "different_pixels": differing, "cpu_peak_mb": peak,
-                                            "more_than": [n for n, s in samples.items() if s[0].get("more_than")]})
-            what = f"{scene_set}, {count:,} spheres"
-            rows.append(row_type(what, ", ".join(f"{name} {seconds * 1e3:.0f} ms" for name, seconds in median.items())))
-            for name, pixels in differing.items():
-                if pixels > DIFFERENT_LIMIT:
-                    rows.append(row_type(f"  {name}'s picture", f"{pixels:,} pixels differ", f"at most {DIFFERENT_LIMIT:,}", False))
-            for name, limit in [("cpu", CPU_LIMIT), ("egl", egl_limit(count))]:
-                if "Embree" in median:
-                    ratio = median[name] / median["Embree"]
-                    rows.append(row_type(f"  {name} / Embree", f"{ratio:.2f}", f"at most {limit:g}", ratio <= limit))
-                for slow in ["Tachyon", "POV-Ray"]:
-                    if slow in median and median[name] >= median[slow]:
-                        rows.append(row_type(f"  {name} / {slow}", f"{median[name] / median[slow]:.2f}", "below 1", False))
-            if count == 1_000_000:
-                rows.append(row_type("  peak memory, cpu", f"{peak:.0f} MB", f"at most {PEAK_LIMIT_MB} MB", peak <= PEAK_LIMIT_MB))
+            scene = bench.scene(scene_set, count)
+            results = measure(bench, cases_for(bench, scene))
+            rows.append(Row(f"{scene_set}, {count:,}", ", ".join(f"{name} {shown(result)}" for name, result in results.items())))
+            rows += check_pictures(bench, scene, results)
+            rows += [
+                against(results, "cpu", ["embree"], 0.7),
+                against(results, "egl", ["embree"], 1.0 if count >= 10_000 else 1.5),
+                against(results, "cpu", list(SLOW_PEERS), 1.0),
+                against(results, "egl", list(SLOW_PEERS), 1.0),
+            ]
+            if count == MILLION and "wall_s" in results["cpu"]:
+                rows.append(at_most("  cpu, peak memory", results["cpu"]["peak_bytes"] / 1e6, 250, " MB"))
+            for name, result in results.items():
+                data["sets"][scene_set].setdefault(name, []).append({"spheres": count, **result})
+            for path in [scene, bench.out / "tachyon.dat", bench.out / "povray.pov"]:
+                path.unlink()  # a million spheres are some hundred megabytes
     return rows, data

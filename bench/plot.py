@@ -1,41 +1,95 @@
-#!/usr/bin/python3
-"""Draws docs/peers.svg from docs/peers.json, which `./dev bench --peers --publish` writes."""
+#!/usr/bin/env python3
+"""Draws time against the number of spheres from what `run.py --peers --plot` measured. usage: plot.py IN.json OUT.svg"""
 import json
+import math
 import sys
 from pathlib import Path
+from xml.sax.saxutils import escape
 
-import matplotlib
-matplotlib.use("svg")
-import matplotlib.pyplot as plt
+WIDTH, HEIGHT = 1000, 470
+TOP, BOTTOM = 84, 404  # of both panels
+PANELS = [(70, 490), (560, 980)]  # left and right of each
 
-STYLES = {"cpu": ("sphereview, CPU", "#c1272d", "o-"), "egl": ("sphereview, llvmpipe", "#e08214", "s-"),
-          "Embree": ("Embree (trace, float)", "#0571b0", "^--"), "Tachyon": ("Tachyon", "#7b3294", "v:"),
-          "POV-Ray": ("POV-Ray", "#4d9221", "d:")}
+# Name in the data, in the legend, colour (Okabe and Ito's, told apart by the colour-blind too), width of the line.
+PROGRAMS = [
+    ("cpu", "sphereview, CPU", "#d55e00", 3),
+    ("egl", "sphereview, llvmpipe", "#e69f00", 3),
+    ("embree", "Embree", "#0072b2", 1.8),
+    ("tachyon", "Tachyon", "#009e73", 1.8),
+    ("povray", "POV-Ray", "#888888", 1.8),
+]
+SETS = {"volume": "volume: N spheres of radius 130 N^(-1/3)", "half": "half: N spheres of radius 289 N^(-1/2)"}
 
 
-def main() -> None:
-    source = Path(sys.argv[1])
-    results = json.loads(source.read_text())
-    plt.rcParams["svg.hashsalt"] = "sphereview"  # the same file for the same data
-    sets = results["data"]["peers"]["sets"]
-    figure, panels = plt.subplots(1, len(sets), figsize=(10, 4.2), sharey=True)
-    for panel, (name, points) in zip(panels, sets.items()):
-        for key, (label, color, line) in STYLES.items():
-            drawn = [(p["count"], p["median_s"][key]) for p in points if key in p["median_s"] and key not in p["more_than"]]
-            if drawn:
-                panel.loglog(*zip(*drawn), line, color=color, label=label, markersize=5)
-        panel.set_title(f"`{name}`")
-        panel.set_xlabel("spheres")
-        panel.grid(True, which="major", alpha=0.3)
-    panels[0].set_ylabel("seconds, scene file to PNG")
-    panels[0].legend(fontsize=8)
-    figure.suptitle("1000 x 1000, whole process", fontsize=11)
-    machine = results["machine"]
-    figure.text(0.5, 0.005, f"{machine['cpu']}, {machine['cores']} cores, {results['date'][:10]}, ./dev bench --peers; medians of "
-                f"{results['runs']}, slow programs once", ha="center", fontsize=7)
-    figure.tight_layout(rect=(0, 0.03, 1, 1))
-    figure.savefig(source.with_suffix(".svg"), metadata={"Date": None})
+def text(x: float, y: float, words: str, size: int = 13, anchor: str = "middle", color: str = "#222222") -> str:
+    return f'<text x="{x:.1f}" y="{y:.1f}" font-size="{size}" text-anchor="{anchor}" fill="{color}">{escape(words)}</text>'
+
+
+def line(x1: float, y1: float, x2: float, y2: float, color: str = "#dddddd", width: float = 1) -> str:
+    return f'<line x1="{x1:.1f}" y1="{y1:.1f}" x2="{x2:.1f}" y2="{y2:.1f}" stroke="{color}" stroke-width="{width}"/>'
+
+
+def seconds(value: float) -> str:
+    return f"{value:g} s" if value >= 1 else f"{value * 1e3:g} ms"
+
+
+def seconds_of(point: dict) -> float | None:
+    return point.get("wall_s", point.get("more_than_s"))
+
+
+def curve(points: list[tuple[float, float, bool]], color: str, width: float) -> list[str]:
+    """One program's line, with a dot at every time measured and an arrow where it took longer than can be said."""
+    out = []
+    if len(points) > 1:
+        path = " ".join(f"{x:.1f},{y:.1f}" for x, y, _ in points)
+        out.append(f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="{width}" stroke-linejoin="round"/>')
+    for x, y, known in points:
+        out.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="{width + 1.5}" fill="{color}"/>' if known else
+                   f'<path d="M{x:.1f} {y - 12:.1f}l5.5 9h-11z" fill="{color}"/>')
+    return out
+
+
+def draw(measured: dict) -> str:
+    data = measured["peers"]
+    points = [point for programs in data["sets"].values() for runs in programs.values() for point in runs if seconds_of(point)]
+    low = math.floor(math.log10(min(seconds_of(point) for point in points)))
+    high = math.log10(max(seconds_of(point) for point in points)) + 0.2
+    first, last = math.log10(min(data["counts"])), math.log10(max(data["counts"]))
+    machine = measured["machine"]
+    out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" '
+           'font-family="sans-serif">', f'<rect width="{WIDTH}" height="{HEIGHT}" fill="white"/>',
+           text(WIDTH / 2, 24, "Scene file in, 1000 x 1000 PNG out: time of the whole process against the number of spheres", 16)]
+
+    x = 200
+    for _, label, color, width in PROGRAMS:
+        out += [line(x, 46, x + 26, 46, color, width), text(x + 34, 50, label, 13, "start")]
+        x += 60 + 7 * len(label)
+
+    def y_of(time: float) -> float:
+        return BOTTOM - (math.log10(time) - low) / (high - low) * (BOTTOM - TOP)
+
+    for (left, right), (scene_set, programs) in zip(PANELS, data["sets"].items()):
+        def x_of(count: int) -> float:
+            return left + 15 + (math.log10(count) - first) / max(last - first, 1) * (right - left - 45)
+
+        out.append(text((left + right) / 2, TOP - 12, SETS[scene_set]))
+        for power in range(low, math.floor(high) + 1):
+            out += [line(left, y_of(part * 10.0**power), right, y_of(part * 10.0**power), "#bbbbbb" if part == 1 else "#eeeeee")
+                    for part in range(1, 10) if math.log10(part) + power <= high]
+            out.append(text(left - 8, y_of(10.0**power) + 4, seconds(10.0**power), 12, "end"))
+        for count in data["counts"]:
+            out += [line(x_of(count), TOP, x_of(count), BOTTOM), text(x_of(count), BOTTOM + 18, f"{count:,}", 12)]
+        for name, _, color, width in reversed(PROGRAMS):  # ours on top
+            known = [(x_of(p["spheres"]), y_of(seconds_of(p)), "wall_s" in p) for p in programs.get(name, []) if seconds_of(p)]
+            out += curve(known, color, width)
+    out += [text(WIDTH / 2, BOTTOM + 38, "spheres"),
+            text(WIDTH / 2, HEIGHT - 8, f"medians of {measured['runs']}; {machine['cpu']}, {machine['cores']} cores; "
+                 f"{measured['date'][:10]}; {measured['command']}; a triangle: more than {data['limit_s']} s", 11,
+                 color="#666666"), "</svg>"]
+    return "\n".join(out) + "\n"
 
 
 if __name__ == "__main__":
-    main()
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
+    Path(sys.argv[2]).write_text(draw(json.loads(Path(sys.argv[1]).read_text())))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures whole runs of the program against the yardstick, and says which targets are met.
+"""Measures whole runs of the program against the yardstick (and other programs), and says which targets are met.
 
 Every section below returns rows (what, measured, target, met) and the data behind them; a new comparison is a new
 section in SECTIONS. Runs of one comparison take turns (A B C A B C ...), so that a busy machine slows all of them alike.
@@ -10,94 +10,15 @@ import json
 import os
 import platform
 import shlex
-import statistics
 import subprocess
 import sys
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict
 from pathlib import Path
 
-import peers
-
-ROOT = Path(__file__).resolve().parent.parent
-MILLION = 1_000_000
-NOTHING_COULD_RENDER = 3  # sphereview's exit status where a backend is missing
-
-
-@dataclass
-class Case:
-    name: str
-    command: list[str]
-    environment: dict[str, str] = field(default_factory=dict)
-
-
-@dataclass
-class Row:
-    what: str
-    measured: str
-    target: str = ""
-    met: bool | None = None
-
-
-class CannotRun(Exception):
-    def __init__(self, what: str, status: int, why: str = ""):
-        super().__init__(f"{what}: exit status {status}{why and ': '}{why}")
-        self.status = status
-
-
-class Bench:
-    def __init__(self, build: Path, runs: int):
-        self.build = build.resolve()
-        self.runs = runs
-        self.out = self.build / "bench-out"
-        self.out.mkdir(exist_ok=True)
-
-    def program(self, name: str) -> str:
-        return str(self.build / name)
-
-    def render(self, name: str, scene: Path, *options: str, **environment: str) -> Case:
-        picture = self.out / f"{name}.png"
-        return Case(name, [self.program("sphereview"), "render", str(scene), "-o", str(picture), *options], environment)
-
-    def run(self, case: Case, limit_s: int | None = None) -> dict:
-        """One run: wall_s, cpu_s (user + system), peak_bytes, and what it printed on standard output."""
-        result = self.out / "measure.json"
-        limit = ["timeout", str(limit_s)] if limit_s else []  # its exit status then: 124
-        done = subprocess.run([self.program("measure"), str(result), *limit, *case.command], capture_output=True, text=True,
-                              env={**os.environ, **case.environment})
-        if done.returncode != 0:
-            raise CannotRun(case.name, done.returncode, done.stderr.strip())
-        return {**json.loads(result.read_text()), "stdout": done.stdout}
-
-    def interleaved(self, cases: list[Case], runs: int | None = None) -> dict[str, list[dict]]:
-        """All runs of all cases, in turns, after one run each that warms the caches up (Mesa's of shaders too)."""
-        for case in cases:
-            self.run(case)
-        samples: dict[str, list[dict]] = {case.name: [] for case in cases}
-        for number in range(runs or self.runs):
-            progress(f"{', '.join(samples)}: run {number + 1} of {runs or self.runs}")
-            for case in cases:
-                samples[case.name].append(self.run(case))
-        progress("")
-        return samples
-
-
-def progress(text: str) -> None:
-    if sys.stderr.isatty():
-        print("\r\033[K" + text, end="", file=sys.stderr, flush=True)
-
-
-def median(samples: list[dict], key: str) -> float:
-    return statistics.median(sample[key] for sample in samples)
-
-
-def at_most(what: str, measured: float, limit: float, unit: str = "") -> Row:
-    return Row(what, f"{measured:.3g}{unit}", f"at most {limit:g}{unit}", measured <= limit)
-
-
-def phases(samples: list[dict]) -> dict[str, float]:
-    """Median milliseconds of each phase that `render --json` reports."""
-    reports = [json.loads(sample["stdout"])["timings_ms"] for sample in samples]
-    return {phase: statistics.median(report[phase] for report in reports) for phase in reports[0]}
+from harness import (MILLION, NOTHING_COULD_RENDER, ROOT, Bench, CannotRun, Case, Row, at_most, first_line, machine, median,
+                     phases)
+from peers import COUNTS, SETS, peers
+from plot import draw
 
 
 def whole_process(bench: Bench) -> tuple[list[Row], dict]:
@@ -149,8 +70,10 @@ def reading(bench: Bench) -> tuple[list[Row], dict]:
         data["file_bytes"][name], data["read_ms"][name] = size, read_ms
         per_sphere = (median(samples[name], "peak_bytes") - median(samples["empty"], "peak_bytes")) / MILLION
         speed = size / read_ms / 1e3
-        rows.append(Row(f"1,000,000 spheres, {name}", f"{size / 1e6:.1f} MB, {speed:.0f} MB/s", "at least 250 MB/s" if "TOML" not in name else "",
-                        speed >= 250 if "TOML" not in name else None))
+        if "TOML" in name:
+            rows.append(Row(f"1,000,000 spheres, {name}", f"{size / 1e6:.1f} MB, {speed:.0f} MB/s"))
+        else:
+            rows.append(Row(f"1,000,000 spheres, {name}, {size / 1e6:.1f} MB", f"{speed:.0f} MB/s", "at least 250 MB/s", speed >= 250))
         rows.append(at_most("  reading", read_ms / 1e3, 1.0, " s"))
         rows.append(at_most("  peak memory of the process, a sphere", per_sphere, 100, " bytes"))
     return rows, data
@@ -210,65 +133,59 @@ def micro(bench: Bench) -> tuple[list[Row], dict]:
 def frames(bench: Bench) -> tuple[list[Row], dict]:
     """Frames with lists built, and the building of lists; see frames.cpp."""
     rows, data, frame_ms = [], {}, {}
-    for scene_set in peers.SETS:
-        for count in peers.COUNTS:
-            case = Case(f"frames-{scene_set}-{count}", [bench.program("frames"), scene_set, str(count), str(bench.runs)],
-                        {"LIBGL_ALWAYS_SOFTWARE": "1"})
+    for scene_set in SETS:
+        for count in COUNTS:
+            name = f"{scene_set}-{count}"
+            case = Case(name, [bench.program("frames"), scene_set, str(count), str(bench.runs)], {"LIBGL_ALWAYS_SOFTWARE": "1"})
             result = json.loads(bench.run(case)["stdout"])
-            data[case.name] = result
-            wall = {name: value["wall_ms"] for name, value in result.items() if isinstance(value, dict)}
-            frame_ms[scene_set, count] = wall["gpu frame with read back"]
-            rows.append(Row(f"{scene_set}, {count:,} spheres", ", ".join(f"{name} {value:.1f}" for name, value in wall.items()) + " ms"))
+            data[name] = result
+            wall = {what: cost["wall_ms"] for what, cost in result.items() if isinstance(cost, dict)}
+            frame_ms[name] = wall["gpu frame with read back"]
+            rows.append(Row(f"{scene_set}, {count:,} spheres", ", ".join(f"{what} {ms:.1f}" for what, ms in wall.items()) + " ms"))
             if count == MILLION:
-                rows.append(at_most("  gpu frame with read back", frame_ms[scene_set, count], {"volume": 40, "half": 150}[scene_set], " ms"))
-                rows.append(at_most("  building the lists, gpu", wall["gpu lists"], 100, " ms"))
-                rows.append(at_most("  building the lists, cpu", wall["cpu lists"], 100, " ms"))
-                rows.append(at_most("  scene and lists, bytes a sphere", result["bytes_per_sphere"], 120))
-                rows.append(at_most("  of it on the GPU, bytes a sphere", result["gpu_bytes_per_sphere"], 80))
-        rows.append(at_most(f"{scene_set}, gpu frame, 1,000 / 4 spheres", frame_ms[scene_set, 1000] / frame_ms[scene_set, 4], 2))
+                rows += [
+                    at_most("  gpu frame with read back", frame_ms[name], {"volume": 40, "half": 150}[scene_set], " ms"),
+                    at_most("  building the lists, gpu", wall["gpu lists"], 100, " ms"),
+                    at_most("  building the lists, cpu", wall["cpu lists"], 100, " ms"),
+                    at_most("  scene and lists, bytes a sphere", result["bytes_per_sphere"], 120),
+                    at_most("  of it on the GPU, bytes a sphere", result["gpu_bytes_per_sphere"], 80),
+                ]
+        rows.append(at_most(f"{scene_set}, gpu frame, 1,000 / 4 spheres", frame_ms[f"{scene_set}-1000"] / frame_ms[f"{scene_set}-4"], 2))
     return rows, data
 
 
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "micro": micro}
 
 
-def first_line(command: list[str]) -> str:
-    try:
-        return subprocess.run(command, capture_output=True, text=True, cwd=ROOT).stdout.partition("\n")[0]
-    except OSError:
-        return ""
-
-
-def machine() -> dict:
-    info = Path("/proc/cpuinfo")
-    lines = info.read_text().splitlines() if info.exists() else []
-    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
-    return {"cpu": models[0] if models else platform.processor(), "cores": os.cpu_count(), "load": os.getloadavg(),
-            "system": platform.platform()}
+def numbers(text: str) -> list[int]:
+    return [int(number) for number in text.split(",")]
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "bench", help="where the bench preset was built")
     parser.add_argument("--runs", type=int, default=20, help="runs of each case (default: %(default)s)")
-    parser.add_argument("--only", choices=SECTIONS, action="append", help="only this section; may be repeated")
-    parser.add_argument("--peers", action="store_true", help="only the comparison with other programs (./dev bench --peers installs them)")
-    parser.add_argument("--counts", default=",".join(map(str, peers.COUNTS)), help="of spheres, for --peers (default: %(default)s)")
-    parser.add_argument("--publish", action="store_true", help="with --peers: write docs/peers.json and draw docs/peers.svg")
+    parser.add_argument("--only", choices=[*SECTIONS, "peers"], action="append", help="only this section; may be repeated")
+    parser.add_argument("--peers", action="store_true", help="compare with Embree, Tachyon and POV-Ray too")
+    parser.add_argument("--counts", type=numbers, default=COUNTS, metavar="N,N,...",
+                        help="how many spheres the comparison with peers draws (default: %(default)s)")
+    parser.add_argument("--plot", action="store_true", help="put that comparison into docs/, as data and as a plot")
     options = parser.parse_args()
-    if options.runs < 1:
-        parser.error("--runs: expected at least 1")
+    if options.runs < 1 or min(options.counts) < 1:
+        parser.error("--runs, --counts: expected at least 1")
+    sections = {**SECTIONS, "peers": lambda bench: peers(bench, options.counts)} if options.peers else SECTIONS
+    if not options.peers and (options.plot or "peers" in (options.only or [])):
+        parser.error("--plot, --only peers: expected with --peers")
     if not (options.build / "measure").exists():
         parser.error(f"--build: {options.build} is not built: cmake --preset bench && cmake --build --preset bench")
 
     bench = Bench(options.build, options.runs)
     versions = {"sphereview": first_line([bench.program("sphereview"), "--version"]),
                 "commit": first_line(["git", "describe", "--always", "--dirty"]), "python": platform.python_version()}
-    results = {"date": datetime.datetime.now().astimezone().isoformat(timespec="seconds"), "command": shlex.join(sys.argv),
-               "machine": machine(), "versions": versions, "runs": options.runs, "rows": [], "data": {}}
+    results = {"date": datetime.datetime.now().astimezone().isoformat(timespec="seconds"), "machine": machine(),
+               "command": shlex.join([os.path.relpath(sys.argv[0], ROOT), *sys.argv[1:]]), "versions": versions,
+               "runs": options.runs, "rows": [], "data": {}}
     status = 0
-    counts = [int(count) for count in options.counts.split(",")]
-    sections = {"peers": lambda bench: peers.section(bench, Case, Row, counts)} if options.peers else SECTIONS
     for name, section in sections.items():
         if options.only and name not in options.only:
             continue
@@ -280,12 +197,13 @@ def main() -> int:
             verdict = "" if row.met is None else "met" if row.met else "NOT MET"
             print(f"{row.what:<42} {row.measured:<52} {row.target:<18} {verdict}", flush=True)
         results["rows"] += [asdict(row) for row in rows]
-    path = options.build / ("peers.json" if options.peers else "results.json")
+    path = options.build / "results.json"
     path.write_text(json.dumps(results, indent=1) + "\n")
-    if options.publish and options.peers:
-        published = ROOT / "docs" / "peers.json"
-        published.write_text(path.read_text())
-        subprocess.run(["/usr/bin/python3", str(ROOT / "bench" / "plot.py"), str(published)], check=True)  # Debian's, with matplotlib
+    if options.plot and "peers" in results["data"]:
+        measured = {key: results[key] for key in ["date", "command", "machine", "versions", "runs"]}
+        measured["peers"] = results["data"]["peers"]
+        (ROOT / "docs" / "peers.json").write_text(json.dumps(measured, indent=1) + "\n")
+        (ROOT / "docs" / "peers.svg").write_text(draw(measured))
     print(f"{results['machine']['cpu']}, {results['machine']['cores']} cores; medians of {options.runs}; all of it in {path}")
     return status
 

@@ -1,0 +1,49 @@
+"""Writes scenes for Tachyon and POV-Ray: the picture that sphereview draws of them, in flat colours, without shadows."""
+from collections.abc import Iterator
+from pathlib import Path
+
+SIDE = 1000  # of the pictures, in pixels
+
+TACHYON_BEGIN = f"""BEGIN_SCENE
+RESOLUTION {SIDE} {SIDE}
+CAMERA
+  ZOOM 1 ASPECTRATIO 1 ANTIALIASING 0 RAYDEPTH 1
+  CENTER 0 0 0 VIEWDIR 0 0 1 UPDIR 0 1 0
+END_CAMERA
+BACKGROUND 0 0 0
+"""
+
+POVRAY_BEGIN = """#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, 0> direction <0, 0, 100> right <100, 0, 0> up <0, 100, 0> }
+"""
+
+
+def spheres(scene: Path) -> Iterator[tuple[list[int], list[str], str]]:
+    """Colour, centre and radius of each; of a scene as make_scene writes it, with three lines for every sphere."""
+    with scene.open() as file:
+        next(file)  # their number
+        for color, center, radius in zip(file, file, file):
+            yield [int(channel) for channel in color.split()], center.split(), radius.strip()
+
+
+def write_tachyon(scene: Path, path: Path) -> None:
+    # Its rays go through the corners of the pixels; the whole scene is sheared by half a pixel to make up for that. It rounds
+    # colours down.
+    half_pixel = 0.5 / SIDE
+    with path.open("w") as out:
+        out.write(TACHYON_BEGIN)
+        for color, center, radius in spheres(scene):
+            x, y, z = (float(coordinate) for coordinate in center)
+            rgb = " ".join(f"{(channel + 0.5) / 255:.6f}" for channel in color)
+            out.write(f"SPHERE CENTER {x + half_pixel * z!r} {y + half_pixel * z!r} {z!r} RAD {radius} "
+                      f"TEXTURE AMBIENT 1 DIFFUSE 0 SPECULAR 0 OPACITY 1 COLOR {rgb} TEXFUNC 0\n")
+        out.write("END_SCENE\n")
+
+
+def write_povray(scene: Path, path: Path) -> None:
+    with path.open("w") as out:
+        out.write(POVRAY_BEGIN)
+        for color, center, radius in spheres(scene):
+            rgb = ",".join(f"{channel / 255:.6f}" for channel in color)
+            out.write(f"sphere{{<{','.join(center)}>,{radius} pigment{{rgb<{rgb}>}}}}\n")
