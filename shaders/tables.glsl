@@ -1,5 +1,5 @@
 // Long arrays live in buffer textures; where those are too short (TABLE_SHIFT is defined), in 2D textures of 2^TABLE_SHIFT
-// columns, row by row. Twin: src/gpu/table.cpp.
+// columns, row by row. Twin: src/gpu/table.hpp.
 #ifdef TABLE_SHIFT
 #define float_table sampler2D
 #define uint_table usampler2D

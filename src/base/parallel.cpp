@@ -7,15 +7,29 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#ifdef __linux__
+#include <sched.h>
+#endif
 
 namespace sphereview {
 
 namespace {
 
 thread_local bool inside_work = false;
+
+int usable_cores() {
+#ifdef __linux__
+    // What `taskset` or a container leaves of them; the standard library looks at the machine.
+    cpu_set_t cores;
+    if (sched_getaffinity(0, sizeof cores, &cores) == 0) return CPU_COUNT(&cores);
+#endif
+    return static_cast<int>(std::thread::hardware_concurrency());
+}
 
 struct Job {
     std::size_t count;
@@ -44,8 +58,12 @@ struct Job {
 class Pool {
 public:
     Pool() {
-        for (int i = 1; i < worker_count(); ++i) {
-            threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+        try {
+            for (int i = 1; i < worker_count(); ++i) {
+                threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
+            }
+        } catch (const std::system_error&) {
+            // The system allows no more threads: those there are do the work.
         }
     }
 
@@ -94,7 +112,7 @@ private:
 }  // namespace
 
 int worker_count() {
-    static const int count = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    static const int count = std::max(1, usable_cores());
     return count;
 }
 

@@ -148,14 +148,15 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& list
 
 // Draws where there may be spheres; elsewhere the background is known.
 void GpuRenderer::draw_covered(const Block& block) {
-    const GLint nothing = frame_.all_doubtful != 0 ? doubtful_background : visible_background;
+    // GL reads four, whatever the format.
+    const std::array<GLint, 4> nothing = {frame_.all_doubtful != 0 ? doubtful_background : visible_background, 0, 0, 0};
     const int left = std::max(block.x, covered_.left);
     const int top = std::max(block.y, covered_.top);
     const int right = std::min(block.x + block.width - 1, covered_.right);
     const int bottom = std::min(block.y + block.height - 1, covered_.bottom);
     const bool all =
         left == block.x && top == block.y && right == block.x + block.width - 1 && bottom == block.y + block.height - 1;
-    if (!all) glClearBufferiv(GL_COLOR, 0, &nothing);
+    if (!all) glClearBufferiv(GL_COLOR, 0, nothing.data());
     if (right < left || bottom < top) return;
     glEnable(GL_SCISSOR_TEST);
     glScissor(left - block.x, top - block.y, right - left + 1, bottom - top + 1);

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <new>
+#include <string>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "tiles/pixel_range.hpp"
 #include "tiles/tile_plan.hpp"
@@ -184,7 +185,9 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
         }
     }
     begins[bands.size()] = sum;
-    if (sum.candidates > std::numeric_limits<std::uint32_t>::max()) throw std::bad_alloc();  // 34 GB
+    if (sum.candidates > std::numeric_limits<std::uint32_t>::max()) {
+        throw RenderError("the lists of its tiles would hold " + std::to_string(sum.candidates) + " spheres, at most 4294967295");
+    }
 
     std::vector<Entry> entries(sum.entries);
     parallel_pieces(ranges.size(), piece, [&](std::size_t begin, std::size_t end) {

@@ -20,7 +20,7 @@ struct TileCosts {
 inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
 
 // The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of
-// larger ones.
+// larger ones. Throws RenderError when they are too long all the same: billions of spheres.
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs);
 
 }  // namespace sphereview

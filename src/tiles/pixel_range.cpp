@@ -82,14 +82,15 @@ PixelPlanes::Interval PixelPlanes::in_front(const Axis& axis, const Ball& ball) 
     const double half_b = base * step - reach_square * axis.base_step;
     const double c = base * base - reach_square * axis.base_base;
     const double root = std::sqrt(std::max(0.0, half_b * half_b - a * c));
+    const double inverse = 1.0 / a;
     const double limit = axis.count;
     // Not std::clamp, which passes on what is not a number.
     const auto number_at = [=](double x) {
         const double i = (x - 1.0 + limit) / 2.0;
         return i > -1.0 ? (i < limit ? i : limit) : -1.0;
     };
-    int first = static_cast<int>(std::ceil(number_at((-half_b - root) / a)));
-    int last = static_cast<int>(std::floor(number_at((-half_b + root) / a)));
+    int first = static_cast<int>(std::ceil(number_at((-half_b - root) * inverse)));
+    int last = static_cast<int>(std::floor(number_at((-half_b + root) * inverse)));
 
     // Proven: the ball is wholly on the far side of the plane before `first`, and so of all planes before that one.
     first = std::max(0, first);

@@ -40,8 +40,8 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"json", {"nlohmann/"}},
     {"imgui", {"imgui"}},
     {"system",
-     {"unistd.h", "sys/", "fcntl.h", "poll.h", "spawn.h", "dlfcn.h", "signal.h", "pthread.h", "termios.h", "windows.h", "io.h",
-      "mach-o/"}},
+     {"unistd.h", "sys/", "fcntl.h", "poll.h", "sched.h", "spawn.h", "dlfcn.h", "signal.h", "pthread.h", "termios.h", "windows.h",
+      "io.h", "mach-o/"}},
 };
 
 bool may_include(std::string_view room, std::string_view what) {
