@@ -59,7 +59,9 @@ void add_render(CLI::App& app, TypedOptions& typed) {
                      "picture may differ by a few pixels from one machine to the next");
     render->add_flag("--timings", options.timings, "Say on stderr how long each phase took, in ms");
     render->add_flag("--json", options.json, "Report each scene as one JSON line on stdout");
-    render->add_flag("--verbose", options.verbose, "Say on stderr which backend is used, and why");
+    render->add_flag(
+        "--verbose", options.verbose,
+        "Say on stderr which backend is used and why, in which tiles the spheres are, and how the pixels were decided");
     render->footer(std::string(render_examples) + exit_codes);
 }
 
