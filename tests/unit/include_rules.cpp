@@ -20,9 +20,11 @@ const std::map<std::string_view, Names> allowed = {
     {"tiles", {"base", "scene", "exact", "glm"}},
     {"cpu", {"base", "scene", "exact", "tiles", "glm"}},
     {"gpu", {"base", "scene", "image", "exact", "tiles", "glad", "glm"}},
-    {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "system"}},
+    {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
+    {"panels", {"base", "scene", "exact", "glm", "imgui"}},
+    {"viewer", {"base", "scene", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app", "glm", "glad", "json", "imgui"}},
     {"app", {"base", "scene",      "image", "exact", "shade", "tiles",  "cpu",  "gpu",   "platform", "glm",  "toml++",
-             "stb",  "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11", "json",     "imgui"}},
+             "stb",  "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11", "json"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.
@@ -36,6 +38,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"EGL", {"EGL/"}},
     {"OSMesa", {"GL/osmesa.h"}},
     {"GLFW", {"GLFW/"}},
+    {"fontconfig", {"fontconfig/"}},
     {"CLI11", {"CLI/"}},
     {"json", {"nlohmann/"}},
     {"imgui", {"imgui"}},

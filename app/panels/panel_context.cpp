@@ -1,0 +1,21 @@
+#include "panels/panel_context.hpp"
+
+#include <imgui.h>
+
+#include "base/text.hpp"
+
+namespace sphereview {
+
+void note_widget(const PanelContext& context, const std::string& name) {
+    if (context.rectangles == nullptr) return;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    (*context.rectangles)[name] = {low.x, low.y, high.x, high.y};
+}
+
+std::string title_of(const Scene& scene, std::uint32_t number) {
+    const auto name = scene.names.find(number);
+    return name == scene.names.end() ? "sphere " + std::to_string(number) : in_quotes(name->second);
+}
+
+}  // namespace sphereview

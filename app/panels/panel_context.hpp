@@ -1,0 +1,63 @@
+// What panels are given and what they give back: they change nothing themselves.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "panels/commands.hpp"
+#include "scene/document.hpp"
+#include "scene/navigation.hpp"
+#include "scene/selection.hpp"
+
+namespace sphereview {
+
+// What a panel asks for.
+struct EditScene {
+    Edit edit;
+    std::string name;           // of the step, for the menu
+    std::uint64_t gesture = 0;  // edits of one drag have the same; 0: a step of its own
+};
+struct SelectSpheres {
+    Selection selection;
+};
+struct RunCommand {
+    CommandId command = CommandId::help;
+};
+struct OpenFile {
+    std::string path;
+};
+using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile>;
+
+// Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
+struct WidgetRectangle {
+    float left = 0.0F;
+    float top = 0.0F;
+    float right = 0.0F;
+    float bottom = 0.0F;
+};
+using WidgetRectangles = std::map<std::string, WidgetRectangle>;
+
+struct PanelContext {
+    const Document& document;
+    const Selection& selection;
+    const SceneBounds& bounds;               // what the sliders' ranges come from: of the scene, but still during a drag
+    std::function<bool(CommandId)> enabled;  // whether a command has something to do now
+    float scale = 1.0F;                      // sizes that are not text are times this
+    std::uint64_t& gesture;                  // the number of the current drag; whoever begins one adds 1
+    std::optional<std::uint32_t>& hovered;   // the sphere under the pointer, in the picture or in the list
+    std::vector<Action>& actions;            // what is to be done after all panels are drawn, in order
+    WidgetRectangles* rectangles = nullptr;  // collected when not null
+};
+
+// Notes the last widget's rectangle, if anyone wants to know.
+void note_widget(const PanelContext& context, const std::string& name);
+
+// What a person calls a sphere: its name in quotes, else "sphere 3".
+std::string title_of(const Scene& scene, std::uint32_t number);
+
+}  // namespace sphereview

@@ -1,0 +1,28 @@
+// The list of spheres, the editor of the selected ones, and what else a scene holds.
+#pragma once
+
+#include <string>
+
+#include "panels/panel_context.hpp"
+
+namespace sphereview {
+
+// What the side panel remembers from frame to frame.
+struct SidePanelState {
+    std::string filter;
+    std::optional<std::uint32_t> renaming;  // the sphere whose name is being typed in the list
+    std::string new_name;
+    bool focus_rename = false;
+    std::uint64_t list_revision = 0;  // of the filtered list
+    std::string listed_filter;
+    std::vector<std::uint32_t> listed;  // the numbers that pass the filter
+    bool scroll_to_selection = false;   // set by whoever selects elsewhere
+};
+
+// Draws into the current ImGui window.
+void draw_side_panel(const PanelContext& context, SidePanelState& state);
+
+// Begins typing the name of a sphere in the list.
+void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number);
+
+}  // namespace sphereview

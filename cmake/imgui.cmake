@@ -1,0 +1,11 @@
+# Dear ImGui with its OpenGL 3 backend, as the target imgui: Debian's package tells pkg-config, vcpkg CMake.
+find_package(imgui CONFIG QUIET)
+add_library(sphereview_imgui INTERFACE)
+if(imgui_FOUND)
+    target_link_libraries(sphereview_imgui INTERFACE imgui::imgui)
+else()
+    pkg_check_modules(imgui REQUIRED IMPORTED_TARGET imgui)
+    find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
+    target_include_directories(sphereview_imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR} ${IMGUI_INCLUDE_DIR}/backends)
+    target_link_libraries(sphereview_imgui INTERFACE PkgConfig::imgui ${CMAKE_DL_LIBS})
+endif()

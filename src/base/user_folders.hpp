@@ -1,0 +1,18 @@
+// Where the platform wants a program's files of this user. Nothing is created by asking.
+#pragma once
+
+#include <filesystem>
+
+namespace sphereview {
+
+// Settings: $XDG_CONFIG_HOME or ~/.config, %APPDATA%, ~/Library/Application Support; each with /sphereview. Empty when the
+// system names no home.
+std::filesystem::path config_folder();
+
+// What survives a crash: $XDG_STATE_HOME or ~/.local/state, %LOCALAPPDATA%, ~/Library/Application Support; with /sphereview.
+std::filesystem::path state_folder();
+
+// Pictures: xdg-user-dirs' XDG_PICTURES_DIR, else ~/Pictures; the home folder if that is missing; else the temporary folder.
+std::filesystem::path pictures_folder();
+
+}  // namespace sphereview
