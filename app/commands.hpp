@@ -6,6 +6,7 @@
 
 namespace sphereview {
 
+ExitCode run_view(const ViewOptions& options);  // in app/viewer/
 ExitCode run_render(const RenderOptions& options);
 ExitCode run_convert(const ConvertOptions& options);
 ExitCode run_explain(const ExplainOptions& options);

@@ -32,10 +32,10 @@ LoadedScene load_scene(const std::string& path, Progress* progress, std::size_t 
     if (detect_format(stream.bytes(), stream.name()) == SceneFormat::text) {
         Scene scene;
         scene.spheres = read_text(stream, progress, more_per_sphere);
-        return {std::move(scene), stream.name()};
+        return {std::move(scene), stream.name(), SceneFormat::text};
     }
     stream.fill();
-    return {parse_scene(stream.bytes(), stream.name()), stream.name()};
+    return {parse_scene(stream.bytes(), stream.name()), stream.name(), SceneFormat::toml};
 }
 
 }  // namespace sphereview

@@ -47,11 +47,19 @@ struct DoctorOptions {
     std::string probe;              // hidden: probe only this, in this process ("egl 0", "osmesa", "cpu")
 };
 
+struct ViewOptions {
+    std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
+    std::optional<Background> background;
+    PictureSize size;           // of exports
+    std::string shader_folder;  // instead of the shaders in the program; "" for those
+    std::string frame_log;      // hidden: a JSON line for each frame goes there
+};
+
 // A text to print, then done: --help, --version.
 struct PrintText {
     std::string text;
 };
 
-using Command = std::variant<RenderOptions, ConvertOptions, ExplainOptions, DoctorOptions, PrintText>;
+using Command = std::variant<ViewOptions, RenderOptions, ConvertOptions, ExplainOptions, DoctorOptions, PrintText>;
 
 }  // namespace sphereview

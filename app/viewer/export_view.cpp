@@ -1,0 +1,70 @@
+#include "viewer/export_view.hpp"
+
+#include <system_error>
+
+#include "app/failure.hpp"
+#include "app/render_picture.hpp"
+#include "base/output_file.hpp"
+#include "base/user_folders.hpp"
+#include "image/png.hpp"
+
+namespace sphereview {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// NAME.png, NAME-1.png, NAME-2.png, ...: the first that is not there.
+fs::path next_free_name(const ViewerState& state) {
+    const fs::path folder = state.path.empty() ? pictures_folder() : fs::path(state.path).parent_path();
+    const std::string stem = state.path.empty() ? "untitled" : fs::path(state.path).stem().string();
+    std::error_code error;
+    fs::path name = folder / (stem + ".png");
+    for (int i = 1; fs::exists(fs::symlink_status(name, error)); ++i) name = folder / (stem + "-" + std::to_string(i) + ".png");
+    return name;
+}
+
+void try_export(ViewerState& state, const std::string& path, PictureSize size) {
+    try {
+        export_view(state, path, size);
+    } catch (...) {
+        return report_error(state, "The picture cannot be exported", describe_current_exception().message);
+    }
+    announce(state, "Exported " + path + " (" + std::to_string(size.width) + " x " + std::to_string(size.height) + ")");
+}
+
+PictureSize export_size(const ViewerState& state) { return {state.settings.export_width, state.settings.export_height}; }
+
+}  // namespace
+
+void export_view(const ViewerState& state, const std::string& path, PictureSize size) {
+    check_output(path);
+    Scene scene = state.scene();
+    scene.camera = state.camera;
+    // The CPU's renderer: the picture is the same on all, and the window's context keeps what it holds.
+    OpenBackend cpu;
+    Timings timings;
+    PictureFacts facts;
+    Progress progress{false};
+    const Image picture =
+        render_picture(cpu, scene, drawn_spheres(scene), {size, state.shown_background(), true}, timings, facts, progress);
+    write_output(path, encode_png(picture));
+}
+
+void export_now(ViewerState& state) { try_export(state, next_free_name(state).string(), export_size(state)); }
+
+void ask_for_export(ViewerState& state) {
+    ExportForm form;
+    form.path = next_free_name(state).string();
+    form.width = state.settings.export_width;
+    form.height = state.settings.export_height;
+    form.view = state.picture_size;
+    form.accept = [&state](const std::string& path, PictureSize size) {
+        state.settings.export_width = size.width;
+        state.settings.export_height = size.height;
+        try_export(state, path, size);
+    };
+    state.dialogs.push_back(std::move(form));
+}
+
+}  // namespace sphereview

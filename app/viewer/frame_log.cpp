@@ -1,0 +1,58 @@
+#include "viewer/frame_log.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+FrameLog::FrameLog(const std::string& path) : file_(nullptr, std::fclose) {
+    if (path.empty()) return;
+    file_.reset(std::fopen(path.c_str(), "w"));
+    if (!file_) throw OutputError(path + ": the frame log cannot be written");
+}
+
+void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const WidgetRectangles& widgets) {
+    if (!file_) return;
+    Json rectangles = Json::object();
+    for (const auto& [name, r] : widgets) rectangles[name] = {r.left, r.top, r.right, r.bottom};
+    Json dialogs = Json::array();
+    for (const Dialog& dialog : state.dialogs) dialogs.push_back(id_of(dialog));
+    const Rectangle& p = frame.picture;
+    const Camera& camera = state.camera;
+    const Json line = {{"frame", frame.number},
+                       {"revision", state.document.revision()},
+                       {"step", frame.step},
+                       {"resting", frame.resting},
+                       {"seconds", frame.seconds},
+                       {"title", frame.title},
+                       {"renderer", frame.renderer},
+                       {"path", state.path},
+                       {"changed", state.document.is_changed()},
+                       {"spheres", state.scene().spheres.size()},
+                       {"selection", state.selection.numbers()},
+                       {"hovered", state.hovered ? Json(*state.hovered) : Json(nullptr)},
+                       {"undo", state.document.undo_name()},
+                       {"redo", state.document.redo_name()},
+                       {"picture", {p.x, p.y, p.width, p.height}},
+                       {"picture_size", {state.picture_size.width, state.picture_size.height}},
+                       {"camera", {vector(camera.eye), vector(camera.center), vector(camera.right), vector(camera.up)}},
+                       {"dialogs", dialogs},
+                       {"announcement", state.messages.announcement},
+                       {"scene_error", state.messages.scene_error},
+                       {"shader_error", state.messages.shader_error},
+                       {"widgets", rectangles}};
+    const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    std::fwrite(text.data(), 1, text.size(), file_.get());
+    std::fflush(file_.get());
+}
+
+}  // namespace sphereview

@@ -1,0 +1,35 @@
+// One JSON line a frame, for programs that drive the window: where its widgets are, what it shows, whether it rests.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "viewer/layout.hpp"
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+struct LoggedFrame {
+    std::uint64_t number = 0;
+    int step = 1;          // of the picture's grid
+    bool resting = false;  // nothing waits to be done: the next frame comes with the next event
+    Rectangle picture;
+    double seconds = 0.0;  // from the first of its events to the swap
+    std::string title;
+    std::string renderer;
+};
+
+class FrameLog {
+public:
+    // Does nothing for an empty path. Throws OutputError.
+    explicit FrameLog(const std::string& path);
+
+    bool wanted() const { return file_ != nullptr; }
+    void add(const ViewerState& state, const LoggedFrame& frame, const WidgetRectangles& widgets);
+
+private:
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+}  // namespace sphereview

@@ -1,0 +1,44 @@
+// Dear ImGui between the window's events and its framebuffer.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "platform/window.hpp"
+
+struct ImGuiContext;
+
+namespace sphereview {
+
+// ImGui's context, fonts and renderer. Keys come from the window's events, so that any release of ImGui does.
+class ImguiBridge {
+public:
+    // Needs the window's context to be current. `text_scale`: what the person wants besides the system's scale.
+    ImguiBridge(Window& window, double text_scale);
+    ~ImguiBridge();
+    ImguiBridge(const ImguiBridge&) = delete;
+    ImguiBridge& operator=(const ImguiBridge&) = delete;
+
+    void set_text_scale(double text_scale);
+
+    // Begins a frame with these events. A change of the screen's scale builds the fonts anew.
+    void begin_frame(const std::vector<InputEvent>& events, double seconds_since_last);
+    // Ends the frame; render() draws it into the bound framebuffer.
+    void end_frame();
+    void render();
+
+    // How large sizes in ImGui's coordinates are to be drawn: 1 on usual screens.
+    float scale() const { return scale_; }
+
+private:
+    void feed(const InputEvent& event);
+    void build_fonts();
+
+    Window& window_;
+    ImGuiContext* context_;
+    double text_scale_;
+    float scale_ = 0.0F;
+    float font_pixels_ = 0.0F;  // that the fonts were built for
+};
+
+}  // namespace sphereview

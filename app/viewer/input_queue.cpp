@@ -1,0 +1,68 @@
+#include "viewer/input_queue.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace sphereview {
+
+namespace {
+
+// What a frame has taken so far.
+struct Taken {
+    bool button = false;
+    bool wheel = false;
+    bool key_that_edits = false;  // "backspace" and the like: a text field takes the frame's characters before its keys
+    bool characters = false;
+    std::vector<std::string> keys;
+    Modifiers modifiers;
+
+    // Whether the event would hide what was taken; if not, it is taken.
+    bool hides(const InputEvent& event) {
+        return std::visit([&](const auto& e) { return hidden_by(e); }, event);
+    }
+
+private:
+    bool hidden_by(const PointerMoved&) const { return button || wheel; }
+    bool hidden_by(const ButtonChanged&) {
+        const bool hides = button || wheel;
+        button = true;
+        return hides;
+    }
+    // Turns one after the other add up.
+    bool hidden_by(const WheelTurned&) {
+        wheel = true;
+        return button;
+    }
+    bool hidden_by(const KeyChanged& event) {
+        const bool seen = std::ranges::find(keys, event.name) != keys.end();
+        const bool other_modifiers = !keys.empty() && event.modifiers != modifiers;
+        if (seen || other_modifiers || (event.pressed && characters)) return true;
+        keys.push_back(event.name);
+        modifiers = event.modifiers;
+        key_that_edits = key_that_edits || (event.pressed && event.name.size() > 1);
+        return false;
+    }
+    bool hidden_by(const CharacterTyped&) {
+        characters = true;
+        return key_that_edits;
+    }
+    bool hidden_by(const auto&) const { return false; }
+};
+
+}  // namespace
+
+void InputQueue::add(std::vector<InputEvent> events) {
+    events_.insert(events_.end(), std::make_move_iterator(events.begin()), std::make_move_iterator(events.end()));
+}
+
+std::vector<InputEvent> InputQueue::take_frame() {
+    Taken taken;
+    std::vector<InputEvent> frame;
+    while (!events_.empty() && !taken.hides(events_.front())) {
+        frame.push_back(std::move(events_.front()));
+        events_.pop_front();
+    }
+    return frame;
+}
+
+}  // namespace sphereview

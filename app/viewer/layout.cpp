@@ -1,0 +1,113 @@
+#include "viewer/layout.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/inspector.hpp"
+#include "panels/menu_bar.hpp"
+#include "panels/status_bar.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr float splitter_width = 6.0F;
+constexpr float narrowest_panel = 220.0F;
+constexpr float narrowest_picture = 100.0F;
+
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+void place_window(const Rectangle& area) {
+    ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
+    ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
+}
+
+// The panel's left edge, which can be dragged.
+void draw_splitter(ViewerState& state, const PanelContext& context, const Rectangle& area) {
+    place_window(area);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::Begin("##splitter", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar);
+    ImGui::InvisibleButton("##edge", ImVec2(area.width, std::max(area.height, 1.0F)));
+    note_widget(context, "splitter");
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    if (ImGui::IsItemActive()) {
+        state.settings.panel_width -= static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+}
+
+void draw_inspector_window(ViewerState& state, const PanelContext& context, const FrameFacts& facts, const Rectangle& picture) {
+    const float margin = 10.0F * context.scale;
+    ImGui::SetNextWindowPos(ImVec2(picture.x + margin, picture.y + margin), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSize(ImVec2(480.0F * context.scale, 480.0F * context.scale), ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowBgAlpha(0.92F);
+    ImGui::Begin("Pixel inspector", &state.inspector_shown, ImGuiWindowFlags_NoSavedSettings);
+    draw_inspector(context, facts.inspected);
+    ImGui::End();
+}
+
+}  // namespace
+
+Rectangle draw_panels(ViewerState& state, const PanelContext& context, const FrameFacts& facts) {
+    const ImVec2 whole = ImGui::GetIO().DisplaySize;
+    const float menu_height = draw_menu_bar(context, state.settings.recent);
+    const float status_height = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
+    Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
+
+    if (state.panel_shown) {
+        const float splitter = splitter_width * context.scale;
+        const float widest = std::max(whole.x - splitter - narrowest_picture * context.scale, narrowest_panel);
+        state.settings.panel_width = std::clamp(state.settings.panel_width, static_cast<double>(narrowest_panel),
+                                                static_cast<double>(std::max(widest / context.scale, narrowest_panel)));
+        // Whole coordinates: the picture has whole pixels.
+        const float width = std::floor(std::min(static_cast<float>(state.settings.panel_width) * context.scale, widest));
+        const Rectangle panel{whole.x - width, picture.y, width, picture.height};
+        place_window(panel);
+        ImGui::Begin("##panel", nullptr, fixed_window);
+        draw_side_panel(context, state.side_panel);
+        ImGui::End();
+        draw_splitter(state, context, {panel.x - splitter, panel.y, splitter, panel.height});
+        picture.width = std::max(panel.x - splitter, 0.0F);
+    }
+
+    place_window({0.0F, whole.y - status_height, whole.x, status_height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0F * context.scale, 1.0F * context.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    ImGui::Begin("##status", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_status_bar(context, facts.status);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+
+    draw_messages(context, state.messages, {picture.x, picture.y, picture.width, picture.height});
+    if (state.inspector_shown) draw_inspector_window(state, context, facts, picture);
+    if (state.help_shown) draw_help(context, state.help_shown);
+    draw_dialogs(context, state.dialogs, facts.keys);
+    return picture;
+}
+
+void draw_export_frame(const ViewerState& state, const Rectangle& picture) {
+    const PictureSize size{state.settings.export_width, state.settings.export_height};
+    // Both show `right` and `up` over half their shorter side.
+    const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());
+    const float half_width = unit * static_cast<float>(size.width);
+    const float half_height = unit * static_cast<float>(size.height);
+    if (half_width > 0.5F * picture.width - 1.0F && half_height > 0.5F * picture.height - 1.0F) return;
+    const ImVec2 middle(picture.x + 0.5F * picture.width, picture.y + 0.5F * picture.height);
+    const ImVec2 low(std::floor(middle.x - half_width), std::floor(middle.y - half_height));
+    const ImVec2 high(std::ceil(middle.x + half_width), std::ceil(middle.y + half_height));
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
+    // Light beside dark: seen on every colour.
+    draw->AddRect(ImVec2(low.x - 1.0F, low.y - 1.0F), ImVec2(high.x + 1.0F, high.y + 1.0F), IM_COL32(0, 0, 0, 140));
+    draw->AddRect(low, high, IM_COL32(255, 255, 255, 90));
+    draw->PopClipRect();
+}
+
+}  // namespace sphereview

@@ -1,0 +1,29 @@
+// Where the panels and the picture are in the window.
+#pragma once
+
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+// In ImGui's coordinates.
+struct Rectangle {
+    float x = 0.0F;
+    float y = 0.0F;
+    float width = 0.0F;
+    float height = 0.0F;
+};
+
+// What the picture was like when the panels are drawn; one frame old.
+struct FrameFacts {
+    Status status;
+    std::optional<InspectedPixel> inspected;
+    DialogKeys keys;
+};
+
+// Draws all panels and returns where that leaves the picture.
+Rectangle draw_panels(ViewerState& state, const PanelContext& context, const FrameFacts& facts);
+
+// Marks, over the picture, what an export shows of it, where that is not all.
+void draw_export_frame(const ViewerState& state, const Rectangle& picture);
+
+}  // namespace sphereview

@@ -1,0 +1,193 @@
+#include "viewer/mouse_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "exact/visible.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr int left = 0;
+constexpr int right = 1;
+constexpr int middle = 2;
+
+constexpr double zoom_per_pixel = 0.006;   // of a drag; the distance changes by this part
+constexpr double zoom_per_click = 0.85;    // of the wheel; the distance is times this
+constexpr double radius_per_click = 1.06;  // of the wheel
+
+// Where the ray through a place first meets the sphere; its centre where, for rounding, it does not.
+glm::dvec3 hit_point(const Camera& camera, PictureSize size, const glm::dvec2& place, const Sphere& sphere) {
+    const glm::dvec3 ray = glm::normalize(point_at(camera, size, place, 1.0) - camera.eye);
+    const glm::dvec3 center = sphere.center - camera.eye;
+    const double along = glm::dot(center, ray);
+    const double square = sphere.radius * sphere.radius - (glm::dot(center, center) - along * along);
+    if (!(square >= 0.0)) return sphere.center;
+    const double near = along - std::sqrt(square);
+    const double t = near > 0.0 ? near : along + std::sqrt(square);
+    return t > 0.0 ? camera.eye + t * ray : sphere.center;
+}
+
+// The point in the scene under the pointer: on the sphere there, else as deep as the pivot.
+glm::dvec3 point_under(const PictureState& state, const glm::dvec2& place, std::int32_t picked) {
+    if (picked >= 0) return hit_point(state.camera, state.size, place, state.scene.spheres[static_cast<std::size_t>(picked)]);
+    const double depth = depth_of(state.camera, state.pivot);
+    return point_at(state.camera, state.size, place, depth > 0.0 ? depth : 1.0);
+}
+
+std::string title_of(const PictureState& state) {
+    const auto& numbers = state.selection.numbers();
+    return numbers.size() == 1 ? sphereview::title_of(state.scene, numbers.front()) : std::to_string(numbers.size()) + " spheres";
+}
+
+}  // namespace
+
+PictureConsequences MouseControl::frame(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
+                                        std::vector<Action>& actions) {
+    PictureConsequences consequences;
+    if (mode_ == Mode::none && mouse.available) {
+        for (const int button : {left, right, middle}) {
+            if (mouse.pressed[static_cast<std::size_t>(button)] && mode_ == Mode::none) press(button, mouse, state);
+        }
+        if (mouse.double_clicked && grabbed_ >= 0) {
+            const glm::dvec3 center = state.scene.spheres[static_cast<std::size_t>(grabbed_)].center;
+            consequences.camera = centered_on(state.camera, center);
+            consequences.pivot = center;
+        }
+        if (mouse.wheel != 0.0) {
+            const std::int32_t picked = state.pick(mouse.place);
+            if (mouse.control) {
+                change_radius(mouse, state, picked, gesture, actions);
+            } else {
+                consequences.camera =
+                    zoomed(state.camera, point_under(state, mouse.place, picked), std::pow(zoom_per_click, mouse.wheel));
+            }
+        }
+    }
+    if (mode_ == Mode::none) return consequences;
+    if (!dragging_ && glm::distance(mouse.place, start_) > mouse.drag_threshold) dragging_ = true;
+    if (dragging_) drag(mouse, state, consequences, gesture, actions);
+    if (mouse.cancelled) {
+        if (dragging_ && mode_ == Mode::move_spheres) actions.push_back(RunCommand{CommandId::undo});
+        mode_ = Mode::none;
+    } else if (mouse.released[static_cast<std::size_t>(button_)]) {
+        if (!dragging_ && button_ == left) click(mouse, state, actions);
+        mode_ = Mode::none;
+    }
+    return consequences;
+}
+
+void MouseControl::press(int button, const PictureMouse& mouse, const PictureState& state) {
+    button_ = button;
+    dragging_ = false;
+    start_ = mouse.place;
+    last_ = mouse.place;
+    drag_gesture_ = 0;
+    grabbed_ = state.pick(mouse.place);
+    grabbed_point_ = point_under(state, mouse.place, grabbed_);
+    if (button == right) {
+        mode_ = Mode::zoom;
+    } else if (button == middle) {
+        mode_ = Mode::pan;
+    } else if (grabbed_ >= 0 && state.selection.contains(static_cast<std::uint32_t>(grabbed_)) && !mouse.control) {
+        mode_ = Mode::move_spheres;
+    } else {
+        mode_ = mouse.shift ? Mode::pan : Mode::orbit;
+    }
+}
+
+void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, PictureConsequences& consequences,
+                        std::uint64_t& gesture, std::vector<Action>& actions) {
+    const glm::dvec2 moved = mouse.place - last_;
+    last_ = mouse.place;
+    if (mode_ == Mode::move_spheres) {
+        if (drag_gesture_ == 0) {
+            drag_gesture_ = ++gesture;
+            base_in_depth_ = mouse.shift;
+            remember_spheres(mouse, state);
+            base_place_ = start_;
+        }
+        if (mouse.shift != base_in_depth_) {
+            base_in_depth_ = mouse.shift;
+            remember_spheres(mouse, state);
+        }
+        move_spheres(mouse, state, actions);
+        return;
+    }
+    if (moved == glm::dvec2(0.0)) return;
+    if (mode_ == Mode::orbit) {
+        // Half a turn across the shorter side.
+        const double angle = std::numbers::pi / state.size.shorter_side();
+        consequences.camera = orbited(state.camera, state.pivot, moved.x * angle, moved.y * angle);
+    } else if (mode_ == Mode::pan) {
+        const double depth = depth_of(state.camera, grabbed_point_);
+        consequences.camera = panned(state.camera, state.size, moved, depth > 0.0 ? depth : 1.0);
+    } else if (mode_ == Mode::zoom) {
+        consequences.camera = zoomed(state.camera, grabbed_point_, std::exp(zoom_per_pixel * moved.y));
+    }
+}
+
+void MouseControl::click(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const {
+    Selection selection = state.selection;
+    if (grabbed_ < 0) {
+        if (mouse.control || mouse.shift) return;
+        selection.clear();
+    } else if (mouse.control) {
+        selection.toggle(static_cast<std::uint32_t>(grabbed_));
+    } else {
+        selection.set_only(static_cast<std::uint32_t>(grabbed_));
+    }
+    if (selection != state.selection) actions.push_back(SelectSpheres{selection});
+}
+
+void MouseControl::remember_spheres(const PictureMouse& mouse, const PictureState& state) {
+    base_.clear();
+    for (const std::uint32_t number : state.selection.numbers()) base_.push_back(state.scene.spheres[number]);
+    base_place_ = mouse.place;
+}
+
+void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) {
+    const auto& numbers = state.selection.numbers();
+    const auto grabbed = std::ranges::find(numbers, static_cast<std::uint32_t>(grabbed_));
+    // The file may have been reloaded meanwhile.
+    if (grabbed == numbers.end() || numbers.size() != base_.size()) return;
+    const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())].center;
+    glm::dvec3 by{0.0};
+    if (base_in_depth_) {
+        by = (std::exp(zoom_per_pixel * (base_place_.y - mouse.place.y)) - 1.0) * (from - state.camera.eye);
+    } else {
+        const double depth = depth_of(state.camera, grabbed_point_);
+        by = point_at(state.camera, state.size, mouse.place, depth) - point_at(state.camera, state.size, base_place_, depth);
+    }
+    ChangeSpheres change{numbers, base_};
+    for (Sphere& sphere : change.spheres) sphere.center += by;
+    bool changes = false;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const glm::dvec3& center = change.spheres[i].center;
+        if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z)) return;
+        changes = changes || change.spheres[i] != state.scene.spheres[numbers[i]];
+    }
+    if (changes) actions.push_back(EditScene{std::move(change), "Move " + title_of(state), drag_gesture_});
+}
+
+void MouseControl::change_radius(const PictureMouse& mouse, const PictureState& state, std::int32_t picked, std::uint64_t& gesture,
+                                 std::vector<Action>& actions) {
+    if (picked < 0 || !state.selection.contains(static_cast<std::uint32_t>(picked))) return;
+    if (wheel_gesture_ != gesture || wheel_sphere_ != picked) {
+        wheel_gesture_ = ++gesture;
+        wheel_sphere_ = picked;
+    }
+    ChangeSpheres change{state.selection.numbers(), {}};
+    for (const std::uint32_t number : change.numbers) {
+        Sphere sphere = state.scene.spheres[number];
+        sphere.radius *= std::pow(radius_per_click, mouse.wheel);
+        if (!std::isfinite(sphere.radius) || !(sphere.radius > 0.0)) return;
+        change.spheres.push_back(sphere);
+    }
+    actions.push_back(EditScene{std::move(change), "Change the radius of " + title_of(state), wheel_gesture_});
+}
+
+}  // namespace sphereview

@@ -1,0 +1,84 @@
+// What the mouse does in the picture: selects, moves spheres, moves the camera.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <vector>
+
+#include "panels/panel_context.hpp"
+#include "scene/navigation.hpp"
+
+namespace sphereview {
+
+// The mouse in one frame. Places are pixels of the picture from its top left corner.
+struct PictureMouse {
+    glm::dvec2 place{0.0};
+    bool available = false;  // over the picture, and no panel wants it
+    // By platform/window.hpp's MouseButton.
+    std::array<bool, 3> pressed{};
+    std::array<bool, 3> released{};
+    bool double_clicked = false;
+    double wheel = 0.0;  // > 0: away from the person
+    bool control = false;
+    bool shift = false;
+    bool cancelled = false;        // Escape
+    double drag_threshold = 4.0;   // pixels
+};
+
+// What the mouse acts on.
+struct PictureState {
+    const Scene& scene;
+    const Selection& selection;
+    Camera camera;
+    PictureSize size;
+    glm::dvec3 pivot{0.0};  // what an orbit turns about
+    std::function<std::int32_t(glm::dvec2)> pick;  // the visible sphere at a place, or visible_background
+};
+
+// What it did, besides what is in `actions`.
+struct PictureConsequences {
+    std::optional<Camera> camera;
+    std::optional<glm::dvec3> pivot;
+};
+
+class MouseControl {
+public:
+    PictureConsequences frame(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
+                              std::vector<Action>& actions);
+
+    // A button that went down in the picture is still held: the panels must not see the mouse.
+    bool holds_mouse() const { return mode_ != Mode::none; }
+    // Something follows the pointer.
+    bool is_dragging() const { return mode_ != Mode::none && dragging_; }
+
+private:
+    enum class Mode { none, orbit, pan, zoom, move_spheres };
+
+    void press(int button, const PictureMouse& mouse, const PictureState& state);
+    void drag(const PictureMouse& mouse, const PictureState& state, PictureConsequences& consequences, std::uint64_t& gesture,
+              std::vector<Action>& actions);
+    void click(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const;
+    void move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions);
+    void remember_spheres(const PictureMouse& mouse, const PictureState& state);
+    void change_radius(const PictureMouse& mouse, const PictureState& state, std::int32_t picked, std::uint64_t& gesture,
+                       std::vector<Action>& actions);
+
+    Mode mode_ = Mode::none;
+    int button_ = 0;
+    bool dragging_ = false;  // the pointer has left the place where it went down
+    glm::dvec2 start_{0.0};
+    glm::dvec2 last_{0.0};
+    glm::dvec3 grabbed_point_{0.0};  // in the scene, where the button went down
+    std::int32_t grabbed_ = -1;      // the sphere there
+    // Of a move of spheres: from when the pointer was at base_place_, so that nothing adds up.
+    glm::dvec2 base_place_{0.0};
+    bool base_in_depth_ = false;
+    std::vector<Sphere> base_;
+    std::uint64_t drag_gesture_ = 0;
+    std::uint64_t wheel_gesture_ = 0;  // turns of the wheel over one sphere are one step
+    std::int32_t wheel_sphere_ = -1;
+};
+
+}  // namespace sphereview

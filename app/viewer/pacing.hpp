@@ -1,0 +1,47 @@
+// When to draw, and how coarsely, so that a drag is answered at once on every device and an idle window costs nothing.
+#pragma once
+
+#include <optional>
+
+namespace sphereview {
+
+// The picture is traced for every step-th pixel of each row and column.
+class Pacing {
+public:
+    // What a traced frame took, in seconds.
+    void traced(int step, double seconds);
+
+    // The step for a picture that is moving: 1 where the device is fast enough, at most 8.
+    int moving_step() const;
+
+    // Something happened: some frames must be drawn, until the panels have settled.
+    void touch() { frames_ = settling_frames; }
+    void drew(int step) {
+        if (frames_ > 0) --frames_;
+        coarse_ = step > 1;
+    }
+
+    // Nothing is to be drawn before the next event.
+    bool rests() const { return frames_ == 0 && !coarse_; }
+    // How long to wait for events before the next frame; nothing: until one comes.
+    std::optional<double> patience() const {
+        if (frames_ > 0) return 0.0;
+        if (coarse_) return refine_after;
+        return std::nullopt;
+    }
+    // Whether the frame that comes is the one that refines a coarse picture.
+    bool refines() const { return frames_ == 0 && coarse_; }
+
+    static constexpr double frame_budget = 0.016;  // seconds for the trace of a moving picture
+    static constexpr double refine_after = 0.08;   // seconds without an event
+
+private:
+    // ImGui shows what a click did in the next frame, and places what is new in the one after that.
+    static constexpr int settling_frames = 3;
+
+    int frames_ = settling_frames;
+    bool coarse_ = false;
+    double seconds_per_full_frame_ = 0.0;
+};
+
+}  // namespace sphereview

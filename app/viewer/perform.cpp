@@ -1,0 +1,120 @@
+#include "viewer/perform.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/export_view.hpp"
+#include "viewer/scene_edits.hpp"
+#include "viewer/scene_file.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// What an undo or redo concerned is selected; what has gone is not.
+void select_touched(ViewerState& state, const Touched& touched) {
+    if (!touched.empty()) state.selection.set(touched);
+    state.selection.keep_below(state.scene().spheres.size());
+    state.side_panel.scroll_to_selection = true;
+    state.hovered.reset();
+}
+
+void scale_text(ViewerState& state, double factor) {
+    state.settings.text_scale = std::clamp(state.settings.text_scale * factor, 0.5, 3.0);
+}
+
+void center_on_selection(ViewerState& state) {
+    const auto primary = state.selection.primary();
+    if (!primary) return;
+    state.pivot = state.scene().spheres[*primary].center;
+    state.camera = centered_on(state.camera, state.pivot);
+}
+
+void select_all(ViewerState& state) {
+    std::vector<std::uint32_t> all(state.scene().spheres.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
+    state.selection.set(std::move(all));
+}
+
+void apply(ViewerState& state, EditScene& action) {
+    const bool adds_or_removes =
+        std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
+    const bool reorders = std::holds_alternative<ReorderSphere>(action.edit);
+    if (std::holds_alternative<ChangeBackground>(action.edit)) state.background.reset();
+    const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
+    if (adds_or_removes) state.selection.clear();
+    if (adds_or_removes || reorders) select_touched(state, touched);
+}
+
+}  // namespace
+
+bool is_enabled(const ViewerState& state, CommandId command) {
+    const std::size_t count = state.scene().spheres.size();
+    const auto& selected = state.selection.numbers();
+    switch (command) {
+        case CommandId::undo: return state.document.can_undo();
+        case CommandId::redo: return state.document.can_redo();
+        case CommandId::duplicate:
+        case CommandId::remove:
+        case CommandId::hide:
+        case CommandId::select_none:
+        case CommandId::center_on_selection: return !selected.empty();
+        case CommandId::rename: return selected.size() == 1;
+        case CommandId::move_up: return selected.size() == 1 && selected.front() > 0;
+        case CommandId::move_down: return selected.size() == 1 && selected.front() + 1 < count;
+        case CommandId::select_all: return selected.size() < count;
+        case CommandId::use_view_as_camera: return state.camera != state.scene().camera;
+        case CommandId::go_home: return true;
+        default: return true;
+    }
+}
+
+void run_command(ViewerState& state, CommandId command) {
+    if (!is_enabled(state, command)) return;
+    switch (command) {
+        case CommandId::file_new: return new_scene(state);
+        case CommandId::file_open: return ask_for_scene(state);
+        case CommandId::file_save: return save_scene(state);
+        case CommandId::file_save_as: return save_scene_as(state);
+        case CommandId::export_picture: return ask_for_export(state);
+        case CommandId::export_now: return export_now(state);
+        case CommandId::quit: return quit(state);
+        case CommandId::undo: return select_touched(state, state.document.undo());
+        case CommandId::redo: return select_touched(state, state.document.redo());
+        case CommandId::add_sphere: return perform(state, {add_sphere(state)});
+        case CommandId::duplicate: return perform(state, {duplicate_selected(state)});
+        case CommandId::remove: return perform(state, {remove_selected(state)});
+        case CommandId::hide: return perform(state, {hide_or_show_selected(state)});
+        case CommandId::move_up: return perform(state, {reorder_selected(state, -1)});
+        case CommandId::move_down: return perform(state, {reorder_selected(state, 1)});
+        case CommandId::rename: return start_renaming(state.side_panel, state.scene(), state.selection.numbers().front());
+        case CommandId::select_all: return select_all(state);
+        case CommandId::select_none: return state.selection.clear();
+        case CommandId::go_home: return go_home(state);
+        case CommandId::center_on_selection: return center_on_selection(state);
+        case CommandId::use_view_as_camera:
+            return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
+        case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
+        case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
+        case CommandId::larger_text: return scale_text(state, 1.1);
+        case CommandId::smaller_text: return scale_text(state, 1.0 / 1.1);
+        case CommandId::help: state.help_shown = !state.help_shown; return;
+    }
+}
+
+void perform(ViewerState& state, std::vector<Action> actions) {
+    for (Action& action : actions) {
+        if (auto* edit = std::get_if<EditScene>(&action)) {
+            apply(state, *edit);
+        } else if (auto* select = std::get_if<SelectSpheres>(&action)) {
+            state.selection = std::move(select->selection);
+            state.selection.keep_below(state.scene().spheres.size());
+        } else if (const auto* command = std::get_if<RunCommand>(&action)) {
+            run_command(state, command->command);
+        } else if (const auto* file = std::get_if<OpenFile>(&action)) {
+            open_scene(state, file->path);
+        }
+    }
+}
+
+}  // namespace sphereview

@@ -1,0 +1,222 @@
+#include "viewer/scene_file.hpp"
+
+#include <system_error>
+
+#include "app/failure.hpp"
+#include "app/load_scene.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/text.hpp"
+#include "scene/scene_format.hpp"
+
+namespace sphereview {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string absolute_path(const std::string& path) {
+    std::error_code error;
+    const fs::path absolute = fs::absolute(path, error);
+    return error ? path : absolute.lexically_normal().string();
+}
+
+std::optional<FileStamp> stamp_of(const std::string& path) {
+    std::error_code error;
+    FileStamp stamp;
+    stamp.time = fs::last_write_time(path, error);
+    if (error) return std::nullopt;
+    stamp.size = fs::file_size(path, error);
+    if (error) return std::nullopt;
+    return stamp;
+}
+
+void read_scene(ViewerState& state, const std::string& path) {
+    try {
+        // Before it is read: what is written meanwhile shows as a change.
+        const auto stamp = stamp_of(path);
+        LoadedScene loaded = load_scene(path);
+        adopt(state, std::move(loaded.scene), path, loaded.format);
+        state.stamp = stamp;
+    } catch (...) {
+        state.settings.remove_recent(absolute_path(path));
+        report_error(state, "The scene cannot be opened", describe_current_exception(path).message);
+    }
+}
+
+// Calls `then` when nothing would be lost, or the person says that it may be.
+void with_edits_safe(ViewerState& state, std::function<void()> then) {
+    if (!state.document.is_changed()) return then();
+    Question question;
+    question.id = "save-changes";
+    question.title = "Save changes?";
+    question.text = in_quotes(state.name()) + " has changes that are not saved.";
+    question.answers = {"Save", "Don't save", "Cancel"};
+    question.cancel = 2;
+    question.answer = [&state, then = std::move(then)](int answer) {
+        if (answer == 0) save_scene(state, then);
+        if (answer == 1) then();
+    };
+    state.dialogs.push_back(std::move(question));
+}
+
+void write(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
+    try {
+        write_output(path, write_scene(state.scene(), format));
+    } catch (...) {
+        return report_error(state, "The scene cannot be saved", describe_current_exception().message);
+    }
+    state.path = path;
+    state.format = format;
+    state.stamp = stamp_of(path);
+    state.document.mark_saved();
+    state.messages.scene_error.clear();
+    state.settings.add_recent(path);
+    announce(state, "Saved " + path);
+    then();
+}
+
+void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
+    const std::string lost = lost_in(state.scene(), format);
+    if (lost.empty()) return write(state, path, format, then);
+    Question question;
+    question.id = "text-loses";
+    question.title = "The text format cannot hold everything";
+    question.text = in_quotes(fs::path(path).filename().string()) + " would lose: " + lost + ".";
+    question.answers = {"Save as TOML...", "Save all the same", "Cancel"};
+    question.cancel = 2;
+    question.answer = [&state, path, format, then](int answer) {
+        if (answer == 0) {
+            state.format = SceneFormat::toml;
+            save_scene_as(state, then);
+        }
+        if (answer == 1) write(state, path, format, then);
+    };
+    state.dialogs.push_back(std::move(question));
+}
+
+void reload(ViewerState& state, LoadedScene loaded) {
+    state.format = loaded.format;
+    state.messages.scene_error.clear();
+    if (loaded.scene != state.scene()) {
+        state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
+        state.selection.keep_below(state.scene().spheres.size());
+        state.hovered.reset();
+        announce(state, "Reloaded " + state.path);
+    }
+    state.document.mark_saved();
+}
+
+}  // namespace
+
+void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat format) {
+    state.document = Document(std::move(scene));
+    state.bounds_revision = 0;
+    state.selection.clear();
+    state.hovered.reset();
+    state.side_panel = {};
+    state.messages.scene_error.clear();
+    const bool has_file = !path.empty() && path != standard_stream;
+    state.path = has_file ? absolute_path(path) : "";
+    state.format = format;
+    state.stamp.reset();
+    if (has_file) {
+        state.stamp = stamp_of(state.path);
+        state.settings.add_recent(state.path);
+    }
+    go_home(state);
+}
+
+void new_scene(ViewerState& state) {
+    with_edits_safe(state, [&state] { adopt(state, {}, "", SceneFormat::toml); });
+}
+
+void open_scene(ViewerState& state, const std::string& path) {
+    with_edits_safe(state, [&state, path] { read_scene(state, path); });
+}
+
+void ask_for_scene(ViewerState& state) {
+    const FileQuestion question{false, "Open a scene", usual_folder(state), "", {".txt", ".toml"}};
+    ask_for_file(state, question, [&state](const std::string& path) { open_scene(state, path); });
+}
+
+void save_scene(ViewerState& state, const std::function<void()>& then) {
+    if (state.path.empty()) return save_scene_as(state, then);
+    write_unless_lost(state, state.path, state.format, then);
+}
+
+void save_scene_as(ViewerState& state, const std::function<void()>& then) {
+    const std::string ending = state.format == SceneFormat::toml ? ".toml" : ".txt";
+    const std::string stem = state.path.empty() ? "scene" : fs::path(state.path).stem().string();
+    const FileQuestion question{true, "Save the scene", usual_folder(state), stem + ending, {".txt", ".toml"}};
+    ask_for_file(state, question, [&state, then](const std::string& path) {
+        const std::string absolute = absolute_path(path);
+        write_unless_lost(state, absolute, format_of_name(absolute), then);
+    });
+}
+
+void quit(ViewerState& state) {
+    with_edits_safe(state, [&state] { state.quits = true; });
+}
+
+void look_at_file(ViewerState& state) {
+    if (state.path.empty()) return;
+    const auto stamp = stamp_of(state.path);
+    if (!stamp || stamp == state.stamp) return;  // a file that is gone may be on its way back
+    state.stamp = stamp;
+    LoadedScene loaded;
+    try {
+        loaded = load_scene(state.path);
+    } catch (...) {
+        state.messages.scene_error = describe_current_exception(state.path).message;
+        return;
+    }
+    if (!state.document.is_changed() || loaded.scene == state.scene()) return reload(state, std::move(loaded));
+    Question question;
+    question.id = "reload";
+    question.title = "The file has changed on disk";
+    question.text = in_quotes(state.name()) + " was changed by another program, and has changes here that are not saved.\n" +
+                    "(Undo brings yours back after a reload.)";
+    question.answers = {"Reload the file", "Keep mine"};
+    question.cancel = 1;
+    question.answer = [&state, loaded = std::make_shared<LoadedScene>(std::move(loaded))](int answer) {
+        if (answer == 0) reload(state, std::move(*loaded));
+        if (answer == 1) state.document.mark_unsaved();
+    };
+    state.dialogs.push_back(std::move(question));
+}
+
+void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept) {
+    if (SystemFileDialog::available()) {
+        if (state.system_dialog) return;  // one at a time
+        FileDialogOptions options;
+        options.saving = question.saving;
+        options.title = question.title;
+        options.folder = question.folder;
+        options.name = question.name;
+        options.filters = {{"Scenes", question.endings}};
+        state.system_dialog = OpenSystemDialog{std::make_unique<SystemFileDialog>(options, state.wake), std::move(accept)};
+        return;
+    }
+    FileBrowser browser;
+    browser.saving = question.saving;
+    browser.title = question.title;
+    browser.folder = question.folder;
+    browser.name = question.name;
+    browser.endings = question.endings;
+    browser.accept = std::move(accept);
+    state.dialogs.push_back(std::move(browser));
+}
+
+std::string usual_folder(const ViewerState& state) {
+    std::error_code error;
+    if (!state.path.empty()) return fs::path(state.path).parent_path().string();
+    if (!state.settings.recent.empty()) {
+        const fs::path folder = fs::path(state.settings.recent.front()).parent_path();
+        if (fs::is_directory(folder, error)) return folder.string();
+    }
+    return fs::current_path(error).string();
+}
+
+}  // namespace sphereview

@@ -1,0 +1,39 @@
+// The file of the scene: opening, saving, reloading.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+// Takes over a scene that was read from `path` ("-" and "" have no file).
+void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat format);
+
+// Each asks what there is to ask, in dialogs, before anything is lost.
+void new_scene(ViewerState& state);
+void open_scene(ViewerState& state, const std::string& path);
+void ask_for_scene(ViewerState& state);
+void save_scene(ViewerState& state, const std::function<void()>& then = [] {});
+void save_scene_as(ViewerState& state, const std::function<void()>& then = [] {});
+void quit(ViewerState& state);
+
+// Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so; edits that are
+// not saved are lost only if the person says so.
+void look_at_file(ViewerState& state);
+
+// By the system's dialog where there is one, else by our own. `accept` gets a path; of a save, overwriting was confirmed.
+struct FileQuestion {
+    bool saving = false;
+    std::string title;
+    std::string folder;
+    std::string name;
+    std::vector<std::string> endings;
+};
+void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept);
+
+// Where a file of the scene's would be looked for first.
+std::string usual_folder(const ViewerState& state);
+
+}  // namespace sphereview

@@ -1,0 +1,247 @@
+#include "viewer/viewer.hpp"
+
+#include <glad/gl.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "exact/visible.hpp"
+#include "viewer/perform.hpp"
+#include "viewer/scene_file.hpp"
+
+namespace sphereview {
+
+namespace {
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+    return std::chrono::duration<double>(end - begin).count();
+}
+
+// A key that is typed into a field is not a shortcut; one with Ctrl, and a function key, is, unless the field edits with it.
+bool is_typed(const KeyChanged& key) {
+    if (key.modifiers.alt) return false;
+    if (key.modifiers.control) {
+        for (const char* editing : {"a", "c", "v", "x", "z", "y", "left", "right", "home", "end", "backspace", "delete"}) {
+            if (key.name == editing) return true;
+        }
+        return false;
+    }
+    const bool function_key = key.name.size() > 1 && key.name[0] == 'f' && key.name[1] >= '1' && key.name[1] <= '9';
+    return !function_key;
+}
+
+void note_dialog_key(const KeyChanged& key, bool typing, DialogKeys& keys) {
+    if (key.name == "enter" && !key.repeated) keys.enter = true;
+    if (key.name == "escape" && !key.repeated) keys.escape = true;
+    if (typing) return;
+    if (key.name == "right" || (key.name == "tab" && !key.modifiers.shift)) keys.step = 1;
+    if (key.name == "left" || (key.name == "tab" && key.modifiers.shift)) keys.step = -1;
+}
+
+std::string title_for(const ViewerState& state) {
+    return state.name() + (state.document.is_changed() ? " *" : "") + " - sphereview";
+}
+
+}  // namespace
+
+Viewer::Viewer(ViewerState& state, Window& window)
+    : state_(state),
+      window_(window),
+      imgui_(window, state.settings.text_scale),
+      picture_(state.options.shader_folder),
+      files_(state.options.shader_folder),
+      log_(state.options.frame_log),
+      renderer_(window.renderer()) {
+    state_.wake = Window::wake;
+    facts_.status.renderer = renderer_;
+}
+
+void Viewer::run() {
+    while (!state_.quits) {
+        wait_for_work();
+        if (!pacing_.rests() || !input_.empty()) draw_frame();
+    }
+}
+
+void Viewer::wait_for_work() {
+    files_.follow_scene(state_.path);
+    std::optional<double> patience = input_.empty() ? pacing_.patience() : 0.0;
+    if (!patience && state_.announcement_ends) {
+        patience = std::max(seconds_between(Clock::now(), *state_.announcement_ends), 0.0);
+    }
+    std::vector<InputEvent> events = window_.wait_events(patience);
+    if (!events.empty()) pacing_.touch();
+    input_.add(std::move(events));
+
+    const WatchedFiles::Changes changes = files_.take();
+    if (changes.scene) look_at_file(state_);
+    if (changes.shaders) state_.messages.shader_error = picture_.reload_shaders();
+    if (changes.scene || changes.shaders) pacing_.touch();
+    finish_system_dialog();
+    end_announcement();
+}
+
+void Viewer::finish_system_dialog() {
+    if (!state_.system_dialog) return;
+    const auto result = state_.system_dialog->dialog->result();
+    if (!result) return;
+    const auto accept = std::move(state_.system_dialog->accept);
+    state_.system_dialog.reset();
+    if (result->outcome == SystemFileDialog::Outcome::chosen) accept(result->path);
+    if (result->outcome == SystemFileDialog::Outcome::failed) report_error(state_, "The file dialog failed", result->reason);
+    pacing_.touch();
+}
+
+void Viewer::end_announcement() {
+    if (!state_.announcement_ends || Clock::now() < *state_.announcement_ends) return;
+    state_.announcement_ends.reset();
+    state_.messages.announcement.clear();
+    pacing_.touch();
+}
+
+std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action>& actions) {
+    std::vector<InputEvent> events = input_.take_frame();
+    if (!events.empty()) pacing_.touch();
+    const bool typing = ImGui::GetIO().WantTextInput;
+    for (const InputEvent& event : events) {
+        if (std::holds_alternative<CloseRequested>(event)) {
+            actions.push_back(RunCommand{CommandId::quit});
+        } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
+            actions.push_back(OpenFile{dropped->paths.front()});
+        } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
+            note_dialog_key(*key, typing, keys);
+            if (!state_.dialogs.empty() || (typing && is_typed(*key))) continue;
+            const Modifiers& m = key->modifiers;
+            if (const auto command = command_for_key(key->name, m.control, m.shift, m.alt)) actions.push_back(RunCommand{*command});
+        } else if (const auto* typed = std::get_if<CharacterTyped>(&event); typed != nullptr && !typing && state_.dialogs.empty()) {
+            if (const auto command = command_for_character(typed->character)) actions.push_back(RunCommand{*command});
+        }
+    }
+    return events;
+}
+
+std::optional<Pixel> Viewer::pixel_under_pointer() const {
+    const ImVec2 at = ImGui::GetIO().MousePos;
+    const double x = (static_cast<double>(at.x) - static_cast<double>(area_.x)) * pixels_;
+    const double y = (static_cast<double>(at.y) - static_cast<double>(area_.y)) * pixels_;
+    if (!(x >= 0.0 && y >= 0.0 && x < state_.picture_size.width && y < state_.picture_size.height)) return std::nullopt;
+    return Pixel{static_cast<int>(x), static_cast<int>(y)};
+}
+
+void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
+    const ImGuiIO& io = ImGui::GetIO();
+    const auto pixel = pixel_under_pointer();
+    pointer_in_picture_ = pixel && !io.WantCaptureMouse && state_.dialogs.empty();
+    PictureMouse mouse;
+    mouse.place = {(static_cast<double>(io.MousePos.x) - static_cast<double>(area_.x)) * pixels_,
+                   (static_cast<double>(io.MousePos.y) - static_cast<double>(area_.y)) * pixels_};
+    mouse.available = pointer_in_picture_;
+    for (int button = 0; button < 3; ++button) {
+        mouse.pressed[static_cast<std::size_t>(button)] = ImGui::IsMouseClicked(button);
+        mouse.released[static_cast<std::size_t>(button)] = !io.MouseDown[button];
+    }
+    mouse.double_clicked = ImGui::IsMouseDoubleClicked(0);
+    mouse.wheel = static_cast<double>(io.MouseWheel);
+    mouse.control = io.KeyCtrl;
+    mouse.shift = io.KeyShift;
+    mouse.cancelled = cancelled;
+    mouse.drag_threshold = 4.0 * static_cast<double>(imgui_.scale()) * pixels_;
+
+    const auto pick = [this](glm::dvec2 place) {
+        const Pixel at{std::clamp(static_cast<int>(place.x), 0, state_.picture_size.width - 1),
+                       std::clamp(static_cast<int>(place.y), 0, state_.picture_size.height - 1)};
+        return picture_.pick(state_.document, at);
+    };
+    const PictureState picture{state_.scene(), state_.selection, state_.camera, state_.picture_size, state_.pivot, pick};
+    const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
+    if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
+    if (done.pivot) state_.pivot = *done.pivot;
+}
+
+void Viewer::draw_frame() {
+    const auto begin = Clock::now();
+    const Window::Extent framebuffer = window_.framebuffer();
+    if (framebuffer.width == 0 || framebuffer.height == 0) {  // minimised
+        input_.take_frame();
+        pacing_.drew(1);
+        return;
+    }
+    std::vector<Action> actions;
+    const bool refines = pacing_.refines();
+    facts_.keys = {};
+    const std::vector<InputEvent> events = take_events(facts_.keys, actions);
+    imgui_.begin_frame(events, seconds_between(last_frame_, begin));
+    last_frame_ = begin;
+    widgets_.clear();
+    if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
+
+    if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
+    const PanelContext context{state_.document,
+                               state_.selection,
+                               state_.bounds,
+                               [this](CommandId command) { return is_enabled(state_, command); },
+                               imgui_.scale(),
+                               state_.gesture,
+                               state_.hovered,
+                               actions,
+                               log_.wanted() ? &widgets_ : nullptr};
+    area_ = draw_panels(state_, context, facts_);
+    draw_export_frame(state_, area_);
+    pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
+    state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
+                           std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
+    use_mouse(context, facts_.keys.escape);
+    imgui_.end_frame();
+
+    perform(state_, std::move(actions));
+    imgui_.set_text_scale(state_.settings.text_scale);
+    window_.set_title(title_for(state_));
+
+    const View view{state_.camera, state_.picture_size};
+    if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step())) {
+        pacing_.traced(picture_.step(), picture_.last_seconds());
+    }
+    note_facts();
+    show(area_);
+    imgui_.render();
+    window_.swap_buffers();
+    pacing_.drew(picture_.step());
+    if (log_.wanted()) {
+        const bool resting = pacing_.rests() && input_.empty();
+        log_.add(state_,
+                 {++frame_number_, picture_.step(), resting, area_, seconds_between(begin, Clock::now()), title_for(state_),
+                  renderer_},
+                 widgets_);
+    }
+}
+
+void Viewer::note_facts() {
+    const std::optional<Pixel> pixel = pointer_in_picture_ ? pixel_under_pointer() : std::nullopt;
+    std::optional<std::uint32_t> sphere;
+    if (pixel) {
+        const std::int32_t picked = picture_.pick(state_.document, *pixel);
+        if (picked >= 0) sphere = static_cast<std::uint32_t>(picked);
+        if (state_.hovered != sphere) pacing_.touch();
+        state_.hovered = sphere;
+    }
+    facts_.status = {renderer_, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
+    facts_.inspected.reset();
+    if (pixel && state_.inspector_shown) {
+        Scene seen = state_.scene();
+        seen.camera = state_.camera;
+        facts_.inspected = InspectedPixel{*pixel, state_.picture_size, explain_pixel(seen, state_.picture_size, *pixel)};
+    }
+}
+
+void Viewer::show(const Rectangle& area) {
+    const Window::Extent framebuffer = window_.framebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    const int left = static_cast<int>(std::lround(area.x * pixels_));
+    const int top = static_cast<int>(std::lround(area.y * pixels_));
+    const PictureSize size = state_.picture_size;
+    picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
+                  {&state_.selection, state_.hovered, static_cast<float>(imgui_.scale() * pixels_)});
+}
+
+}  // namespace sphereview

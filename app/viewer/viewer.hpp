@@ -1,0 +1,60 @@
+// The window's loop: input, panels, edits, picture; and rest when there is nothing to do.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gpu/live_picture.hpp"
+#include "viewer/frame_log.hpp"
+#include "viewer/imgui_bridge.hpp"
+#include "viewer/input_queue.hpp"
+#include "viewer/layout.hpp"
+#include "viewer/mouse_control.hpp"
+#include "viewer/pacing.hpp"
+#include "viewer/viewer_state.hpp"
+#include "viewer/watched_files.hpp"
+
+namespace sphereview {
+
+class Viewer {
+public:
+    // The window's context must be current.
+    Viewer(ViewerState& state, Window& window);
+
+    // Until the person quits. Throws RenderError when the window's context is lost.
+    void run();
+
+private:
+    void wait_for_work();
+    void draw_frame();
+    // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
+    std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
+    void use_mouse(const PanelContext& context, bool cancelled);
+    void trace();
+    void show(const Rectangle& area);
+    void note_facts();
+    void finish_system_dialog();
+    void end_announcement();
+    std::optional<Pixel> pixel_under_pointer() const;
+
+    ViewerState& state_;
+    Window& window_;
+    ImguiBridge imgui_;
+    LivePicture picture_;
+    WatchedFiles files_;
+    FrameLog log_;
+    InputQueue input_;
+    MouseControl mouse_;
+    Pacing pacing_;
+    std::string renderer_;
+
+    Clock::time_point last_frame_ = Clock::now();
+    std::uint64_t frame_number_ = 0;
+    Rectangle area_;       // of the picture, in screen coordinates
+    double pixels_ = 1.0;  // a screen coordinate's
+    bool pointer_in_picture_ = false;
+    FrameFacts facts_;
+    WidgetRectangles widgets_;
+};
+
+}  // namespace sphereview

@@ -1,0 +1,42 @@
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr auto announcement_time = std::chrono::seconds(5);
+
+}  // namespace
+
+std::string ViewerState::name() const {
+    return path.empty() ? "untitled" : std::filesystem::path(path).filename().string();
+}
+
+void announce(ViewerState& state, const std::string& text) {
+    state.messages.announcement = text;
+    state.announcement_ends = Clock::now() + announcement_time;
+}
+
+void report_error(ViewerState& state, const std::string& title, const std::string& text) {
+    Question question;
+    question.id = "error";
+    question.title = title;
+    question.text = text;
+    question.answers = {"OK"};
+    question.answer = [](int) {};
+    state.dialogs.push_back(std::move(question));
+}
+
+void go_home(ViewerState& state) {
+    state.camera = state.scene().camera;
+    update_bounds(state);
+    state.pivot = state.bounds.middle();
+}
+
+void update_bounds(ViewerState& state) {
+    if (state.bounds_revision == state.document.revision()) return;
+    state.bounds_revision = state.document.revision();
+    state.bounds = bounds_of(state.scene());
+}
+
+}  // namespace sphereview

@@ -1,0 +1,98 @@
+// Everything the viewer knows, without its window: what panels read and actions change.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/options.hpp"
+#include "panels/dialogs.hpp"
+#include "panels/inspector.hpp"
+#include "panels/panel_context.hpp"
+#include "panels/side_panel.hpp"
+#include "panels/status_bar.hpp"
+#include "platform/file_dialog.hpp"
+#include "viewer/settings.hpp"
+
+namespace sphereview {
+
+using Clock = std::chrono::steady_clock;
+
+// What tells a file from what it was before.
+struct FileStamp {
+    std::filesystem::file_time_type time;
+    std::uintmax_t size = 0;
+
+    bool operator==(const FileStamp&) const = default;
+};
+
+// A dialog of the system that is open, and what its answer is for.
+struct OpenSystemDialog {
+    std::unique_ptr<SystemFileDialog> dialog;
+    std::function<void(const std::string& path)> accept;
+};
+
+// Dialogs remember where it is: it is not moved.
+struct ViewerState {
+    explicit ViewerState(ViewOptions viewer_options, ViewerSettings viewer_settings)
+        : options(std::move(viewer_options)), settings(std::move(viewer_settings)) {}
+    ViewerState(const ViewerState&) = delete;
+    ViewerState& operator=(const ViewerState&) = delete;
+
+    ViewOptions options;
+    ViewerSettings settings;
+
+    Document document;
+    Selection selection;
+    std::optional<std::uint32_t> hovered;
+    std::uint64_t gesture = 0;
+    SceneBounds bounds;  // of the document at bounds_revision
+    std::uint64_t bounds_revision = 0;
+
+    // The file that the document is of.
+    std::string path;  // absolute; "" when it has none yet
+    SceneFormat format = SceneFormat::toml;
+    std::optional<FileStamp> stamp;  // of what was read or written last
+
+    // The view: what the window shows, which need not be the scene's own camera.
+    Camera camera;
+    glm::dvec3 pivot{0.0};
+    PictureSize picture_size;  // of the window's picture, in pixels
+    std::optional<Background> background;  // instead of the scene's, as --background asks
+
+    Messages messages;
+    std::optional<Clock::time_point> announcement_ends;
+    Dialogs dialogs;
+    std::optional<OpenSystemDialog> system_dialog;
+    std::function<void()> wake = [] {};  // makes the window's loop look again; from any thread
+
+    bool panel_shown = true;
+    bool inspector_shown = false;
+    bool help_shown = false;
+    SidePanelState side_panel;
+    bool quits = false;
+
+    const Scene& scene() const { return document.scene(); }
+    Background shown_background() const { return background.value_or(scene().background); }
+    // How the window's title and questions call the scene: the file's name, or "untitled".
+    std::string name() const;
+};
+
+// Shows a line over the picture for some seconds.
+void announce(ViewerState& state, const std::string& text);
+
+// Shows an error that has to be read before anything else.
+void report_error(ViewerState& state, const std::string& title, const std::string& text);
+
+// The view becomes the scene's own camera.
+void go_home(ViewerState& state);
+
+// Brings bounds up to date; they are left as they are while something is dragged, so that no slider's range moves under the pointer.
+void update_bounds(ViewerState& state);
+
+}  // namespace sphereview

@@ -1,0 +1,259 @@
+#include "platform/window.hpp"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "base/error.hpp"
+#include "platform/connection_loss.hpp"
+#include "platform/key_name.hpp"
+
+namespace sphereview {
+
+struct Window::State {
+    GLFWwindow* window = nullptr;
+    std::vector<InputEvent> events;
+    std::array<GLFWcursor*, 6> cursors{};
+    PointerShape shape = PointerShape::arrow;
+    std::string title;
+};
+
+namespace {
+
+std::string last_error() {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    return description != nullptr ? description : "no reason given";
+}
+
+Modifiers modifiers_of(int mods) {
+#ifdef __APPLE__
+    constexpr int control = GLFW_MOD_SUPER;
+#else
+    constexpr int control = GLFW_MOD_CONTROL;
+#endif
+    return {(mods & control) != 0, (mods & GLFW_MOD_SHIFT) != 0, (mods & GLFW_MOD_ALT) != 0};
+}
+
+// GLFW's wheel callback does not tell.
+Modifiers modifiers_now(GLFWwindow* window) {
+    const auto held = [&](int left, int right) {
+        return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    };
+#ifdef __APPLE__
+    const bool control = held(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
+#else
+    const bool control = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
+#endif
+    return {control, held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
+
+std::vector<InputEvent>& events_of(GLFWwindow* window) {
+    return *static_cast<std::vector<InputEvent>*>(glfwGetWindowUserPointer(window));
+}
+
+void on_button(GLFWwindow* window, int button, int action, int mods) {
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    const MouseButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? MouseButton::left
+                              : button == GLFW_MOUSE_BUTTON_RIGHT ? MouseButton::right
+                                                                  : MouseButton::middle;
+    events_of(window).push_back(ButtonChanged{which, action == GLFW_PRESS, modifiers_of(mods)});
+}
+
+void on_key(GLFWwindow* window, int key, int scancode, int action, int mods) {
+    const std::string name = key_name(key, scancode);
+    if (name.empty()) return;
+    const bool pressed = action != GLFW_RELEASE;
+    Modifiers modifiers = modifiers_of(mods);
+    // Whether a modifier's own event counts it as held is for each system to choose.
+    if (name == "control") modifiers.control = pressed;
+    if (name == "shift") modifiers.shift = pressed;
+    if (name == "alt") modifiers.alt = pressed;
+    events_of(window).push_back(KeyChanged{name, pressed, action == GLFW_REPEAT, modifiers});
+}
+
+void on_drop(GLFWwindow* window, int count, const char** paths) {
+    events_of(window).push_back(FilesDropped{{paths, paths + count}});
+}
+
+void listen(GLFWwindow* window, std::vector<InputEvent>& events) {
+    glfwSetWindowUserPointer(window, &events);
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { events_of(w).push_back(PointerMoved{x, y}); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        if (entered == GLFW_FALSE) events_of(w).push_back(PointerLeft{});
+    });
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+        events_of(w).push_back(WheelTurned{x, y, modifiers_now(w)});
+    });
+    glfwSetKeyCallback(window, on_key);
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+        events_of(w).push_back(CharacterTyped{static_cast<char32_t>(character)});
+    });
+    glfwSetDropCallback(window, on_drop);
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);  // whether it closes is for the program to say
+        events_of(w).push_back(CloseRequested{});
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        events_of(w).push_back(FocusChanged{focused == GLFW_TRUE});
+    });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { events_of(w).push_back(WindowChanged{}); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { events_of(w).push_back(WindowChanged{}); });
+    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { events_of(w).push_back(WindowChanged{}); });
+}
+
+// Keeps a window that was last seen on a screen that is gone reachable: its title bar must lie on some screen.
+bool is_on_a_screen(const WindowPlace& place) {
+    int count = 0;
+    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    for (int i = 0; i < count; ++i) {
+        int x = 0;
+        int y = 0;
+        int width = 0;
+        int height = 0;
+        glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
+        if (*place.x + place.width > x + 50 && *place.x < x + width - 50 && *place.y >= y && *place.y < y + height - 50) return true;
+    }
+    return false;
+}
+
+// No larger than the screen.
+WindowPlace fitting(WindowPlace place) {
+    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    if (monitor == nullptr) return place;
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    if (width > 0) place.width = std::min(place.width, width);
+    if (height > 0) place.height = std::min(place.height, height);
+    return place;
+}
+
+}  // namespace
+
+Window::Window(const std::string& title, const WindowPlace& place) : state_(std::make_unique<State>()) {
+    if (glfwInit() == GLFW_FALSE) throw RenderError("there is no display to open a window on: " + last_error());
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_MAXIMIZED, place.maximized ? GLFW_TRUE : GLFW_FALSE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "sphereview");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "sphereview");
+    const WindowPlace fitted = fitting(place);
+    state_->window = glfwCreateWindow(fitted.width, fitted.height, title.c_str(), nullptr, nullptr);
+    if (state_->window == nullptr) {
+        const std::string why = last_error();
+        glfwTerminate();
+        throw RenderError("no window with OpenGL 3.3 can be opened: " + why);
+    }
+    state_->title = title;
+    if (place.x && place.y && is_on_a_screen(place)) glfwSetWindowPos(state_->window, *place.x, *place.y);
+    glfwMakeContextCurrent(state_->window);
+    if (gladLoadGL(glfwGetProcAddress) == 0 || !GLAD_GL_VERSION_3_3) {
+        glfwDestroyWindow(state_->window);
+        glfwTerminate();
+        throw RenderError("the window's context has no OpenGL 3.3 functions");
+    }
+    glfwSwapInterval(1);
+    listen(state_->window, state_->events);
+}
+
+Window::~Window() {
+    for (GLFWcursor* cursor : state_->cursors) {
+        if (cursor != nullptr) glfwDestroyCursor(cursor);
+    }
+    glfwDestroyWindow(state_->window);
+    glfwTerminate();
+}
+
+void Window::show() {
+    glfwShowWindow(state_->window);
+    glfwFocusWindow(state_->window);
+}
+
+std::vector<InputEvent> Window::wait_events(std::optional<double> seconds) {
+    // What came while something else was asked of GLFW is here already.
+    if (!state_->events.empty() || (seconds && *seconds <= 0.0)) {
+        glfwPollEvents();
+    } else if (seconds) {
+        glfwWaitEventsTimeout(*seconds);
+    } else {
+        glfwWaitEvents();
+    }
+    return std::exchange(state_->events, {});
+}
+
+void Window::wake() { glfwPostEmptyEvent(); }
+
+void Window::swap_buffers() { glfwSwapBuffers(state_->window); }
+
+Window::Extent Window::extent() const {
+    Extent extent;
+    glfwGetWindowSize(state_->window, &extent.width, &extent.height);
+    return extent;
+}
+
+Window::Extent Window::framebuffer() const {
+    if (glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE) return {};
+    Extent extent;
+    glfwGetFramebufferSize(state_->window, &extent.width, &extent.height);
+    return extent;
+}
+
+double Window::content_scale() const {
+    float x = 1.0F;
+    float y = 1.0F;
+    glfwGetWindowContentScale(state_->window, &x, &y);
+    return std::clamp(static_cast<double>(x), 1.0, 4.0);
+}
+
+WindowPlace Window::place() const {
+    WindowPlace place;
+    int x = 0;
+    int y = 0;
+    glfwGetWindowPos(state_->window, &x, &y);
+    place.x = x;
+    place.y = y;
+    place.width = extent().width;
+    place.height = extent().height;
+    place.maximized = glfwGetWindowAttrib(state_->window, GLFW_MAXIMIZED) == GLFW_TRUE;
+    return place;
+}
+
+void Window::set_title(const std::string& title) {
+    if (title == state_->title) return;
+    state_->title = title;
+    glfwSetWindowTitle(state_->window, title.c_str());
+}
+
+void Window::set_pointer(PointerShape shape) {
+    if (shape == state_->shape) return;
+    state_->shape = shape;
+    constexpr std::array<int, 6> shapes = {GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR,
+                                           GLFW_VRESIZE_CURSOR, GLFW_HAND_CURSOR,  GLFW_CROSSHAIR_CURSOR};
+    const auto index = static_cast<std::size_t>(shape);
+    if (state_->cursors[index] == nullptr) state_->cursors[index] = glfwCreateStandardCursor(shapes[index]);
+    glfwSetCursor(state_->window, state_->cursors[index]);
+}
+
+std::string Window::clipboard() const {
+    const char* text = glfwGetClipboardString(state_->window);
+    return text != nullptr ? text : "";
+}
+
+void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(state_->window, text.c_str()); }
+
+void Window::set_connection_lost_handler(void (*on_loss)()) { handle_connection_loss(on_loss); }
+
+}  // namespace sphereview
