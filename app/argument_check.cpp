@@ -56,19 +56,21 @@ bool is_known_option(const CLI::App& command, const std::string& word) {
 
 }  // namespace
 
-void check_first_word(const CLI::App& app, const std::string& word) {
+bool begins_usual_command(const CLI::App& app, const CLI::App& usual, const std::string& word) {
     std::vector<std::string> commands;
     for (const CLI::App* command : app.get_subcommands({})) commands.push_back(command->get_name());
-    if (std::find(commands.begin(), commands.end(), word) != commands.end()) return;
+    if (std::find(commands.begin(), commands.end(), word) != commands.end()) return false;
     if (is_option(word)) {
-        if (find(app, word) != nullptr) return;
-        throw WrongUsage("unknown option " + in_quotes(word) + suggestion(app, split(word).name));
+        if (find(app, word) != nullptr) return false;
+        if (word == "--" || find(usual, split(word).name) != nullptr) return true;
+        const std::string meant = suggestion(app, split(word).name);
+        throw WrongUsage("unknown option " + in_quotes(word) + (meant.empty() ? suggestion(usual, split(word).name) : meant));
     }
     std::error_code ignored;
     const bool path =
         word == standard_stream || word.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(word, ignored);
-    if (path) throw WrongUsage("a scene is not a command; to render it: sphereview render " + word);
-    throw WrongUsage("unknown command " + in_quotes(word) + did_you_mean(word, commands));
+    if (!path) throw WrongUsage("unknown command " + in_quotes(word) + did_you_mean(word, commands));
+    return true;
 }
 
 Arguments check_options(const CLI::App& command, std::span<const char* const> words) {

@@ -8,8 +8,9 @@
 
 namespace sphereview {
 
-// The first word is a command or an option of the program itself; else throws WrongUsage that says what it may have been meant as.
-void check_first_word(const CLI::App& app, const std::string& word);
+// Whether the first word already belongs to `usual`, the command that need not be named: its option or a scene. If it is neither
+// that nor a command nor an option of the program itself, throws WrongUsage that says what it may have been meant as.
+bool begins_usual_command(const CLI::App& app, const CLI::App& usual, const std::string& word);
 
 // The words behind a command.
 struct Arguments {

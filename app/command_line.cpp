@@ -16,6 +16,13 @@ constexpr const char* exit_codes =
     "3 nothing here could render, or memory ran out; 4 the output could not be written;\n"
     "129, 130, 143 interrupted. Of several the highest counts.";
 
+constexpr const char* view_examples =
+    "The command's name may be left out: sphereview scene.txt\n"
+    "Examples:\n"
+    "  sphereview scene.txt                               drag, scroll, edit; F1 lists keys and mouse\n"
+    "  sphereview scene.toml --background white\n"
+    "  generate | sphereview -                            an untitled scene\n";
+
 constexpr const char* render_examples =
     "Examples:\n"
     "  sphereview render scene.txt                        writes scene.png\n"
@@ -39,6 +46,20 @@ constexpr const char* doctor_examples =
     "Examples:\n"
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
+
+CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
+    CLI::App* view = app.add_subcommand("view", "Open a scene in a window (what is done when no command is named)");
+    view->add_option("SCENE", typed.view.scene, "Scene file, text or TOML; - is standard input; none: an empty scene");
+    view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
+        ->type_name("WxH");
+    view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
+        ->type_name("COLOR");
+    view->add_option("--shader-dir", typed.view.shader_folder, "Use the shaders in this folder, and each that is saved there at once")
+        ->type_name("FOLDER");
+    view->add_option("--frame-log", typed.view.frame_log)->type_name("FILE")->group("");  // hidden: for tests
+    view->footer(std::string(view_examples) + exit_codes);
+    return view;
+}
 
 void add_render(CLI::App& app, TypedOptions& typed) {
     CLI::App* render = app.add_subcommand("render", "Render scenes to PNG files, without a window");
@@ -111,8 +132,6 @@ const CLI::App* command_named(const CLI::App& app, const std::string& name) {
 
 // What `app` makes of the words; throws WrongUsage.
 Command parse(CLI::App& app, TypedOptions& typed, int argc, const char* const* argv) {
-    if (argc < 2) throw WrongUsage("expected a command: render, convert, explain or doctor");
-    check_first_word(app, argv[1]);
     const CLI::App* command = command_named(app, argv[1]);
     Arguments arguments;
     if (command != nullptr) arguments = check_options(*command, {argv + 2, static_cast<std::size_t>(argc - 2)});
@@ -133,6 +152,7 @@ Command parse(CLI::App& app, TypedOptions& typed, int argc, const char* const* a
         typed.render.scenes = arguments.files;  // CLI11 takes a file called [a,b] for two
         return checked_render(typed);
     }
+    if (command->get_name() == "view") return checked_view(typed);
     if (command->get_name() == "convert") return checked_convert(typed);
     if (command->get_name() == "explain") return checked_explain(typed);
     return checked_doctor(typed);
@@ -145,17 +165,20 @@ Command parse_command_line(int argc, const char* const* argv) {
     app.set_version_flag("--version", "sphereview " + std::string(version));
     app.footer(exit_codes);
     TypedOptions typed;
+    const CLI::App* view = add_view(app, typed);
     add_render(app, typed);
     add_convert(app, typed);
     add_explain(app, typed);
     add_doctor(app, typed);
     for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
     app.require_subcommand(1);  // and no second: "doctor" behind it is a file's name
+    std::vector<const char*> words(argv, argv + argc);
     try {
-        return parse(app, typed, argc, argv);
+        if (words.size() < 2 || begins_usual_command(app, *view, words[1])) words.insert(words.begin() + 1, "view");
+        return parse(app, typed, static_cast<int>(words.size()), words.data());
     } catch (const WrongUsage& mistake) {
-        const bool known = argc > 1 && command_named(app, argv[1]) != nullptr;
-        const std::string command = known ? std::string(argv[1]) + " " : "";
+        const bool known = words.size() > 1 && command_named(app, words[1]) != nullptr;
+        const std::string command = known ? std::string(words[1]) + " " : "";
         throw InputError(std::string("sphereview: ") + mistake.what() + " (see 'sphereview " + command + "--help')");
     }
 }

@@ -16,7 +16,7 @@ ExitCode run_convert(const ConvertOptions& options) {
     }
     check_output(options.output);
 
-    const auto [scene, name] = [&] {
+    const auto [scene, name, read_format] = [&] {
         Progress progress(true);
         return load_scene(options.input, &progress);
     }();

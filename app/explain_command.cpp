@@ -173,7 +173,7 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
 }  // namespace
 
 ExitCode run_explain(const ExplainOptions& options) {
-    const auto [scene, name] = load_scene(options.scene);
+    const auto [scene, name, format] = load_scene(options.scene);
     const PixelExplanation explanation = explain_pixel(scene, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const std::string text =

@@ -16,6 +16,7 @@ namespace {
 
 using namespace sphereview;
 
+ExitCode run(const ViewOptions& options) { return run_view(options); }
 ExitCode run(const RenderOptions& options) { return run_render(options); }
 ExitCode run(const ConvertOptions& options) { return run_convert(options); }
 ExitCode run(const ExplainOptions& options) { return run_explain(options); }

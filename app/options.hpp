@@ -50,7 +50,7 @@ struct DoctorOptions {
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     std::optional<Background> background;
-    PictureSize size;           // of exports
+    std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::string shader_folder;  // instead of the shaders in the program; "" for those
     std::string frame_log;      // hidden: a JSON line for each frame goes there
 };

@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <filesystem>
 
 #include "base/input_file.hpp"
 #include "base/text.hpp"
@@ -90,6 +91,18 @@ Pixel checked_pixel(const std::string& text, PictureSize size) {
 }
 
 }  // namespace
+
+ViewOptions checked_view(const TypedOptions& typed) {
+    ViewOptions options = typed.view;
+    check_file_name("SCENE", options.scene);
+    std::error_code ignored;
+    if (!options.shader_folder.empty() && !std::filesystem::is_directory(options.shader_folder, ignored)) {
+        wrong("--shader-dir", options.shader_folder, "a folder");
+    }
+    if (typed.view_size) options.size = checked_size(*typed.view_size);
+    options.background = checked_background(typed.background);
+    return options;
+}
 
 RenderOptions checked_render(const TypedOptions& typed) {
     RenderOptions options = typed.render;

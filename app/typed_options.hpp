@@ -16,6 +16,8 @@ struct WrongUsage : std::runtime_error {
 
 // What was typed, before it is checked.
 struct TypedOptions {
+    ViewOptions view;
+    std::optional<std::string> view_size;
     RenderOptions render;
     ConvertOptions convert;
     ExplainOptions explain;
@@ -31,6 +33,7 @@ struct TypedOptions {
 };
 
 // The options of one command; checked_render also reads SPHEREVIEW_BACKEND. All throw WrongUsage.
+ViewOptions checked_view(const TypedOptions& typed);
 RenderOptions checked_render(const TypedOptions& typed);
 ConvertOptions checked_convert(const TypedOptions& typed);
 ExplainOptions checked_explain(const TypedOptions& typed);

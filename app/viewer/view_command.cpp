@@ -1,0 +1,105 @@
+// sphereview [SCENE]: the window.
+#include <cstdio>
+#include <cstdlib>
+
+#include "app/commands.hpp"
+#include "app/load_scene.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "viewer/recovery.hpp"
+#include "viewer/scene_file.hpp"
+#include "viewer/viewer.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// For the handler of a lost connection, which is given nothing.
+const ViewerState* open_state = nullptr;
+
+void save_for_recovery(const ViewerState& state) {
+    if (!state.document.is_changed()) return;
+    if (write_recovery(state.scene(), state.path)) {
+        std::fprintf(stderr, "sphereview: unsaved changes of %s are kept; the next start offers them\n", state.name().c_str());
+    } else {
+        std::fprintf(stderr, "sphereview: unsaved changes of %s could not be kept\n", state.name().c_str());
+    }
+}
+
+[[noreturn]] void on_connection_lost() {
+    std::fprintf(stderr, "sphereview: the connection to the display is lost\n");
+    if (open_state != nullptr) save_for_recovery(*open_state);
+    std::fflush(nullptr);
+    std::_Exit(static_cast<int>(ExitCode::no_renderer));
+}
+
+void recover(ViewerState& state, const Recovery& recovery) {
+    const std::string path = recovery.original_path;
+    try {
+        Scene scene = load_scene(recovery.file.string()).scene;
+        adopt(state, std::move(scene), path, path.empty() ? SceneFormat::toml : format_of_name(path));
+        state.document.mark_unsaved();
+        remove_recovery(recovery);
+        announce(state, "Recovered the unsaved changes of " + state.name());
+    } catch (const std::exception& error) {
+        report_error(state, "The changes cannot be recovered", error.what());
+    }
+}
+
+void offer_recovery(ViewerState& state) {
+    for (const Recovery& recovery : list_recoveries()) {
+        Question question;
+        question.id = "recover";
+        question.title = "Recover unsaved changes?";
+        question.text = "sphereview ended with unsaved changes of " +
+                        (recovery.original_path.empty() ? std::string("an untitled scene") : recovery.original_path) + ".";
+        question.answers = {"Recover", "Discard", "Later"};
+        question.cancel = 2;
+        question.answer = [&state, recovery](int answer) {
+            if (answer == 0) recover(state, recovery);
+            if (answer == 1) remove_recovery(recovery);
+        };
+        state.dialogs.push_back(std::move(question));
+    }
+}
+
+void load_first_scene(ViewerState& state) {
+    if (!state.options.scene) return adopt(state, {}, "", SceneFormat::toml);
+    LoadedScene loaded = load_scene(*state.options.scene);
+    adopt(state, std::move(loaded.scene), *state.options.scene, loaded.format);
+}
+
+}  // namespace
+
+ExitCode run_view(const ViewOptions& options) {
+    ViewerState state(options, load_settings());
+    state.background = options.background;
+    if (options.size) {
+        state.settings.export_width = options.size->width;
+        state.settings.export_height = options.size->height;
+    }
+    load_first_scene(state);
+    offer_recovery(state);
+    try {
+        Window window("sphereview", state.settings.place);
+        open_state = &state;
+        Window::set_connection_lost_handler(on_connection_lost);
+        Viewer viewer(state, window);
+        window.show();
+        try {
+            viewer.run();
+        } catch (...) {
+            save_for_recovery(state);
+            throw;
+        }
+        open_state = nullptr;
+        state.settings.place = window.place();
+    } catch (const RenderError& error) {
+        throw RenderError(std::string("sphereview: ") + error.what() +
+                          " ('sphereview render' needs no window; 'sphereview doctor' says what works here)");
+    }
+    save_settings(state.settings);
+    return ExitCode::done;
+}
+
+}  // namespace sphereview
