@@ -22,8 +22,12 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
 // Asks whether a file may be replaced. If so, the dialog below the question goes away, and `then` is called.
 void ask_to_replace(Dialogs& dialogs, const std::string& path, std::function<void()> then);
 
-// A line of wrapped text in the colour of what is wrong. Nothing for "".
+// Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
+void draw_text(const std::string& text, float width, float most);
+
+// What is wrong, in red; nothing for "". How high it is: a few lines at most.
 void draw_fault(const std::string& text, float width);
+float fault_height(const std::string& text, float width);
 
 // The two buttons at the end of a form, noted as "NAME ok" and "NAME cancel". Enter is the first, Escape the second; `ok` can be
 // pressed only if `possible`.

@@ -29,6 +29,19 @@ void place_next_window(const PanelContext& context, const Dialog& dialog) {
         ImGuiCond_Appearing);
 }
 
+// The question is gone when its answer is told.
+Decision answered(const Question& question, int number) {
+    return {true, [answer = question.answer, number] {
+                if (answer) answer(number);
+            }};
+}
+
+// By the close button.
+Decision cancelled(const Dialog& dialog) {
+    const auto* question = std::get_if<Question>(&dialog);
+    return question == nullptr ? Decision{true, {}} : answered(*question, question->cancel);
+}
+
 // Draws one dialog and, inside of it as ImGui wants it, those above. What is decided comes from the last.
 Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t index, const DialogKeys& keys) {
     Dialog& dialog = dialogs[index];
@@ -42,12 +55,11 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
     // A question has arrow keys of its own, and they work whether ImGui's are on or not.
     if (std::holds_alternative<Question>(dialog)) flags |= ImGuiWindowFlags_NoNav;
     bool open = true;
-    if (!ImGui::BeginPopupModal(name.c_str(), &open, flags)) return {};
-    DialogKeys own = top ? keys : DialogKeys{};
-    if (!open) own = {.enter = false, .escape = true};
+    if (!ImGui::BeginPopupModal(name.c_str(), &open, flags)) return open ? Decision{} : cancelled(dialog);
     PanelContext own_context = context;
     if (!top) own_context.rectangles = nullptr;  // of what lies below nothing can be clicked
-    Decision decision = std::visit([&](auto& one) { return draw_content(own_context, one, own, dialogs); }, dialog);
+    Decision decision =
+        std::visit([&](auto& one) { return draw_content(own_context, one, top ? keys : DialogKeys{}, dialogs); }, dialog);
     if (!top)
         decision = draw_from(context, dialogs, index + 1, keys);
     else if (decision.done)
@@ -75,9 +87,7 @@ Decision draw_content(const PanelContext& context, Question& question, const Dia
     assert(count > 0 && question.cancel >= 0 && question.cancel < count);
     const float width = std::min(440.0F * context.scale, 0.85F * ImGui::GetMainViewport()->Size.x);
     ImGui::Dummy({width, 0.0F});
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(question.text.data(), question.text.data() + question.text.size());
-    ImGui::PopTextWrapPos();
+    draw_text(question.text, width, 0.5F * ImGui::GetMainViewport()->Size.y);
     ImGui::Dummy({0.0F, 0.5F * ImGui::GetFontSize()});
 
     question.focused = (question.focused + keys.step % count + count) % count;
@@ -99,10 +109,7 @@ Decision draw_content(const PanelContext& context, Question& question, const Dia
     if (!chosen && keys.escape) chosen = question.cancel;
     if (!chosen && keys.enter) chosen = question.focused;
     if (!chosen) return {};
-    // The question is gone when its answer is told.
-    return {true, [answer = question.answer, number = *chosen] {
-                if (answer) answer(number);
-            }};
+    return answered(question, *chosen);
 }
 
 void ask_to_replace(Dialogs& dialogs, const std::string& path, std::function<void()> then) {
@@ -119,32 +126,6 @@ void ask_to_replace(Dialogs& dialogs, const std::string& path, std::function<voi
         then();
     };
     dialogs.emplace_back(std::move(question));
-}
-
-void draw_fault(const std::string& text, float width) {
-    if (text.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0F, 0.48F, 0.44F, 1.0F));
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
-FormEnd draw_form_end(const PanelContext& context, const std::string& name, const char* ok, bool possible, const DialogKeys& keys) {
-    FormEnd end = FormEnd::open;
-    const ImVec2 size(96.0F * context.scale, 0.0F);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    ImGui::BeginDisabled(!possible);
-    if (ImGui::Button(ok, size)) end = FormEnd::ok;
-    ImGui::EndDisabled();
-    ImGui::PopStyleColor();
-    note_widget(context, name + " ok");
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel", size)) end = FormEnd::cancel;
-    note_widget(context, name + " cancel");
-    if (end != FormEnd::open) return end;
-    if (keys.escape) return FormEnd::cancel;
-    return keys.enter && possible ? FormEnd::ok : FormEnd::open;
 }
 
 }  // namespace sphereview

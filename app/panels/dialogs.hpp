@@ -63,6 +63,7 @@ struct FileBrowser {
     std::string typed_folder;    // what the path box holds
     bool hidden_files = false;   // shown too
     bool listed_hidden = false;  // whether `entries` has them
+    bool focus_name = false;     // the name box gets the keyboard in the next frame
 };
 
 using Dialog = std::variant<Question, ExportForm, FileBrowser>;
