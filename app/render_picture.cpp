@@ -95,6 +95,13 @@ int cpu_block_height(PictureSize size, const CandidateLists& lists) {
     return static_cast<int>(std::clamp(cells, 1.0, 1e6)) << cpu_cell_shift;
 }
 
+// Rows of a GPU block: what is read back stays in the processor's cache, and the same memory serves all blocks. Touching memory
+// for the first time costs more than a draw. Whole tiles of llvmpipe's, which are of 64 pixels.
+int gpu_block_height(int block_width, int largest) {
+    constexpr int pixels_per_block = 1 << 18;
+    return std::min(largest, std::max(64, pixels_per_block / block_width / 64 * 64));
+}
+
 void describe(const CandidateLists& lists, PictureFacts& facts) {
     facts.tile_sides.clear();
     for (const TileLevel& level : lists.levels) facts.tile_sides.push_back(1 << level.shift);
@@ -128,7 +135,8 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     gpu.upload(drawn, lists, scene.camera, size, timings);
     facts.spheres_in = gpu.storage();
     const int side = gpu.largest_block_side();
-    return picture.draw(side, side,
+    const int width = std::min(side, size.width);
+    return picture.draw(width, gpu_block_height(width, side),
                         [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
 }
 

@@ -26,6 +26,13 @@ Format format_of(TexelKind kind) {
     return {};
 }
 
+// At least `bytes`, a little more for some. llvmpipe (Mesa 22.3) compiles a shader anew for a buffer texture whose size is a
+// power of two, and for one whose size has 0 as its second byte, which it takes for the number of mipmaps.
+std::size_t size_for_one_shader(std::size_t bytes) {
+    while (std::has_single_bit(bytes) || (bytes >> 8 & 0xFF) == 0) bytes += 256;
+    return bytes;
+}
+
 }  // namespace
 
 TableLimits table_limits(std::size_t texels, const TextureBounds& bounds) {
@@ -51,7 +58,8 @@ void Table::upload(const void* data, std::size_t count, TexelKind kind, TextureU
     if (!limits.shift) {
         if (!buffer_) buffer_ = make_buffer();
         glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-        glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>((count + 1) * format.bytes), nullptr, GL_DYNAMIC_DRAW);
+        const std::size_t size = size_for_one_shader((count + 1) * format.bytes);
+        glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_DRAW);
         glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(count * format.bytes), data);
         glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
         glTexBuffer(GL_TEXTURE_BUFFER, format.internal, buffer_.name());
