@@ -14,7 +14,9 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 
 #ifdef __linux__
@@ -140,6 +142,19 @@ Running::~Running() {
 }
 
 void Running::send(int signal_number) const { kill(process_, signal_number); }
+
+double Running::processor_seconds() const {
+    std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
+    std::string line;
+    std::getline(file, line);
+    std::istringstream fields(line.substr(line.rfind(')') + 1));  // the name before it may hold anything
+    std::string skipped;
+    for (int i = 0; i < 11; ++i) fields >> skipped;
+    long user = 0;
+    long system = 0;
+    fields >> user >> system;
+    return static_cast<double>(user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
+}
 
 void Running::close_input() {
     input_stays_open_ = false;

@@ -62,6 +62,12 @@ public:
     // out first.
     bool wait_for_errors(const std::string& text, int times = 1);
 
+    // What standard error held so far, as far as a wait has collected it.
+    const std::string& errors_so_far() const { return outcome_.errors; }
+
+    // What it has used of the processors so far, in seconds (Linux).
+    double processor_seconds() const;
+
     // Ends the input and, from the first time that the program reads it, lets it enter or leave so many system calls; then
     // it stands still until resume_with(). False when it ended before that. Only for a program of one thread whose input is
     // still open and that prints less than a pipe holds.

@@ -1,0 +1,185 @@
+#include "ui/viewer_window.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include "ui/x_client.hpp"
+
+namespace sphereview::test {
+
+namespace {
+
+constexpr std::chrono::seconds patience{120};  // generous: a sanitized program on a busy machine
+constexpr const char* log_name = "frames.log";
+
+std::string number(double value) { return std::to_string(static_cast<int>(value + 0.5)); }
+
+std::vector<std::pair<std::string, std::optional<std::string>>> environment_for(const TemporaryFolder& folder,
+                                                                                const std::string& display) {
+    const std::string home = folder.path("home");
+    return {{"DISPLAY", display},
+            {"HOME", home},
+            {"XDG_CONFIG_HOME", home + "/config"},
+            {"XDG_STATE_HOME", home + "/state"},
+            {"XDG_PICTURES_DIR", std::nullopt},
+            {"WAYLAND_DISPLAY", std::nullopt},
+            {"LIBGL_ALWAYS_SOFTWARE", "1"},
+            {"SPHEREVIEW_FILE_DIALOG", "none"}};
+}
+
+}  // namespace
+
+ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen)
+    : folder_(folder), server_(screen) {
+    std::filesystem::create_directories(folder.path("home"));
+    std::filesystem::remove(folder.path(log_name));
+    Command command;
+    command.arguments = arguments;
+    command.arguments.insert(command.arguments.end(), {"--frame-log", folder.path(log_name)});
+    command.folder = folder.path();
+    command.environment = environment_for(folder, server_.display());
+    program_.emplace(command);
+    wait_until("a first frame", [](const Json&) { return true; });
+}
+
+bool ViewerWindow::read_log() {
+    std::ifstream file(folder_.path(log_name), std::ios::binary);
+    if (!file) return false;
+    file.seekg(static_cast<std::streamoff>(log_at_));
+    std::ostringstream text;
+    text << file.rdbuf();
+    const std::string more = text.str();
+    log_at_ += more.size();
+    partial_ += more;
+    const std::size_t end = partial_.rfind('\n');
+    if (end == std::string::npos) return false;
+    const std::size_t begin = end == 0 ? 0 : partial_.rfind('\n', end - 1) + 1;  // npos + 1 is 0
+    frame_ = Json::parse(partial_.substr(begin, end - begin));
+    partial_.erase(0, end + 1);
+    return true;
+}
+
+std::string ViewerWindow::described() const { return frame_.is_null() ? "no frame was drawn" : "last frame: " + frame_.dump(); }
+
+const Json& ViewerWindow::frame() {
+    read_log();
+    return frame_;
+}
+
+const Json& ViewerWindow::wait_until(const std::string& what, const std::function<bool(const Json&)>& condition) {
+    const auto deadline = std::chrono::steady_clock::now() + patience;
+    while (std::chrono::steady_clock::now() < deadline) {
+        read_log();
+        if (!frame_.is_null() && frame_["resting"] == true && condition(frame_)) return frame_;
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    throw std::runtime_error("waited in vain for " + what + "; " + described());
+}
+
+const Json& ViewerWindow::wait_for(const std::string& member, const Json& value) {
+    return wait_until(member + " to be " + value.dump(), [&](const Json& frame) { return frame.at(member) == value; });
+}
+
+void ViewerWindow::xdotool(std::vector<std::string> arguments) {
+    Command command;
+    command.program = XDOTOOL;
+    command.arguments = std::move(arguments);
+    command.environment = {{"DISPLAY", server_.display()}};
+    const Outcome outcome = run(command);
+    if (outcome.status != 0) throw std::runtime_error("xdotool failed: " + outcome.errors);
+}
+
+void ViewerWindow::move_to(const Place& place) { xdotool({"mousemove", number(place.x), number(place.y)}); }
+
+void ViewerWindow::click(const Place& place, int button) {
+    xdotool({"mousemove", number(place.x), number(place.y), "click", std::to_string(button)});
+}
+
+void ViewerWindow::double_click(const Place& place) {
+    xdotool({"mousemove", number(place.x), number(place.y), "click", "--repeat", "2", "--delay", "20", "1"});
+}
+
+void ViewerWindow::press(int button) { xdotool({"mousedown", std::to_string(button)}); }
+
+void ViewerWindow::release(int button) { xdotool({"mouseup", std::to_string(button)}); }
+
+void ViewerWindow::drag(const Place& from, const Place& to, int button) {
+    std::vector<std::string> words{"mousemove", number(from.x), number(from.y), "mousedown", std::to_string(button)};
+    constexpr int steps = 5;
+    for (int i = 1; i <= steps; ++i) {
+        const double part = static_cast<double>(i) / steps;
+        words.insert(words.end(),
+                     {"mousemove", number(from.x + part * (to.x - from.x)), number(from.y + part * (to.y - from.y))});
+    }
+    words.insert(words.end(), {"mouseup", std::to_string(button)});
+    xdotool(words);
+}
+
+void ViewerWindow::wheel(int clicks) {
+    for (int i = 0; i < std::abs(clicks); ++i) xdotool({"click", clicks > 0 ? "4" : "5"});
+}
+
+void ViewerWindow::key(const std::string& name) { xdotool({"key", name}); }
+void ViewerWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
+void ViewerWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
+void ViewerWindow::type(const std::string& text) { xdotool({"type", "--delay", "1", text}); }
+void ViewerWindow::press_close_button() { test::press_close_button(server_.display()); }
+
+bool ViewerWindow::drop(const std::vector<std::string>& paths) {
+    const Place middle = pixel(100, 100);
+    return drop_files(server_.display(), paths, static_cast<int>(middle.x), static_cast<int>(middle.y));
+}
+
+Place ViewerWindow::widget(const std::string& name, double along) {
+    const Json& drawn = wait_until("the widget " + name, [&](const Json& frame) { return frame.at("widgets").contains(name); });
+    const Json& r = drawn.at("widgets").at(name);
+    const double left = r[0];
+    const double top = r[1];
+    const double right = r[2];
+    const double bottom = r[3];
+    return {left + along * (right - left), 0.5 * (top + bottom)};
+}
+
+void ViewerWindow::choose(const std::string& menu, const std::string& item) {
+    click_widget("menu " + menu);
+    click_widget("item " + item);
+}
+
+Place ViewerWindow::pixel(double x, double y) {
+    const Json& area = frame_.at("picture");
+    return {area[0].get<double>() + x, area[1].get<double>() + y};
+}
+
+Picture ViewerWindow::picture() {
+    const Picture screen = read_screen(server_.display());
+    const Json& area = frame_.at("picture");
+    const auto left = static_cast<std::size_t>(area[0].get<double>());
+    const auto top = static_cast<std::size_t>(area[1].get<double>());
+    Picture picture{frame_.at("picture_size")[0], frame_.at("picture_size")[1], 3, {}};
+    const auto row_bytes = static_cast<std::size_t>(picture.width) * 3;
+    for (std::size_t row = 0; row < static_cast<std::size_t>(picture.height); ++row) {
+        picture.bytes += screen.bytes.substr(((top + row) * static_cast<std::size_t>(screen.width) + left) * 3, row_bytes);
+    }
+    return picture;
+}
+
+Outcome ViewerWindow::wait_for_end() { return program_->wait(); }
+
+double ViewerWindow::processor_seconds() const { return program_->processor_seconds(); }
+
+Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame) {
+    const std::string size = std::to_string(frame.at("picture_size")[0].get<int>()) + "x" +
+                             std::to_string(frame.at("picture_size")[1].get<int>());
+    Command command;
+    command.arguments = {"render", scene, "--backend", "cpu", "-s", size, "-o", folder.path("expected.png")};
+    const Outcome outcome = run(command);
+    if (outcome.status != 0) throw std::runtime_error("render failed: " + outcome.errors);
+    return decode_png(folder.read("expected.png"));
+}
+
+}  // namespace sphereview::test

@@ -1,0 +1,90 @@
+// The shipped viewer in a window of its own, and hands for it.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "support/picture.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
+#include "ui/x_server.hpp"
+
+namespace sphereview::test {
+
+using Json = nlohmann::json;
+
+// A place on the screen. The window's top left corner is the screen's.
+struct Place {
+    double x = 0.0;
+    double y = 0.0;
+};
+
+// The program with its window, its own X server and its own home folder; killed on destruction if it still runs. Each wait throws,
+// with the last frame, when what is waited for does not come in a time that no healthy run needs.
+class ViewerWindow {
+public:
+    // In `folder` lie the frame log, the home folder and what a test puts there. Returns when the first frame is drawn and the
+    // window rests.
+    ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen = {});
+
+    // The last frame of the log (app/viewer/frame_log.hpp).
+    const Json& frame();
+    // Waits until a frame at rest (refined, nothing more to do) fulfils the condition.
+    const Json& wait_until(const std::string& what, const std::function<bool(const Json&)>& condition);
+    // Waits until a frame's member, at rest, has a value.
+    const Json& wait_for(const std::string& member, const Json& value);
+
+    // Real input, through xdotool. None waits for what it causes.
+    void move_to(const Place& place);
+    void click(const Place& place, int button = 1);
+    void double_click(const Place& place);
+    void press(int button = 1);
+    void release(int button = 1);
+    // Moves in steps, as a hand does.
+    void drag(const Place& from, const Place& to, int button = 1);
+    void wheel(int clicks);  // > 0: away from the person
+    void key(const std::string& name);  // as xdotool calls it: "ctrl+z", "F12"
+    void key_down(const std::string& name);
+    void key_up(const std::string& name);
+    void type(const std::string& text);
+    void press_close_button();
+    bool drop(const std::vector<std::string>& paths);
+
+    // The middle of a widget, once it is drawn; `along`: 0 its left end, 1 its right.
+    Place widget(const std::string& name, double along = 0.5);
+    void click_widget(const std::string& name) { click(widget(name)); }
+    // Opens a menu and clicks an item.
+    void choose(const std::string& menu, const std::string& item);
+
+    // Where the window shows a pixel of its picture.
+    Place pixel(double x, double y);
+    // What the window's picture shows now: read off the screen.
+    Picture picture();
+
+    // Waits for the program's end.
+    Outcome wait_for_end();
+    void send(int signal_number) { program_->send(signal_number); }
+    XServer& server() { return server_; }
+    // What the program has used of a processor so far, in seconds.
+    double processor_seconds() const;
+
+private:
+    void xdotool(std::vector<std::string> arguments);
+    bool read_log();
+    std::string described() const;
+
+    const TemporaryFolder& folder_;
+    XServer server_;
+    std::optional<Running> program_;
+    std::size_t log_at_ = 0;
+    std::string partial_;
+    Json frame_;
+};
+
+// The scene file's spheres as rendered with the window's camera and size: what its picture must be.
+Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame);
+
+}  // namespace sphereview::test

@@ -1,0 +1,33 @@
+#include "ui/x_server.hpp"
+
+#include <csignal>
+#include <stdexcept>
+
+namespace sphereview::test {
+
+XServer::XServer(const ScreenOptions& options) {
+    const std::string screen = std::to_string(options.width) + "x" + std::to_string(options.height) + "x24";
+    Command command;
+    command.program = XVFB;
+    // It chooses a display that is free and, once it can be used, says which on standard error.
+    command.arguments = {"-displayfd", "2", "-screen", "0", screen, "-dpi", std::to_string(options.dpi), "-nolisten", "tcp", "-noreset"};
+    command.input_stays_open = true;
+    xvfb_ = std::make_unique<Running>(command);
+    if (!xvfb_->wait_for_errors("\n")) throw std::runtime_error("Xvfb does not start");
+    // Other lines may be warnings.
+    std::size_t from = 0;
+    while (display_.empty()) {
+        const std::string errors = xvfb_->errors_so_far();
+        const std::size_t end = errors.find('\n', from);
+        if (end == std::string::npos) {
+            throw std::runtime_error("Xvfb does not say which display it has: " + errors);
+        }
+        const std::string line = errors.substr(from, end - from);
+        if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos) display_ = ":" + line;
+        from = end + 1;
+    }
+}
+
+void XServer::kill() { xvfb_->send(SIGKILL); }
+
+}  // namespace sphereview::test
