@@ -6,39 +6,39 @@
 #include <string>
 #include <vector>
 
+#include "scene/change_log.hpp"
 #include "scene/edit.hpp"
+#include "scene/history.hpp"
 
 namespace sphereview {
-
-// What changed between two revisions.
-struct SceneChanges {
-    bool order = false;                  // spheres came, went or changed places: nothing of the old numbers holds
-    std::vector<std::uint32_t> spheres;  // unless `order`: those that got other values, ascending
-    bool geometry = false;               // of `spheres`: a centre, a radius or whether it is hidden; else only colours
-    bool camera = false;
-    bool background = false;
-
-    bool none() const { return !order && spheres.empty() && !camera && !background; }
-};
 
 // What one edit, undo or redo concerned, for selecting it: the numbers that its spheres have now, ascending.
 using Touched = std::vector<std::uint32_t>;
 
 class Document {
 public:
-    explicit Document(Scene scene = {});
+    // How much memory the steps to undo may take; beyond it the oldest are forgotten, except the last one.
+    static constexpr std::size_t usual_history_bytes = std::size_t{1} << 30;
+
+    // The scene counts as saved.
+    explicit Document(Scene scene = {}, std::size_t history_bytes = usual_history_bytes);
 
     const Scene& scene() const { return scene_; }
-    // Grows with everything that changes the scene; never the same for two different scenes.
+    // Grows with everything that changes the scene; never the same for two different scenes, also of different documents, and
+    // never 0.
     std::uint64_t revision() const { return revision_; }
-    SceneChanges changes_since(std::uint64_t revision) const;
+    // Of a revision that is another document's, or too old (ChangeLog says how old): everything.
+    SceneChanges changes_since(std::uint64_t revision) const {
+        return revision == revision_ ? SceneChanges{} : log_.since(revision, scene_);
+    }
 
-    // Makes a step of its own, or with the same gesture (not 0) as the last one, so long as nothing was undone since, a part
-    // of that. `name` is what a menu says: "Move 'sun'". Forgets what could be redone.
+    // Makes a step of its own, or with the same gesture (not 0) as the last one, so long as nothing was undone or saved since,
+    // a part of that. `name` is what a menu says: "Move 'sun'"; a step has that of its first edit. Forgets what could be
+    // redone. An edit that changes nothing is no step; a gesture that ends where it began leaves none.
     Touched apply(Edit edit, std::string name, std::uint64_t gesture = 0);
 
-    bool can_undo() const;
-    bool can_redo() const;
+    bool can_undo() const { return history_.last_done() != nullptr; }
+    bool can_redo() const { return history_.last_undone() != nullptr; }
     // Of the step that would be undone or redone; "" if there is none.
     const std::string& undo_name() const;
     const std::string& redo_name() const;
@@ -47,22 +47,21 @@ public:
     Touched redo();
 
     // The scene as it is now is what the file holds.
-    void mark_saved();
+    void mark_saved() { history_.mark_saved(); }
     // No state of the history is what the file holds.
-    void mark_unsaved();
+    void mark_unsaved() { history_.mark_unsaved(); }
     // Whether the scene is another than at mark_saved(), or at the construction; undoing back to that makes it false again.
-    bool is_changed() const;
+    bool is_changed() const { return !history_.at_saved(); }
 
 private:
-    // One entry of a menu. Its edits take it back (or do it again), to be applied from the last to the first.
-    struct Step {
-        std::string name;
-        std::uint64_t gesture = 0;
-        std::vector<Edit> edits;
-    };
+    void advance(SceneChange change);
+    // Applies the step's edits and makes it the one that takes them back.
+    Touched apply_step(HistoryStep& step);
 
     Scene scene_;
-    std::uint64_t revision_ = 1;
+    std::uint64_t revision_;
+    ChangeLog log_;
+    History history_;
 };
 
 }  // namespace sphereview

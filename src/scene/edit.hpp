@@ -66,4 +66,15 @@ using Edit = std::variant<ChangeSpheres, InsertSpheres, RemoveSpheres, ReorderSp
 // and its own inverse is the edit. Moves what it can; copies nothing that the edit does not touch.
 Edit apply(Edit edit, Scene& scene);
 
+// Whether the scene would be the same, bit for bit, after the edit. Places count even where equal spheres change them.
+bool changes_nothing(const Edit& edit, const Scene& scene);
+
+// The spheres that an edit is about, by the numbers that they have afterwards, ascending: those that are changed, put in, moved
+// or renamed. None for what goes out, and for what concerns the whole scene.
+std::vector<std::uint32_t> numbers_concerned(const Edit& edit);
+
+// The numbers that these spheres, ascending, have after the edit, ascending; without those that it takes out. For keeping a
+// selection. Another scene has, as far as anyone can tell, the same spheres under the same numbers.
+std::vector<std::uint32_t> numbers_after(const Edit& edit, std::vector<std::uint32_t> numbers);
+
 }  // namespace sphereview

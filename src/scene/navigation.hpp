@@ -1,11 +1,14 @@
-// Moving a camera by hand. Angles in radians, lengths in scene units. Every result is a camera without a fault.
+// Moving a camera by hand. Angles in radians, lengths in scene units. Every result is a camera without a fault: where a move
+// would lead out of what doubles can hold, the camera stays as it is. Far from the origin a result's screen may be farther from the
+// eye, and larger by as much, so that its numbers stay exact enough: depths are those of one camera.
 #pragma once
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "scene/scene.hpp"
+#include "scene/bounds.hpp"
+#include "scene/camera.hpp"
 
 namespace sphereview {
 
@@ -19,28 +22,20 @@ double depth_of(const Camera& camera, const glm::dvec3& point);
 // The point at that depth on the ray through a place in the picture (pixels, as project() gives).
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth);
 
-// Turned about the pivot: `turn` about the world's y axis, `tilt` about the camera's right. A tilt ends at the poles.
+// Turned about the pivot, as a pointer would drag what lies before it: a positive `turn`, about the world's y axis, takes that to
+// the picture's right, a positive `tilt`, about the camera's right, takes it down. A tilt ends at the poles, where the camera looks
+// along y, or as nearly as its roll lets it; a camera that is upside down stays so.
 Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt);
 
-// Moved parallel to the screen so that what lies at `depth` follows a pointer that moved by so many pixels.
+// Moved parallel to the screen so that what lies at `depth` follows a pointer that moved by so many pixels (y down).
 Camera panned(const Camera& camera, PictureSize size, const glm::dvec2& pixels, double depth);
 
 // Moved towards the point (factor < 1) or away from it (> 1) so that it keeps its pixel and its distance is times the factor.
+// The factor is more than 0. Not nearer than a billionth of the point's numbers, where directions begin to be rounded.
 Camera zoomed(const Camera& camera, const glm::dvec3& point, double factor);
 
-// Moved parallel to itself so that the point is in the picture's middle, as deep as before.
+// Moved parallel to itself so that the point is in the picture's middle, as deep as before; as far before the eye as it was
+// behind it.
 Camera centered_on(const Camera& camera, const glm::dvec3& point);
-
-// What the spheres that are not hidden take up. Of an empty scene: what the default screen shows at z = 200.
-struct SceneBounds {
-    glm::dvec3 low{-100.0, -100.0, 100.0};
-    glm::dvec3 high{100.0, 100.0, 300.0};
-    double largest_radius = 20.0;
-
-    glm::dvec3 middle() const { return 0.5 * low + 0.5 * high; }
-    // The longest side, more than 0.
-    double extent() const;
-};
-SceneBounds bounds_of(const Scene& scene);
 
 }  // namespace sphereview

@@ -1,6 +1,7 @@
 // Which spheres of a scene are selected.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -15,11 +16,12 @@ public:
     bool contains(std::uint32_t number) const;
     bool empty() const { return numbers_.empty(); }
     std::size_t size() const { return numbers_.size(); }
-    // The one chosen last, if it is still in the set: whose values an editor shows.
-    std::optional<std::uint32_t> primary() const;
+    // The one chosen last, or, when that was taken out, the last of the others: whose values an editor shows. Nothing only in
+    // an empty set.
+    std::optional<std::uint32_t> primary() const { return primary_; }
 
     void clear();
-    void set(std::vector<std::uint32_t> numbers);  // any order
+    void set(std::vector<std::uint32_t> numbers);  // any order; the last one is chosen last
     void set_only(std::uint32_t number);
     void toggle(std::uint32_t number);
     // Drops what a scene of so many spheres does not have.
@@ -28,6 +30,8 @@ public:
     bool operator==(const Selection&) const = default;
 
 private:
+    void choose_last();
+
     std::vector<std::uint32_t> numbers_;
     std::optional<std::uint32_t> primary_;
 };

@@ -1,0 +1,119 @@
+#include "scene/change_log.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "scene/same_bits.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// The spheres that two scenes have under the same number with different values: the old ones.
+ChangeSpheres differing(const std::vector<Sphere>& before, const std::vector<Sphere>& now) {
+    ChangeSpheres old;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (same_bits(before[i], now[i])) continue;
+        old.numbers.push_back(static_cast<std::uint32_t>(i));
+        old.spheres.push_back(before[i]);
+    }
+    return old;
+}
+
+// Adds the spheres that differ from their old values.
+class Comparison {
+public:
+    Comparison(const Scene& scene, SceneChanges& changes) : scene_(scene), changes_(changes) {}
+
+    void compare(std::uint32_t number, const Sphere& before) {
+        const Sphere& now = scene_.spheres[number];
+        if (same_bits(before, now)) return;
+        changes_.spheres.push_back(number);
+        changes_.geometry = changes_.geometry || !same_geometry(before, now);
+    }
+
+private:
+    const Scene& scene_;
+    SceneChanges& changes_;
+};
+
+// `changes`: one after another, the oldest first. Of a sphere that changed several times, the first has the old value.
+void compare_spheres(const std::vector<const ChangeSpheres*>& changes, Comparison comparison) {
+    if (changes.size() == 1) {
+        const ChangeSpheres& only = *changes.front();
+        for (std::size_t i = 0; i < only.numbers.size(); ++i) comparison.compare(only.numbers[i], only.spheres[i]);
+        return;
+    }
+    struct Old {
+        std::uint32_t number;
+        const Sphere* sphere;
+    };
+    std::vector<Old> all;
+    for (const ChangeSpheres* change : changes) {
+        for (std::size_t i = 0; i < change->numbers.size(); ++i) all.push_back({change->numbers[i], &change->spheres[i]});
+    }
+    std::ranges::stable_sort(all, {}, &Old::number);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (i == 0 || all[i].number != all[i - 1].number) comparison.compare(all[i].number, *all[i].sphere);
+    }
+}
+
+}  // namespace
+
+SceneChange change_undone_by(const Edit& inverse, const Scene& scene) {
+    SceneChange change;
+    if (const auto* spheres = std::get_if<ChangeSpheres>(&inverse)) {
+        change.spheres = *spheres;
+    } else if (const auto* camera = std::get_if<ChangeCamera>(&inverse)) {
+        change.camera = camera->camera;
+    } else if (const auto* background = std::get_if<ChangeBackground>(&inverse)) {
+        change.background = background->background;
+    } else if (const auto* replace = std::get_if<ReplaceScene>(&inverse)) {
+        change.camera = replace->scene.camera;
+        change.background = replace->scene.background;
+        change.order = replace->scene.spheres.size() != scene.spheres.size();
+        if (!change.order) change.spheres = differing(replace->scene.spheres, scene.spheres);
+    } else {
+        change.order = !std::holds_alternative<RenameSphere>(inverse);
+    }
+    return change;
+}
+
+void ChangeLog::add(std::uint64_t revision, SceneChange change, const Scene& scene) {
+    const std::size_t most_spheres_here = std::max(most_spheres_of_small_scenes, scene.spheres.size());
+    sphere_count_ += change.spheres.numbers.size();
+    entries_.push_back({revision, std::move(change)});
+    while (entries_.size() > most_changes || sphere_count_ > most_spheres_here) {
+        sphere_count_ -= entries_.front().change.spheres.numbers.size();
+        entries_.pop_front();
+    }
+}
+
+SceneChanges ChangeLog::since(std::uint64_t revision, const Scene& scene) const {
+    const auto first = std::ranges::lower_bound(entries_, revision, {}, &Entry::revision);
+    if (first == entries_.end() || first->revision != revision) {
+        return {.order = true, .spheres = {}, .geometry = true, .camera = true, .background = true};
+    }
+    SceneChanges result;
+    const Camera* old_camera = &scene.camera;
+    const Background* old_background = &scene.background;
+    std::vector<const ChangeSpheres*> sphere_changes;
+    for (auto entry = entries_.end(); entry != first;) {
+        const SceneChange& change = (--entry)->change;
+        result.order = result.order || change.order;
+        if (change.camera) old_camera = &*change.camera;
+        if (change.background) old_background = &*change.background;
+        if (change.spheres.numbers.empty()) continue;
+        // A drag changes the same spheres again and again: what is older says all.
+        if (!sphere_changes.empty() && sphere_changes.back()->numbers == change.spheres.numbers) sphere_changes.pop_back();
+        sphere_changes.push_back(&change.spheres);
+    }
+    result.camera = !same_bits(*old_camera, scene.camera);
+    result.background = *old_background != scene.background;
+    result.geometry = result.order;
+    std::ranges::reverse(sphere_changes);
+    if (!result.order && !sphere_changes.empty()) compare_spheres(sphere_changes, {scene, result});
+    return result;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,59 @@
+// A record of what changed under which revision of a scene, for those who hold something made from an earlier one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "scene/edit.hpp"
+
+namespace sphereview {
+
+// What differs between the scenes of two revisions, to the bit, except that spheres that came and went again, or changed places
+// and changed back, are `order` all the same. Names are left out: no picture shows them.
+struct SceneChanges {
+    bool order = false;                  // spheres came, went or changed places: nothing of the old numbers holds
+    std::vector<std::uint32_t> spheres;  // unless `order`: those that got other values, ascending
+    bool geometry = false;  // of `spheres`: a centre, a radius or whether it is hidden; else only colours. With `order` true
+    bool camera = false;
+    bool background = false;
+
+    bool none() const { return !order && spheres.empty() && !camera && !background; }
+};
+
+// What one edit changed: the old values.
+struct SceneChange {
+    bool order = false;
+    ChangeSpheres spheres;  // unless `order`
+    std::optional<Camera> camera;
+    std::optional<Background> background;
+};
+
+// Of the edit that led to `scene` and that `inverse` takes back.
+SceneChange change_undone_by(const Edit& inverse, const Scene& scene);
+
+class ChangeLog {
+public:
+    // How many changes are remembered, and how many old values of spheres: these, or as many as the scene has.
+    static constexpr std::size_t most_changes = 1024;
+    static constexpr std::size_t most_spheres_of_small_scenes = 65536;
+
+    // The change led from that revision to `scene`. Revisions ascend.
+    void add(std::uint64_t revision, SceneChange change, const Scene& scene);
+
+    // How `scene`, the present one, differs from that earlier revision's. Everything, where that is not, or no longer, known.
+    SceneChanges since(std::uint64_t revision, const Scene& scene) const;
+
+private:
+    struct Entry {
+        std::uint64_t revision;  // of the scene before the change
+        SceneChange change;
+    };
+
+    std::deque<Entry> entries_;
+    std::size_t sphere_count_ = 0;  // in all entries
+};
+
+}  // namespace sphereview

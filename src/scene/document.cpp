@@ -1,0 +1,84 @@
+#include "scene/document.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <utility>
+
+namespace sphereview {
+
+namespace {
+
+// One counter for all documents: who holds a picture of one must not take another for it.
+std::uint64_t next_revision() {
+    static std::atomic<std::uint64_t> latest = 0;
+    return ++latest;
+}
+
+const std::string& name_of(const HistoryStep* step) {
+    static const std::string none;
+    return step == nullptr ? none : step->name;
+}
+
+}  // namespace
+
+Document::Document(Scene scene, std::size_t history_bytes)
+    : scene_(std::move(scene)), revision_(next_revision()), history_(history_bytes) {}
+
+const std::string& Document::undo_name() const { return name_of(history_.last_done()); }
+const std::string& Document::redo_name() const { return name_of(history_.last_undone()); }
+
+void Document::advance(SceneChange change) {
+    log_.add(revision_, std::move(change), scene_);
+    revision_ = next_revision();
+}
+
+Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
+    Touched touched = numbers_concerned(edit);
+    if (changes_nothing(edit, scene_)) return touched;
+    Edit inverse = sphereview::apply(std::move(edit), scene_);
+    if (history_.covers(inverse, gesture)) {
+        auto* spheres = std::get_if<ChangeSpheres>(&inverse);
+        // A drag of all spheres: their old values are moved, not copied.
+        advance(spheres != nullptr ? SceneChange{false, std::move(*spheres), {}, {}} : change_undone_by(inverse, scene_));
+        history_.drop_idle_step(scene_);
+    } else {
+        advance(change_undone_by(inverse, scene_));
+        history_.add(std::move(inverse), std::move(name), gesture);
+    }
+    return touched;
+}
+
+Touched Document::apply_step(HistoryStep& step) {
+    Touched touched;
+    std::vector<Edit> inverses;
+    inverses.reserve(step.edits.size());
+    for (auto edit = step.edits.rbegin(); edit != step.edits.rend(); ++edit) {
+        const Touched before = numbers_after(*edit, std::move(touched));
+        const Touched more = numbers_concerned(*edit);
+        touched.clear();
+        std::ranges::set_union(before, more, std::back_inserter(touched));
+        inverses.push_back(sphereview::apply(std::move(*edit), scene_));
+        advance(change_undone_by(inverses.back(), scene_));
+    }
+    step.edits = std::move(inverses);
+    return touched;
+}
+
+Touched Document::undo() {
+    if (!can_undo()) return {};
+    HistoryStep step = history_.take_done();
+    Touched touched = apply_step(step);
+    history_.push_undone(std::move(step));
+    return touched;
+}
+
+Touched Document::redo() {
+    if (!can_redo()) return {};
+    HistoryStep step = history_.take_undone();
+    Touched touched = apply_step(step);
+    history_.push_done(std::move(step));
+    return touched;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,235 @@
+#include "scene/edit.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <utility>
+
+#include "scene/same_bits.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Names = std::map<std::uint32_t, std::string>;
+using Numbers = std::vector<std::uint32_t>;
+
+// How sphere numbers change where spheres come in. Asked for ascending numbers, as all of these.
+class AfterInsert {
+public:
+    explicit AfterInsert(const Numbers& inserted) : inserted_(inserted) {}
+    std::uint32_t operator()(std::uint32_t number) {
+        while (before_ < inserted_.size() && inserted_[before_] <= number + before_) ++before_;
+        return number + static_cast<std::uint32_t>(before_);
+    }
+
+private:
+    const Numbers& inserted_;
+    std::size_t before_ = 0;  // how many come in before the number asked for
+};
+
+// How the numbers of those that stay change where spheres go out.
+class AfterRemove {
+public:
+    explicit AfterRemove(const Numbers& removed) : removed_(removed) {}
+    bool stays(std::uint32_t number) {
+        while (before_ < removed_.size() && removed_[before_] < number) ++before_;
+        return before_ == removed_.size() || removed_[before_] != number;
+    }
+    std::uint32_t operator()(std::uint32_t number) {
+        stays(number);
+        return number - static_cast<std::uint32_t>(before_);
+    }
+
+private:
+    const Numbers& removed_;
+    std::size_t before_ = 0;
+};
+
+std::uint32_t after_reorder(const ReorderSphere& edit, std::uint32_t number) {
+    if (number == edit.from) return edit.to;
+    if (edit.from < number && number <= edit.to) return number - 1;
+    if (edit.to <= number && number < edit.from) return number + 1;
+    return number;
+}
+
+// Gives the names of [first, last) other numbers, which ascend as the old ones do and stay between the neighbours'.
+template <typename NewNumber>
+void renumber(Names& names, Names::iterator first, Names::iterator last, NewNumber new_number) {
+    std::vector<Names::node_type> nodes;
+    while (first != last) nodes.push_back(names.extract(first++));
+    for (Names::node_type& node : nodes) {
+        node.key() = new_number(node.key());
+        names.insert(last, std::move(node));
+    }
+}
+
+template <typename NewNumber>
+void renumber_from(Names& names, std::uint32_t first, NewNumber new_number) {
+    renumber(names, names.lower_bound(first), names.end(), std::move(new_number));
+}
+
+[[maybe_unused]] bool ascend_below(const Numbers& numbers, std::size_t count) {
+    return std::ranges::adjacent_find(numbers, std::ranges::greater_equal{}) == numbers.end() &&
+           (numbers.empty() || numbers.back() < count);
+}
+
+std::vector<Sphere>::iterator place(Scene& scene, std::size_t number) {
+    return scene.spheres.begin() + static_cast<std::ptrdiff_t>(number);
+}
+
+// Each applies one kind of edit. What needs memory comes first, so that a lack of it leaves the scene whole.
+struct Apply {
+    Scene& scene;
+
+    Edit operator()(ChangeSpheres& edit) const {
+        assert(ascend_below(edit.numbers, scene.spheres.size()) && edit.numbers.size() == edit.spheres.size());
+        for (std::size_t i = 0; i < edit.numbers.size(); ++i) std::swap(scene.spheres[edit.numbers[i]], edit.spheres[i]);
+        return std::move(edit);
+    }
+
+    Edit operator()(InsertSpheres& edit) const {
+        const std::size_t old_count = scene.spheres.size();
+        assert(ascend_below(edit.numbers, old_count + edit.numbers.size()) && edit.numbers.size() == edit.spheres.size());
+        if (edit.numbers.empty()) return RemoveSpheres{};
+        Names new_names;
+        for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
+            std::string& name = edit.spheres[i].name;
+            if (!name.empty()) new_names.emplace_hint(new_names.end(), edit.numbers[i], std::move(name));
+        }
+        scene.spheres.resize(old_count + edit.numbers.size());
+        renumber_from(scene.names, edit.numbers.front(), AfterInsert(edit.numbers));
+        scene.names.merge(new_names);
+        // From the back: the old spheres that come after the i-th new one move up by i + 1 places.
+        std::size_t end = old_count;
+        for (std::size_t i = edit.numbers.size(); i-- > 0;) {
+            const std::size_t begin = edit.numbers[i] - i;
+            std::copy_backward(place(scene, begin), place(scene, end), place(scene, end + i + 1));
+            scene.spheres[edit.numbers[i]] = edit.spheres[i].sphere;
+            end = begin;
+        }
+        return RemoveSpheres{std::move(edit.numbers)};
+    }
+
+    Edit operator()(RemoveSpheres& edit) const {
+        assert(ascend_below(edit.numbers, scene.spheres.size()));
+        if (edit.numbers.empty()) return InsertSpheres{};
+        std::vector<NamedSphere> removed(edit.numbers.size());
+        auto name = scene.names.lower_bound(edit.numbers.front());
+        for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
+            removed[i].sphere = scene.spheres[edit.numbers[i]];
+            while (name != scene.names.end() && name->first < edit.numbers[i]) ++name;
+            if (name == scene.names.end() || name->first != edit.numbers[i]) continue;
+            removed[i].name = std::move(name->second);
+            name = scene.names.erase(name);
+        }
+        renumber_from(scene.names, edit.numbers.front(), AfterRemove(edit.numbers));
+        for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
+            const std::size_t begin = edit.numbers[i] + std::size_t{1};
+            const std::size_t end = i + 1 < edit.numbers.size() ? edit.numbers[i + 1] : scene.spheres.size();
+            std::copy(place(scene, begin), place(scene, end), place(scene, begin - i - 1));
+        }
+        scene.spheres.resize(scene.spheres.size() - edit.numbers.size());
+        return InsertSpheres{std::move(edit.numbers), std::move(removed)};
+    }
+
+    Edit operator()(const ReorderSphere& edit) const {
+        const auto [low, high] = std::minmax(edit.from, edit.to);
+        assert(high < scene.spheres.size());
+        const auto first = place(scene, low);
+        const auto last = place(scene, std::size_t{high} + 1);
+        std::rotate(first, edit.from < edit.to ? first + 1 : last - 1, last);
+        Names::node_type moved = scene.names.extract(edit.from);
+        renumber(scene.names, scene.names.lower_bound(low), scene.names.upper_bound(high),
+                 [&](std::uint32_t number) { return after_reorder(edit, number); });
+        if (!moved.empty()) {
+            moved.key() = edit.to;
+            scene.names.insert(std::move(moved));
+        }
+        return ReorderSphere{edit.to, edit.from};
+    }
+
+    Edit operator()(RenameSphere& edit) const {
+        assert(edit.number < scene.spheres.size());
+        const auto old = scene.names.find(edit.number);
+        if (old == scene.names.end()) {
+            if (!edit.name.empty()) scene.names.emplace(edit.number, std::move(edit.name));
+            return RenameSphere{edit.number, ""};
+        }
+        std::swap(old->second, edit.name);
+        if (old->second.empty()) scene.names.erase(old);
+        return std::move(edit);
+    }
+
+    Edit operator()(ChangeCamera& edit) const {
+        std::swap(scene.camera, edit.camera);
+        return edit;
+    }
+
+    Edit operator()(ChangeBackground& edit) const {
+        std::swap(scene.background, edit.background);
+        return edit;
+    }
+
+    Edit operator()(ReplaceScene& edit) const {
+        std::swap(scene, edit.scene);
+        return std::move(edit);
+    }
+};
+
+struct ChangesNothing {
+    const Scene& scene;
+
+    bool operator()(const ChangeSpheres& edit) const {
+        for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
+            if (!same_bits(scene.spheres[edit.numbers[i]], edit.spheres[i])) return false;
+        }
+        return true;
+    }
+    bool operator()(const InsertSpheres& edit) const { return edit.numbers.empty(); }
+    bool operator()(const RemoveSpheres& edit) const { return edit.numbers.empty(); }
+    bool operator()(const ReorderSphere& edit) const { return edit.from == edit.to; }
+    bool operator()(const RenameSphere& edit) const {
+        const auto old = scene.names.find(edit.number);
+        return old == scene.names.end() ? edit.name.empty() : edit.name == old->second;
+    }
+    bool operator()(const ChangeCamera& edit) const { return same_bits(edit.camera, scene.camera); }
+    bool operator()(const ChangeBackground& edit) const { return edit.background == scene.background; }
+    bool operator()(const ReplaceScene& edit) const {
+        const auto same = [](const Sphere& a, const Sphere& b) { return same_bits(a, b); };
+        return std::ranges::equal(edit.scene.spheres, scene.spheres, same) && edit.scene.names == scene.names &&
+               edit.scene.background == scene.background && same_bits(edit.scene.camera, scene.camera);
+    }
+};
+
+}  // namespace
+
+Edit apply(Edit edit, Scene& scene) { return std::visit(Apply{scene}, edit); }
+
+bool changes_nothing(const Edit& edit, const Scene& scene) { return std::visit(ChangesNothing{scene}, edit); }
+
+std::vector<std::uint32_t> numbers_concerned(const Edit& edit) {
+    if (const auto* change = std::get_if<ChangeSpheres>(&edit)) return change->numbers;
+    if (const auto* insert = std::get_if<InsertSpheres>(&edit)) return insert->numbers;
+    if (const auto* reorder = std::get_if<ReorderSphere>(&edit)) return {reorder->to};
+    if (const auto* rename = std::get_if<RenameSphere>(&edit)) return {rename->number};
+    return {};
+}
+
+std::vector<std::uint32_t> numbers_after(const Edit& edit, std::vector<std::uint32_t> numbers) {
+    if (const auto* insert = std::get_if<InsertSpheres>(&edit)) {
+        std::ranges::transform(numbers, numbers.begin(), AfterInsert(insert->numbers));
+    } else if (const auto* remove = std::get_if<RemoveSpheres>(&edit)) {
+        AfterRemove after(remove->numbers);
+        std::erase_if(numbers, [&](std::uint32_t number) { return !after.stays(number); });
+        std::ranges::transform(numbers, numbers.begin(), AfterRemove(remove->numbers));
+    } else if (const auto* reorder = std::get_if<ReorderSphere>(&edit)) {
+        for (std::uint32_t& number : numbers) number = after_reorder(*reorder, number);
+        std::ranges::sort(numbers);
+    } else if (const auto* replace = std::get_if<ReplaceScene>(&edit)) {
+        std::erase_if(numbers, [&](std::uint32_t number) { return number >= replace->scene.spheres.size(); });
+    }
+    return numbers;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,112 @@
+#include "scene/history.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace sphereview {
+
+namespace {
+
+// Whether applying `older` gives the old scene back even if `newer` is not applied before it.
+bool says_more(const Edit& older, const Edit& newer) {
+    if (std::holds_alternative<ReplaceScene>(older)) return true;
+    if (older.index() != newer.index()) return false;
+    if (const auto* change = std::get_if<ChangeSpheres>(&older)) return change->numbers == std::get<ChangeSpheres>(newer).numbers;
+    if (const auto* rename = std::get_if<RenameSphere>(&older)) return rename->number == std::get<RenameSphere>(newer).number;
+    return std::holds_alternative<ChangeCamera>(older) || std::holds_alternative<ChangeBackground>(older);
+}
+
+bool keeps_numbers(const Edit& edit) {
+    return !std::holds_alternative<InsertSpheres>(edit) && !std::holds_alternative<RemoveSpheres>(edit) &&
+           !std::holds_alternative<ReorderSphere>(edit);
+}
+
+// What an edit keeps in memory, about.
+std::size_t bytes_of(const Edit& edit) {
+    constexpr std::size_t for_a_name = 80;
+    std::size_t bytes = sizeof(Edit);
+    if (const auto* change = std::get_if<ChangeSpheres>(&edit)) {
+        bytes += change->numbers.size() * (sizeof(std::uint32_t) + sizeof(Sphere));
+    } else if (const auto* insert = std::get_if<InsertSpheres>(&edit)) {
+        bytes += insert->numbers.size() * (sizeof(std::uint32_t) + sizeof(NamedSphere));
+    } else if (const auto* remove = std::get_if<RemoveSpheres>(&edit)) {
+        bytes += remove->numbers.size() * sizeof(std::uint32_t);
+    } else if (const auto* replace = std::get_if<ReplaceScene>(&edit)) {
+        bytes += replace->scene.spheres.size() * sizeof(Sphere) + replace->scene.names.size() * for_a_name;
+    }
+    return bytes;
+}
+
+std::size_t bytes_of(const HistoryStep& step) {
+    std::size_t bytes = sizeof(HistoryStep);
+    for (const Edit& edit : step.edits) bytes += bytes_of(edit);
+    return bytes;
+}
+
+}  // namespace
+
+bool History::covers(const Edit& inverse, std::uint64_t gesture) const {
+    if (!continues(gesture)) return false;
+    const std::vector<Edit>& edits = done_.back().edits;
+    for (auto older = edits.rbegin(); older != edits.rend(); ++older) {
+        if (says_more(*older, inverse)) return true;
+        if (!keeps_numbers(*older)) return false;
+    }
+    return false;
+}
+
+void History::add(Edit inverse, std::string name, std::uint64_t gesture) {
+    if (!continues(gesture)) {
+        // A state that only redoing would have reached is gone.
+        if (saved_ && *saved_ > done_.size()) saved_.reset();
+        undone_.clear();
+        push_done({std::move(name), {}});
+        open_gesture_ = gesture;
+    }
+    done_bytes_ += bytes_of(inverse);
+    done_.back().edits.push_back(std::move(inverse));
+    forget_oldest();
+}
+
+void History::drop_idle_step(const Scene& scene) {
+    if (open_gesture_ == 0) return;
+    // The last first: the numbers of an edit need not fit before those after it are taken back.
+    const std::vector<Edit>& edits = done_.back().edits;
+    if (!std::all_of(edits.rbegin(), edits.rend(), [&](const Edit& edit) { return changes_nothing(edit, scene); })) return;
+    take_done();
+}
+
+HistoryStep History::take_done() {
+    open_gesture_ = 0;
+    HistoryStep step = std::move(done_.back());
+    done_.pop_back();
+    done_bytes_ -= bytes_of(step);
+    return step;
+}
+
+HistoryStep History::take_undone() {
+    HistoryStep step = std::move(undone_.back());
+    undone_.pop_back();
+    return step;
+}
+
+void History::push_done(HistoryStep step) {
+    done_bytes_ += bytes_of(step);
+    done_.push_back(std::move(step));
+}
+
+void History::mark_saved() {
+    // What comes next is another step, so that this state can be undone to.
+    open_gesture_ = 0;
+    saved_ = done_.size();
+}
+
+void History::forget_oldest() {
+    while (done_.size() > 1 && done_bytes_ > most_bytes_) {
+        done_bytes_ -= bytes_of(done_.front());
+        done_.pop_front();
+        if (saved_) saved_ = *saved_ > 0 ? std::optional(*saved_ - 1) : std::nullopt;
+    }
+}
+
+}  // namespace sphereview

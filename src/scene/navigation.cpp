@@ -1,0 +1,155 @@
+#include "scene/navigation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+namespace sphereview {
+
+namespace {
+
+constexpr glm::dvec3 world_up{0.0, 1.0, 0.0};
+// How near the poles a tilt comes: so near that nobody sees it, so far that rounding never makes up of down.
+constexpr double farthest_tilt = std::numbers::pi / 2.0 - 1e-4;
+// A camera that lies on its side, `right` within this of the world's y, has no poles.
+constexpr double smallest_height = 1e-6;
+// How many times as far from the origin as its own size a screen may be: its vectors then keep some 9 digits.
+constexpr double farthest_screen = 0x1p24;
+constexpr double nearest_zoom = 1e-9;
+
+double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+// Without overflow or underflow on the way.
+double length_of(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
+glm::dvec3 unit(const glm::dvec3& v) { return v / length_of(v); }
+
+// The camera's directions, each of length 1. `ahead` is perpendicular to the screen, on the side of it that is seen.
+struct Directions {
+    explicit Directions(const Camera& camera) : axis(camera.center - camera.eye), right(unit(camera.right)), up(unit(camera.up)) {
+        ahead = unit(glm::cross(right, up));
+        mirrored = glm::dot(ahead, axis) < 0.0;
+        if (mirrored) ahead = -ahead;
+    }
+
+    glm::dvec3 axis;  // from the eye to the screen's centre
+    glm::dvec3 right;
+    glm::dvec3 up;
+    glm::dvec3 ahead;
+    bool mirrored = false;  // x to the left, for an eye that sees y up
+};
+
+// What pixels are in multiples of `right` and `up`.
+glm::dvec2 on_screen(PictureSize size, const glm::dvec2& pixels) {
+    const double m = size.shorter_side();
+    return {2.0 * pixels.x / m, -2.0 * pixels.y / m};
+}
+
+glm::dvec2 middle_of(PictureSize size) { return {0.5 * size.width, 0.5 * size.height}; }
+
+// The camera with these vectors; the one before where they are none.
+Camera settled(const Camera& before, const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up) {
+    // The same picture, with a larger screen: added to the eye's numbers, a small one would be rounded away. A power of two: exact.
+    const double ratio = largest_of(eye) / std::min(largest_of(axis), largest_of(right)) / farthest_screen;
+    if (ratio > 1.0 && std::isfinite(ratio)) {
+        const double scale = std::ldexp(1.0, std::ilogb(ratio) + 1);
+        axis *= scale;
+        right *= scale;
+        up *= scale;
+    }
+    const Camera camera{eye, eye + axis, right, up};
+    return camera_fault(camera) ? before : camera;
+}
+
+Camera moved_to(const Camera& camera, const glm::dvec3& eye) {
+    return settled(camera, eye, camera.center - camera.eye, camera.right, camera.up);
+}
+
+// Turned about an axis of length 1 through 0, by the right-hand rule (Rodrigues).
+glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
+    const glm::dvec3 along = glm::dot(axis, v) * axis;
+    return along + std::cos(angle) * (v - along) + std::sin(angle) * glm::cross(axis, v);
+}
+
+// How the camera stands to the world's up. In the plane that a tilt turns in, `elevation` is where `ahead` points: 0 to the
+// horizon, pi/2 to the pole above; beyond that the camera is upside down.
+struct Attitude {
+    bool has_poles = true;
+    bool upside_down = false;
+    double elevation = 0.0;
+};
+
+Attitude attitude_of(const Directions& directions) {
+    const double ahead = glm::dot(world_up, directions.ahead);
+    const double up = glm::dot(world_up, directions.up);
+    if (std::hypot(ahead, up) < smallest_height) return {false, false, 0.0};
+    const double elevation = std::atan2(ahead, up);
+    // A camera that begins at a pole counts as upright, however it was rounded.
+    return {true, std::fabs(elevation) > std::numbers::pi / 2.0 + 1e-9, elevation};
+}
+
+// How far the camera may be tilted down, at most `tilt`. Beyond the end it is not taken back, but may only turn back.
+double allowed_tilt(const Attitude& attitude, double tilt) {
+    if (!attitude.has_poles) return tilt;
+    // Upside down, what counts is the way from the horizon behind.
+    const double begin =
+        attitude.upside_down ? attitude.elevation - std::copysign(std::numbers::pi, attitude.elevation) : attitude.elevation;
+    const double end = std::clamp(begin - tilt, std::min(begin, -farthest_tilt), std::max(begin, farthest_tilt));
+    return begin - end;
+}
+
+}  // namespace
+
+std::optional<glm::dvec2> project(const Camera& camera, PictureSize size, const glm::dvec3& point) {
+    const Directions directions(camera);
+    const double depth = depth_of(camera, point);
+    if (!(depth > 0.0)) return std::nullopt;
+    // On the screen, from its centre; with the dual vectors, because right and up may be not quite perpendicular.
+    const glm::dvec3 there = (point - camera.eye) / depth - directions.axis;
+    const glm::dvec3 dual_right = glm::cross(directions.up, directions.ahead);
+    const glm::dvec3 dual_up = glm::cross(directions.right, directions.ahead);
+    const double across = glm::dot(there, dual_right) / glm::dot(camera.right, dual_right);
+    const double upward = glm::dot(there, dual_up) / glm::dot(camera.up, dual_up);
+    const double m = size.shorter_side();
+    const glm::dvec2 place = middle_of(size) + 0.5 * m * glm::dvec2(across, -upward);
+    if (!std::isfinite(place.x) || !std::isfinite(place.y)) return std::nullopt;
+    return place;
+}
+
+double depth_of(const Camera& camera, const glm::dvec3& point) {
+    const Directions directions(camera);
+    return glm::dot(point - camera.eye, directions.ahead) / glm::dot(directions.axis, directions.ahead);
+}
+
+glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth) {
+    const glm::dvec2 screen = on_screen(size, place - middle_of(size));
+    return camera.eye + depth * ((camera.center - camera.eye) + screen.x * camera.right + screen.y * camera.up);
+}
+
+Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt) {
+    const Directions directions(camera);
+    const Attitude attitude = attitude_of(directions);
+    const double tilt_angle = allowed_tilt(attitude, tilt) * (directions.mirrored ? -1.0 : 1.0);
+    const double turn_angle = turn * (directions.mirrored != attitude.upside_down ? -1.0 : 1.0);
+    const auto rotated = [&](const glm::dvec3& v) { return turned(turned(v, directions.right, tilt_angle), world_up, turn_angle); };
+    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(directions.axis), rotated(camera.right),
+                   rotated(camera.up));
+}
+
+Camera panned(const Camera& camera, PictureSize size, const glm::dvec2& pixels, double depth) {
+    const glm::dvec2 screen = on_screen(size, pixels);
+    return moved_to(camera, camera.eye - depth * (screen.x * camera.right + screen.y * camera.up));
+}
+
+Camera zoomed(const Camera& camera, const glm::dvec3& point, double factor) {
+    const glm::dvec3 eye = point + factor * (camera.eye - point);
+    const bool too_near = factor < 1.0 && largest_of(eye - point) < nearest_zoom * largest_of(point);
+    return factor > 0.0 && !too_near ? moved_to(camera, eye) : camera;
+}
+
+Camera centered_on(const Camera& camera, const glm::dvec3& point) {
+    const double depth = std::fabs(depth_of(camera, point));
+    return moved_to(camera, point - (depth > 0.0 ? depth : 1.0) * (camera.center - camera.eye));
+}
+
+}  // namespace sphereview
