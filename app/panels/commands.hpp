@@ -1,7 +1,9 @@
 // Everything a menu offers, with its shortcut: one table for the menus, the keys and the help.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace sphereview {
@@ -47,5 +49,18 @@ struct CommandInfo {
 // In the order of the menus.
 std::span<const CommandInfo> all_commands();
 const CommandInfo& info_of(CommandId id);
+
+// The alternatives of a shortcut.
+std::string first_shortcut(std::string_view shortcut);  // "Ctrl+Shift+Z"
+std::string every_shortcut(std::string_view shortcut);  // "Ctrl+Shift+Z or Ctrl+Y"
+
+// Whether a key, named as KeyChanged has it, is one of the shortcut's alternatives. Keyboards differ in whether a symbol such as
+// "+" needs Shift: for symbols Shift must be held only where the shortcut names it, and may be held always.
+bool matches(std::string_view shortcut, std::string_view key_name, bool control, bool shift, bool alt);
+
+// What a pressed key stands for. Symbols without Ctrl and Alt ("?") are left to command_for_character(): a key is named by what
+// it gives without Shift, so which key is "?" only the typed character tells.
+std::optional<CommandId> command_for_key(std::string_view key_name, bool control, bool shift, bool alt);
+std::optional<CommandId> command_for_character(char32_t character);
 
 }  // namespace sphereview

@@ -1,6 +1,9 @@
 // Questions that the person must answer before anything else.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,8 +12,9 @@
 
 namespace sphereview {
 
-// A question with some answers, asked one at a time. `answer` is called from draw_dialog() with the number of the answer that was
-// chosen; Escape and the close button choose `cancel`, Enter the first.
+// A question with some answers, at least one, asked one at a time. `answer` is called from draw_dialogs() with the number of the
+// answer that was chosen; Escape and the close button choose `cancel`, Enter the focused one: the first, until the keyboard moves
+// on. Widgets: "answer 0" and "answer Save".
 struct Question {
     std::string id;  // for tests: "save-changes"
     std::string title;
@@ -18,32 +22,48 @@ struct Question {
     std::vector<std::string> answers;
     int cancel = 0;
     std::function<void(int)> answer;
+    int focused = 0;
 };
 
-// "Export picture": a name and a size. `accept` gets them; it may put another question (the file exists).
+// "Export picture": a name and a size. `accept` gets an absolute path that ends in ".png", and is called only when nothing lies
+// there or the person agrees to replace it. Widgets: "export path", "export width", "export height", "export ok", "export cancel".
 struct ExportForm {
-    std::string path;
+    std::string path;  // a relative one lies in the folder of the first
     int width = 1000;
     int height = 1000;
     std::string error;  // shown when not empty: why the last try did not work
     std::function<void(const std::string& path, PictureSize size)> accept;
+    std::optional<PictureSize> view;         // of the picture in the window, for a button; "export view"
+    std::int64_t most_pixels = 429'496'729;  // as image/image.hpp has it
+    std::string folder;                      // of the first path
 };
 
-// A file browser of our own, for where the system has no dialog of its own.
+// What is wrong with the form as it is; "" if nothing is.
+std::string fault_of(const ExportForm& form);
+
+// A file browser of our own, for where the system has no dialog of its own. `accept` gets an absolute path; a new one only when
+// `saving`, an existing one then only when the person agrees to replace it. Widgets: "browser path", "browser name", "browser ok",
+// "browser cancel", "browser up", "browser home", "browser hidden", "entry NAME".
 struct FileBrowser {
     bool saving = false;  // a name may be new
     std::string title;
-    std::string folder;  // absolute
+    std::string folder;  // absolute; "" for the home folder
     std::string name;
-    std::vector<std::string> endings;  // shown files: ".txt", ".toml"; empty: all
+    std::vector<std::string> endings;  // shown files: ".txt", ".toml"; empty: all. A new name without one of them gets the first.
     std::string listed_folder;         // of `entries`
     struct Entry {
         std::string name;
         bool is_folder = false;
+
+        bool operator==(const Entry&) const = default;
     };
     std::vector<Entry> entries;
     std::string error;
     std::function<void(const std::string& path)> accept;
+    std::string typed_folder;    // what the path box holds
+    bool hidden_files = false;   // shown too
+    bool listed_hidden = false;  // whether `entries` has them
+    bool focus_name = false;     // the name box gets the keyboard in the next frame
 };
 
 using Dialog = std::variant<Question, ExportForm, FileBrowser>;
@@ -51,11 +71,18 @@ using Dialog = std::variant<Question, ExportForm, FileBrowser>;
 // Of the dialog, for tests: a question's id, "export", "browser".
 std::string id_of(const Dialog& dialog);
 
-// The dialogs that wait; the last is the one that is shown.
+// The dialogs that wait; the last is the one that can be answered, the others lie dimmed below it.
 using Dialogs = std::vector<Dialog>;
 
-// Draws the last dialog, in the middle of the window, above everything. Takes it away when it is answered, before it calls
-// what was to be called, which may put others.
-void draw_dialogs(const PanelContext& context, Dialogs& dialogs);
+// The keys that were pressed, not repeated, since the last frame.
+struct DialogKeys {
+    bool enter = false;
+    bool escape = false;
+    int step = 0;  // through a question's answers: Right and Tab +1, Left and Shift+Tab -1; unless typing somewhere
+};
+
+// Draws the dialogs in the middle of the window, above everything. Takes the last away when it is answered, before it calls
+// what was to be called, which may put others. `dialogs` must stay at its address while it holds any.
+void draw_dialogs(const PanelContext& context, Dialogs& dialogs, const DialogKeys& keys);
 
 }  // namespace sphereview

@@ -1,9 +1,11 @@
-// The line at the bottom of the window, and messages over the picture.
+// The line at the bottom of the window.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
+#include "panels/messages.hpp"
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
@@ -15,25 +17,10 @@ struct Status {
     std::optional<Pixel> pixel;  // under the pointer
     PictureSize size;
     std::optional<std::uint32_t> sphere;  // that the pixel shows
+    std::size_t hidden = 0;               // spheres: HiddenSpheres counts them
 };
 
-// Draws into the current ImGui window, one line high.
+// Draws into the current ImGui window, one line high. Its columns stay where they are while numbers change.
 void draw_status_bar(const PanelContext& context, const Status& status);
-
-// What is told over the picture.
-struct Messages {
-    std::string announcement;  // "Saved /home/a/b.png"; the owner takes it away after a while
-    std::string scene_error;   // FILE:LINE:COLUMN: ... while the file is broken; stays until it is not
-    std::string shader_error;  // the log, while a shader is broken
-};
-
-// Draws windows of its own inside the area (screen coordinates). Sets `dismissed` when the person closes the scene error.
-struct MessageArea {
-    float x = 0.0F;
-    float y = 0.0F;
-    float width = 0.0F;
-    float height = 0.0F;
-};
-void draw_messages(const PanelContext& context, const Messages& messages, const MessageArea& area);
 
 }  // namespace sphereview

@@ -1,0 +1,56 @@
+#include "panels/commands.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace sphereview {
+
+namespace {
+
+using enum CommandId;
+
+constexpr auto commands = std::to_array<CommandInfo>({
+    {file_new, "File", "New", "Ctrl+N", "Begins an empty scene."},
+    {file_open, "File", "Open...", "Ctrl+O", "Opens a scene file."},
+    {file_save, "File", "Save", "Ctrl+S", "Writes the scene to its file.", true},
+    {file_save_as, "File", "Save as...", "Ctrl+Shift+S", "Writes the scene to another file."},
+    {export_picture, "File", "Export picture...", "Ctrl+E", "Asks for a name and a size and writes the view as a PNG.", true},
+    {export_now, "File", "Export now", "F12", "Writes the view as a PNG at once, under the next free name beside the scene."},
+    {quit, "File", "Quit", "Ctrl+Q", "Closes the window.", true},
+
+    {undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change of the scene back."},
+    {redo, "Edit", "Redo", "Ctrl+Shift+Z|Ctrl+Y", "Makes the change again that was taken back."},
+    {add_sphere, "Edit", "Add sphere", "Insert", "Adds a sphere in the middle of the view.", true},
+    {duplicate, "Edit", "Duplicate", "Ctrl+D", "Adds copies of the selected spheres."},
+    {remove, "Edit", "Delete", "Delete|Backspace", "Deletes the selected spheres."},
+    {rename, "Edit", "Rename", "F2", "Gives the selected sphere a name."},
+    {hide, "Edit", "Hide or show", "H", "Hides the selected spheres, or shows them again."},
+    {select_all, "Edit", "Select all", "Ctrl+A", "Selects every sphere.", true},
+    {select_none, "Edit", "Select none", "Ctrl+Shift+A|Escape", "Selects no sphere."},
+    {move_up, "Edit", "Move up", "Ctrl+Up", "Moves the selected sphere up in the list; of two equal hits the upper sphere is seen.",
+     true},
+    {move_down, "Edit", "Move down", "Ctrl+Down", "Moves the selected sphere down in the list."},
+
+    {go_home, "View", "Go home", "Home", "Returns to the scene's own camera."},
+    {center_on_selection, "View", "Centre on selection", "C|.", "Brings the selected spheres to the middle of the picture."},
+    {use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home", "Makes the view the scene's own camera."},
+    {toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
+    {toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
+    {larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger.", true},
+    {smaller_text, "View", "Smaller text", "Ctrl+-", "Makes text and panels smaller."},
+
+    {help, "Help", "Keys and mouse", "F1|?", "Lists every shortcut and what the mouse does."},
+});
+
+}  // namespace
+
+std::span<const CommandInfo> all_commands() { return commands; }
+
+const CommandInfo& info_of(CommandId id) {
+    const auto info = std::ranges::find(commands, id, &CommandInfo::id);
+    assert(info != commands.end());
+    return *info;
+}
+
+}  // namespace sphereview

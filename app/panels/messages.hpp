@@ -1,0 +1,34 @@
+// What is told over the picture.
+#pragma once
+
+#include <string>
+
+#include "panels/panel_context.hpp"
+
+namespace sphereview {
+
+struct Messages {
+    std::string announcement;  // "Saved /home/a/b.png"; the owner takes it away after a while
+    std::string scene_error;   // FILE:LINE:COLUMN: ... while the file is broken; stays until it is not
+    std::string shader_error;  // the log, while a shader is broken
+};
+
+// Where, in screen coordinates: the picture.
+struct MessageArea {
+    float x = 0.0F;
+    float y = 0.0F;
+    float width = 0.0F;
+    float height = 0.0F;
+};
+
+// What the person closed in this frame; the owner takes it away.
+struct ClosedMessages {
+    bool scene_error = false;
+    bool shader_error = false;
+};
+
+// Draws windows of its own inside the area. The log is in the second font of ImGui's atlas, if there is one: a monospaced one.
+// Widgets: "message announcement", "message scene error", "message shader error", "close scene error", "close shader error".
+ClosedMessages draw_messages(const PanelContext& context, const Messages& messages, const MessageArea& area);
+
+}  // namespace sphereview

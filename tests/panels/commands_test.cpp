@@ -1,0 +1,117 @@
+#include "panels/commands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Every key that a shortcut may name, as KeyChanged spells it.
+std::vector<std::string> all_keys() {
+    std::vector<std::string> keys{"delete", "backspace", "enter", "escape",    "tab", "space", "home", "end",
+                                  "insert", "page up",   "left",  "page down", "up",  "down",  "right"};
+    for (char c = '!'; c <= '~'; ++c) keys.push_back(lower_case(std::string(1, c)));
+    for (int i = 1; i <= 12; ++i) keys.push_back("f" + std::to_string(i));
+    return keys;
+}
+
+}  // namespace
+
+TEST(Commands, AreEachDescribedOnce) {
+    std::set<CommandId> seen;
+    std::set<std::string_view> menus;
+    std::string_view menu;
+    for (const CommandInfo& info : all_commands()) {
+        EXPECT_TRUE(seen.insert(info.id).second) << info.label;
+        EXPECT_EQ(&info_of(info.id), &info);
+        EXPECT_FALSE(info.label.empty());
+        EXPECT_TRUE(info.help.ends_with('.')) << info.label;
+        const bool begins = info.menu != menu;
+        EXPECT_EQ(menus.insert(info.menu).second, begins) << info.menu << " is in two parts";
+        menu = info.menu;
+    }
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(CommandId::help) + 1);
+    EXPECT_EQ(menus, (std::set<std::string_view>{"File", "Edit", "View", "Help"}));
+}
+
+TEST(Commands, ShareNoKey) {
+    for (const std::string& key : all_keys()) {
+        for (int held = 0; held < 8; ++held) {
+            std::vector<std::string_view> meant;
+            for (const CommandInfo& info : all_commands()) {
+                if (matches(info.shortcut, key, held & 1, held & 2, held & 4)) meant.push_back(info.label);
+            }
+            EXPECT_LE(meant.size(), 1U) << key << " with " << held << ": " << meant[0] << ", " << meant[1];
+        }
+    }
+}
+
+TEST(Commands, CanEachBeReachedByEachOfTheirKeys) {
+    for (const CommandInfo& info : all_commands()) {
+        EXPECT_FALSE(info.shortcut.empty()) << info.label;
+        std::string found;
+        for (const std::string& key : all_keys()) {
+            for (int held = 0; held < 8; ++held) {
+                if (command_for_key(key, held & 1, held & 2, held & 4) == info.id) found += key + " ";
+            }
+        }
+        EXPECT_NE(found, "") << info.label;
+    }
+}
+
+TEST(Shortcuts, MatchTheKeyWithWhatMustBeHeld) {
+    EXPECT_TRUE(matches("Ctrl+S", "s", true, false, false));
+    EXPECT_FALSE(matches("Ctrl+S", "s", false, false, false));
+    EXPECT_FALSE(matches("Ctrl+S", "s", true, true, false));
+    EXPECT_FALSE(matches("Ctrl+S", "s", true, false, true));
+    EXPECT_TRUE(matches("Ctrl+Shift+S", "s", true, true, false));
+    EXPECT_FALSE(matches("Ctrl+Shift+S", "s", true, false, false));
+    EXPECT_TRUE(matches("Ctrl+Shift+Alt+Page up", "page up", true, true, true));
+    EXPECT_FALSE(matches("Page up", "page down", false, false, false));
+    EXPECT_TRUE(matches("Delete", "delete", false, false, false));
+    EXPECT_FALSE(matches("Delete", "delete", false, true, false));
+}
+
+TEST(Shortcuts, HaveAlternatives) {
+    EXPECT_TRUE(matches("Ctrl+Shift+Z|Ctrl+Y", "z", true, true, false));
+    EXPECT_TRUE(matches("Ctrl+Shift+Z|Ctrl+Y", "y", true, false, false));
+    EXPECT_FALSE(matches("Ctrl+Shift+Z|Ctrl+Y", "z", true, false, false));
+    EXPECT_FALSE(matches("", "z", false, false, false));
+    EXPECT_FALSE(matches("", "", false, false, false));
+    EXPECT_EQ(first_shortcut("Ctrl+Shift+Z|Ctrl+Y"), "Ctrl+Shift+Z");
+    EXPECT_EQ(every_shortcut("Ctrl+Shift+Z|Ctrl+Y"), "Ctrl+Shift+Z or Ctrl+Y");
+    EXPECT_EQ(every_shortcut("Home"), "Home");
+    EXPECT_EQ(first_shortcut(""), "");
+}
+
+TEST(Shortcuts, DoNotMindShiftForSymbols) {
+    EXPECT_TRUE(matches("F1|?", "?", false, true, false));
+    EXPECT_TRUE(matches("F1|?", "?", false, false, false));
+    EXPECT_TRUE(matches("Ctrl++|Ctrl+=", "+", true, true, false));
+    EXPECT_TRUE(matches("Ctrl++|Ctrl+=", "+", true, false, false));
+    EXPECT_TRUE(matches("Ctrl++|Ctrl+=", "=", true, true, false));
+    EXPECT_FALSE(matches("Ctrl++|Ctrl+=", "+", false, true, false));
+    EXPECT_FALSE(matches("Shift+/", "/", false, false, false));
+    EXPECT_FALSE(matches("7", "7", false, true, false)) << "a digit is no symbol";
+}
+
+TEST(Shortcuts, AreFoundForKeysAndCharacters) {
+    EXPECT_EQ(command_for_key("z", true, false, false), CommandId::undo);
+    EXPECT_EQ(command_for_key("f12", false, false, false), CommandId::export_now);
+    EXPECT_EQ(command_for_key("+", true, true, false), CommandId::larger_text);
+    EXPECT_EQ(command_for_key("f11", false, false, false), std::nullopt);
+    // One press tells of a key and of a character; only one of them may count.
+    EXPECT_EQ(command_for_key("?", false, true, false), std::nullopt);
+    EXPECT_EQ(command_for_character(U'?'), CommandId::help);
+    EXPECT_EQ(command_for_key("h", false, false, false), CommandId::hide);
+    EXPECT_EQ(command_for_character(U'h'), std::nullopt);
+    EXPECT_EQ(command_for_character(U'ä'), std::nullopt);
+    EXPECT_EQ(command_for_character(0), std::nullopt);
+}
+
+}  // namespace sphereview

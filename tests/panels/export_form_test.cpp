@@ -1,0 +1,149 @@
+#include <gtest/gtest.h>
+
+#include "image/image.hpp"
+#include "panels/dialog_harness.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace sphereview {
+
+namespace {
+
+class ExportDialog : public testing::Test {
+protected:
+    test::TemporaryFolder folder;
+    DialogHarness harness;
+    std::vector<std::string> accepted;  // "PATH WIDTHxHEIGHT"
+
+    ExportForm form() {
+        ExportForm form;
+        form.path = folder.path("four.png");
+        form.accept = [this](const std::string& path, PictureSize size) {
+            accepted.push_back(path + " " + std::to_string(size.width) + "x" + std::to_string(size.height));
+        };
+        return form;
+    }
+    std::string fault_with(int width, int height, const std::string& path = "/four.png") {
+        ExportForm tried;
+        tried.path = path;
+        tried.folder = folder.path();
+        tried.width = width;
+        tried.height = height;
+        return fault_of(tried);
+    }
+};
+
+using Accepted = std::vector<std::string>;
+
+}  // namespace
+
+TEST_F(ExportDialog, GivesNameAndSize) {
+    harness.put(form());
+    EXPECT_EQ(harness.top_id(), "export");
+    harness.type_over("export path", folder.path("other"));
+    harness.type_over("export width", "300");
+    harness.type_over("export height", "200");
+    harness.click("export ok");
+    EXPECT_EQ(accepted, Accepted{folder.path("other.png") + " 300x200"});
+    EXPECT_TRUE(harness.dialogs.empty());
+}
+
+TEST_F(ExportDialog, IsUsedByKeyboardAlone) {
+    harness.put(form());
+    // The name has the focus, and is replaced by what is typed.
+    harness.panels.type("typed.png");
+    harness.enter();
+    EXPECT_EQ(accepted, Accepted{folder.path("typed.png") + " 1000x1000"}) << "a relative name lies beside the one that was there";
+    harness.put(form());
+    harness.escape();
+    EXPECT_EQ(accepted.size(), 1U);
+    EXPECT_TRUE(harness.dialogs.empty());
+}
+
+TEST_F(ExportDialog, HasPresets) {
+    ExportForm with_view = form();
+    with_view.view = PictureSize{1234, 567};
+    harness.put(with_view);
+    harness.click("export 1920 x 1080");
+    EXPECT_EQ(harness.top<ExportForm>().width, 1920);
+    EXPECT_EQ(harness.top<ExportForm>().height, 1080);
+    harness.click("export view");
+    EXPECT_EQ(harness.top<ExportForm>().width, 1234);
+    EXPECT_EQ(harness.top<ExportForm>().height, 567);
+    harness.click("export cancel");
+    EXPECT_TRUE(harness.dialogs.empty());
+    EXPECT_TRUE(accepted.empty());
+}
+
+TEST_F(ExportDialog, RefusesWhatIsNoPicture) {
+    EXPECT_EQ(ExportForm{}.most_pixels, most_pixels);
+    EXPECT_EQ(fault_with(1000, 1000), "");
+    EXPECT_EQ(fault_with(1, 429'496'729), "");
+    EXPECT_EQ(fault_with(1, 429'496'730), "At most 429,496,729 pixels, please; these are 429,496,730.");
+    EXPECT_EQ(fault_with(2'147'483'647, 2'147'483'647), "At most 429,496,729 pixels, please; these are 4,611,686,014,132,420,609.");
+    for (const auto& [width, height] : {std::pair{0, 5}, {5, 0}, {-1, -1}, {0, 0}}) {
+        EXPECT_EQ(fault_with(width, height), "Each side needs at least 1 pixel.");
+    }
+    EXPECT_EQ(fault_with(5, 5, "  "), "The file needs a name.");
+    EXPECT_EQ(fault_with(5, 5, folder.path()), "This is a folder: the file needs a name.");
+    EXPECT_EQ(fault_with(5, 5, folder.path("no/four.png")), "There is no folder " + folder.path("no") + ".");
+    folder.write("folder.png/file", "");
+    EXPECT_EQ(fault_with(5, 5, "folder"), "This is a folder: the file needs a name.");
+}
+
+TEST_F(ExportDialog, StaysWhileSomethingIsWrong) {
+    harness.put(form());
+    for (const char* width : {"0", "-5", "99999999999999999999"}) {
+        harness.type_over("export width", width);
+        harness.enter();
+        harness.click("export ok");
+        EXPECT_EQ(harness.top_id(), "export") << width;
+        EXPECT_NE(fault_of(harness.top<ExportForm>()), "") << width;
+    }
+    harness.type_over("export width", "5");
+    harness.type_over("export path", "");
+    harness.enter();
+    EXPECT_EQ(harness.top_id(), "export");
+    EXPECT_TRUE(accepted.empty());
+    harness.type_over("export path", folder.path("good.png"));
+    harness.enter();
+    EXPECT_EQ(accepted, Accepted{folder.path("good.png") + " 5x1000"});
+}
+
+TEST_F(ExportDialog, AsksBeforeItReplaces) {
+    folder.write("four.png", "old");
+    harness.put(form());
+    harness.click("export ok");
+    EXPECT_EQ(harness.top_id(), "replace");
+    harness.escape();
+    EXPECT_EQ(harness.top_id(), "export") << "another name can be tried";
+    harness.enter();
+    EXPECT_EQ(harness.top_id(), "replace");
+    harness.enter();
+    EXPECT_EQ(harness.top_id(), "export") << "two quick presses of Enter replace nothing";
+    EXPECT_TRUE(accepted.empty());
+    harness.enter();
+    harness.click("answer Replace");
+    EXPECT_EQ(accepted, Accepted{folder.path("four.png") + " 1000x1000"});
+    EXPECT_TRUE(harness.dialogs.empty());
+}
+
+TEST_F(ExportDialog, ComesBackWithTheErrorOfWhoWrites) {
+    ExportForm failing = form();
+    failing.accept = [this](const std::string& path, PictureSize) {
+        ExportForm again = form();
+        again.path = path;
+        again.error = "cannot write: the disk is full";
+        harness.dialogs.emplace_back(again);
+    };
+    harness.put(failing);
+    harness.enter();
+    harness.panels.frames(4);
+    EXPECT_EQ(harness.top_id(), "export");
+    EXPECT_NE(harness.panels.text().find("the disk is full"), std::string::npos);
+    harness.type_over("export path", folder.path("other.png"));
+    EXPECT_EQ(harness.panels.text().find("the disk is full"), std::string::npos) << "of another name nothing is known yet";
+    harness.enter();
+    EXPECT_EQ(accepted, Accepted{folder.path("other.png") + " 1000x1000"});
+}
+
+}  // namespace sphereview
