@@ -1,6 +1,5 @@
 // sphereview explain: the arithmetic of one pixel, to be checked with pen and paper.
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.hpp"
@@ -10,6 +9,7 @@
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "exact/explain.hpp"
+#include "exact/explain_words.hpp"
 
 namespace sphereview {
 
@@ -17,50 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* unshown_small = "too small for a double to show; decided exactly";
-constexpr const char* unshown_large = "too large for a double to show; decided exactly";
-
-// Signs are known exactly where a double has become 0 or infinite: what is shown must not contradict what was decided.
-std::string in_words(double value, int sign) {
-    const std::string side = sign > 0 ? "(above 0, " : "(below 0, ";
-    if (std::isinf(value)) return (value > 0.0 ? "(above 0, " : "(below 0, ") + std::string(unshown_large) + ")";
-    if (value == 0.0 && sign != 0) return side + unshown_small + ")";
-    return shortest(value + 0.0);  // -0 becomes 0
-}
-
-std::string in_words(const glm::dvec3& v) {
-    const auto part = [](double value) {
-        return std::isinf(value) ? (value > 0.0 ? "" : "-") + std::string("(too large for a double)") : shortest(value + 0.0);
-    };
-    return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
-}
-
-// The explanation has 100 digits: where the centre is larger than the radius by more, nothing is left of the difference.
-bool is_lost(const glm::dvec3& normal) { return !(std::fabs(glm::dot(normal, normal) - 1.0) < 1e-9); }
-
 std::string in_words(const Color& color) {
     return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
-}
-
-const char* why(const ExplainedHit& hit) {
-    const bool tangent = hit.discriminant_sign == 0;
-    switch (hit.counts) {
-        case CountingRoot::t1:
-            return tangent ? "one root, positive: the ray is tangent, and t1 = t2 counts"
-                           : "both roots are positive (c > 0: the eye is outside, and b < 0): the smaller, t1, counts";
-        case CountingRoot::t2_inside: return "c < 0: the eye is inside the sphere, so t1 < 0 < t2, and t2 counts";
-        case CountingRoot::t2_surface: return "c = 0: the eye is on the surface; t1 = 0 is not positive, and t2 counts";
-    }
-    return "";
-}
-
-const char* level_in_words(DecisionLevel level) {
-    switch (level) {
-        case DecisionLevel::in_float: return "float arithmetic, with its proven error bound, is enough to decide this pixel";
-        case DecisionLevel::in_double: return "too close for float arithmetic; double, with its proven error bound, decides";
-        case DecisionLevel::exactly: return "too close for float and double; only exact arithmetic decides";
-    }
-    return "";
 }
 
 std::string title(const Scene& scene, std::int32_t number) {
@@ -73,22 +31,17 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
     std::string text;
     const auto line = [&](const std::string& what) { text += "  " + what + "\n"; };
-    text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + in_words(sphere.center) +
+    text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + vector_in_words(sphere.center) +
             ", r = " + shortest(sphere.radius) + "\n";
-    const int c_sign = hit.eye == EyeSide::outside ? 1 : hit.eye == EyeSide::inside ? -1 : 0;
-    const int b_sign = c_sign >= 0 ? -1 : 0;  // a hit in front of the eye, or nothing known
-    line("a = D.D                     = " + in_words(hit.a, 1));
-    line("b = 2 D.(O - C)             = " + in_words(hit.b, b_sign));
-    line("c = (O - C).(O - C) - r^2   = " + in_words(hit.c, c_sign));
-    line("discriminant = b^2 - 4 a c  = " + in_words(hit.discriminant, hit.discriminant_sign) +
-         (hit.discriminant_sign > 0 ? "  > 0: two roots" : "  = 0 exactly: tangent, one root"));
-    line("t1 = (-b - sqrt(discriminant)) / (2 a)  = " + in_words(hit.t1, c_sign));
-    const bool too_near = hit.discriminant_sign > 0 && hit.t1 == hit.t2 && hit.t2 != 0.0 && std::isfinite(hit.t2);
-    line("t2 = (-b + sqrt(discriminant)) / (2 a)  = " + in_words(hit.t2, 1) +
-         (too_near ? "  (larger than t1 by too little for a double to show)" : ""));
+    const HitInWords words = in_words(hit);
+    line("a = D.D                     = " + words.a);
+    line("b = 2 D.(O - C)             = " + words.b);
+    line("c = (O - C).(O - C) - r^2   = " + words.c);
+    line("discriminant = b^2 - 4 a c  = " + words.discriminant + "  " + words.roots);
+    line("t1 = (-b - sqrt(discriminant)) / (2 a)  = " + words.t1);
+    line("t2 = (-b + sqrt(discriminant)) / (2 a)  = " + words.t2);
     line(why(hit));
-    line("t = " + in_words(hit.t, 1) + ", point O + t D = " + in_words(hit.point) +
-         ", normal (point - C) / r = " + (is_lost(hit.normal) ? "(r is too small beside C to show it)" : in_words(hit.normal)));
+    line("t = " + words.t + ", point O + t D = " + words.point + ", normal (point - C) / r = " + words.normal);
     if (hit.as_near_as_last) line("exactly as near as the sphere before it, which comes first in the file");
     return text + "\n";
 }
@@ -98,7 +51,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
     const PictureSize size = options.size;
     std::string text = "pixel " + std::to_string(options.pixel.x) + "," + std::to_string(options.pixel.y) + " of " + name + " at " +
                        std::to_string(size.width) + "x" + std::to_string(size.height) + " (0,0 is the top left)\n\n";
-    text += "ray P = O + t D\n  O = " + in_words(e.origin) + "  the eye\n  D = " + in_words(e.direction) +
+    text += "ray P = O + t D\n  O = " + vector_in_words(e.origin) + "  the eye\n  D = " + vector_in_words(e.direction) +
             "  through the pixel's centre, where t = 1\n\n";
     for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);
     text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) +

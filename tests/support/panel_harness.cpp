@@ -130,25 +130,25 @@ void PanelHarness::drag(ImVec2 from, ImVec2 to, int steps) {
     frames();
 }
 
-void PanelHarness::set_key(ImGuiKey_ key, bool down) {
+void PanelHarness::set_key(ImGuiKey key, bool down) {
 #if IMGUI_VERSION_NUM < 18700
     ImGui::GetIO().KeysDown[key] = down;
 #else
-    ImGui::GetIO().AddKeyEvent(static_cast<ImGuiKey>(key), down);
+    ImGui::GetIO().AddKeyEvent(key, down);
 #endif
 }
 
-void PanelHarness::hold(ImGuiKey_ key) {
+void PanelHarness::hold(ImGuiKey key) {
     set_key(key, true);
     frames();
 }
 
-void PanelHarness::let_go(ImGuiKey_ key) {
+void PanelHarness::let_go(ImGuiKey key) {
     set_key(key, false);
     frames();
 }
 
-void PanelHarness::tap(ImGuiKey_ key) {
+void PanelHarness::tap(ImGuiKey key) {
     hold(key);
     let_go(key);
     frames();

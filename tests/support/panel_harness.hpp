@@ -69,9 +69,9 @@ public:
     void drag(ImVec2 from, ImVec2 to, int steps = 8);
 
     // Held until let_go().
-    void hold(ImGuiKey_ key);
-    void let_go(ImGuiKey_ key);
-    void tap(ImGuiKey_ key);
+    void hold(ImGuiKey key);
+    void let_go(ImGuiKey key);
+    void tap(ImGuiKey key);
     void type(const std::string& utf8);
     // Modifiers stay until set otherwise.
     void modifiers(bool ctrl, bool shift = false);
@@ -83,7 +83,7 @@ public:
 
 private:
     void frame(double seconds);
-    void set_key(ImGuiKey_ key, bool down);
+    void set_key(ImGuiKey key, bool down);
 
     Draw draw_;
     SceneBounds bounds_;
