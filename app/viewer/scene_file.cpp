@@ -190,13 +190,9 @@ void look_at_file(ViewerState& state) {
 void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept) {
     if (SystemFileDialog::available()) {
         if (state.system_dialog) return;  // one at a time
-        FileDialogOptions options;
-        options.saving = question.saving;
-        options.title = question.title;
-        options.folder = question.folder;
-        options.name = question.name;
-        options.filters = {{"Scenes", question.endings}};
-        state.system_dialog = OpenSystemDialog{std::make_unique<SystemFileDialog>(options, state.wake), std::move(accept)};
+        const FileDialogRequest request{
+            question.saving, question.title, question.folder, question.name, {{"Scenes", question.endings}, {"All files", {}}}};
+        state.system_dialog.emplace(std::make_unique<SystemFileDialog>(request, state.wake), std::move(accept));
         return;
     }
     FileBrowser browser;

@@ -88,8 +88,8 @@ void Viewer::finish_system_dialog() {
     if (!result) return;
     const auto accept = std::move(state_.system_dialog->accept);
     state_.system_dialog.reset();
-    if (result->outcome == SystemFileDialog::Outcome::chosen) accept(result->path);
-    if (result->outcome == SystemFileDialog::Outcome::failed) report_error(state_, "The file dialog failed", result->reason);
+    if (const auto* chosen = std::get_if<FileChosen>(&*result)) accept(chosen->path);
+    if (const auto* failed = std::get_if<FileDialogFailed>(&*result)) report_error(state_, "The file dialog failed", failed->reason);
     pacing_.touch();
 }
 

@@ -33,6 +33,9 @@ struct FileStamp {
 
 // A dialog of the system that is open, and what its answer is for.
 struct OpenSystemDialog {
+    OpenSystemDialog(std::unique_ptr<SystemFileDialog> opened, std::function<void(const std::string&)> on_accept)
+        : dialog(std::move(opened)), accept(std::move(on_accept)) {}
+
     std::unique_ptr<SystemFileDialog> dialog;
     std::function<void(const std::string& path)> accept;
 };

@@ -9,12 +9,14 @@
 namespace sphereview {
 
 // Watches files from a thread of its own. A file that is replaced by a rename, or deleted and written again, is followed by
-// its name. On Linux the system tells (inotify on the folders); elsewhere, and where that fails, it looks twice a second at
-// time, size and identity.
+// its name, also through symbolic links. On Linux the system tells (inotify on the folders), and the thread sleeps until then;
+// elsewhere, and where that fails, it looks twice a second at time, size and identity.
 class FileWatcher {
 public:
+    enum class Method { system, looking };
+
     // `on_change` is called from the watcher's thread whenever take_changed() may have something to say.
-    explicit FileWatcher(std::function<void()> on_change);
+    explicit FileWatcher(std::function<void()> on_change, Method method = Method::system);
     ~FileWatcher();
     FileWatcher(const FileWatcher&) = delete;
     FileWatcher& operator=(const FileWatcher&) = delete;

@@ -1,0 +1,127 @@
+#include "base/user_folders.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace sphereview {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* program = "sphereview";
+
+// What the variable names, if that is an absolute path: all others are to be ignored (XDG Base Directory Specification).
+#ifdef _WIN32
+fs::path from_environment(const wchar_t* variable) {
+    const wchar_t* value = _wgetenv(variable);
+#else
+fs::path from_environment(const char* variable) {
+    const char* value = std::getenv(variable);
+#endif
+    const fs::path path = value == nullptr ? fs::path() : fs::path(value);
+    return path.is_absolute() ? path : fs::path();
+}
+
+fs::path below(const fs::path& folder, const fs::path& name) { return folder.empty() ? fs::path() : folder / name; }
+
+#ifdef _WIN32
+
+fs::path home_folder() { return from_environment(L"USERPROFILE"); }
+
+#else
+
+fs::path home_folder() { return from_environment("HOME"); }
+
+#endif
+
+#if !defined(_WIN32) && !defined(__APPLE__)
+
+// A folder of the user's own choice, or the one that the specification gives.
+fs::path xdg_folder(const char* variable, const char* otherwise) {
+    const fs::path chosen = from_environment(variable);
+    return chosen.empty() ? below(home_folder(), otherwise) : chosen;
+}
+
+// What a line `XDG_PICTURES_DIR="$HOME/Pictures"` says, "" for any other line. A backslash stands before a character that a
+// shell would take otherwise.
+fs::path pictures_in(std::string_view line) {
+    constexpr std::string_view begin = "XDG_PICTURES_DIR=\"";
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (!line.starts_with(begin)) return {};
+    line.remove_prefix(begin.size());
+    constexpr std::string_view home = "$HOME";
+    const bool in_home = line.starts_with(home);
+    if (in_home) line.remove_prefix(home.size());
+    std::string path;
+    for (std::size_t i = 0; i < line.size() && line[i] != '"'; ++i) {
+        if (line[i] == '\\' && i + 1 < line.size()) ++i;
+        path += line[i];
+    }
+    if (!path.empty() && path[0] != '/') return {};
+    if (in_home) return home_folder().empty() ? fs::path() : fs::path(home_folder().string() + path);
+    return path;
+}
+
+// By the file of xdg-user-dirs; empty when it says nothing. The last line counts, as for a shell.
+fs::path chosen_pictures_folder() {
+    const fs::path config = xdg_folder("XDG_CONFIG_HOME", ".config");
+    if (config.empty()) return {};
+    std::ifstream file(config / "user-dirs.dirs");
+    fs::path chosen;
+    for (std::string line; std::getline(file, line);) {
+        const fs::path pictures = pictures_in(line);
+        if (!pictures.empty()) chosen = pictures;
+    }
+    return chosen;
+}
+
+#else
+
+fs::path chosen_pictures_folder() { return {}; }
+
+#endif
+
+bool is_folder(const fs::path& path) {
+    std::error_code ignored;
+    return !path.empty() && fs::is_directory(path, ignored);
+}
+
+}  // namespace
+
+#ifdef _WIN32
+fs::path config_folder() { return below(from_environment(L"APPDATA"), program); }
+fs::path state_folder() { return below(from_environment(L"LOCALAPPDATA"), program); }
+#elif defined(__APPLE__)
+fs::path config_folder() { return below(home_folder(), fs::path("Library/Application Support") / program); }
+fs::path state_folder() { return config_folder(); }
+#else
+fs::path config_folder() { return below(xdg_folder("XDG_CONFIG_HOME", ".config"), program); }
+fs::path state_folder() { return below(xdg_folder("XDG_STATE_HOME", ".local/state"), program); }
+#endif
+
+fs::path pictures_folder() {
+    const fs::path home = home_folder();
+    const fs::path chosen = chosen_pictures_folder();
+    const fs::path pictures = chosen.empty() ? below(home, "Pictures") : chosen;
+    if (is_folder(pictures)) return pictures;
+    if (is_folder(home)) return home;
+    std::error_code error;
+    return fs::temp_directory_path(error);
+}
+
+bool make_user_folder(const fs::path& folder) {
+    std::error_code error;
+    if (folder.empty()) return false;
+    if (fs::is_directory(folder, error)) return true;
+    if (folder.has_parent_path() && folder.parent_path() != folder && !make_user_folder(folder.parent_path())) return false;
+    // Another process may have made it meanwhile: then it is there, but is not ours to change.
+    if (fs::create_directory(folder, error)) fs::permissions(folder, fs::perms::owner_all, error);
+    return fs::is_directory(folder, error);
+}
+
+}  // namespace sphereview
