@@ -40,7 +40,7 @@ void read_scene(ViewerState& state, const std::string& path) {
         adopt(state, std::move(loaded.scene), path, loaded.format);
         state.stamp = stamp;
     } catch (...) {
-        state.settings.remove_recent(absolute_path(path));
+        remove_recent(state.settings, absolute_path(path));
         report_error(state, "The scene cannot be opened", describe_current_exception(path).message);
     }
 }
@@ -72,7 +72,7 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
     state.stamp = stamp_of(path);
     state.document.mark_saved();
     state.messages.scene_error.clear();
-    state.settings.add_recent(path);
+    add_recent(state.settings, path);
     announce(state, "Saved " + path);
     then();
 }
@@ -123,7 +123,7 @@ void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat
     state.stamp.reset();
     if (has_file) {
         state.stamp = stamp_of(state.path);
-        state.settings.add_recent(state.path);
+        add_recent(state.settings, state.path);
     }
     go_home(state);
 }

@@ -1,4 +1,5 @@
 // sphereview [SCENE]: the window.
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 
@@ -6,6 +7,7 @@
 #include "app/load_scene.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/interrupt.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/viewer.hpp"
@@ -34,12 +36,12 @@ void save_for_recovery(const ViewerState& state) {
 }
 
 void recover(ViewerState& state, const Recovery& recovery) {
-    const std::string path = recovery.original_path;
+    const std::string path = recovery.original;
     try {
-        Scene scene = load_scene(recovery.file.string()).scene;
+        Scene scene = load_scene(recovery.file).scene;
         adopt(state, std::move(scene), path, path.empty() ? SceneFormat::toml : format_of_name(path));
         state.document.mark_unsaved();
-        remove_recovery(recovery);
+        remove_recovery(recovery.file);
         announce(state, "Recovered the unsaved changes of " + state.name());
     } catch (const std::exception& error) {
         report_error(state, "The changes cannot be recovered", error.what());
@@ -52,12 +54,12 @@ void offer_recovery(ViewerState& state) {
         question.id = "recover";
         question.title = "Recover unsaved changes?";
         question.text = "sphereview ended with unsaved changes of " +
-                        (recovery.original_path.empty() ? std::string("an untitled scene") : recovery.original_path) + ".";
+                        (recovery.original.empty() ? std::string("an untitled scene") : recovery.original) + ".";
         question.answers = {"Recover", "Discard", "Later"};
         question.cancel = 2;
         question.answer = [&state, recovery](int answer) {
             if (answer == 0) recover(state, recovery);
-            if (answer == 1) remove_recovery(recovery);
+            if (answer == 1) remove_recovery(recovery.file);
         };
         state.dialogs.push_back(std::move(question));
     }
@@ -72,6 +74,11 @@ void load_first_scene(ViewerState& state) {
 }  // namespace
 
 ExitCode run_view(const ViewOptions& options) {
+    static std::atomic<int> interrupted = 0;
+    pass_interrupts_to([](int signal_number) {
+        interrupted = signal_number;
+        Window::wake();
+    });
     ViewerState state(options, load_settings());
     state.background = options.background;
     if (options.size) {
@@ -87,12 +94,17 @@ ExitCode run_view(const ViewOptions& options) {
         Viewer viewer(state, window);
         window.show();
         try {
-            viewer.run();
+            viewer.run([] { return interrupted.load() != 0; });
         } catch (...) {
             save_for_recovery(state);
             throw;
         }
         open_state = nullptr;
+        if (interrupted != 0) {
+            save_for_recovery(state);
+            save_settings(state.settings);
+            return static_cast<ExitCode>(128 + interrupted.load());
+        }
         state.settings.place = window.place();
     } catch (const RenderError& error) {
         throw RenderError(std::string("sphereview: ") + error.what() +

@@ -57,8 +57,8 @@ Viewer::Viewer(ViewerState& state, Window& window)
     facts_.status.renderer = renderer_;
 }
 
-void Viewer::run() {
-    while (!state_.quits) {
+void Viewer::run(const std::function<bool()>& interrupted) {
+    while (!state_.quits && !interrupted()) {
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) draw_frame();
     }
@@ -192,6 +192,7 @@ void Viewer::draw_frame() {
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
     use_mouse(context, facts_.keys.escape);
+    if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
     imgui_.end_frame();
 
     perform(state_, std::move(actions));

@@ -1,6 +1,7 @@
 // The window's loop: input, panels, edits, picture; and rest when there is nothing to do.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -21,8 +22,8 @@ public:
     // The window's context must be current.
     Viewer(ViewerState& state, Window& window);
 
-    // Until the person quits. Throws RenderError when the window's context is lost.
-    void run();
+    // Until the person quits or interrupted() says so, after a wake(). Throws RenderError when the window's context is lost.
+    void run(const std::function<bool()>& interrupted);
 
 private:
     void wait_for_work();

@@ -6,9 +6,14 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #ifndef _WIN32
+#include <fcntl.h>
 #include <unistd.h>
+
+#include <cerrno>
+#include <thread>
 #endif
 
 namespace sphereview {
@@ -20,11 +25,21 @@ std::array<char, 4096> unfinished_path{};
 std::atomic<bool> unfinished = false;
 std::atomic<bool> progress_bar_shown = false;
 
+#ifndef _WIN32
+// Where the handler writes a signal's number to, once.
+std::atomic<int> passing_pipe = -1;
+#endif
+
 extern "C" void on_interrupt(int signal_number) {
 #ifdef _WIN32
     if (unfinished.load()) std::remove(unfinished_path.data());
     std::_Exit(128 + signal_number);
 #else
+    const int pipe_end = passing_pipe.exchange(-1);
+    if (pipe_end >= 0) {
+        const auto number = static_cast<unsigned char>(signal_number);
+        if (write(pipe_end, &number, 1) == 1) return;
+    }
     if (unfinished.load()) unlink(unfinished_path.data());
     if (progress_bar_shown.load()) {
         constexpr char clear_line[] = "\r\x1b[K";
@@ -47,6 +62,25 @@ void install_interrupt_handlers() {
     handle_unless_ignored(SIGHUP);
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
+#endif
+}
+
+void pass_interrupts_to(std::function<void(int)> act) {
+#ifdef _WIN32
+    static_cast<void>(act);
+#else
+    std::array<int, 2> ends{};
+    if (pipe(ends.data()) != 0) return;  // signals go on ending the process
+    for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
+    std::thread([read_end = ends[0], act = std::move(act)] {
+        unsigned char number = 0;
+        ssize_t count = 0;
+        do {
+            count = read(read_end, &number, 1);
+        } while (count < 0 && errno == EINTR);
+        if (count == 1) act(number);
+    }).detach();
+    passing_pipe.store(ends[1]);
 #endif
 }
 

@@ -1,6 +1,7 @@
 // What must not be left behind when a person or the system interrupts the program.
 #pragma once
 
+#include <functional>
 #include <string>
 
 namespace sphereview {
@@ -9,6 +10,11 @@ namespace sphereview {
 // with status 128 + signal, wherever it is, also inside a driver. A signal that was ignored stays ignored. Writing beyond a
 // file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
 void install_interrupt_handlers();
+
+// From now on the first of these signals is passed to `act`, called with the signal's number on a thread of its own, so that a program
+// with unsaved work can keep that; a second one ends the process as above. Where there are no POSIX signals it does nothing.
+// Call once.
+void pass_interrupts_to(std::function<void(int)> act);
 
 // Names the one temporary file that an interruption removes, for as long as this object lives.
 class UnfinishedFile {
