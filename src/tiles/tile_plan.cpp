@@ -58,7 +58,7 @@ double cost(const TilePlan& plan, std::span<const PixelRange> sample, double wei
 
 TilePlan plan_tiles(std::span<const PixelRange> sample, std::size_t count, PictureSize size, const TileCosts& costs) {
     // Few spheres may cover many tiles each. Many may not: what all lists hold together stays in proportion to them.
-    const auto most_tiles = std::max<std::int64_t>(16, (1 << 18) / (static_cast<std::int64_t>(count) + 1));
+    const auto most_tiles = std::max<std::int64_t>(16, costs.shared_budget / (static_cast<std::int64_t>(count) + 1));
     const std::int64_t table_limit = std::max<std::int64_t>(1 << 20, static_cast<std::int64_t>(count));
     const double weight = static_cast<double>(count) / static_cast<double>(sample.size());
     constexpr int coarsest_first = 6;

@@ -188,9 +188,13 @@ TEST(CandidateLists, StayInProportionToTheSpheres) {
     for (const double radius : {0.001, 2.0, 90.0, 900.0}) {
         Scene scene;
         for (int i = 0; i < 50'000; ++i) scene.spheres.push_back(ball({0.001, 0.001, 1000.0 + i * 1e-3}, radius));
-        const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, fine);
-        EXPECT_LE(lists.candidates.size(), 16U * scene.spheres.size()) << radius;
-        EXPECT_LE(lists.levels.size(), most_tile_levels);
+        for (const std::int64_t budget : {std::int64_t{0}, fine.shared_budget}) {
+            TileCosts costs = fine;
+            costs.shared_budget = budget;
+            const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, costs);
+            EXPECT_LE(lists.candidates.size(), std::max(16U * scene.spheres.size(), static_cast<std::size_t>(budget))) << radius;
+            EXPECT_LE(lists.levels.size(), most_tile_levels);
+        }
     }
 }
 
