@@ -33,12 +33,14 @@ void open_gl(OpenBackend& open, Backend backend, const std::string& where,
     open.backend = backend;
     open.description = std::string(name_of(backend)) + " (" + where + ", " + context->renderer() + ")";
     open.gpu = std::move(gpu);
+    open.tile_costs = gpu_tile_costs;
     open.context = std::move(context);
 }
 
 void close(OpenBackend& open) {
     open.gpu.reset();
     open.context.reset();
+    open.tile_costs = cpu_tile_costs;
 }
 
 bool try_egl_device(OpenBackend& open, const EglDevice& device, Timings& timings) {

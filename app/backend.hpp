@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/timings.hpp"
+#include "cpu/cpu_renderer.hpp"
 #include "gpu/gpu_renderer.hpp"
 #include "platform/gl_context.hpp"
 
@@ -31,6 +32,7 @@ struct OpenBackend {
     std::vector<std::string> passed_over;  // each better one that failed, with the reason
     std::unique_ptr<GlContext> context;    // before `gpu`, which must be destroyed first
     std::optional<GpuRenderer> gpu;
+    TileCosts tile_costs = cpu_tile_costs;  // the renderer's
 };
 
 // Opens what was asked for: automatic tries EGL on hardware, EGL in software, OSMesa, CPU; each through to a drawn pixel.

@@ -119,7 +119,7 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     const PictureSize size = options.size;
     const CandidateLists lists = [&] {
         const PhaseTimer timer(timings, Phase::lists);
-        return build_lists(drawn, scene.camera, size, backend.gpu ? gpu_tile_costs : cpu_tile_costs);
+        return build_lists(drawn, scene.camera, size, backend.tile_costs);
     }();
     PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress);
     describe(lists, facts);

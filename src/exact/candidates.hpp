@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "base/uninitialized.hpp"
+
 namespace sphereview {
 
 // Columns left..right and rows top..bottom of a picture, all inclusive; empty when right < left or bottom < top.
@@ -43,7 +45,7 @@ inline constexpr std::size_t most_tile_levels = 8;
 struct CandidateLists {
     std::vector<TileLevel> levels;               // at most most_tile_levels; only those in which something is listed
     std::vector<std::uint32_t> begins = {0, 0};  // where each tile's list begins; one more, for the end of the last
-    std::vector<Candidate> candidates;
+    UninitializedVector<Candidate> candidates;
     PixelRange covered;  // outside it no pixel shows a sphere
 
     // The list of the level's tile in which pixel (x, y) lies.

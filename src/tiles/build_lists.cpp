@@ -5,11 +5,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/uninitialized.hpp"
 #include "tiles/pixel_range.hpp"
 #include "tiles/tile_plan.hpp"
 
@@ -132,16 +134,21 @@ void fill(const Band& band, const Entry* begin, const Entry* end, std::size_t fi
     }
 }
 
-// The smallest range that holds all.
-PixelRange united(const std::vector<PixelRange>& ranges) {
-    constexpr std::int32_t far = std::numeric_limits<std::int32_t>::max();
-    PixelRange all{far, far, -1, -1};
-    for (const PixelRange& range : ranges) {
-        if (range.empty()) continue;
-        all = {std::min(all.left, range.left), std::min(all.top, range.top), std::max(all.right, range.right),
-               std::max(all.bottom, range.bottom)};
+// The smallest range that holds both.
+PixelRange united(const PixelRange& a, const PixelRange& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+
+// Tiles that suit some of the spheres suit all.
+TilePlan plan_by_sample(const DrawnSpheres& spheres, const PixelPlanes& planes, PictureSize size, const TileCosts& costs) {
+    constexpr std::size_t sample_size = 5'000;
+    std::vector<PixelRange> sample;
+    for (std::size_t i = 0; i < spheres.size(); i += spheres.size() / sample_size + 1) {
+        sample.push_back(planes.range(spheres.center_radius[i]));
     }
-    return all;
+    return plan_tiles(sample, spheres.size(), size, costs);
 }
 
 }  // namespace
@@ -150,30 +157,29 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
     CandidateLists lists;
     if (spheres.size() == 0) return lists;
     const PixelPlanes planes(camera, size);
-    std::vector<PixelRange> ranges(spheres.size());
-    parallel_pieces(ranges.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) ranges[i] = planes.range(spheres.center_radius[i]);
-    });
-    lists.covered = united(ranges);
-    const TilePlan plan = plan_tiles(ranges, size, costs);
+    const TilePlan plan = plan_by_sample(spheres, planes, size, costs);
     const Bands bands(plan, size);
 
     // Into the bands first: writing straight into lists all over memory would take most of the time.
+    UninitializedVector<PixelRange> ranges(spheres.size());
     const std::size_t piece = std::max(spheres_at_once, ranges.size() / 64 + 1);
     const std::size_t pieces = (ranges.size() + piece - 1) / piece;
     std::vector<Share> shares(pieces * bands.size());
-    const auto share_of = [&](std::size_t sphere, std::size_t band) -> Share& {
-        return shares[sphere / piece * bands.size() + band];
-    };
+    std::vector<PixelRange> covered(pieces);
     parallel_pieces(ranges.size(), piece, [&](std::size_t begin, std::size_t end) {
+        planes.ranges(std::span(spheres.center_radius).subspan(begin, end - begin), std::span(ranges).subspan(begin, end - begin));
+        Share* const share = &shares[begin / piece * bands.size()];
+        PixelRange all;
         for (std::size_t i = begin; i < end; ++i) {
+            all = united(all, ranges[i]);
             bands.for_each(ranges[i], [&](std::size_t band, const TileRange& tiles) {
-                Share& share = share_of(i, band);
-                ++share.entries;
-                share.candidates += static_cast<std::size_t>(tiles.count());
+                ++share[band].entries;
+                share[band].candidates += static_cast<std::size_t>(tiles.count());
             });
         }
+        covered[begin / piece] = all;
     });
+    for (const PixelRange& each : covered) lists.covered = united(lists.covered, each);
     std::vector<Share> begins(bands.size() + 1);  // of each band
     Share sum;
     for (std::size_t band = 0; band < bands.size(); ++band) {
@@ -189,12 +195,13 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
         throw RenderError("the lists of its tiles would hold " + std::to_string(sum.candidates) + " spheres, at most 4294967295");
     }
 
-    std::vector<Entry> entries(sum.entries);
+    UninitializedVector<Entry> entries(sum.entries);
     parallel_pieces(ranges.size(), piece, [&](std::size_t begin, std::size_t end) {
+        Share* const share = &shares[begin / piece * bands.size()];
         for (std::size_t i = begin; i < end; ++i) {
             const Candidate candidate = {static_cast<std::uint32_t>(i), nearest_distance(spheres.center_radius[i])};
             bands.for_each(ranges[i], [&](std::size_t band, const TileRange& tiles) {
-                entries[share_of(i, band).entries++] = {candidate, tiles};
+                entries[share[band].entries++] = {candidate, tiles};
             });
         }
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "exact/candidates.hpp"
 #include "exact/drawn.hpp"
@@ -14,6 +15,8 @@ struct TileCosts {
     int smallest_shift = 0;  // no tile's side is below 2^this pixels
     double candidate = 1.0;  // of listing one sphere in one tile
     double test = 1.0;       // of trying one candidate for one pixel
+    // A sphere that would be listed in more tiles than its equal part of this, and in more than 16, is listed in larger ones.
+    std::int64_t shared_budget = 1 << 22;
 };
 
 // What a sphere takes in memory while its lists are built, as a drawn sphere and in them; more when most are large.

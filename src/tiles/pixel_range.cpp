@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/simd.hpp"
 #include "exact/filter.hpp"
 #include "exact/rays.hpp"
 
@@ -11,7 +12,8 @@ namespace sphereview {
 
 namespace {
 
-constexpr double tolerance = 0x1p-22;  // of |x| + |y| + |z| + r: covers the rounding to float and of the planes
+constexpr double tolerance = 0x1p-22;       // of |x| + |y| + |z| + r: covers the rounding to float and of the planes
+constexpr double in_front_factor = 1.0625;  // of the reach, from the eye's plane: all of the ball is in front of it
 
 }  // namespace
 
@@ -54,63 +56,141 @@ PixelRange PixelPlanes::range(const glm::vec4& sphere) const {
     const double radius = sphere.w == 0.0F ? glm::length(center) : std::fabs(static_cast<double>(sphere.w));
     if (!usable_ || distance_sum + radius == 0.0) return everything;
 
-    const Ball ball = {center, radius + tolerance * (distance_sum + radius)};
+    const double reach = radius + tolerance * (distance_sum + radius);
     const double depth = glm::dot(center, view_);
-    if (depth < -ball.reach) return {};
-    const bool wholly_in_front = depth > 1.0625 * ball.reach;
-    const Interval columns = wholly_in_front ? in_front(columns_, ball) : anywhere(columns_, ball);
-    if (columns.last < columns.first) return {};
-    const Interval rows = wholly_in_front ? in_front(rows_, ball) : anywhere(rows_, ball);
-    return {columns.first, rows.first, columns.last, rows.last};
+    if (depth < -reach) return {};
+    const bool wholly_in_front = depth > in_front_factor * reach;
+    const auto interval = [&](const Axis& axis) {
+        const Product ball = product(axis, center.x, center.y, center.z, reach);
+        return wholly_in_front ? in_front(axis, ball) : anywhere(axis, ball);
+    };
+    const Interval columns = interval(columns_);
+    return columns.last < columns.first ? PixelRange() : range_of(columns, interval(rows_));
 }
 
-int PixelPlanes::side(const Axis& axis, double base, double step, double reach, int i) {
+PixelRange PixelPlanes::range_of(const Interval& columns, const Interval& rows) {
+    return {static_cast<int>(columns.first), static_cast<int>(rows.first), static_cast<int>(columns.last),
+            static_cast<int>(rows.last)};
+}
+
+PixelPlanes::Product PixelPlanes::product(const Axis& axis, double x, double y, double z, double reach) {
+    return {x * axis.base.x + y * axis.base.y + z * axis.base.z, x * axis.step.x + y * axis.step.y + z * axis.step.z, reach};
+}
+
+PixelPlanes::Margins PixelPlanes::margins(const Axis& axis, const Product& ball, double i) {
     const double a = 2.0 * i + 1.0 - axis.count;
-    const double product = base + a * step;
+    const double product = ball.base + a * ball.step;
     const double normal_square = axis.base_base + a * (2.0 * axis.base_step + a * axis.step_step);
-    if (!(product * product > reach * reach * normal_square)) return 0;
-    return product > 0.0 ? 1 : -1;
+    const double square = product * std::fabs(product);
+    const double reach_square = ball.reach * ball.reach * normal_square;
+    return {-square - reach_square, square - reach_square};
 }
 
-PixelPlanes::Interval PixelPlanes::in_front(const Axis& axis, const Ball& ball) {
-    const double base = glm::dot(ball.center, axis.base);
-    const double step = glm::dot(ball.center, axis.step);
-    // Planes that touch: (base + x step)^2 = reach^2 (base_base + 2 x base_step + x^2 step_step). The solutions are only a
-    // guess, so that their rounding does not matter.
+PixelPlanes::Interval PixelPlanes::guess(const Axis& axis, const Product& ball) {
+    // Planes that touch: (base + x step)^2 = reach^2 (base_base + 2 x base_step + x^2 step_step). Rounding does not matter.
     const double reach_square = ball.reach * ball.reach;
-    const double a = step * step - reach_square * axis.step_step;
-    const double half_b = base * step - reach_square * axis.base_step;
-    const double c = base * base - reach_square * axis.base_base;
-    const double root = std::sqrt(std::max(0.0, half_b * half_b - a * c));
+    const double a = ball.step * ball.step - reach_square * axis.step_step;
+    const double half_b = ball.base * ball.step - reach_square * axis.base_step;
+    const double c = ball.base * ball.base - reach_square * axis.base_base;
+    const double square = half_b * half_b - a * c;
+    const double root = std::sqrt(square > 0.0 ? square : 0.0);
     const double inverse = 1.0 / a;
     const double limit = axis.count;
     // Not std::clamp, which passes on what is not a number.
     const auto number_at = [=](double x) {
         const double i = (x - 1.0 + limit) / 2.0;
-        return i > -1.0 ? (i < limit ? i : limit) : -1.0;
+        const double at_least = i > -1.0 ? i : -1.0;
+        return at_least < limit ? at_least : limit;
     };
-    int first = static_cast<int>(std::ceil(number_at((-half_b - root) * inverse)));
-    int last = static_cast<int>(std::floor(number_at((-half_b + root) * inverse)));
+    // Conversion rounds towards 0, with SIMD on any processor.
+    const auto towards_zero = [](double x) { return static_cast<double>(static_cast<int>(x)); };
+    const double x_first = number_at((-half_b - root) * inverse);
+    const double x_last = number_at((-half_b + root) * inverse);
+    const double first = towards_zero(x_first) + (towards_zero(x_first) < x_first ? 1.0 : 0.0);
+    const double last = towards_zero(x_last) - (towards_zero(x_last) > x_last ? 1.0 : 0.0);
+    return {first > 0.0 ? first : 0.0, last < limit - 1.0 ? last : limit - 1.0};
+}
 
+PixelPlanes::Interval PixelPlanes::in_front(const Axis& axis, const Product& ball) {
+    auto [first, last] = guess(axis, ball);
     // Proven: the ball is wholly on the far side of the plane before `first`, and so of all planes before that one.
-    first = std::max(0, first);
-    while (first > 0 && side(axis, base, step, ball.reach, first - 1) <= 0) --first;
-    last = std::min(axis.count - 1, last);
-    while (last < axis.count - 1 && side(axis, base, step, ball.reach, last + 1) >= 0) ++last;
+    while (first > 0.0 && !(margins(axis, ball, first - 1.0).beyond > 0.0)) --first;
+    while (last < axis.count - 1.0 && !(margins(axis, ball, last + 1.0).before > 0.0)) ++last;
     return {first, last};
 }
 
 // The planes end at no horizon: a ball beside the eye, or around it, is tried against each.
-PixelPlanes::Interval PixelPlanes::anywhere(const Axis& axis, const Ball& ball) {
+PixelPlanes::Interval PixelPlanes::anywhere(const Axis& axis, const Product& ball) {
     constexpr int worth_trying = 1 << 15;  // of more pixels than this in a row, all: trying them would take too long
-    if (axis.count > worth_trying) return {0, axis.count - 1};
-    const double base = glm::dot(ball.center, axis.base);
-    const double step = glm::dot(ball.center, axis.step);
-    int first = 0;
-    while (first < axis.count && side(axis, base, step, ball.reach, first) != 0) ++first;
-    int last = axis.count - 1;
-    while (last > first && side(axis, base, step, ball.reach, last) != 0) --last;
+    const double end = axis.count;
+    if (axis.count > worth_trying) return {0.0, end - 1.0};
+    const auto surely_missed = [&](double i) {
+        const Margins margin = margins(axis, ball, i);
+        return margin.before > 0.0 || margin.beyond > 0.0;
+    };
+    double first = 0.0;
+    while (first < end && surely_missed(first)) ++first;
+    double last = end - 1.0;
+    while (last > first && surely_missed(last)) --last;
     return {first, last};
+}
+
+struct PixelPlanes::Lanes {
+    using Lane = std::array<double, lanes>;
+    Lane x, y, z, reach;
+    Lane left, top, right, bottom;
+    Lane known;  // 1: the range above is proven; 0: range() is needed
+};
+
+// As in_front(), where that would take the guess as it is.
+void PixelPlanes::guess_lanes(const Axis& axis, Lanes& balls, std::array<double, lanes>& firsts, std::array<double, lanes>& lasts) {
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const Product ball = product(axis, balls.x[i], balls.y[i], balls.z[i], balls.reach[i]);
+        const auto [first, last] = guess(axis, ball);
+        const double begins = margins(axis, ball, first - 1.0).beyond;
+        const double ends = margins(axis, ball, last + 1.0).before;
+        const double begins_or_edge = first > 0.0 ? begins : 1.0;
+        const double ends_or_edge = last < axis.count - 1.0 ? ends : 1.0;
+        const double known = balls.known[i];
+        const double known_first = begins_or_edge > 0.0 ? known : 0.0;
+        firsts[i] = first;
+        lasts[i] = last;
+        balls.known[i] = ends_or_edge > 0.0 ? known_first : 0.0;
+    }
+}
+
+SPHEREVIEW_FOR_EACH_SIMD
+void PixelPlanes::guess_ranges(const glm::vec4* spheres, Lanes& balls) const {
+    for (std::size_t i = 0; i < lanes; ++i) {
+        const double x = spheres[i].x;
+        const double y = spheres[i].y;
+        const double z = spheres[i].z;
+        const double radius = std::fabs(static_cast<double>(spheres[i].w));
+        const double reach = radius + tolerance * (std::fabs(x) + std::fabs(y) + std::fabs(z) + radius);
+        const double depth = x * view_.x + y * view_.y + z * view_.z;
+        balls.x[i] = x;
+        balls.y[i] = y;
+        balls.z[i] = z;
+        balls.reach[i] = reach;
+        const double in_front = depth > in_front_factor * reach ? 1.0 : 0.0;
+        balls.known[i] = radius > 0.0 ? in_front : 0.0;
+    }
+    guess_lanes(columns_, balls, balls.left, balls.right);
+    guess_lanes(rows_, balls, balls.top, balls.bottom);
+}
+
+void PixelPlanes::ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const {
+    std::size_t i = 0;
+    while (usable_ && i + lanes <= spheres.size()) {
+        Lanes balls;
+        guess_ranges(&spheres[i], balls);
+        for (std::size_t lane = 0; lane < lanes; ++lane, ++i) {
+            ranges[i] = balls.known[lane] != 0.0
+                            ? range_of({balls.left[lane], balls.right[lane]}, {balls.top[lane], balls.bottom[lane]})
+                            : range(spheres[i]);
+        }
+    }
+    for (; i < spheres.size(); ++i) ranges[i] = range(spheres[i]);
 }
 
 }  // namespace sphereview

@@ -1,8 +1,11 @@
 // Which pixels a sphere can cover, conservatively. Derivation: docs/exactness.md, "Tiles".
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <span>
 
 #include "exact/candidates.hpp"
 #include "scene/camera.hpp"
@@ -17,6 +20,9 @@ public:
     // A range outside which no ray through a pixel's centre hits the sphere, a member of DrawnSpheres::center_radius.
     PixelRange range(const glm::vec4& sphere) const;
 
+    // The same for each of the spheres, many at a time. There must be as many places in `ranges`.
+    void ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const;
+
 private:
     // The rays of all pixels with number i on this axis lie in the plane through the eye with the normal base + a step,
     // a = 2i + 1 - count, which points towards greater i.
@@ -28,21 +34,37 @@ private:
         double step_step = 0.0;
         int count = 0;
     };
-    // A sphere as seen from the eye: `reach` is its radius and all errors.
-    struct Ball {
-        glm::dvec3 center;
+    // A sphere and the planes of an axis: the product of its centre with the normal of plane i is base + a step; `reach` is
+    // the radius and all errors.
+    struct Product {
+        double base;
+        double step;
         double reach;
     };
-    struct Interval {
-        int first;
-        int last;
+    // Positive where the ball lies surely and wholly on the side of smaller (or greater) numbers of a plane.
+    struct Margins {
+        double before;
+        double beyond;
     };
+    // Whole numbers, as doubles: SIMD likes to do without conversions.
+    struct Interval {
+        double first;
+        double last;
+    };
+    // Several spheres.
+    static constexpr std::size_t lanes = 64;
+    struct Lanes;
 
     static Axis make_axis(const glm::dvec3& forward, const glm::dvec3& along, const glm::dvec3& across, int count);
-    // Whether the ball lies wholly on the side of greater (1) or smaller (-1) numbers of plane i; 0 if neither is sure.
-    static int side(const Axis& axis, double base, double step, double reach, int i);
-    static Interval in_front(const Axis& axis, const Ball& ball);
-    static Interval anywhere(const Axis& axis, const Ball& ball);
+    static Product product(const Axis& axis, double x, double y, double z, double reach);
+    static Margins margins(const Axis& axis, const Product& ball, double i);
+    // For a ball wholly in front of the eye.
+    static Interval guess(const Axis& axis, const Product& ball);
+    static Interval in_front(const Axis& axis, const Product& ball);
+    static Interval anywhere(const Axis& axis, const Product& ball);
+    static PixelRange range_of(const Interval& columns, const Interval& rows);
+    static void guess_lanes(const Axis& axis, Lanes& balls, std::array<double, lanes>& firsts, std::array<double, lanes>& lasts);
+    void guess_ranges(const glm::vec4* spheres, Lanes& balls) const;
 
     Axis columns_;
     Axis rows_;

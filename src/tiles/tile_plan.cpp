@@ -7,9 +7,8 @@ namespace sphereview {
 
 namespace {
 
-constexpr int level_step = 2;               // each level's tiles are 4 x 4 of the one before
-constexpr std::size_t sample_size = 5'000;  // spheres that stand for all
-constexpr double lookups_per_pixel = 4.0;   // what finding a list costs, in tests
+constexpr int level_step = 2;              // each level's tiles are 4 x 4 of the one before
+constexpr double lookups_per_pixel = 4.0;  // what finding a list costs, in tests
 
 std::int64_t tile_count(PictureSize size, int shift) {
     const auto along = [=](int pixels) { return (std::int64_t{pixels} + (1 << shift) - 1) >> shift; };
@@ -31,15 +30,12 @@ struct LevelSum {
 };
 
 // Building the lists once, and walking them once for every pixel.
-double cost(const TilePlan& plan, std::span<const PixelRange> ranges, PictureSize size, const TileCosts& costs) {
+double cost(const TilePlan& plan, std::span<const PixelRange> sample, double weight, PictureSize size, const TileCosts& costs) {
     std::array<LevelSum, most_tile_levels> sums{};
-    const std::size_t stride = ranges.size() / sample_size + 1;
-    for (std::size_t i = 0; i < ranges.size(); i += stride) {
-        const PixelRange& r = ranges[i];
+    for (const PixelRange& r : sample) {
         if (r.empty()) continue;
         const std::size_t level = plan.level_of(r);
         constexpr double ellipse = 0.785;
-        const auto weight = static_cast<double>(stride);
         sums[level].candidates += weight * static_cast<double>(tiles_of(r, plan.shifts[level]).count());
         sums[level].covered += weight * ellipse * (r.right - r.left + 1.0) * (r.bottom - r.top + 1.0);
     }
@@ -60,17 +56,18 @@ double cost(const TilePlan& plan, std::span<const PixelRange> ranges, PictureSiz
 
 }  // namespace
 
-TilePlan plan_tiles(std::span<const PixelRange> ranges, PictureSize size, const TileCosts& costs) {
+TilePlan plan_tiles(std::span<const PixelRange> sample, std::size_t count, PictureSize size, const TileCosts& costs) {
     // Few spheres may cover many tiles each. Many may not: what all lists hold together stays in proportion to them.
-    const auto most_tiles = std::max<std::int64_t>(16, (1 << 18) / (static_cast<std::int64_t>(ranges.size()) + 1));
-    const std::int64_t table_limit = std::max<std::int64_t>(1 << 20, static_cast<std::int64_t>(ranges.size()));
+    const auto most_tiles = std::max<std::int64_t>(16, costs.shared_budget / (static_cast<std::int64_t>(count) + 1));
+    const std::int64_t table_limit = std::max<std::int64_t>(1 << 20, static_cast<std::int64_t>(count));
+    const double weight = static_cast<double>(count) / static_cast<double>(sample.size());
     constexpr int coarsest_first = 6;
     TilePlan best;
     double least = 0.0;
     for (int shift = costs.smallest_shift; best.shifts.empty() || shift <= coarsest_first; ++shift) {
         if (tile_count(size, shift) > table_limit && shift < 29) continue;
         const TilePlan plan = plan_from(shift, most_tiles, size);
-        const double total = cost(plan, ranges, size, costs);
+        const double total = cost(plan, sample, weight, size, costs);
         if (best.shifts.empty() || total < least) {
             best = plan;
             least = total;

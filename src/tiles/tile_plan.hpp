@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -41,7 +42,7 @@ struct TilePlan {
     }
 };
 
-// The plan with the finest tiles that pay, judged by a sample of the spheres' ranges.
-TilePlan plan_tiles(std::span<const PixelRange> ranges, PictureSize size, const TileCosts& costs);
+// The plan with the finest tiles that pay for `count` spheres, judged by the ranges of a sample of them (at least one).
+TilePlan plan_tiles(std::span<const PixelRange> sample, std::size_t count, PictureSize size, const TileCosts& costs);
 
 }  // namespace sphereview

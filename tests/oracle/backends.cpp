@@ -21,6 +21,11 @@ std::vector<Backend> tested_backends() {
     return backends;
 }
 
+TileCosts with_small_budget(TileCosts costs) {
+    costs.shared_budget = 1 << 18;
+    return costs;
+}
+
 OpenBackend opened(Backend backend) {
 #ifdef SPHEREVIEW_SANITIZED
     // What drivers leak while a context is opened is not ours, and tests/lsan.supp cannot name it once one driver was

@@ -15,6 +15,9 @@ namespace sphereview::oracle {
 // Those that are compared: SPHEREVIEW_BACKENDS ("cpu,egl"), or all three.
 std::vector<Backend> tested_backends();
 
+// Costs with which scenes of a few thousand spheres already have tiles of several sizes.
+TileCosts with_small_budget(TileCosts costs);
+
 // One at a time in a process.
 OpenBackend opened(Backend backend);
 

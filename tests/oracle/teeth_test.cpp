@@ -103,7 +103,7 @@ using Change = std::function<void(CandidateLists&, const Trial&)>;
 // What the resolver makes of the lists, after a change to them.
 Answers resolved(const Trial& trial, const TileCosts& costs, const Change& change) {
     const DrawnSpheres drawn = drawn_spheres(trial.scene);
-    CandidateLists lists = build_lists(drawn, trial.scene.camera, trial.size, costs);
+    CandidateLists lists = build_lists(drawn, trial.scene.camera, trial.size, with_small_budget(costs));
     change(lists, trial);
     const Block all{0, 0, trial.size.width, trial.size.height};
     Answers numbers(static_cast<std::size_t>(all.width) * static_cast<std::size_t>(all.height), doubtful_background);

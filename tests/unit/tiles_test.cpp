@@ -70,6 +70,19 @@ TEST(PixelRange, IsTheWholePictureWhereNothingIsKnown) {
     EXPECT_EQ(range_of(ball({0, 0, 100}, 1), {7, 5}, oblique), (PixelRange{0, 0, 6, 4}));
 }
 
+Camera random_camera(std::mt19937_64& random) {
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    Camera camera;
+    const double field = std::exp(3.0 * unit(random));
+    const glm::dvec3 right = glm::normalize(glm::dvec3(unit(random), unit(random), unit(random)));
+    const glm::dvec3 up = glm::normalize(glm::cross(right, glm::dvec3(unit(random), unit(random), unit(random))));
+    camera.eye = 50.0 * glm::dvec3(unit(random), unit(random), unit(random));
+    camera.right = field * right;
+    camera.up = field * up;
+    camera.center = camera.eye + glm::cross(right, up) + unit(random) * right + unit(random) * up;
+    return camera;
+}
+
 TEST(PixelRange, HoldsEveryPixelThatMayShowTheSphere) {
     std::mt19937_64 random(20261);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -78,16 +91,7 @@ TEST(PixelRange, HoldsEveryPixelThatMayShowTheSphere) {
     for (int trial = 0; trial < 20'000; ++trial) {
         SCOPED_TRACE(trial);
         const PictureSize size = sizes[trial % 4];
-        Camera camera;
-        if (trial % 3 != 0) {
-            const double field = std::exp(3.0 * unit(random));
-            const glm::dvec3 right = glm::normalize(glm::dvec3(unit(random), unit(random), unit(random)));
-            const glm::dvec3 up = glm::normalize(glm::cross(right, glm::dvec3(unit(random), unit(random), unit(random))));
-            camera.eye = 50.0 * glm::dvec3(unit(random), unit(random), unit(random));
-            camera.right = field * right;
-            camera.up = field * up;
-            camera.center = camera.eye + glm::cross(right, up) + unit(random) * right + unit(random) * up;
-        }
+        const Camera camera = trial % 3 == 0 ? Camera() : random_camera(random);
         const glm::dvec3 center = camera.eye + std::exp(5.0 * unit(random)) * glm::dvec3(unit(random), unit(random), unit(random));
         const Sphere sphere = ball(center, glm::length(center - camera.eye) * std::exp(4.0 * unit(random) - 2.0));
         const PixelRange range = range_of(sphere, size, camera);
@@ -100,6 +104,29 @@ TEST(PixelRange, HoldsEveryPixelThatMayShowTheSphere) {
         }
     }
     EXPECT_GT(hits, 100'000);
+}
+
+TEST(PixelRange, IsTheSameForManySpheresAtATime) {
+    std::mt19937_64 random(20262);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int trial = 0; trial < 300; ++trial) {
+        SCOPED_TRACE(trial);
+        const PixelPlanes planes(trial == 0 ? Camera() : random_camera(random), {trial % 7 == 0 ? 1 : 97 + trial, 31});
+        std::vector<glm::vec4> spheres(200);
+        for (glm::vec4& s : spheres) {
+            const glm::dvec3 center = std::exp(5.0 * unit(random)) * glm::dvec3(unit(random), unit(random), unit(random));
+            const double radius = glm::length(center) * std::exp(4.0 * unit(random) - 2.0);
+            s = {center, radius < glm::length(center) ? radius : -radius};
+        }
+        spheres[3].w = 0.0F;
+        spheres[70] = glm::vec4(0.0F);
+        std::vector<PixelRange> ranges(spheres.size());
+        planes.ranges(spheres, ranges);
+        for (std::size_t i = 0; i < spheres.size(); ++i) {
+            const PixelRange alone = planes.range(spheres[i]);
+            ASSERT_TRUE(alone.empty() ? ranges[i].empty() : ranges[i] == alone) << i;
+        }
+    }
 }
 
 Scene cloud(std::size_t count, double radius, unsigned seed) {
@@ -161,9 +188,13 @@ TEST(CandidateLists, StayInProportionToTheSpheres) {
     for (const double radius : {0.001, 2.0, 90.0, 900.0}) {
         Scene scene;
         for (int i = 0; i < 50'000; ++i) scene.spheres.push_back(ball({0.001, 0.001, 1000.0 + i * 1e-3}, radius));
-        const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, fine);
-        EXPECT_LE(lists.candidates.size(), 16U * scene.spheres.size()) << radius;
-        EXPECT_LE(lists.levels.size(), most_tile_levels);
+        for (const std::int64_t budget : {std::int64_t{0}, fine.shared_budget}) {
+            TileCosts costs = fine;
+            costs.shared_budget = budget;
+            const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, costs);
+            EXPECT_LE(lists.candidates.size(), std::max(16U * scene.spheres.size(), static_cast<std::size_t>(budget))) << radius;
+            EXPECT_LE(lists.levels.size(), most_tile_levels);
+        }
     }
 }
 
