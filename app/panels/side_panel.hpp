@@ -4,6 +4,7 @@
 #include <string>
 
 #include "panels/panel_context.hpp"
+#include "panels/value_slider.hpp"
 
 namespace sphereview {
 
@@ -17,6 +18,16 @@ struct SidePanelState {
     std::string listed_filter;
     std::vector<std::uint32_t> listed;  // the numbers that pass the filter
     bool scroll_to_selection = false;   // set by whoever selects elsewhere
+
+    std::optional<std::uint32_t> anchor;   // where a range of rows begins: the row clicked last
+    std::optional<std::uint32_t> dragged;  // the sphere that is being given another place
+    bool drag_cancelled = false;
+    std::uint64_t drawn_revision = 0;     // of the scene in which these are numbers
+    std::optional<std::uint32_t> edited;  // whom the fields below are about
+    TypedNumber typed;
+    std::string name;
+    bool name_active = false;
+    float below_list = 0.0F;  // how high what comes below the list was
 };
 
 // Draws into the current ImGui window.

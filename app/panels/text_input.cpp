@@ -16,7 +16,8 @@ int grow(ImGuiInputTextCallbackData* data) {
 }  // namespace
 
 bool input_text(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
-    return ImGui::InputTextWithHint(label, hint, text.data(), text.capacity() + 1, flags | ImGuiInputTextFlags_CallbackResize, grow, &text);
+    return ImGui::InputTextWithHint(label, hint, text.data(), text.capacity() + 1, flags | ImGuiInputTextFlags_CallbackResize, grow,
+                                    &text);
 }
 
 bool key_pressed(ImGuiKey key) {

@@ -1,0 +1,69 @@
+#include "panels/side_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "panels/field.hpp"
+#include "panels/scene_panel.hpp"
+#include "panels/sphere_editor.hpp"
+#include "panels/sphere_list.hpp"
+#include "panels/text_input.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr float fewest_rows = 5.0F;
+
+void draw_buttons(const PanelContext& context) {
+    const std::vector<Sphere>& spheres = context.document.scene().spheres;
+    const std::optional<std::uint32_t> primary = context.selection.primary();
+    const bool hidden = primary && *primary < spheres.size() && spheres[*primary].hidden;
+    const float width = width_of_each(4);
+    draw_command_button(context, CommandId::add_sphere, "Add", "add", width);
+    ImGui::SameLine();
+    draw_command_button(context, CommandId::duplicate, "Duplicate", "duplicate", width);
+    ImGui::SameLine();
+    draw_command_button(context, CommandId::remove, "Delete", "delete", width);
+    ImGui::SameLine();
+    draw_command_button(context, CommandId::hide, hidden ? "Show###hide" : "Hide###hide", "hide", width);
+}
+
+void draw_filter(const PanelContext& context, SidePanelState& state) {
+    const float side = ImGui::GetFrameHeight();
+    const float clear = state.filter.empty() ? 0.0F : side + ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - clear));
+    input_text("##filter", "Filter by name or number", state.filter);
+    note_widget(context, "filter");
+    if (state.filter.empty()) return;
+    ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+    if (ImGui::Button("x##clear filter", {side, side})) state.filter.clear();
+    note_widget(context, "clear filter");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all spheres");
+}
+
+std::string count_in_words(const PanelContext& context, const SidePanelState& state) {
+    const std::size_t count = context.document.scene().spheres.size();
+    const std::string all = in_groups(count) + (count == 1 ? " sphere" : " spheres");
+    if (!state.filter.empty()) return in_groups(state.listed.size()) + " of " + all;
+    return context.selection.size() > 1 ? all + ", " + in_groups(context.selection.size()) + " selected" : all;
+}
+
+}  // namespace
+
+void draw_side_panel(const PanelContext& context, SidePanelState& state) {
+    draw_buttons(context);
+    draw_filter(context, state);
+    // The list takes what the rest leaves; where that is too little, the panel scrolls.
+    const float least = fewest_rows * ImGui::GetFrameHeight();
+    draw_sphere_list(context, state, std::max(least, ImGui::GetContentRegionAvail().y - state.below_list));
+    const float below = ImGui::GetCursorPosY();
+    ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
+    if (ImGui::CollapsingHeader("Sphere", ImGuiTreeNodeFlags_DefaultOpen)) draw_sphere_editor(context, state);
+    if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_scene_panel(context);
+    state.below_list = ImGui::GetCursorPosY() - below + ImGui::GetStyle().ItemSpacing.y;
+}
+
+}  // namespace sphereview

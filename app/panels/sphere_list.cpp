@@ -1,0 +1,160 @@
+#include "panels/sphere_list.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "panels/row_drag.hpp"
+#include "panels/row_menu.hpp"
+#include "panels/sphere_filter.hpp"
+#include "panels/sphere_row.hpp"
+#include "panels/text_input.hpp"
+
+namespace sphereview {
+
+namespace {
+
+void keep_list(const Document& document, SidePanelState& state) {
+    if (state.filter.empty()) {
+        state.listed = {};
+        state.list_revision = 0;
+    } else if (state.list_revision != document.revision() || state.listed_filter != state.filter) {
+        state.listed = filtered(document.scene(), state.filter);
+        state.list_revision = document.revision();
+        state.listed_filter = state.filter;
+    }
+    // A number means another sphere when others come and go.
+    const std::uint64_t known = std::exchange(state.drawn_revision, document.revision());
+    if (known == document.revision()) return;
+    const bool order = document.changes_since(known).order;
+    if (order) state.dragged.reset();
+    if (order && !state.focus_rename) state.renaming.reset();
+    if (state.renaming && *state.renaming >= document.scene().spheres.size()) state.renaming.reset();
+}
+
+void select_row(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed, std::size_t row) {
+    const std::uint32_t number = listed[row];
+    const ImGuiIO& io = ImGui::GetIO();
+    Selection selection = context.selection;
+    const std::optional<std::size_t> from = state.anchor ? listed.row_of(*state.anchor) : std::nullopt;
+    if (io.KeyShift && from) {
+        std::vector<std::uint32_t> numbers = listed.between(*from, row);
+        if (io.KeyCtrl) numbers.insert(numbers.end(), selection.numbers().begin(), selection.numbers().end());
+        numbers.push_back(number);  // the last is the primary one
+        selection.set(std::move(numbers));
+    } else {
+        state.anchor = number;
+        if (io.KeyCtrl) {
+            selection.toggle(number);
+        } else {
+            selection.set_only(number);
+        }
+    }
+    context.actions.emplace_back(SelectSpheres{std::move(selection)});
+}
+
+void toggle_hidden(const PanelContext& context, std::uint32_t number) {
+    const Scene& scene = context.document.scene();
+    Sphere sphere = scene.spheres[number];
+    sphere.hidden = !sphere.hidden;
+    context.actions.emplace_back(
+        EditScene{ChangeSpheres{{number}, {sphere}}, (sphere.hidden ? "Hide " : "Show ") + title_of(scene, number)});
+}
+
+void scroll_to(const RowPlaces& places, std::size_t row) {
+    const float height = ImGui::GetWindowHeight();
+    const float above = places.of(row) - ImGui::GetWindowPos().y;
+    const float margin = ImGui::GetStyle().WindowPadding.y;
+    if (above >= margin && above + places.height <= height - margin) return;
+    const double middle = static_cast<double>(row) * places.height - 0.5 * (height - places.height);
+    ImGui::SetScrollY(static_cast<float>(std::max(0.0, middle)));
+}
+
+void handle_keys(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed) {
+    if (!ImGui::IsWindowFocused() || ImGui::IsAnyItemActive() || listed.size() == 0) return;
+    const std::optional<std::uint32_t> primary = context.selection.primary();
+    const std::optional<std::size_t> row = primary ? listed.row_of(*primary) : std::nullopt;
+    std::size_t next = row.value_or(0);
+    if (key_pressed(ImGuiKey_UpArrow)) {
+        next = row && *row > 0 ? *row - 1 : 0;
+    } else if (key_pressed(ImGuiKey_DownArrow)) {
+        next = row ? std::min(*row + 1, listed.size() - 1) : 0;
+    } else {
+        return;
+    }
+    if (ImGui::GetIO().KeyCtrl) return;  // moves the sphere itself
+    select_row(context, state, listed, next);
+    state.scroll_to_selection = true;
+}
+
+void draw_rows(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed, const RowPlaces& places) {
+    const double first_place = std::floor((ImGui::GetWindowPos().y - places.top) / places.height);
+    const auto first = static_cast<std::size_t>(std::max(0.0, first_place));
+    const std::size_t last =
+        std::min(listed.size(), first + 2 + static_cast<std::size_t>(ImGui::GetWindowHeight() / places.height));
+    bool opens_menu = false;
+    for (std::size_t row = first; row < last; ++row) {
+        const std::uint32_t number = listed[row];
+        const RowResult result =
+            draw_sphere_row(context, state, number, {places.left, places.of(row)}, {places.width, places.height});
+        if (result.eye) toggle_hidden(context, number);
+        if (result.pressed || (result.menu && !context.selection.contains(number))) select_row(context, state, listed, row);
+        if (result.double_clicked) start_renaming(state, context.document.scene(), number);
+        if (result.dragging && !state.drag_cancelled) state.dragged = number;
+        opens_menu = opens_menu || result.menu;
+    }
+    if (opens_menu) open_row_menu();
+    draw_row_menu(context, state);
+    const std::optional<std::size_t> renamed =
+        state.renaming && !state.focus_rename ? listed.row_of(*state.renaming) : std::nullopt;
+    if (renamed && (*renamed < first || *renamed >= last)) accept_name(context, state);
+}
+
+}  // namespace
+
+void draw_sphere_list(const PanelContext& context, SidePanelState& state, float height) {
+    const Scene& scene = context.document.scene();
+    keep_list(context.document, state);
+    if (state.focus_rename && state.renaming && !state.filter.empty() &&
+        !std::ranges::binary_search(state.listed, *state.renaming)) {
+        state.filter.clear();  // its row must be there
+        keep_list(context.document, state);
+    }
+    const ListedSpheres listed(scene, state.filter.empty(), state.listed);
+    ImGui::BeginChild("spheres", {0.0F, height}, true);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const RowPlaces places{static_cast<double>(ImGui::GetWindowPos().y) + style.WindowPadding.y - ImGui::GetScrollY(),
+                           ImGui::GetCursorScreenPos().x, std::max(1.0F, ImGui::GetContentRegionAvail().x),
+                           std::round(ImGui::GetFrameHeight())};
+    if (listed.size() == 0) {
+        ImGui::TextDisabled("%s", scene.spheres.empty() ? "The scene has no spheres." : "No sphere matches the filter.");
+    } else {
+        ImGui::Dummy({1.0F, 0.0F});  // where the rows begin
+        draw_rows(context, state, listed, places);
+        ImGui::SetCursorScreenPos({places.left, places.of(listed.size())});
+        ImGui::Dummy({1.0F, 0.0F});
+    }
+    handle_keys(context, state, listed);
+    const std::optional<std::uint32_t> shown = state.focus_rename ? state.renaming : context.selection.primary();
+    if (state.focus_rename || state.scroll_to_selection) {
+        if (const auto row = shown ? listed.row_of(*shown) : std::nullopt) scroll_to(places, *row);
+        state.scroll_to_selection = false;
+    }
+    drag_row(context, state, listed, places);
+    if (ImGui::IsWindowHovered() && !ImGui::IsAnyItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) &&
+        !context.selection.empty()) {
+        context.actions.emplace_back(SelectSpheres{});
+    }
+    ImGui::EndChild();
+}
+
+void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number) {
+    if (number >= scene.spheres.size()) return;
+    const auto name = scene.names.find(number);
+    state.renaming = number;
+    state.new_name = name == scene.names.end() ? "" : name->second;
+    state.focus_rename = true;
+}
+
+}  // namespace sphereview
