@@ -41,11 +41,9 @@ std::vector<std::int32_t> seen_numbers(const std::vector<Sphere>& spheres) {
 }
 
 // A power of two changes nothing but the range: only where most spheres need it.
-int scale_for(const Scene& scene, const std::vector<std::int32_t>& numbers) {
+int scale_for(const Scene& scene, const glm::dvec3& eye, const std::vector<std::int32_t>& numbers) {
     std::atomic<std::size_t> out_of_range = 0;
-    const auto size_at = [&](std::size_t i) {
-        return size_of(scene.spheres[static_cast<std::size_t>(numbers[i])], scene.camera.eye);
-    };
+    const auto size_at = [&](std::size_t i) { return size_of(scene.spheres[static_cast<std::size_t>(numbers[i])], eye); };
     parallel_pieces(numbers.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
         for (std::size_t i = begin; i < end; ++i) count += in_range(size_at(i)) ? 0 : 1;
@@ -77,13 +75,15 @@ float signed_radius(double radius, EyeSide side) {
 
 }  // namespace
 
-DrawnSpheres drawn_spheres(const Scene& scene) {
+DrawnSpheres drawn_spheres(const Scene& scene) { return drawn_spheres(scene, scene.camera); }
+
+DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
     DrawnSpheres drawn;
     std::vector<std::int32_t> numbers = seen_numbers(scene.spheres);
     if (numbers.empty()) return drawn;
-    drawn.scale = scale_for(scene, numbers);
+    const glm::dvec3& eye = camera.eye;
+    drawn.scale = scale_for(scene, eye, numbers);
     const Scaling scaled(drawn.scale);
-    const glm::dvec3& eye = scene.camera.eye;
     drawn.center_radius.resize(numbers.size());
     std::mutex beyond_float;
     parallel_pieces(numbers.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {

@@ -31,6 +31,8 @@ struct DrawnSpheres {
 };
 
 DrawnSpheres drawn_spheres(const Scene& scene);
+// As another camera than the scene's sees them; only its eye matters.
+DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera);
 
 // What a float renderer needs besides the spheres.
 struct FloatView {

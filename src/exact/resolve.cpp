@@ -57,12 +57,17 @@ DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& other) {
 }
 
 Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, const CandidateLists* lists)
+    : Resolver(scene, drawn, scene.camera, size, lists) {}
+
+Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size,
+                   const CandidateLists* lists)
     : scene_(scene),
       drawn_(drawn),
+      camera_(camera),
       lists_(lists),
       size_(size),
-      frame_(ray_frame<double>(scene.camera, size)),
-      error_scale_(error_scale(ray_condition(scene.camera), double_unit)) {
+      frame_(ray_frame<double>(camera, size)),
+      error_scale_(error_scale(ray_condition(camera), double_unit)) {
     frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
 }
 
@@ -72,7 +77,7 @@ NearestHits<double> Resolver::contest(Pixel pixel, std::vector<Contest>& contest
     const auto add = [&](std::uint32_t i) {
         const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(drawn_.number(i))];
         const HitBounds<double> hit =
-            frame_.in_range ? bounds_in_double(sphere, drawn_.side(i), scene_.camera.eye, error_scale_, ray) : unknown_hit;
+            frame_.in_range ? bounds_in_double(sphere, drawn_.side(i), camera_.eye, error_scale_, ray) : unknown_hit;
         nearest.add(static_cast<int>(i), hit);
         if (hit.low < NearestHits<double>::never) contests.push_back({i, hit.low});
     };
@@ -105,7 +110,7 @@ std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
         const std::int32_t number = drawn_.number(contest.index);
         contenders.push_back({number, &scene_.spheres[static_cast<std::size_t>(number)]});
     }
-    return decide_exactly(scene_.camera, size_, pixel, contenders);
+    return decide_exactly(camera_, size_, pixel, contenders);
 }
 
 DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, Pixel pixel) {

@@ -31,6 +31,8 @@ class Resolver {
 public:
     // With the lists of the picture it tries only the spheres that a pixel can show, without them all.
     Resolver(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, const CandidateLists* lists = nullptr);
+    // The picture that another camera than the scene's sees.
+    Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, const CandidateLists* lists);
 
     // The number in the scene of the sphere that the pixel shows, or visible_background; `level` says what it took.
     std::int32_t resolve(Pixel pixel, DecisionLevel& level) const;
@@ -51,6 +53,7 @@ private:
 
     const Scene& scene_;
     const DrawnSpheres& drawn_;
+    const Camera& camera_;
     const CandidateLists* lists_;
     PictureSize size_;
     RayFrame<double> frame_;

@@ -23,7 +23,12 @@ struct FrameBlock {
     float error_scale = 0.0F;
     std::int32_t all_doubtful = 0;
     std::int32_t level_count = 0;
-    std::int32_t padding = 0;  // std140 begins an array at a multiple of 16 bytes
+    std::int32_t grid_step = 1;
+    glm::ivec2 window_corner{0};
+    std::int32_t hovered = -1;
+    float outline = 0.0F;
+    std::int32_t checkerboard = 0;
+    std::array<std::int32_t, 3> padding{};  // std140 begins an array at a multiple of 16 bytes
     std::array<glm::ivec4, most_tile_levels> levels{};
 };
 
@@ -32,7 +37,7 @@ struct BlockMember {
     std::size_t offset;
 };
 
-inline constexpr std::array<BlockMember, 10> frame_members = {{
+inline constexpr std::array<BlockMember, 15> frame_members = {{
     {"forward", offsetof(FrameBlock, forward)},
     {"right", offsetof(FrameBlock, right)},
     {"up", offsetof(FrameBlock, up)},
@@ -42,10 +47,15 @@ inline constexpr std::array<BlockMember, 10> frame_members = {{
     {"error_scale", offsetof(FrameBlock, error_scale)},
     {"all_doubtful", offsetof(FrameBlock, all_doubtful)},
     {"level_count", offsetof(FrameBlock, level_count)},
+    {"grid_step", offsetof(FrameBlock, grid_step)},
+    {"window_corner", offsetof(FrameBlock, window_corner)},
+    {"hovered", offsetof(FrameBlock, hovered)},
+    {"outline", offsetof(FrameBlock, outline)},
+    {"checkerboard", offsetof(FrameBlock, checkerboard)},
     {"levels", offsetof(FrameBlock, levels)},
 }};
 
-static_assert(sizeof(FrameBlock) == 224);
+static_assert(sizeof(FrameBlock) == 256);
 static_assert(sizeof(glm::vec4) == 16, "an element of the arrays in the blocks Spheres and Colors");
 
 static_assert(most_tile_levels == 8, "levels in frame.glsl");
@@ -55,9 +65,9 @@ static_assert(sizeof(Candidate) == 8, "two 32-bit numbers a texel in candidates.
 enum class BlockBinding : unsigned { frame = 0, spheres = 1, colors = 2 };
 
 // The texture unit of each sampler, by its name in the shaders.
-enum class TextureUnit : int { visible_spheres, sphere_table, color_table, candidate_table, list_begin_table };
-inline constexpr std::array<const char*, 5> sampler_names = {"visible_spheres", "sphere_table", "color_table", "candidate_table",
-                                                             "list_begin_table"};
+enum class TextureUnit : int { visible_spheres, sphere_table, color_table, candidate_table, list_begin_table, marks };
+inline constexpr std::array<const char*, 6> sampler_names = {"visible_spheres", "sphere_table",     "color_table",
+                                                             "candidate_table", "list_begin_table", "marks"};
 
 // A uniform block is guaranteed 16 KiB, 1,024 spheres; more is used up to this, which every desktop GPU offers.
 inline constexpr int largest_uniform_block = 65536;

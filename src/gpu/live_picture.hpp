@@ -6,8 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "exact/resolve.hpp"
-#include "gpu/gpu_renderer.hpp"
+#include "exact/drawn.hpp"
+#include "gpu/gl_object.hpp"
+#include "gpu/layouts.hpp"
+#include "gpu/number_target.hpp"
+#include "gpu/outlines.hpp"
+#include "gpu/scene_tables.hpp"
+#include "gpu/shader_source.hpp"
 #include "scene/document.hpp"
 #include "scene/selection.hpp"
 
@@ -21,49 +26,90 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-// Part of the window's framebuffer, in GL's coordinates: (x, y) is the bottom left corner.
-struct WindowArea {
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-};
-
 // What is marked by an outline.
 struct Highlights {
     const Selection* selection = nullptr;
     std::optional<std::uint32_t> hovered;
-    float thickness = 1.0F;  // pixels
+    float thickness = 2.0F;  // of a selected sphere's outline, in pixels, at least 1; a hovered one's is half as wide
 };
 
 // Belongs to the current context, like GpuRenderer. It alone decides what to upload and whether anything must be traced again.
+// Others may draw in the same context in between. update(), show() and pick() leave the bound framebuffers as they were; the
+// program, the textures, the viewport and the uniform buffers not; blending, tests and masks are off.
 class LivePicture {
 public:
-    // Compiles the shaders, from `shader_folder` if it is not empty. Throws RenderError.
-    explicit LivePicture(const std::string& shader_folder = "");
+    // Compiles the shaders, from `shader_folder` if it is not empty; if those do not compile, the program's own, and
+    // shader_log() says why. Throws InputError when the folder cannot be read, RenderError. `bounds` are for tests.
+    explicit LivePicture(const std::string& shader_folder = "", const TextureBounds& bounds = {});
 
     // Brings the picture up to date: traces every step-th pixel of each row and column (each for the step x step pixels around
     // it), if what is there is coarser than that or of another scene or view. With step 1 all pixels. Returns whether it
-    // traced. Throws TooLarge, RenderError.
+    // traced. Throws TooLarge, RenderError; the picture is then what it was.
     bool update(const Document& document, const View& view, int step);
 
-    // How long the last update() that traced took on this device, in seconds, and the step it was for.
-    double last_seconds() const;
-    int step() const;
+    // How long the last update() that traced took, in seconds: the lists, the uploads, and drawing until it was done.
+    double last_seconds() const { return last_seconds_; }
+    // Of the picture that is there; 0 before the first.
+    int step() const { return step_; }
 
-    // Colours the picture into the bound framebuffer and draws the outlines over it.
+    // Colours the picture into the bound framebuffer and draws the outlines over it. A transparent background shows as a
+    // checkerboard. What of the area is beyond the picture shows the picture's edge. Before the first picture: the background.
     void show(const WindowArea& area, const Background& background, const Highlights& highlights);
 
-    // The number of the sphere that a pixel of the picture shows, or visible_background. From the visible-sphere buffer where that
-    // is sure; a pixel that is doubtful, or that was not traced itself, is decided on the CPU.
+    // The number of the sphere that a pixel of the picture shows, or visible_background, also outside the picture. From the
+    // visible-sphere buffer where that is sure; a pixel that is doubtful, or that was not traced itself, is decided on the CPU.
+    // Of the document as it is now, seen as in the last update().
     std::int32_t pick(const Document& document, Pixel pixel);
 
-    // Reads the shaders in the folder again. What does not compile leaves the last good ones running. Returns the log, naming
-    // file and line, or "" when all is well.
+    // Reads the shaders in the folder again; the next update() traces with them. What does not compile leaves the last good
+    // ones running. Returns the log, naming file and line, or "" when all is well.
     std::string reload_shaders();
+    // What the last attempt to compile the folder's shaders had to say; "" when all is well.
+    const std::string& shader_log() const { return shader_log_; }
 
     // "uniform buffer", "buffer textures" or "2D textures".
-    std::string storage() const;
+    std::string storage() const { return tables_.storage(); }
+
+private:
+    struct Programs {
+        Program trace;
+        Program shade;
+        OutlinePrograms outlines;
+    };
+    static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);
+
+    void compile(const std::vector<std::string>& defines);
+    void rebuild(const Document& document, const View& view, bool geometry);
+    void trace(int step);
+    void mark_selected(const Selection* selection);
+    std::optional<std::size_t> index_of(std::uint32_t number) const;
+    std::optional<std::int32_t> traced_number(Pixel pixel) const;
+
+    std::string shader_folder_;
+    ShaderFiles shader_files_;  // the last good ones
+    std::string shader_log_;
+    std::vector<std::string> defines_;  // that the programs were compiled with
+    Programs programs_;
+    VertexArray no_vertices_;
+    Buffer frame_buffer_;
+    SceneTables tables_;
+    NumberTarget visible_;
+    Outlines outlines_;
+
+    std::uint64_t revision_ = 0;  // that all below is made from; 0: none
+    View view_;
+    DrawnSpheres drawn_;
+    CandidateLists lists_;
+    FrameBlock frame_;
+
+    std::vector<ShownColor> colors_;       // of the drawn spheres
+    bool colors_uploaded_ = false;         // as they are
+    std::vector<std::uint32_t> selected_;  // the numbers that are marked in them
+    PixelRange selected_range_;            // outside it no pixel shows one of those
+
+    bool traced_ = false;  // the visible-sphere buffer is of this scene, view and shaders
+    int step_ = 0;
+    double last_seconds_ = 0.0;
 };
 
 }  // namespace sphereview

@@ -8,8 +8,8 @@ namespace sphereview {
 
 namespace {
 
-Shader compile(GLenum stage, std::string_view file, const std::vector<std::string>& defines) {
-    const ShaderSource source = assemble_shader(file, defines);
+Shader compile(GLenum stage, std::string_view file, const std::vector<std::string>& defines, const ShaderFiles& files) {
+    const ShaderSource source = assemble_shader(file, defines, files);
     Shader shader(glCreateShader(stage));
     const char* text = source.text.c_str();
     glShaderSource(shader.name(), 1, &text, nullptr);
@@ -30,8 +30,10 @@ void bind_block(GLuint program, const char* name, BlockBinding binding) {
     if (index != GL_INVALID_INDEX) glUniformBlockBinding(program, index, static_cast<GLuint>(binding));
 }
 
-// std140 leaves no choice, but a member renamed or moved in one twin alone would go unnoticed.
+// std140 leaves no choice, but a member renamed or moved in one twin alone would go unnoticed. A shader that a person edits may do
+// without the block.
 void check_frame_layout(GLuint program, std::string_view file) {
+    if (glGetUniformBlockIndex(program, "Frame") == GL_INVALID_INDEX) return;
     for (const BlockMember& member : frame_members) {
         GLuint index = GL_INVALID_INDEX;
         glGetUniformIndices(program, 1, &member.name, &index);
@@ -46,9 +48,9 @@ void check_frame_layout(GLuint program, std::string_view file) {
 
 }  // namespace
 
-Program make_program(std::string_view fragment_file, const std::vector<std::string>& defines) {
-    const Shader vertex = compile(GL_VERTEX_SHADER, "fullscreen.vert", defines);
-    const Shader fragment = compile(GL_FRAGMENT_SHADER, fragment_file, defines);
+Program make_program(std::string_view fragment_file, const std::vector<std::string>& defines, const ShaderFiles& files) {
+    const Shader vertex = compile(GL_VERTEX_SHADER, "fullscreen.vert", defines, files);
+    const Shader fragment = compile(GL_FRAGMENT_SHADER, fragment_file, defines, files);
     Program program(glCreateProgram());
     glAttachShader(program.name(), vertex.name());
     glAttachShader(program.name(), fragment.name());

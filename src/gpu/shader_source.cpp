@@ -2,18 +2,20 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <system_error>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
 namespace {
 
-void append_file(const std::string& file, const std::vector<std::string>& defines, ShaderSource& source) {
+void append_file(const std::string& file, const std::vector<std::string>& defines, const ShaderFiles& files, ShaderSource& source) {
     if (std::find(source.files.begin(), source.files.end(), file) != source.files.end()) return;
-    const auto& shaders = embedded_shaders();
-    const auto found = shaders.find(file);
-    if (found == shaders.end()) throw RenderError("the shader file '" + file + "' is missing");
+    std::string_view rest = without_byte_order_mark(files.text(file));
 
     const std::string number = std::to_string(source.files.size());
     source.files.push_back(file);
@@ -21,7 +23,6 @@ void append_file(const std::string& file, const std::vector<std::string>& define
 
     constexpr std::string_view include = "#include \"";
     std::size_t line_number = 0;
-    std::string_view rest = found->second;
     while (!rest.empty()) {
         const std::size_t end = rest.find('\n');
         const std::string_view line = rest.substr(0, end);
@@ -30,7 +31,7 @@ void append_file(const std::string& file, const std::vector<std::string>& define
         const auto resume = [&] { source.text += "#line " + std::to_string(line_number + 1) + " " + number + "\n"; };
         if (line.starts_with(include)) {
             const std::string_view name = line.substr(include.size(), line.rfind('"') - include.size());
-            append_file(std::string(name), {}, source);
+            append_file(std::string(name), {}, files, source);
             resume();
         } else if (line.starts_with("#version")) {
             source.text.append(line) += '\n';
@@ -73,9 +74,31 @@ std::string name_file_in_line(std::string_view line, const std::vector<std::stri
 
 }  // namespace
 
-ShaderSource assemble_shader(std::string_view file, const std::vector<std::string>& defines) {
+ShaderFiles::ShaderFiles(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string extension = entry->path().extension().string();
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) continue;  // an editor's
+        if (extension != ".vert" && extension != ".frag" && extension != ".glsl") continue;
+        read_[name] = InputFile(entry->path().string()).bytes();
+    }
+    if (error) throw InputError(folder + ": cannot read the shaders in it: " + error.message());
+    if (read_.empty()) throw InputError(folder + ": no shaders in it, expected files like trace.frag");
+}
+
+std::string_view ShaderFiles::text(std::string_view file) const {
+    if (const auto found = read_.find(file); found != read_.end()) return found->second;
+    const auto& embedded = embedded_shaders();
+    const auto found = embedded.find(file);
+    if (found == embedded.end()) throw RenderError("the shader file '" + std::string(file) + "' is missing");
+    return found->second;
+}
+
+ShaderSource assemble_shader(std::string_view file, const std::vector<std::string>& defines, const ShaderFiles& files) {
     ShaderSource source;
-    append_file(std::string(file), defines, source);
+    append_file(std::string(file), defines, files, source);
     return source;
 }
 

@@ -11,6 +11,21 @@ namespace sphereview {
 // The shaders in the program, by file name. Made from shaders/ by the build.
 const std::map<std::string, std::string_view, std::less<>>& embedded_shaders();
 
+// The shaders to compile, by file name: those in the program, or, of a folder that a person edits, the files it has; what it lacks
+// is the program's own, so that a folder with one changed file is enough.
+class ShaderFiles {
+public:
+    ShaderFiles() = default;
+    // Reads all files of the folder that may be shaders (.vert, .frag, .glsl). Throws InputError.
+    explicit ShaderFiles(const std::string& folder);
+
+    // Throws RenderError when there is no such file. Valid as long as this object.
+    std::string_view text(std::string_view file) const;
+
+private:
+    std::map<std::string, std::string, std::less<>> read_;
+};
+
 // A shader ready for GL, and the files that it came from: source string number i of a log is files[i].
 struct ShaderSource {
     std::string text;
@@ -19,7 +34,7 @@ struct ShaderSource {
 
 // The shader `file` with its includes, each at most once, and `defines` ("NAME VALUE") after its #version.
 // Throws RenderError when a file is missing.
-ShaderSource assemble_shader(std::string_view file, const std::vector<std::string>& defines);
+ShaderSource assemble_shader(std::string_view file, const std::vector<std::string>& defines, const ShaderFiles& files = {});
 
 // A compiler's log with its "0:12" or "0(12)" turned into "trace.frag:12".
 std::string name_files_in_log(std::string_view log, const std::vector<std::string>& files);

@@ -49,6 +49,12 @@ std::vector<std::string> table_defines(const TableLimits& limits) {
     return {"TABLE_SHIFT " + std::to_string(*limits.shift)};
 }
 
+void Table::bind(TextureUnit unit) const {
+    if (!texture_) return;
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(flat_ ? GL_TEXTURE_2D : GL_TEXTURE_BUFFER, texture_.name());
+}
+
 void Table::upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits) {
     const Format format = format_of(kind);
     // A texture keeps the kind that it was first bound as.

@@ -39,6 +39,9 @@ public:
     // Uploads `count` texels, fewer than limits.most_texels, and binds the texture to its unit. One more can be fetched.
     void upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits);
 
+    // Binds the texture, if anything was uploaded, to its unit, and leaves that the active one.
+    void bind(TextureUnit unit) const;
+
 private:
     Buffer buffer_;
     Texture texture_;

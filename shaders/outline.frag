@@ -1,0 +1,43 @@
+#version 330 core
+// Outlines around spheres, over the picture in a window: a light line beside the sphere's pixels, which keep their colours, and a
+// dark rim around it, so that one of the two shows on any colour.
+#include "marks.glsl"
+#include "window.glsl"
+
+uniform isampler2D marks;
+
+out vec4 color;
+
+const float far = 1.0e6;
+
+void main() {
+    ivec2 pixel = window_pixel();
+    int own = texelFetch(marks, texel_of(pixel), 0).r;
+    // The squared distances to the nearest pixels of other spheres that are marked.
+    float selected = far;
+    float under_pointer = far;
+    int reach = int(outline + 1.5);
+    for (int y = -reach; y <= reach; ++y) {
+        for (int x = -reach; x <= reach; ++x) {
+            int mark = texelFetch(marks, texel_of(pixel + ivec2(x, y)), 0).r;
+            float distance = mark == own || mark == no_mark ? far : float(x * x + y * y);
+            bool is_hovered = mark == hovered_mark || mark == hovered;
+            selected = min(selected, mark == hovered_mark ? far : distance);
+            under_pointer = min(under_pointer, is_hovered ? distance : far);
+        }
+    }
+    // Half a pixel more: the distances are those of pixels' centres.
+    float wide = outline + 0.5;
+    float thin = max(0.5 * outline, 1.0) + 0.5;
+    float to_selected = sqrt(selected);
+    float to_hovered = sqrt(under_pointer);
+    if (to_hovered < thin) {
+        color = vec4(1.0, 1.0, 1.0, 1.0);
+    } else if (to_selected < wide) {
+        color = vec4(1.0, 0.65, 0.0, 1.0);
+    } else if (min(to_selected, to_hovered - thin + wide) < wide + 1.0) {
+        color = vec4(0.0, 0.0, 0.0, 0.7);
+    } else {
+        discard;
+    }
+}

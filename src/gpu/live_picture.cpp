@@ -1,0 +1,267 @@
+#include "gpu/live_picture.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <chrono>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "exact/resolve.hpp"
+#include "gpu/program.hpp"
+#include "tiles/pixel_range.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::int32_t checkerboard_square = 8;  // pixels
+constexpr std::size_t most_single_ranges = 4096;
+
+// The framebuffers that are bound, until its end.
+class KeptFramebuffers {
+public:
+    KeptFramebuffers() : draw_(gl_limit(GL_DRAW_FRAMEBUFFER_BINDING)), read_(gl_limit(GL_READ_FRAMEBUFFER_BINDING)) {}
+    ~KeptFramebuffers() {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw());
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+    }
+    KeptFramebuffers(const KeptFramebuffers&) = delete;
+    KeptFramebuffers& operator=(const KeptFramebuffers&) = delete;
+
+    GLuint draw() const { return static_cast<GLuint>(draw_); }
+
+private:
+    GLint draw_;
+    GLint read_;
+};
+
+// Numbers and flat colours are to arrive as they are written.
+void draw_plainly() {
+    for (const GLenum what : {GL_DITHER, GL_BLEND, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_CULL_FACE, GL_FRAMEBUFFER_SRGB,
+                              GL_COLOR_LOGIC_OP, GL_SCISSOR_TEST, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_RASTERIZER_DISCARD}) {
+        glDisable(what);
+    }
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void fill(const WindowArea& area, const glm::vec4& color) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(area.x, area.y, area.width, area.height);
+    glClearBufferfv(GL_COLOR, 0, &color.x);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+int grid_side(int pixels, int step) { return (pixels + step - 1) / step; }
+
+// The pixel that a texel of a coarse grid is traced for. Twin: shaders/trace.frag.
+int traced_pixel(int texel, int step, int pixels) { return std::min(texel * step + step / 2, pixels - 1); }
+
+}  // namespace
+
+LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const std::vector<std::string>& defines) {
+    return {make_program("trace.frag", defines, files),
+            make_program("shade.frag", defines, files),
+            {make_program("mark.frag", defines, files), make_program("outline.frag", defines, files)}};
+}
+
+LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& bounds)
+    : shader_folder_(shader_folder), no_vertices_(make_vertex_array()), frame_buffer_(make_buffer()), tables_(bounds) {
+    if (!shader_folder_.empty()) shader_files_ = ShaderFiles(shader_folder_);
+    compile(tables_.defines_for(drawn_, lists_));
+}
+
+// Where the folder's shaders fail, perhaps only with these defines, the program's own do.
+void LivePicture::compile(const std::vector<std::string>& defines) {
+    try {
+        programs_ = make_programs(shader_files_, defines);
+    } catch (const RenderError& error) {
+        if (shader_folder_.empty()) throw;
+        shader_log_ = error.what();
+        shader_files_ = ShaderFiles();
+        programs_ = make_programs(shader_files_, defines);
+    }
+    defines_ = defines;
+}
+
+std::string LivePicture::reload_shaders() {
+    if (shader_folder_.empty()) return "";
+    try {
+        ShaderFiles files(shader_folder_);
+        programs_ = make_programs(files, defines_);
+        shader_files_ = std::move(files);
+        shader_log_.clear();
+        traced_ = false;
+    } catch (const RenderError& error) {
+        shader_log_ = error.what();
+    } catch (const InputError& error) {
+        shader_log_ = error.what();
+    }
+    return shader_log_;
+}
+
+std::optional<std::size_t> LivePicture::index_of(std::uint32_t number) const {
+    const std::vector<std::int32_t>& numbers = drawn_.numbers;
+    if (numbers.empty()) return number < drawn_.size() ? std::optional<std::size_t>(number) : std::nullopt;
+    const auto found = std::ranges::lower_bound(numbers, static_cast<std::int32_t>(number));
+    if (found == numbers.end() || *found != static_cast<std::int32_t>(number)) return std::nullopt;
+    return static_cast<std::size_t>(found - numbers.begin());
+}
+
+void LivePicture::rebuild(const Document& document, const View& view, bool geometry) {
+    const Scene& scene = document.scene();
+    std::optional<DrawnSpheres> drawn;
+    if (geometry || !(view.camera.eye == view_.camera.eye)) drawn = drawn_spheres(scene, view.camera);
+    const DrawnSpheres& spheres = drawn ? *drawn : drawn_;
+    CandidateLists lists = build_lists(spheres, view.camera, view.size, gpu_tile_costs);
+    const std::vector<std::string> defines = tables_.defines_for(spheres, lists);
+    if (defines != defines_) compile(defines);
+
+    revision_ = 0;  // unless all goes well, nothing here fits together
+    step_ = 0;
+    tables_.upload(spheres, lists);
+    frame_ = frame_of(lists, view.camera, view.size);
+    lists_ = std::move(lists);
+    view_ = view;
+    if (drawn) drawn_ = std::move(*drawn);
+    colors_ = shown_colors(scene, drawn_);
+    colors_uploaded_ = false;
+    traced_ = false;
+}
+
+void LivePicture::trace(int step) {
+    const int width = grid_side(view_.size.width, step);
+    const int height = grid_side(view_.size.height, step);
+    visible_.require(width, height);
+    frame_.grid_step = step;
+    frame_.block_origin = {step / 2, step / 2};
+    upload_frame(frame_buffer_, frame_);
+    tables_.bind();
+    glUseProgram(programs_.trace.name());
+    PixelRange covered;
+    if (!lists_.covered.empty()) {
+        covered = {lists_.covered.left / step, lists_.covered.top / step, lists_.covered.right / step,
+                   lists_.covered.bottom / step};
+    }
+    const std::int32_t elsewhere = frame_.all_doubtful != 0 ? doubtful_background : visible_background;
+    for (int y = 0; y < height; y += preferred_block_side) {
+        for (int x = 0; x < width; x += preferred_block_side) {
+            visible_.draw(no_vertices_,
+                          {x, y, std::min(preferred_block_side, width - x), std::min(preferred_block_side, height - y)}, covered,
+                          elsewhere);
+            glFinish();  // no draw waits behind another; and the time is known
+        }
+    }
+    check_gl("tracing");
+    traced_ = true;
+    step_ = step;
+}
+
+bool LivePicture::update(const Document& document, const View& view, int step) {
+    assert(step >= 1 && view.size.width >= 1 && view.size.height >= 1);
+    const auto begin = std::chrono::steady_clock::now();
+    if (view.size.width > visible_.largest_side() || view.size.height > visible_.largest_side()) {
+        throw TooLarge("its pictures have at most " + in_groups(static_cast<std::uint64_t>(visible_.largest_side())) +
+                       " pixels a side");
+    }
+    const SceneChanges changes = document.changes_since(revision_);
+    const bool geometry = revision_ == 0 || changes.order || changes.geometry;
+    if (geometry || view != view_) {
+        rebuild(document, view, geometry);
+    } else {
+        for (const std::uint32_t number : changes.spheres) {
+            const std::optional<std::size_t> index = index_of(number);
+            if (!index) continue;
+            const Color& color = document.scene().spheres[number].color;
+            colors_[*index] = {color.r, color.g, color.b, colors_[*index][3]};
+            colors_uploaded_ = false;
+        }
+    }
+    revision_ = document.revision();
+    if (traced_ && step >= step_) return false;
+
+    const KeptFramebuffers kept;
+    draw_plainly();
+    trace(step);
+    last_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    return true;
+}
+
+// Also finds out where they are, and uploads all colours if anything is another.
+void LivePicture::mark_selected(const Selection* selection) {
+    static const std::vector<std::uint32_t> none;
+    const std::vector<std::uint32_t>& numbers = selection != nullptr ? selection->numbers() : none;
+    if (colors_uploaded_ && numbers == selected_) return;
+    for (ShownColor& color : colors_) color[3] = 0;
+    selected_range_ = numbers.size() > most_single_ranges ? lists_.covered : PixelRange{};
+    const PixelPlanes planes(view_.camera, view_.size);
+    for (const std::uint32_t number : numbers) {
+        const std::optional<std::size_t> index = index_of(number);
+        if (!index) continue;
+        colors_[*index][3] = 255;
+        if (numbers.size() > most_single_ranges) continue;
+        selected_range_ = united(selected_range_, planes.range(drawn_.center_radius[*index]));
+    }
+    selected_ = numbers;
+    tables_.upload_colors(colors_);
+    colors_uploaded_ = true;
+}
+
+void LivePicture::show(const WindowArea& area, const Background& background, const Highlights& highlights) {
+    if (area.width <= 0 || area.height <= 0) return;
+    const KeptFramebuffers kept;
+    draw_plainly();
+    if (step_ == 0) {
+        fill(area, shown_background(background));
+        return;
+    }
+    mark_selected(highlights.selection);
+    PixelRange outlined = selected_range_;
+    FrameBlock frame = frame_;
+    if (const auto index = highlights.hovered ? index_of(*highlights.hovered) : std::nullopt) {
+        frame.hovered = static_cast<std::int32_t>(*index);
+        outlined = united(outlined, PixelPlanes(view_.camera, view_.size).range(drawn_.center_radius[*index]));
+    }
+    frame.background = shown_background(background);
+    frame.checkerboard = checkerboard_square;
+    frame.window_corner = {area.x, area.y + area.height - 1};
+    frame.outline = std::max(highlights.thickness, 1.0F);
+    upload_frame(frame_buffer_, frame);
+    tables_.bind();
+    visible_.bind(TextureUnit::visible_spheres);
+    glUseProgram(programs_.shade.name());
+    draw_block(no_vertices_, {area.x, area.y, area.width, area.height});
+    outlines_.draw(programs_.outlines, no_vertices_, frame, outlined, area, kept.draw());
+    check_gl("showing the picture");
+}
+
+// What the buffer is sure of.
+std::optional<std::int32_t> LivePicture::traced_number(Pixel pixel) const {
+    if (!traced_) return std::nullopt;
+    const Block texel{pixel.x / step_, pixel.y / step_, 1, 1};
+    if (traced_pixel(texel.x, step_, view_.size.width) != pixel.x || traced_pixel(texel.y, step_, view_.size.height) != pixel.y) {
+        return std::nullopt;
+    }
+    const KeptFramebuffers kept;
+    std::array<std::int32_t, 1> visible{};
+    visible_.read(texel, visible);
+    if (is_doubtful(visible[0])) return std::nullopt;
+    return visible[0] < 0 ? visible[0] : drawn_.number(static_cast<std::size_t>(visible[0]));
+}
+
+std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
+    const PictureSize& size = view_.size;
+    if (revision_ == 0 || pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return visible_background;
+    DecisionLevel level = DecisionLevel::in_float;
+    const SceneChanges changes = document.changes_since(revision_);
+    if (changes.order || changes.geometry) {
+        const DrawnSpheres drawn = drawn_spheres(document.scene(), view_.camera);
+        return Resolver(document.scene(), drawn, view_.camera, size, nullptr).resolve(pixel, level);
+    }
+    if (const auto number = traced_number(pixel)) return *number;
+    return Resolver(document.scene(), drawn_, view_.camera, size, &lists_).resolve(pixel, level);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,84 @@
+#include "gpu/number_target.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+#include "base/error.hpp"
+
+namespace sphereview {
+
+void draw_block(const VertexArray& no_vertices, const Block& block) {
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(block.x, block.y, block.width, block.height);
+    glViewport(block.x, block.y, block.width, block.height);
+    glBindVertexArray(no_vertices.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindVertexArray(0);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+NumberTarget::NumberTarget() {
+    std::array<GLint, 2> viewport{};
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
+    largest_side_ = std::min({gl_limit(GL_MAX_TEXTURE_SIZE), viewport[0], viewport[1]});
+    texture_ = make_texture();
+    framebuffer_ = make_framebuffer();
+}
+
+void NumberTarget::require(int width, int height) {
+    assert(width <= largest_side_ && height <= largest_side_);
+    if (width <= width_ && height <= height_) return;
+    const int new_width = std::max(width, width_);
+    const int new_height = std::max(height, height_);
+    width_ = height_ = 0;  // unless all goes well
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32I, new_width, new_height, 0, GL_RED_INTEGER, GL_INT, nullptr);
+    // An integer texture is complete only without filtering and mipmaps; else texelFetch reads 0, which is a sphere.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_.name(), 0);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+        throw RenderError("the context cannot draw into 32-bit integers");
+    }
+    check_gl("making the buffer of visible spheres");
+    width_ = new_width;
+    height_ = new_height;
+}
+
+void NumberTarget::draw(const VertexArray& no_vertices, const Block& block, const PixelRange& covered,
+                        std::int32_t elsewhere) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    const int left = std::max(block.x, covered.left);
+    const int top = std::max(block.y, covered.top);
+    const int width = std::min(block.x + block.width - 1, covered.right) - left + 1;
+    const int height = std::min(block.y + block.height - 1, covered.bottom) - top + 1;
+    const bool some = width > 0 && height > 0;
+    if (!some || width != block.width || height != block.height) {
+        const std::array<GLint, 4> numbers = {elsewhere, 0, 0, 0};  // GL reads four, whatever the format
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(block.x, block.y, block.width, block.height);
+        glClearBufferiv(GL_COLOR, 0, numbers.data());
+        glDisable(GL_SCISSOR_TEST);
+    }
+    if (some) draw_block(no_vertices, {left, top, width, height});
+}
+
+void NumberTarget::read(const Block& block, std::span<std::int32_t> numbers) const {
+    assert(numbers.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(block.x, block.y, block.width, block.height, GL_RED_INTEGER, GL_INT, numbers.data());
+    check_gl("reading the visible spheres back");
+}
+
+void NumberTarget::bind(TextureUnit unit) const {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace sphereview

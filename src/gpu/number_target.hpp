@@ -1,0 +1,48 @@
+// A buffer of one number for each pixel, drawn by one shader and read by others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "exact/candidates.hpp"
+#include "exact/visible.hpp"
+#include "gpu/gl_object.hpp"
+#include "gpu/layouts.hpp"
+
+namespace sphereview {
+
+// Draws are split into blocks of at most this side: a watchdog ends one that takes seconds.
+inline constexpr int preferred_block_side = 2048;
+
+// Draws the one triangle that covers `block` of the bound framebuffer, in GL's coordinates, with the program in use.
+// Scissored: nothing else is touched.
+void draw_block(const VertexArray& no_vertices, const Block& block);
+
+// Row 0 is the top row of what is drawn. Draw calls leave it bound as the framebuffer, for drawing and reading.
+class NumberTarget {
+public:
+    NumberTarget();
+
+    // The largest width and height that the context offers.
+    int largest_side() const { return largest_side_; }
+
+    // Makes it at least so large; what it held is lost when it grows. At most largest_side(). Throws RenderError.
+    void require(int width, int height);
+
+    // Writes the block with the program in use where it is `covered` (in the target's texels), `elsewhere` around that.
+    void draw(const VertexArray& no_vertices, const Block& block, const PixelRange& covered, std::int32_t elsewhere) const;
+
+    // The block's texels, row by row.
+    void read(const Block& block, std::span<std::int32_t> numbers) const;
+
+    void bind(TextureUnit unit) const;
+
+private:
+    Texture texture_;
+    Framebuffer framebuffer_;
+    int largest_side_ = 0;
+    int width_ = 0;
+    int height_ = 0;
+};
+
+}  // namespace sphereview

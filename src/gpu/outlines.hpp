@@ -1,0 +1,41 @@
+// The outlines of selected and hovered spheres, drawn over a picture in a window. Twin: shaders/marks.glsl.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "exact/candidates.hpp"
+#include "gpu/gl_object.hpp"
+#include "gpu/layouts.hpp"
+#include "gpu/number_target.hpp"
+
+namespace sphereview {
+
+// Part of the window's framebuffer, in GL's coordinates: (x, y) is the bottom left corner.
+struct WindowArea {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+};
+
+// Made from mark.frag and outline.frag.
+struct OutlinePrograms {
+    Program mark;
+    Program outline;
+};
+
+// The smallest range that holds both.
+PixelRange united(const PixelRange& a, const PixelRange& b);
+
+class Outlines {
+public:
+    // Draws into framebuffer `window` what `frame`, which is uploaded, says. The marked spheres are in `range` of the picture.
+    void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const FrameBlock& frame, const PixelRange& range,
+              const WindowArea& area, GLuint window);
+
+private:
+    NumberTarget marks_;  // one for each texel of the visible-sphere buffer
+};
+
+}  // namespace sphereview

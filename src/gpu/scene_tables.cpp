@@ -1,0 +1,137 @@
+#include "gpu/scene_tables.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// The buffer has the size that the shader declares, whatever is used: some drivers refuse to draw from less.
+void put_into(const Buffer& buffer, const void* data, std::size_t used, std::size_t declared) {
+    glBindBuffer(GL_UNIFORM_BUFFER, buffer.name());
+    glBufferData(GL_UNIFORM_BUFFER, static_cast<GLsizeiptr>(declared), nullptr, GL_DYNAMIC_DRAW);
+    glBufferSubData(GL_UNIFORM_BUFFER, 0, static_cast<GLsizeiptr>(used), data);
+}
+
+void bind_block(const Buffer& buffer, BlockBinding binding) {
+    glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer.name());
+}
+
+float channel(std::uint8_t value) { return static_cast<float>(value) / 255.0F; }
+
+}  // namespace
+
+std::vector<ShownColor> shown_colors(const Scene& scene, const DrawnSpheres& drawn) {
+    std::vector<ShownColor> colors;
+    colors.reserve(drawn.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        const Color& color = scene.spheres[static_cast<std::size_t>(drawn.number(i))].color;
+        colors.push_back({color.r, color.g, color.b, 0});
+    }
+    return colors;
+}
+
+glm::vec4 shown_background(const Background& background) {
+    const Color& color = background.color;
+    return {channel(color.r), channel(color.g), channel(color.b), background.transparent ? 0.0F : 1.0F};
+}
+
+FrameBlock frame_of(const CandidateLists& lists, const Camera& camera, PictureSize size) {
+    FrameBlock frame;
+    const FloatView view = float_view(camera, size, gpu_unit);
+    frame.forward = glm::vec4(view.rays.forward, 0.0F);
+    frame.right = glm::vec4(view.rays.right, 0.0F);
+    frame.up = glm::vec4(view.rays.up, 0.0F);
+    frame.error_scale = view.error_scale;
+    frame.all_doubtful = view.all_doubtful ? 1 : 0;
+    frame.picture_size = {size.width, size.height};
+    // At least one: of a picture without spheres, a single tile with an empty list.
+    frame.level_count = std::max(1, static_cast<std::int32_t>(lists.levels.size()));
+    frame.levels[0] = {30, 0, 0, 0};
+    for (std::size_t i = 0; i < lists.levels.size(); ++i) {
+        const TileLevel& level = lists.levels[i];
+        frame.levels[i] = {level.shift, level.across, static_cast<std::int32_t>(level.first), 0};
+    }
+    return frame;
+}
+
+void upload_frame(const Buffer& buffer, const FrameBlock& frame) {
+    put_into(buffer, &frame, sizeof frame, sizeof frame);
+    bind_block(buffer, BlockBinding::frame);
+}
+
+SceneTables::SceneTables(const TextureBounds& bounds) : bounds_(bounds) {
+    uniform_capacity_ = std::min(gl_limit(GL_MAX_UNIFORM_BLOCK_SIZE), largest_uniform_block) / static_cast<int>(sizeof(glm::vec4));
+    sphere_buffer_ = make_buffer();
+    color_buffer_ = make_buffer();
+}
+
+SceneTables::Storage SceneTables::storage_for(const DrawnSpheres& spheres, const CandidateLists& lists) const {
+    Storage storage;
+    storage.in_block = spheres.size() <= static_cast<std::size_t>(uniform_capacity_);
+    const std::size_t longest = std::max({storage.in_block ? 1 : spheres.size(), lists.candidates.size(), lists.begins.size()}) + 1;
+    storage.tables = table_limits(longest, bounds_);
+    if (longest > storage.tables.most_texels) {
+        throw TooLarge("its textures hold tables of " + in_groups(storage.tables.most_texels) + " elements, the scene's " +
+                       in_groups(spheres.size()) + " spheres need " + in_groups(longest));
+    }
+    return storage;
+}
+
+std::vector<std::string> SceneTables::defines_for(const DrawnSpheres& spheres, const CandidateLists& lists) const {
+    const Storage storage = storage_for(spheres, lists);
+    std::vector<std::string> defines = table_defines(storage.tables);
+    if (storage.in_block) defines.push_back("SPHERE_CAPACITY " + std::to_string(uniform_capacity_));
+    return defines;
+}
+
+std::string SceneTables::storage() const {
+    if (storage_.in_block) return "uniform buffer";
+    return storage_.tables.shift ? "2D textures" : "buffer textures";
+}
+
+void SceneTables::upload(const DrawnSpheres& spheres, const CandidateLists& lists) {
+    storage_ = storage_for(spheres, lists);
+    if (storage_.in_block) {
+        put_into(sphere_buffer_, spheres.center_radius.data(), spheres.size() * sizeof(glm::vec4),
+                 static_cast<std::size_t>(uniform_capacity_) * sizeof(glm::vec4));
+    } else {
+        sphere_table_.upload(spheres.center_radius.data(), spheres.size(), TexelKind::vec4, TextureUnit::sphere_table,
+                             storage_.tables);
+    }
+    candidate_table_.upload(lists.candidates.data(), lists.candidates.size(), TexelKind::uint_pair, TextureUnit::candidate_table,
+                            storage_.tables);
+    list_begin_table_.upload(lists.begins.data(), lists.begins.size(), TexelKind::uint, TextureUnit::list_begin_table,
+                             storage_.tables);
+    check_gl("uploading the spheres");
+}
+
+void SceneTables::upload_colors(std::span<const ShownColor> colors) {
+    if (storage_.in_block) {
+        std::vector<glm::vec4> floats;
+        floats.reserve(colors.size());
+        for (const ShownColor& c : colors) floats.emplace_back(channel(c[0]), channel(c[1]), channel(c[2]), channel(c[3]));
+        put_into(color_buffer_, floats.data(), floats.size() * sizeof(glm::vec4),
+                 static_cast<std::size_t>(uniform_capacity_) * sizeof(glm::vec4));
+    } else {
+        color_table_.upload(colors.data(), colors.size(), TexelKind::rgba8, TextureUnit::color_table, storage_.tables);
+    }
+    check_gl("uploading the colours");
+}
+
+void SceneTables::bind() const {
+    if (storage_.in_block) {
+        bind_block(sphere_buffer_, BlockBinding::spheres);
+        bind_block(color_buffer_, BlockBinding::colors);
+    } else {
+        sphere_table_.bind(TextureUnit::sphere_table);
+        color_table_.bind(TextureUnit::color_table);
+    }
+    candidate_table_.bind(TextureUnit::candidate_table);
+    list_begin_table_.bind(TextureUnit::list_begin_table);
+    glActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,84 @@
+// A scene on the GPU: the spheres, their colours and the lists of tiles, in uniform buffers or textures.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "exact/candidates.hpp"
+#include "exact/drawn.hpp"
+#include "gpu/gl_object.hpp"
+#include "gpu/layouts.hpp"
+#include "gpu/table.hpp"
+#include "scene/scene.hpp"
+#include "tiles/build_lists.hpp"
+
+namespace sphereview {
+
+inline constexpr TileCosts gpu_tile_costs = {.smallest_shift = 1, .candidate = 4.0, .test = 1.0};
+
+// The scene is more than the context can hold; another renderer may.
+class TooLarge : public RenderError {
+public:
+    using RenderError::RenderError;
+};
+
+// What a window knows of a drawn sphere: its colour, and in the last byte whether it is selected (255) or not (0).
+using ShownColor = std::array<std::uint8_t, 4>;
+
+// Of all drawn spheres, none selected.
+std::vector<ShownColor> shown_colors(const Scene& scene, const DrawnSpheres& drawn);
+
+// What a background is to shaders: 0..1, with alpha.
+glm::vec4 shown_background(const Background& background);
+
+// What trace.frag must know of a picture, but for the part that is drawn.
+FrameBlock frame_of(const CandidateLists& lists, const Camera& camera, PictureSize size);
+
+// Uploads it and binds it for the next draw.
+void upload_frame(const Buffer& buffer, const FrameBlock& frame);
+
+class SceneTables {
+public:
+    explicit SceneTables(const TextureBounds& bounds = {});
+
+    // How many spheres the uniform buffer holds: at least 1,024. More are in textures.
+    int uniform_capacity() const { return uniform_capacity_; }
+
+    // What shaders need defined to find a scene with these lists. Throws TooLarge if the context cannot hold it.
+    std::vector<std::string> defines_for(const DrawnSpheres& spheres, const CandidateLists& lists) const;
+
+    // Replaces all but the colours. Throws as defines_for(), before it uploads anything.
+    void upload(const DrawnSpheres& spheres, const CandidateLists& lists);
+    // As many as there are spheres.
+    void upload_colors(std::span<const ShownColor> colors);
+
+    // Where the spheres are: "uniform buffer", "buffer textures" or "2D textures".
+    std::string storage() const;
+
+    // For the next draws: anyone may have bound other things since.
+    void bind() const;
+
+private:
+    // Where the spheres and lists are; each place has its own shaders.
+    struct Storage {
+        bool in_block = true;
+        TableLimits tables;
+    };
+    Storage storage_for(const DrawnSpheres& spheres, const CandidateLists& lists) const;
+
+    TextureBounds bounds_;
+    int uniform_capacity_ = 0;
+    Storage storage_;
+    Buffer sphere_buffer_;
+    Buffer color_buffer_;
+    Table sphere_table_;
+    Table color_table_;
+    Table candidate_table_;
+    Table list_begin_table_;
+};
+
+}  // namespace sphereview
