@@ -10,13 +10,16 @@ namespace sphereview {
 // file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
 void install_interrupt_handlers();
 
-// Names the one temporary file that an interruption removes, for as long as this object lives.
+// Names a temporary file that an interruption removes, for as long as this object lives. From any thread.
 class UnfinishedFile {
 public:
     explicit UnfinishedFile(const std::string& path);
     ~UnfinishedFile();
     UnfinishedFile(const UnfinishedFile&) = delete;
     UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+private:
+    int place_ = -1;  // among those that the handler knows
 };
 
 // Whether a progress bar stands on the terminal's last line.
