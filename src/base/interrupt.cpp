@@ -2,8 +2,9 @@
 
 #include <array>
 #include <atomic>
-#include <cassert>
 #include <csignal>
+#include <cstddef>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -20,9 +21,14 @@ namespace sphereview {
 
 namespace {
 
-// Written before the flag is set and read by the handler only while it is: no lock is allowed in a handler.
-std::array<char, 4096> unfinished_path{};
-std::atomic<bool> unfinished = false;
+// Threads may write files at the same time. A path is written while its place is taken and read by the handler only while it
+// is named: no lock is allowed in a handler.
+enum class Place { free, taken, named };
+struct Unfinished {
+    std::atomic<Place> place = Place::free;
+    std::array<char, 4096> path{};
+};
+std::array<Unfinished, 8> unfinished_files{};
 std::atomic<bool> progress_bar_shown = false;
 
 #ifndef _WIN32
@@ -32,7 +38,9 @@ std::atomic<int> passing_pipe = -1;
 
 extern "C" void on_interrupt(int signal_number) {
 #ifdef _WIN32
-    if (unfinished.load()) std::remove(unfinished_path.data());
+    for (const Unfinished& file : unfinished_files) {
+        if (file.place.load() == Place::named) std::remove(file.path.data());
+    }
     std::_Exit(128 + signal_number);
 #else
     const int pipe_end = passing_pipe.exchange(-1);
@@ -40,7 +48,9 @@ extern "C" void on_interrupt(int signal_number) {
         const auto number = static_cast<unsigned char>(signal_number);
         if (write(pipe_end, &number, 1) == 1) return;
     }
-    if (unfinished.load()) unlink(unfinished_path.data());
+    for (const Unfinished& file : unfinished_files) {
+        if (file.place.load() == Place::named) unlink(file.path.data());
+    }
     if (progress_bar_shown.load()) {
         constexpr char clear_line[] = "\r\x1b[K";
         [[maybe_unused]] const auto written = write(STDERR_FILENO, clear_line, sizeof clear_line - 1);
@@ -85,13 +95,21 @@ void pass_interrupts_to(std::function<void(int)> act) {
 }
 
 UnfinishedFile::UnfinishedFile(const std::string& path) {
-    assert(!unfinished.load());
-    if (path.size() >= unfinished_path.size()) return;  // too long to be remembered: an interruption leaves the hidden file
-    std::memcpy(unfinished_path.data(), path.c_str(), path.size() + 1);
-    unfinished.store(true);
+    // Too long, or too many at once, to be remembered: an interruption leaves the hidden file.
+    if (path.size() >= unfinished_files[0].path.size()) return;
+    for (std::size_t i = 0; i < unfinished_files.size() && place_ < 0; ++i) {
+        Unfinished& file = unfinished_files[i];
+        Place expected = Place::free;
+        if (!file.place.compare_exchange_strong(expected, Place::taken)) continue;
+        std::memcpy(file.path.data(), path.c_str(), path.size() + 1);
+        file.place.store(Place::named);
+        place_ = static_cast<int>(i);
+    }
 }
 
-UnfinishedFile::~UnfinishedFile() { unfinished.store(false); }
+UnfinishedFile::~UnfinishedFile() {
+    if (place_ >= 0) unfinished_files[static_cast<std::size_t>(place_)].place.store(Place::free);
+}
 
 void set_progress_bar_shown(bool shown) { progress_bar_shown.store(shown); }
 

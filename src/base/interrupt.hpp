@@ -16,13 +16,16 @@ void install_interrupt_handlers();
 // Call once.
 void pass_interrupts_to(std::function<void(int)> act);
 
-// Names the one temporary file that an interruption removes, for as long as this object lives.
+// Names a temporary file that an interruption removes, for as long as this object lives. From any thread.
 class UnfinishedFile {
 public:
     explicit UnfinishedFile(const std::string& path);
     ~UnfinishedFile();
     UnfinishedFile(const UnfinishedFile&) = delete;
     UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+private:
+    int place_ = -1;  // among those that the handler knows
 };
 
 // Whether a progress bar stands on the terminal's last line.

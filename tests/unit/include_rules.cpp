@@ -22,9 +22,11 @@ const std::map<std::string_view, Names> allowed = {
     {"gpu", {"base", "scene", "image", "exact", "tiles", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
     {"panels", {"base", "scene", "exact", "glm", "imgui"}},
-    {"viewer", {"base", "scene", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app", "glm", "glad", "json", "imgui"}},
-    {"app", {"base", "scene",      "image", "exact", "shade", "tiles",  "cpu",  "gpu",   "platform", "glm",  "toml++",
-             "stb",  "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11", "json"}},
+    {"viewer",
+     {"base", "scene", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app", "glm", "glad", "json",
+      "imgui"}},
+    {"app", {"base",   "scene", "image",      "exact", "shade", "tiles", "cpu",    "gpu",  "platform", "glm",
+             "toml++", "stb",   "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11",    "json"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.
