@@ -34,7 +34,8 @@ constexpr auto commands = std::to_array<CommandInfo>({
 
     {go_home, "View", "Go home", "Home", "Returns to the scene's own camera."},
     {center_on_selection, "View", "Centre on selection", "C|.", "Brings the selected spheres to the middle of the picture."},
-    {use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home", "Makes the view the scene's own camera."},
+    {use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home",
+     "An edit like any other: Home returns here then."},
     {toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
     {toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
     {larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger.", true},

@@ -24,20 +24,24 @@ constexpr auto mouse_table = std::to_array<MouseHelp>({
 
 void text(std::string_view words) { ImGui::TextUnformatted(words.data(), words.data() + words.size()); }
 
-// The next row of a table of two columns: what a person does, what comes of it.
-void row(std::string_view what, std::string_view meaning) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    text(what);
+void cell(std::string_view words) {
     ImGui::TableNextColumn();
     ImGui::PushTextWrapPos(0.0F);
-    text(meaning);
+    text(words);
     ImGui::PopTextWrapPos();
 }
 
-bool begin_table(const char* id, float first_column) {
-    if (!ImGui::BeginTable(id, 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return false;
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, first_column);
+// Of the columns of the commands' tables: the shortcut's and the name's; the help has the rest.
+struct Widths {
+    float what = 0.0F;
+    float name = 0.0F;
+};
+
+// Without the name's column if that has no width.
+bool begin_table(const char* id, float what, float name) {
+    if (!ImGui::BeginTable(id, name > 0.0F ? 3 : 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return false;
+    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, what);
+    if (name > 0.0F) ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, name);
     ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
     return true;
 }
@@ -51,15 +55,30 @@ void heading(std::string_view title) {
 
 float width_of(std::string_view words) { return ImGui::CalcTextSize(words.data(), words.data() + words.size()).x; }
 
-float widest_first_column() {
-    float width = 0.0F;
-    for (const MouseHelp& line : mouse_table) width = std::max(width, width_of(line.mouse));
-    for (const CommandInfo& info : all_commands()) width = std::max(width, width_of(every_shortcut(info.shortcut)));
-    return width + ImGui::GetTextLineHeight();
+Widths widest() {
+    Widths widths;
+    for (const CommandInfo& info : all_commands()) {
+        widths.what = std::max(widths.what, width_of(every_shortcut(info.shortcut)));
+        widths.name = std::max(widths.name, width_of(info.label));
+    }
+    return widths;
 }
 
-// The commands' tables have one line each: "Ctrl+S    Save: Writes the scene to its file."
-void draw_commands(float first_column) {
+void draw_mouse() {
+    float widest_mouse = 0.0F;
+    for (const MouseHelp& line : mouse_table) widest_mouse = std::max(widest_mouse, width_of(line.mouse));
+    heading("Mouse");
+    if (!begin_table("mouse", widest_mouse, 0.0F)) return;
+    for (const MouseHelp& line : mouse_table) {
+        cell(line.mouse);
+        cell(line.help);
+    }
+    ImGui::EndTable();
+}
+
+// A table for each menu.
+void draw_commands() {
+    const Widths widths = widest();
     std::string_view menu;
     bool in_table = false;
     for (const CommandInfo& info : all_commands()) {
@@ -67,9 +86,12 @@ void draw_commands(float first_column) {
             if (in_table) ImGui::EndTable();
             menu = info.menu;
             heading(menu);
-            in_table = begin_table(std::string(menu).c_str(), first_column);
+            in_table = begin_table(std::string(menu).c_str(), widths.what, widths.name);
         }
-        if (in_table) row(every_shortcut(info.shortcut), std::string(info.label) + ": " + std::string(info.help));
+        if (!in_table) continue;
+        cell(every_shortcut(info.shortcut));
+        cell(info.label);
+        cell(info.help);
     }
     if (in_table) ImGui::EndTable();
 }
@@ -81,18 +103,13 @@ std::span<const MouseHelp> mouse_help() { return mouse_table; }
 void draw_help(const PanelContext& context, bool& open) {
     if (!open) return;
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
-    const ImVec2 size(std::min(760.0F * context.scale, 0.95F * viewport->WorkSize.x),
+    const ImVec2 size(std::min(860.0F * context.scale, 0.95F * viewport->WorkSize.x),
                       std::min(640.0F * context.scale, 0.9F * viewport->WorkSize.y));
     ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5F, 0.5F));
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     if (ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-        const float first_column = widest_first_column();
-        heading("Mouse");
-        if (begin_table("mouse", first_column)) {
-            for (const MouseHelp& line : mouse_table) row(line.mouse, line.help);
-            ImGui::EndTable();
-        }
-        draw_commands(first_column);
+        draw_mouse();
+        draw_commands();
     }
     ImGui::End();
 }

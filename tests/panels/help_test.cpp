@@ -25,8 +25,8 @@ TEST(Help, ListsEveryShortcutAndTheMouse) {
 TEST(Help, ClosesByItsButton) {
     bool open = true;
     PanelHarness harness([&](const PanelContext& context) { draw_help(context, open); }, {}, 1000.0F, 1000.0F);
-    // The title bar's right end: the window is 760 x 640 in the middle.
-    harness.click(ImVec2(500.0F + 380.0F - 11.0F, 500.0F - 320.0F + 10.0F));
+    // The title bar's right end: the window is 860 x 640 in the middle.
+    harness.click(ImVec2(500.0F + 430.0F - 11.0F, 500.0F - 320.0F + 10.0F));
     EXPECT_FALSE(open);
     harness.frames(2);
     EXPECT_EQ(harness.vertices(), 0);
