@@ -38,6 +38,7 @@ constexpr auto commands = std::to_array<CommandInfo>({
      "An edit like any other: Home returns here then."},
     {toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
     {toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
+    {toggle_export_frame, "View", "Frame of the export", "M", "Marks what an export shows, where the window shows more or less."},
     {larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger.", true},
     {smaller_text, "View", "Smaller text", "Ctrl+-", "Makes text and panels smaller."},
 

@@ -32,6 +32,7 @@ enum class CommandId {
     use_view_as_camera,
     toggle_panel,
     toggle_inspector,
+    toggle_export_frame,
     larger_text,
     smaller_text,
     help,

@@ -24,16 +24,34 @@ fs::path next_free_name(const ViewerState& state) {
     return name;
 }
 
-void try_export(ViewerState& state, const std::string& path, PictureSize size) {
+// What it said when it could not be done, or "".
+std::string try_export(ViewerState& state, const std::string& path, PictureSize size) {
     try {
         export_view(state, path, size);
     } catch (...) {
-        return report_error(state, "The picture cannot be exported", describe_current_exception().message);
+        return describe_current_exception().message;
     }
     announce(state, "Exported " + path + " (" + std::to_string(size.width) + " x " + std::to_string(size.height) + ")");
+    return "";
 }
 
 PictureSize export_size(const ViewerState& state) { return {state.settings.export_width, state.settings.export_height}; }
+
+void ask_for_export(ViewerState& state, const std::string& first_path, const std::string& fault) {
+    ExportForm form;
+    form.path = first_path;
+    form.width = state.settings.export_width;
+    form.height = state.settings.export_height;
+    form.view = state.picture_size;
+    form.error = fault;
+    form.accept = [&state](const std::string& path, PictureSize size) {
+        state.settings.export_width = size.width;
+        state.settings.export_height = size.height;
+        const std::string why = try_export(state, path, size);
+        if (!why.empty()) ask_for_export(state, path, why);
+    };
+    state.dialogs.push_back(std::move(form));
+}
 
 }  // namespace
 
@@ -51,20 +69,11 @@ void export_view(const ViewerState& state, const std::string& path, PictureSize 
     write_output(path, encode_png(picture));
 }
 
-void export_now(ViewerState& state) { try_export(state, next_free_name(state).string(), export_size(state)); }
-
-void ask_for_export(ViewerState& state) {
-    ExportForm form;
-    form.path = next_free_name(state).string();
-    form.width = state.settings.export_width;
-    form.height = state.settings.export_height;
-    form.view = state.picture_size;
-    form.accept = [&state](const std::string& path, PictureSize size) {
-        state.settings.export_width = size.width;
-        state.settings.export_height = size.height;
-        try_export(state, path, size);
-    };
-    state.dialogs.push_back(std::move(form));
+void export_now(ViewerState& state) {
+    const std::string fault = try_export(state, next_free_name(state).string(), export_size(state));
+    if (!fault.empty()) report_error(state, "The picture cannot be exported", fault);
 }
+
+void ask_for_export(ViewerState& state) { ask_for_export(state, next_free_name(state).string(), ""); }
 
 }  // namespace sphereview

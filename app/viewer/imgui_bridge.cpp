@@ -18,13 +18,27 @@ namespace {
 constexpr float usual_font_size = 15.0F;
 
 constexpr std::array<std::pair<std::string_view, ImGuiKey>, 21> imgui_keys = {{
-    {"tab", ImGuiKey_Tab},           {"left", ImGuiKey_LeftArrow},   {"right", ImGuiKey_RightArrow},
-    {"up", ImGuiKey_UpArrow},        {"down", ImGuiKey_DownArrow},   {"page up", ImGuiKey_PageUp},
-    {"page down", ImGuiKey_PageDown}, {"home", ImGuiKey_Home},        {"end", ImGuiKey_End},
-    {"insert", ImGuiKey_Insert},     {"delete", ImGuiKey_Delete},    {"backspace", ImGuiKey_Backspace},
-    {"space", ImGuiKey_Space},       {"enter", ImGuiKey_Enter},      {"escape", ImGuiKey_Escape},
-    {"a", ImGuiKey_A},               {"c", ImGuiKey_C},              {"v", ImGuiKey_V},
-    {"x", ImGuiKey_X},               {"y", ImGuiKey_Y},              {"z", ImGuiKey_Z},
+    {"tab", ImGuiKey_Tab},
+    {"left", ImGuiKey_LeftArrow},
+    {"right", ImGuiKey_RightArrow},
+    {"up", ImGuiKey_UpArrow},
+    {"down", ImGuiKey_DownArrow},
+    {"page up", ImGuiKey_PageUp},
+    {"page down", ImGuiKey_PageDown},
+    {"home", ImGuiKey_Home},
+    {"end", ImGuiKey_End},
+    {"insert", ImGuiKey_Insert},
+    {"delete", ImGuiKey_Delete},
+    {"backspace", ImGuiKey_Backspace},
+    {"space", ImGuiKey_Space},
+    {"enter", ImGuiKey_Enter},
+    {"escape", ImGuiKey_Escape},
+    {"a", ImGuiKey_A},
+    {"c", ImGuiKey_C},
+    {"v", ImGuiKey_V},
+    {"x", ImGuiKey_X},
+    {"y", ImGuiKey_Y},
+    {"z", ImGuiKey_Z},
 }};
 
 void set_modifiers(ImGuiIO& io, const Modifiers& modifiers) {
@@ -114,14 +128,13 @@ void ImguiBridge::build_fonts() {
     io.Fonts->Clear();
     const std::string file = system_font_file();
     // Latin, Greek, Cyrillic, and the punctuation and arrows that the panels use.
-    static constexpr std::array<ImWchar, 13> ranges = {0x20,   0x17F,  0x370,  0x3FF,  0x400, 0x4FF, 0x2010,
+    static constexpr std::array<ImWchar, 13> ranges = {0x20,   0x17F,  0x370,  0x3FF,  0x400,  0x4FF, 0x2010,
                                                        0x205E, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
     const ImFont* font = file.empty() ? nullptr : io.Fonts->AddFontFromFileTTF(file.c_str(), font_pixels_, nullptr, ranges.data());
-    if (font == nullptr) {
-        ImFontConfig config;
-        config.SizePixels = font_pixels_;
-        io.Fonts->AddFontDefault(&config);
-    }
+    ImFontConfig own;
+    own.SizePixels = font_pixels_;
+    if (font == nullptr) io.Fonts->AddFontDefault(&own);
+    io.Fonts->AddFontDefault(&own);  // the second is for what must stand in columns: a compiler's log
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }

@@ -85,7 +85,9 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Fra
     ImGui::End();
     ImGui::PopStyleVar(2);
 
-    draw_messages(context, state.messages, {picture.x, picture.y, picture.width, picture.height});
+    const ClosedMessages closed = draw_messages(context, state.messages, {picture.x, picture.y, picture.width, picture.height});
+    if (closed.scene_error) state.messages.scene_error.clear();
+    if (closed.shader_error) state.messages.shader_error.clear();
     if (state.inspector_shown) draw_inspector_window(state, context, facts, picture);
     if (state.help_shown) draw_help(context, state.help_shown);
     draw_dialogs(context, state.dialogs, facts.keys);
@@ -93,6 +95,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Fra
 }
 
 void draw_export_frame(const ViewerState& state, const Rectangle& picture) {
+    if (!state.export_frame_shown) return;
     const PictureSize size{state.settings.export_width, state.settings.export_height};
     // Both show `right` and `up` over half their shorter side.
     const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());

@@ -23,8 +23,8 @@ struct PictureMouse {
     double wheel = 0.0;  // > 0: away from the person
     bool control = false;
     bool shift = false;
-    bool cancelled = false;        // Escape
-    double drag_threshold = 4.0;   // pixels
+    bool cancelled = false;       // Escape
+    double drag_threshold = 4.0;  // pixels
 };
 
 // What the mouse acts on.
@@ -33,7 +33,7 @@ struct PictureState {
     const Selection& selection;
     Camera camera;
     PictureSize size;
-    glm::dvec3 pivot{0.0};  // what an orbit turns about
+    glm::dvec3 pivot{0.0};                         // what an orbit turns about
     std::function<std::int32_t(glm::dvec2)> pick;  // the visible sphere at a place, or visible_background
 };
 

@@ -64,7 +64,6 @@ bool is_enabled(const ViewerState& state, CommandId command) {
         case CommandId::move_down: return selected.size() == 1 && selected.front() + 1 < count;
         case CommandId::select_all: return selected.size() < count;
         case CommandId::use_view_as_camera: return state.camera != state.scene().camera;
-        case CommandId::go_home: return true;
         default: return true;
     }
 }
@@ -96,6 +95,7 @@ void run_command(ViewerState& state, CommandId command) {
             return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
+        case CommandId::toggle_export_frame: state.export_frame_shown = !state.export_frame_shown; return;
         case CommandId::larger_text: return scale_text(state, 1.1);
         case CommandId::smaller_text: return scale_text(state, 1.0 / 1.1);
         case CommandId::help: state.help_shown = !state.help_shown; return;

@@ -14,13 +14,8 @@ std::string selected_in_words(const ViewerState& state) {
 }
 
 // Told apart at a glance, on black and on white.
-constexpr std::array<Color, 7> new_colors = {{{230, 80, 60},
-                                              {70, 140, 230},
-                                              {90, 190, 90},
-                                              {240, 180, 50},
-                                              {160, 100, 210},
-                                              {60, 190, 190},
-                                              {230, 110, 170}}};
+constexpr std::array<Color, 7> new_colors = {
+    {{230, 80, 60}, {70, 140, 230}, {90, 190, 90}, {240, 180, 50}, {160, 100, 210}, {60, 190, 190}, {230, 110, 170}}};
 
 }  // namespace
 

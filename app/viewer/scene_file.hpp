@@ -15,8 +15,10 @@ void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat
 void new_scene(ViewerState& state);
 void open_scene(ViewerState& state, const std::string& path);
 void ask_for_scene(ViewerState& state);
-void save_scene(ViewerState& state, const std::function<void()>& then = [] {});
-void save_scene_as(ViewerState& state, const std::function<void()>& then = [] {});
+void save_scene(
+    ViewerState& state, const std::function<void()>& then = [] {});
+void save_scene_as(
+    ViewerState& state, const std::function<void()>& then = [] {});
 void quit(ViewerState& state);
 
 // Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so; edits that are

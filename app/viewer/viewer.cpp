@@ -55,6 +55,7 @@ Viewer::Viewer(ViewerState& state, Window& window)
       renderer_(window.renderer()) {
     state_.wake = Window::wake;
     facts_.status.renderer = renderer_;
+    state_.messages.shader_error = picture_.shader_log();
 }
 
 void Viewer::run(const std::function<bool()>& interrupted) {
@@ -89,7 +90,8 @@ void Viewer::finish_system_dialog() {
     const auto accept = std::move(state_.system_dialog->accept);
     state_.system_dialog.reset();
     if (const auto* chosen = std::get_if<FileChosen>(&*result)) accept(chosen->path);
-    if (const auto* failed = std::get_if<FileDialogFailed>(&*result)) report_error(state_, "The file dialog failed", failed->reason);
+    if (const auto* failed = std::get_if<FileDialogFailed>(&*result))
+        report_error(state_, "The file dialog failed", failed->reason);
     pacing_.touch();
 }
 
@@ -111,7 +113,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
             actions.push_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
-            if (!state_.dialogs.empty() || (typing && is_typed(*key))) continue;
+            if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(key->name, m.control, m.shift, m.alt)) actions.push_back(RunCommand{*command});
         } else if (const auto* typed = std::get_if<CharacterTyped>(&event); typed != nullptr && !typing && state_.dialogs.empty()) {
@@ -210,10 +212,10 @@ void Viewer::draw_frame() {
     pacing_.drew(picture_.step());
     if (log_.wanted()) {
         const bool resting = pacing_.rests() && input_.empty();
-        log_.add(state_,
-                 {++frame_number_, picture_.step(), resting, area_, seconds_between(begin, Clock::now()), title_for(state_),
-                  renderer_},
-                 widgets_);
+        log_.add(
+            state_,
+            {++frame_number_, picture_.step(), resting, area_, seconds_between(begin, Clock::now()), title_for(state_), renderer_},
+            widgets_);
     }
 }
 
@@ -226,7 +228,8 @@ void Viewer::note_facts() {
         if (state_.hovered != sphere) pacing_.touch();
         state_.hovered = sphere;
     }
-    facts_.status = {renderer_, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
+    facts_.status = {renderer_, picture_.last_seconds(),       picture_.step(), pixel, state_.picture_size,
+                     sphere,    hidden_.count(state_.document)};
     facts_.inspected.reset();
     if (pixel && state_.inspector_shown) {
         Scene seen = state_.scene();

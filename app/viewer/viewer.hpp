@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/live_picture.hpp"
+#include "panels/hidden_spheres.hpp"
 #include "viewer/frame_log.hpp"
 #include "viewer/imgui_bridge.hpp"
 #include "viewer/input_queue.hpp"
@@ -31,7 +32,6 @@ private:
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
     void use_mouse(const PanelContext& context, bool cancelled);
-    void trace();
     void show(const Rectangle& area);
     void note_facts();
     void finish_system_dialog();
@@ -47,6 +47,7 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
+    HiddenSpheres hidden_;
     std::string renderer_;
 
     Clock::time_point last_frame_ = Clock::now();

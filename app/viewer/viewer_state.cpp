@@ -8,9 +8,7 @@ constexpr auto announcement_time = std::chrono::seconds(5);
 
 }  // namespace
 
-std::string ViewerState::name() const {
-    return path.empty() ? "untitled" : std::filesystem::path(path).filename().string();
-}
+std::string ViewerState::name() const { return path.empty() ? "untitled" : std::filesystem::path(path).filename().string(); }
 
 void announce(ViewerState& state, const std::string& text) {
     state.messages.announcement = text;

@@ -65,7 +65,7 @@ struct ViewerState {
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;
     glm::dvec3 pivot{0.0};
-    PictureSize picture_size;  // of the window's picture, in pixels
+    PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
 
     Messages messages;
@@ -76,6 +76,7 @@ struct ViewerState {
 
     bool panel_shown = true;
     bool inspector_shown = false;
+    bool export_frame_shown = true;
     bool help_shown = false;
     SidePanelState side_panel;
     bool quits = false;
@@ -95,7 +96,8 @@ void report_error(ViewerState& state, const std::string& title, const std::strin
 // The view becomes the scene's own camera.
 void go_home(ViewerState& state);
 
-// Brings bounds up to date; they are left as they are while something is dragged, so that no slider's range moves under the pointer.
+// Brings bounds up to date; they are left as they are while something is dragged, so that no slider's range moves under the
+// pointer.
 void update_bounds(ViewerState& state);
 
 }  // namespace sphereview

@@ -113,8 +113,7 @@ void ViewerWindow::drag(const Place& from, const Place& to, int button) {
     constexpr int steps = 5;
     for (int i = 1; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
-        words.insert(words.end(),
-                     {"mousemove", number(from.x + part * (to.x - from.x)), number(from.y + part * (to.y - from.y))});
+        words.insert(words.end(), {"mousemove", number(from.x + part * (to.x - from.x)), number(from.y + part * (to.y - from.y))});
     }
     words.insert(words.end(), {"mouseup", std::to_string(button)});
     xdotool(words);
@@ -173,8 +172,8 @@ Outcome ViewerWindow::wait_for_end() { return program_->wait(); }
 double ViewerWindow::processor_seconds() const { return program_->processor_seconds(); }
 
 Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame) {
-    const std::string size = std::to_string(frame.at("picture_size")[0].get<int>()) + "x" +
-                             std::to_string(frame.at("picture_size")[1].get<int>());
+    const std::string size =
+        std::to_string(frame.at("picture_size")[0].get<int>()) + "x" + std::to_string(frame.at("picture_size")[1].get<int>());
     Command command;
     command.arguments = {"render", scene, "--backend", "cpu", "-s", size, "-o", folder.path("expected.png")};
     const Outcome outcome = run(command);

@@ -45,7 +45,7 @@ public:
     void release(int button = 1);
     // Moves in steps, as a hand does.
     void drag(const Place& from, const Place& to, int button = 1);
-    void wheel(int clicks);  // > 0: away from the person
+    void wheel(int clicks);             // > 0: away from the person
     void key(const std::string& name);  // as xdotool calls it: "ctrl+z", "F12"
     void key_down(const std::string& name);
     void key_up(const std::string& name);

@@ -10,7 +10,8 @@ XServer::XServer(const ScreenOptions& options) {
     Command command;
     command.program = XVFB;
     // It chooses a display that is free and, once it can be used, says which on standard error.
-    command.arguments = {"-displayfd", "2", "-screen", "0", screen, "-dpi", std::to_string(options.dpi), "-nolisten", "tcp", "-noreset"};
+    command.arguments = {"-displayfd", "2",   "-screen", "0", screen, "-dpi", std::to_string(options.dpi),
+                         "-nolisten",  "tcp", "-noreset"};
     command.input_stays_open = true;
     xvfb_ = std::make_unique<Running>(command);
     if (!xvfb_->wait_for_errors("\n")) throw std::runtime_error("Xvfb does not start");
