@@ -74,7 +74,7 @@ std::string process_name() {
 bool process_runs(const std::string& name) {
     long number = 0;
     const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
-    return read.ec == std::errc() && number > 0 && name_of(number) == name;
+    return read.ec == std::errc() && number > 0 && (name_of(number) == name || name == process_name());
 }
 
 }  // namespace sphereview

@@ -70,7 +70,7 @@ std::vector<std::string> zenity_arguments(const FileDialogRequest& request) {
 std::vector<std::string> kdialog_arguments(const FileDialogRequest& request) {
     std::string filters;
     for (const FileFilter& filter : request.filters) {
-        filters += (filters.empty() ? "" : "|") + filter.name + " (" + patterns(filter) + ")";
+        filters += (filters.empty() ? "" : "\n") + filter.name + " (" + patterns(filter) + ")";
     }
     return {"--title", request.title, request.saving ? "--getsavefilename" : "--getopenfilename", start_of(request), filters};
 }
@@ -99,7 +99,9 @@ SystemFileDialog::Result meaning(const ChildResult& child, const std::string& pr
 
 struct SystemFileDialog::State {
     State(const Program& program, const FileDialogRequest& request, std::function<void()> call)
-        : name(program.is_kdialog ? "kdialog" : "zenity"),
+        : name(program.path.empty() ? "zenity or kdialog"
+               : program.is_kdialog ? "kdialog"
+                                    : "zenity"),
           on_end(std::move(call)),
           child(program.path, program.is_kdialog ? kdialog_arguments(request) : zenity_arguments(request),
                 ChildProcess::Group::own),

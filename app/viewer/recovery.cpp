@@ -1,0 +1,156 @@
+#include "viewer/recovery.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/process_name.hpp"
+#include "base/user_folders.hpp"
+#include "scene/scene_format.hpp"
+
+namespace sphereview {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The file is named after the process, and begins with two comments, so that both are replaced in one step with the scene.
+constexpr std::string_view prefix = "recovery-";
+constexpr std::string_view ending = ".toml";
+constexpr std::string_view time_mark = "# sphereview recovery, milliseconds since 1970: ";
+constexpr std::string_view original_mark = "# of: ";
+
+using Milliseconds = std::chrono::milliseconds;
+
+fs::path own_file(const fs::path& folder) { return folder / (std::string(prefix) + process_name() + std::string(ending)); }
+
+// A path may hold any byte, a comment may not: all but plain characters become %XX.
+std::string escaped(std::string_view path) {
+    constexpr std::string_view digits = "0123456789ABCDEF";
+    std::string text;
+    for (const char character : path) {
+        const auto byte = static_cast<unsigned char>(character);
+        if (byte > ' ' && byte < 0x7F && byte != '%') {
+            text += character;
+        } else {
+            text += '%';
+            text += digits[byte >> 4];
+            text += digits[byte & 15];
+        }
+    }
+    return text;
+}
+
+std::optional<std::string> unescaped(std::string_view text) {
+    std::string path;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] != '%') {
+            path += text[i];
+            continue;
+        }
+        unsigned byte = 0;
+        if (i + 2 >= text.size()) return {};
+        const char* begin = text.data() + i + 1;
+        if (const auto read = std::from_chars(begin, begin + 2, byte, 16); read.ptr != begin + 2) return {};
+        path += static_cast<char>(byte);
+        i += 2;
+    }
+    return path;
+}
+
+// What follows `mark` on the first line of `text`, which loses that line; nothing if the line begins otherwise.
+std::optional<std::string_view> take_line(std::string_view& text, std::string_view mark) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos || !text.starts_with(mark)) return {};
+    const std::string_view rest = text.substr(mark.size(), end - mark.size());
+    text.remove_prefix(end + 1);
+    return rest;
+}
+
+std::optional<Recovery> read_head(const fs::path& file) {
+    constexpr std::size_t longest_head = 65536;
+    InputStream stream(file.string());
+    stream.fill(longest_head);
+    std::string_view text = stream.bytes();
+    const auto time = take_line(text, time_mark);
+    const auto original = take_line(text, original_mark);
+    std::int64_t count = 0;
+    if (!time || !original || std::from_chars(time->data(), time->data() + time->size(), count).ec != std::errc()) return {};
+    const auto path = unescaped(*original);
+    if (!path) return {};
+    return Recovery{file.string(), *path, std::chrono::system_clock::time_point(Milliseconds(count))};
+}
+
+// Whether the file is named after a process that has ended.
+bool is_left_behind(const fs::path& file) {
+    const std::string name = file.filename().string();
+    if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() < prefix.size() + ending.size()) return false;
+    return !process_runs(name.substr(prefix.size(), name.size() - prefix.size() - ending.size()));
+}
+
+}  // namespace
+
+bool write_recovery(const Scene& scene, const std::string& original) noexcept {
+    try {
+        const fs::path folder = state_folder();
+        if (!make_user_folder(folder)) return false;
+        const auto now = std::chrono::system_clock::now().time_since_epoch();
+        std::string text(time_mark);
+        text += std::to_string(std::chrono::duration_cast<Milliseconds>(now).count());
+        text += '\n';
+        text += original_mark;
+        text += escaped(original.empty() ? "" : fs::absolute(original).string());
+        text += '\n';
+        text += write_scene(scene, SceneFormat::toml);
+        write_output(own_file(folder).string(), text);
+        return true;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+std::vector<Recovery> list_recoveries() {
+    std::vector<Recovery> recoveries;
+    std::error_code error;
+    const fs::path folder = state_folder();
+    if (folder.empty()) return recoveries;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code ignored;
+        if (!entry->is_regular_file(ignored) || !is_left_behind(entry->path())) continue;
+        try {
+            if (auto recovery = read_head(entry->path())) recoveries.push_back(std::move(*recovery));
+        } catch (const std::exception&) {
+            // Unreadable, or just taken by another viewer.
+        }
+    }
+    std::ranges::sort(recoveries, std::ranges::greater(), &Recovery::time);
+    return recoveries;
+}
+
+bool remove_recovery(const std::string& file) noexcept {
+    std::error_code error;
+    try {
+        fs::remove(file, error);
+        return !error;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+bool remove_own_recovery() noexcept {
+    try {
+        const fs::path folder = state_folder();
+        return folder.empty() || remove_recovery(own_file(folder).string());
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+}  // namespace sphereview

@@ -1,0 +1,163 @@
+#include "viewer/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/user_folders.hpp"
+#include "image/image.hpp"
+
+namespace sphereview {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::json;
+
+fs::path settings_file() {
+    const fs::path folder = config_folder();
+    return folder.empty() ? fs::path() : folder / "viewer.json";
+}
+
+// An empty object when there is no file or it holds something else.
+Json read_file(const fs::path& file) {
+    std::error_code ignored;
+    if (file.empty() || !fs::is_regular_file(file, ignored)) return Json::object();
+    try {
+        Json json = Json::parse(InputFile(file.string()).bytes(), nullptr, false);
+        if (json.is_object()) return json;
+    } catch (const std::exception&) {
+        // Unreadable: as if it were not there.
+    }
+    return Json::object();
+}
+
+std::optional<int> number_in(const Json& json, const char* key, SettingRange<int> range) {
+    const auto value = json.find(key);
+    if (value == json.end() || !value->is_number_integer()) return {};
+    // A number that only unsigned holds is far above any range.
+    if (value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(range.most)) return {};
+    const auto number = value->get<std::int64_t>();
+    return number >= range.least && number <= range.most ? std::optional(static_cast<int>(number)) : std::nullopt;
+}
+
+void read(const Json& json, const char* key, SettingRange<int> range, int& setting) {
+    setting = number_in(json, key, range).value_or(setting);
+}
+
+void read(const Json& json, const char* key, SettingRange<double> range, double& setting) {
+    const auto value = json.find(key);
+    if (value == json.end() || !value->is_number()) return;
+    const auto number = value->get<double>();
+    if (number >= range.least && number <= range.most) setting = number;
+}
+
+void read_place(const Json& json, WindowPlace& place) {
+    const auto window = json.find("window");
+    if (window == json.end() || !window->is_object()) return;
+    place.x = number_in(*window, "x", window_place_range);
+    place.y = number_in(*window, "y", window_place_range);
+    if (!place.x || !place.y) place.x = place.y = std::nullopt;  // half a place is none
+    read(*window, "width", window_side_range, place.width);
+    read(*window, "height", window_side_range, place.height);
+    const auto maximized = window->find("maximized");
+    if (maximized != window->end() && maximized->is_boolean()) place.maximized = maximized->get<bool>();
+}
+
+void read_recent(const Json& json, std::vector<std::string>& recent) {
+    const auto list = json.find("recent");
+    if (list == json.end() || !list->is_array()) return;
+    for (const Json& entry : *list) {
+        if (!entry.is_string() || recent.size() == most_recent) continue;
+        const auto path = entry.get<std::string>();
+        if (fs::path(path).is_absolute() && std::ranges::find(recent, path) == recent.end()) recent.push_back(path);
+    }
+}
+
+bool is_utf8(const std::string& text) {
+    try {
+        static_cast<void>(Json(text).dump());
+        return true;
+    } catch (const Json::exception&) {
+        return false;
+    }
+}
+
+// Of what is there already, only these settings change.
+void update(Json& json, const ViewerSettings& settings) {
+    Json& window = json["window"];
+    if (!window.is_object()) window = Json::object();
+    window.erase("x");
+    window.erase("y");
+    if (settings.place.x && settings.place.y) {
+        window["x"] = *settings.place.x;
+        window["y"] = *settings.place.y;
+    }
+    window["width"] = settings.place.width;
+    window["height"] = settings.place.height;
+    window["maximized"] = settings.place.maximized;
+    json["panel_width"] = settings.panel_width;
+    json["text_scale"] = settings.text_scale;
+    json["export_width"] = settings.export_width;
+    json["export_height"] = settings.export_height;
+    Json recent = Json::array();
+    std::ranges::copy_if(settings.recent, std::back_inserter(recent), is_utf8);
+    json["recent"] = recent;
+}
+
+std::string absolute(const std::string& path) {
+    std::error_code error;
+    const fs::path full = fs::absolute(path, error).lexically_normal();
+    return error ? path : full.string();
+}
+
+}  // namespace
+
+void add_recent(ViewerSettings& settings, const std::string& path) {
+    const std::string full = absolute(path);
+    std::erase(settings.recent, full);
+    settings.recent.insert(settings.recent.begin(), full);
+    if (settings.recent.size() > most_recent) settings.recent.resize(most_recent);
+}
+
+void remove_recent(ViewerSettings& settings, const std::string& path) { std::erase(settings.recent, absolute(path)); }
+
+ViewerSettings load_settings() {
+    const Json json = read_file(settings_file());
+    ViewerSettings settings;
+    read_place(json, settings.place);
+    read(json, "panel_width", panel_width_range, settings.panel_width);
+    read(json, "text_scale", text_scale_range, settings.text_scale);
+    read(json, "export_width", export_side_range, settings.export_width);
+    read(json, "export_height", export_side_range, settings.export_height);
+    if (std::int64_t{settings.export_width} * settings.export_height > most_pixels) {
+        settings.export_width = ViewerSettings{}.export_width;
+        settings.export_height = ViewerSettings{}.export_height;
+    }
+    read_recent(json, settings.recent);
+    return settings;
+}
+
+bool save_settings(const ViewerSettings& settings) noexcept {
+    try {
+        const fs::path file = settings_file();
+        if (file.empty() || !make_user_folder(file.parent_path())) return false;
+        Json json = read_file(file);
+        update(json, settings);
+        write_output(file.string(), json.dump(4) + "\n");
+        return true;
+    } catch (const std::exception&) {
+        return false;
+    }
+}
+
+}  // namespace sphereview

@@ -1,0 +1,44 @@
+// What the viewer keeps from one run to the next, in the platform's folder for settings.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "platform/window.hpp"
+
+namespace sphereview {
+
+// What a setting may be; a file that says otherwise is not believed.
+template <typename T>
+struct SettingRange {
+    T least;
+    T most;
+};
+inline constexpr SettingRange<int> window_side_range{100, 32767};  // screen coordinates
+inline constexpr SettingRange<int> window_place_range{-32768, 32767};
+inline constexpr SettingRange<double> panel_width_range{100.0, 4000.0};
+inline constexpr SettingRange<double> text_scale_range{0.5, 4.0};
+inline constexpr SettingRange<int> export_side_range{1, 65535};  // both together: at most `most_pixels`
+inline constexpr std::size_t most_recent = 10;
+
+struct ViewerSettings {
+    WindowPlace place;
+    double panel_width = 360.0;       // screen coordinates
+    double text_scale = 1.0;          // times what the system wants
+    std::vector<std::string> recent;  // absolute paths, the latest first, each once, at most `most_recent`
+    int export_width = 1000;
+    int export_height = 1000;
+};
+
+// The path, made absolute, becomes the latest.
+void add_recent(ViewerSettings& settings, const std::string& path);
+void remove_recent(ViewerSettings& settings, const std::string& path);
+
+// What was saved last; the default for each setting that is missing, broken or out of its range.
+ViewerSettings load_settings();
+
+// Returns false when that cannot be done. What another version of the program keeps in the same file stays. A path that is not
+// UTF-8 is left out: JSON cannot hold it.
+bool save_settings(const ViewerSettings& settings) noexcept;
+
+}  // namespace sphereview

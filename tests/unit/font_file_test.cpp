@@ -1,0 +1,31 @@
+#include "platform/font_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/environment.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace sphereview {
+
+TEST(SystemFontFile, IsTrueType) {
+    if (!std::filesystem::exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")) GTEST_SKIP() << "fonts-dejavu-core is missing";
+    const std::string path = system_font_file();
+    if (path.empty()) GTEST_SKIP() << "built without fontconfig";
+    char bytes[4] = {};
+    std::ifstream(path, std::ios::binary).read(bytes, sizeof bytes);
+    const std::string signature(bytes, sizeof bytes);
+    EXPECT_TRUE(signature == std::string("\0\1\0\0", 4) || signature == "true") << path;
+}
+
+TEST(SystemFontFile, IsEmptyWhereThereIsNoFont) {
+    const test::TemporaryFolder folder;
+    const std::string none = "<?xml version=\"1.0\"?><fontconfig><dir>" + folder.path() + "</dir><cachedir>" +
+                             folder.path("cache") + "</cachedir></fontconfig>";
+    const test::Variable file("FONTCONFIG_FILE", folder.write("fonts.conf", none));
+    EXPECT_EQ(system_font_file(), "");
+}
+
+}  // namespace sphereview
