@@ -75,11 +75,15 @@ std::vector<std::string> kdialog_arguments(const FileDialogRequest& request) {
     return {"--title", request.title, request.saving ? "--getsavefilename" : "--getopenfilename", start_of(request), filters};
 }
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+// What ended it comes last, after warnings.
+std::string last_line(std::string text) {
+    while (text.ends_with('\n')) text.pop_back();
+    return text.substr(text.rfind('\n') + 1);
+}
 
 SystemFileDialog::Result meaning(const ChildResult& child, const std::string& program) {
     using End = ChildResult::End;
-    const std::string said = first_line(child.errors);
+    const std::string said = last_line(child.errors);
     const std::string because = said.empty() ? "" : ": " + said;
     if (child.end == End::not_started) return FileDialogFailed{program + " cannot be started" + because};
     if (child.end != End::exited) return FileDialogFailed{program + " was ended by signal " + std::to_string(child.code)};

@@ -108,7 +108,7 @@ TEST_F(FileDialog, SaysWhyItFailed) {
     EXPECT_EQ(failure(), "zenity or kdialog cannot be started: No such file or directory") << "though it is not available";
     install("zenity", "echo 'This option is not available.' >&2; exit 255");
     EXPECT_EQ(failure(), "zenity failed with status 255: This option is not available.");
-    install("zenity", "echo 'Gtk-WARNING **: cannot open display: :9' >&2; exit 1");
+    install("zenity", "echo >&2; echo 'a warning' >&2; echo 'Gtk-WARNING **: cannot open display: :9' >&2; exit 1");
     EXPECT_EQ(failure(), "zenity failed with status 1: Gtk-WARNING **: cannot open display: :9");
     install("zenity", "kill -SEGV $$");
     EXPECT_EQ(failure(), "zenity was ended by signal 11");
