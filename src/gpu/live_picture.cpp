@@ -233,7 +233,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     visible_.bind(TextureUnit::visible_spheres);
     glUseProgram(programs_.shade.name());
     draw_block(no_vertices_, {area.x, area.y, area.width, area.height});
-    outlines_.draw(programs_.outlines, no_vertices_, frame, outlined, area, kept.draw());
+    outlines_.draw(programs_.outlines, no_vertices_, visible_, frame, outlined, area, kept.draw());
     check_gl("showing the picture");
 }
 

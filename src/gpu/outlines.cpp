@@ -21,8 +21,8 @@ PixelRange united(const PixelRange& a, const PixelRange& b) {
     return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
 
-void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const FrameBlock& frame,
-                    const PixelRange& range, const WindowArea& area, GLuint window) {
+void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible,
+                    const FrameBlock& frame, const PixelRange& range, const WindowArea& area, GLuint window) {
     if (range.empty()) return;
     const int step = frame.grid_step;
     // A coarse texel of a sphere may stand for pixels beside its range.
@@ -32,6 +32,7 @@ void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_verti
     const Block grid{looked_at.left / step, looked_at.top / step, looked_at.right / step - looked_at.left / step + 1,
                      looked_at.bottom / step - looked_at.top / step + 1};
     marks_.require((frame.picture_size.x + step - 1) / step, (frame.picture_size.y + step - 1) / step);
+    visible.bind(TextureUnit::visible_spheres);
     glUseProgram(programs.mark.name());
     marks_.draw(no_vertices, grid, {grid.x, grid.y, grid.x + grid.width - 1, grid.y + grid.height - 1}, 0);
 

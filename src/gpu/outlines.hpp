@@ -30,9 +30,10 @@ PixelRange united(const PixelRange& a, const PixelRange& b);
 
 class Outlines {
 public:
-    // Draws into framebuffer `window` what `frame`, which is uploaded, says. The marked spheres are in `range` of the picture.
-    void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const FrameBlock& frame, const PixelRange& range,
-              const WindowArea& area, GLuint window);
+    // Draws into framebuffer `window` what `frame`, which is uploaded, says of the picture in `visible`. The marked spheres are in
+    // `range` of it.
+    void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible, const FrameBlock& frame,
+              const PixelRange& range, const WindowArea& area, GLuint window);
 
 private:
     NumberTarget marks_;  // one for each texel of the visible-sphere buffer

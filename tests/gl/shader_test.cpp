@@ -88,10 +88,11 @@ TEST_P(ShaderInContext, WithAFrameThatLacksAMemberIsRefused) {
 
 TEST_P(ShaderInContext, ErrorsNameTheFileAndLineAsWritten) {
     // A file, and the line in it where a mistake is put.
-    const std::vector<std::pair<std::string, std::string>> cases = {{"trace.frag", "out int visible;"},
-                                                                    {"trace.frag", "void main()"},
-                                                                    {"spheres.glsl", "vec4 sphere_at(int index) { return center_radius"},
-                                                                    {"visible.glsl", "const int visible_background"}};
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"trace.frag", "out int visible;"},
+        {"trace.frag", "void main()"},
+        {"spheres.glsl", "vec4 sphere_at(int index) { return center_radius"},
+        {"visible.glsl", "const int visible_background"}};
     for (const auto& [file, line] : cases) {
         const std::string& text = shader_texts()[file];
         const auto number = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(text.find(line)), '\n');

@@ -1,0 +1,133 @@
+// Shaders that a person edits while the picture is shown.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "gl/contexts.hpp"
+#include "gl/live.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+class ShaderFolderTest : public testing::TestWithParam<ContextKind> {
+protected:
+    ShaderFolderTest() {
+        for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/shaders")) {
+            std::filesystem::copy(entry.path(), folder_.path(entry.path().filename().string()));
+        }
+    }
+
+    void replace(const std::string& file, const std::string& old, const std::string& changed) const {
+        std::string text = folder_.read(file);
+        const std::size_t at = text.find(old);
+        ASSERT_NE(at, std::string::npos) << file << " has no " << old;
+        folder_.write(file, text.replace(at, old.size(), changed));
+    }
+
+    static std::string place(const std::string& file, const std::string& text, const std::string& what) {
+        const auto begin = text.begin();
+        return file + ":" + std::to_string(1 + std::count(begin, begin + static_cast<std::ptrdiff_t>(text.find(what)), '\n'));
+    }
+
+    TemporaryFolder folder_;
+    Document document_{two_spheres()};
+    View view_{{}, {60, 60}};
+    std::unique_ptr<GlContext> context_ = GetParam().open();
+};
+
+TEST_P(ShaderFolderTest, ABrokenShaderLeavesTheLastGoodOneAndAFixedOneTakesOver) {
+    LivePicture picture(folder_.path());
+    EXPECT_EQ(picture.shader_log(), "");
+    const Image before = shown(picture, document_, view_);
+    EXPECT_EQ(at(before, 30, 30), opaque(red));
+
+    replace("trace.frag", "out int visible;", "out int visible = broken;");
+    const std::string expected = place("trace.frag", folder_.read("trace.frag"), "broken");
+    const std::string log = picture.reload_shaders();
+    EXPECT_TRUE(contains(log, expected)) << log;
+    EXPECT_EQ(picture.shader_log(), log);
+    EXPECT_TRUE(same(shown_again(picture, document_, view_), before));
+    document_.apply(change(0, {{0, 0, 200}, 45, red, false}), "grow");
+    EXPECT_EQ(at(shown(picture, document_, view_), 30, 30), opaque(red));  // also to trace with
+
+    replace("trace.frag", "out int visible = broken;", "out int visible;");
+    replace("trace.frag", "visible = decided ? guess : doubtful(guess);", "visible = -1;");
+    EXPECT_EQ(picture.reload_shaders(), "");
+    EXPECT_EQ(picture.shader_log(), "");
+    EXPECT_EQ(at(shown(picture, document_, view_), 30, 30), opaque({0, 0, 0}));
+}
+
+TEST_P(ShaderFolderTest, AChangedShaderOrIncludedFileIsInThePictureAtOnce) {
+    LivePicture picture(folder_.path());
+    shown(picture, document_, view_);
+    replace("shade.frag", "vec4(color_at(number).rgb, 1.0)", "vec4(0.0, 1.0, 0.0, 1.0)");
+    EXPECT_EQ(picture.reload_shaders(), "");
+    EXPECT_EQ(at(shown(picture, document_, view_), 30, 30), opaque({0, 255, 0}));
+    replace("window.glsl", "window_corner.y - at.y", "at.y");
+    replace("shade.frag", "vec4(0.0, 1.0, 0.0, 1.0)", "vec4(0.0, float(pixel.y) / 255.0, 0.0, 1.0)");
+    EXPECT_EQ(picture.reload_shaders(), "");
+    EXPECT_EQ(at(shown(picture, document_, view_), 30, 25), opaque({0, 59 - 25, 0}));
+
+    // A mistake in a file that several include is named there.
+    replace("filter.glsl", "float root(float x)", "float root(flat x)");
+    const std::string log = picture.reload_shaders();
+    EXPECT_TRUE(contains(log, place("filter.glsl", folder_.read("filter.glsl"), "float root(flat x)"))) << log;
+    EXPECT_EQ(at(shown_again(picture, document_, view_), 30, 25), opaque({0, 59 - 25, 0}));
+}
+
+// It does without all that the program would tell it.
+TEST_P(ShaderFolderTest, AShaderMayBeAsSimpleAsCanBe) {
+    folder_.write("shade.frag", "#version 330 core\r\nout vec4 color;\r\nvoid main() { color = vec4(1.0); }");
+    LivePicture picture(folder_.path());
+    EXPECT_EQ(picture.shader_log(), "");
+    EXPECT_EQ(at(shown(picture, document_, view_), 1, 1), opaque({255, 255, 255}));
+}
+
+TEST_P(ShaderFolderTest, WhatTheFolderLacksIsTheProgramsOwn) {
+    TemporaryFolder other;
+    other.write("shade.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(0.0, 0.0, 1.0, 1.0); }\n");
+    other.write(".#trace.frag", "an editor's");
+    other.write("notes.txt", "no shader");
+    LivePicture picture(other.path());
+    EXPECT_EQ(at(shown(picture, document_, view_), 1, 1), opaque({0, 0, 255}));
+    std::filesystem::remove(other.path("shade.frag"));
+    EXPECT_EQ(picture.reload_shaders(), other.path() + ": no shaders in it, expected files like trace.frag");
+    other.write("shade.frag", "#version 330 core\n#include \"nowhere.glsl\"\n");
+    EXPECT_EQ(picture.reload_shaders(), "the shader file 'nowhere.glsl' is missing");
+    EXPECT_EQ(at(shown_again(picture, document_, view_), 1, 1), opaque({0, 0, 255}));
+}
+
+TEST_P(ShaderFolderTest, ThatIsBrokenAtTheStartGivesTheProgramsOwnShadersAndItsLog) {
+    replace("shade.frag", "out vec4 color;", "out vec5 color;");
+    LivePicture picture(folder_.path());
+    EXPECT_TRUE(contains(picture.shader_log(), place("shade.frag", folder_.read("shade.frag"), "vec5"))) << picture.shader_log();
+    EXPECT_EQ(at(shown(picture, document_, view_), 30, 30), opaque(red));
+    EXPECT_THROW(LivePicture(folder_.path("nowhere")), InputError);
+}
+
+// Spheres in textures need other shaders, which are compiled when they are needed.
+TEST_P(ShaderFolderTest, ThatIsBrokenForManySpheresOnlyIsFoundThen) {
+    replace("spheres.glsl", "vec4 sphere_at(int index) { return table_fetch", "vec4 sphere_at(int index) { return tabel_fetch");
+    LivePicture picture(folder_.path());
+    EXPECT_EQ(picture.shader_log(), "");
+    Scene many = two_spheres();
+    for (int i = 0; i < 5000; ++i) many.spheres.push_back({{i, 200, -100}, 1, blue, false});
+    EXPECT_EQ(at(shown(picture, Document(many), view_), 30, 30), opaque(red));
+    EXPECT_TRUE(contains(picture.shader_log(), "tabel_fetch")) << picture.shader_log();
+}
+
+TEST_P(ShaderFolderTest, WithoutOneThereIsNothingToReload) {
+    LivePicture picture;
+    shown(picture, document_, view_);
+    EXPECT_EQ(picture.reload_shaders(), "");
+    EXPECT_FALSE(picture.update(document_, view_, 1));
+}
+
+INSTANTIATE_TEST_SUITE_P(Contexts, ShaderFolderTest, testing::ValuesIn(context_kinds()),
+                         [](const auto& test) { return test.param.name; });
+
+}  // namespace
+}  // namespace sphereview::test
