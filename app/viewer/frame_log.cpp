@@ -31,6 +31,7 @@ void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const Wid
     const Json line = {{"frame", frame.number},
                        {"revision", state.document.revision()},
                        {"step", frame.step},
+                       {"exact", frame.exact},
                        {"resting", frame.resting},
                        {"seconds", frame.seconds},
                        {"title", frame.title},

@@ -13,6 +13,7 @@ namespace sphereview {
 struct LoggedFrame {
     std::uint64_t number = 0;
     int step = 1;          // of the picture's grid
+    bool exact = false;    // every pixel is decided
     bool resting = false;  // nothing waits to be done: the next frame comes with the next event
     Rectangle picture;
     double seconds = 0.0;  // from the first of its events to the swap

@@ -166,7 +166,7 @@ void Viewer::draw_frame() {
     const Window::Extent framebuffer = window_.framebuffer();
     if (framebuffer.width == 0 || framebuffer.height == 0) {  // minimised
         input_.take_frame();
-        pacing_.drew(1);
+        pacing_.drew(1, true);
         return;
     }
     std::vector<Action> actions;
@@ -204,19 +204,28 @@ void Viewer::draw_frame() {
     const View view{state_.camera, state_.picture_size};
     if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step())) {
         pacing_.traced(picture_.step(), picture_.last_seconds());
+        exact_ = false;
+        certify_seconds_ = Pacing::certify_in_all;
     }
+    if (picture_.step() == 1 && !exact_ && pacing_.certifies()) certify();
     note_facts();
     show(area_);
     imgui_.render();
     window_.swap_buffers();
-    pacing_.drew(picture_.step());
+    pacing_.drew(picture_.step(), exact_ || certify_seconds_ <= 0.0);
     if (log_.wanted()) {
         const bool resting = pacing_.rests() && input_.empty();
-        log_.add(
-            state_,
-            {++frame_number_, picture_.step(), resting, area_, seconds_between(begin, Clock::now()), title_for(state_), renderer_},
-            widgets_);
+        log_.add(state_,
+                 {++frame_number_, picture_.step(), exact_, resting, area_, seconds_between(begin, Clock::now()), title_for(state_),
+                  renderer_},
+                 widgets_);
     }
+}
+
+void Viewer::certify() {
+    const auto begin = Clock::now();
+    exact_ = picture_.certify(state_.document, Pacing::certify_at_once);
+    certify_seconds_ -= seconds_between(begin, Clock::now());
 }
 
 void Viewer::note_facts() {

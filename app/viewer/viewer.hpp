@@ -32,6 +32,7 @@ private:
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
     void use_mouse(const PanelContext& context, bool cancelled);
+    void certify();
     void show(const Rectangle& area);
     void note_facts();
     void finish_system_dialog();
@@ -49,6 +50,8 @@ private:
     Pacing pacing_;
     HiddenSpheres hidden_;
     std::string renderer_;
+    bool exact_ = false;            // the picture is what an export would show
+    double certify_seconds_ = 0.0;  // that may still be spent on making it so
 
     Clock::time_point last_frame_ = Clock::now();
     std::uint64_t frame_number_ = 0;

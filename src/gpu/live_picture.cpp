@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "exact/resolve.hpp"
 #include "gpu/program.hpp"
@@ -157,6 +158,7 @@ void LivePicture::trace(int step) {
     check_gl("tracing");
     traced_ = true;
     step_ = step;
+    certified_rows_ = 0;
 }
 
 bool LivePicture::update(const Document& document, const View& view, int step) {
@@ -187,6 +189,49 @@ bool LivePicture::update(const Document& document, const View& view, int step) {
     trace(step);
     last_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return true;
+}
+
+bool LivePicture::certify(const Document& document, double seconds) {
+    assert(document.revision() == revision_);
+    constexpr int strip = 64;
+    constexpr std::size_t batch = 256;  // pixels: some may take a millisecond each
+    const auto begin = std::chrono::steady_clock::now();
+    const auto time_is_up = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds;
+    };
+    if (!traced_ || step_ != 1) return false;
+    const KeptFramebuffers kept;
+    const Resolver resolver(document.scene(), drawn_, view_.camera, view_.size, &lists_);
+    const auto width = static_cast<std::size_t>(view_.size.width);
+    std::vector<std::int32_t> visible;
+    while (certified_rows_ < view_.size.height) {
+        const Block block{0, certified_rows_, view_.size.width, std::min(strip, view_.size.height - certified_rows_)};
+        visible.resize(width * static_cast<std::size_t>(block.height));
+        visible_.read(block, visible);
+        std::vector<std::size_t> doubtful_places;
+        for (std::size_t i = 0; i < visible.size(); ++i) {
+            if (is_doubtful(visible[i])) doubtful_places.push_back(i);
+        }
+        std::size_t decided = 0;
+        while (decided < doubtful_places.size() && (decided == 0 || !time_is_up())) {
+            const std::size_t end = std::min(decided + batch, doubtful_places.size());
+            parallel_for(end - decided, [&](std::size_t i) {
+                std::int32_t& number = visible[doubtful_places[decided + i]];
+                const auto place = static_cast<int>(doubtful_places[decided + i]);
+                DecisionLevel level = DecisionLevel::in_float;
+                const Pixel pixel{place % block.width, block.y + place / block.width};
+                const std::int32_t seen = resolver.resolve(pixel, level);
+                number = seen < 0 ? visible_background : static_cast<std::int32_t>(*index_of(static_cast<std::uint32_t>(seen)));
+            });
+            decided = end;
+        }
+        if (decided > 0) visible_.write(block, visible);
+        if (decided < doubtful_places.size()) return false;
+        certified_rows_ += block.height;
+        if (time_is_up()) break;
+    }
+    check_gl("certifying the picture");
+    return certified_rows_ == view_.size.height;
 }
 
 // Also finds out where they are, and uploads all colours if anything is another.

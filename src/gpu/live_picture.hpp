@@ -47,6 +47,10 @@ public:
     // traced. Throws TooLarge, RenderError; the picture is then what it was.
     bool update(const Document& document, const View& view, int step);
 
+    // Decides the doubtful pixels of a picture without a grid as an export has them, for about so many seconds; what is left is
+    // for the next call. Returns whether none is left. For the document of the last update().
+    bool certify(const Document& document, double seconds);
+
     // How long the last update() that traced took, in seconds: the lists, the uploads, and drawing until it was done.
     double last_seconds() const { return last_seconds_; }
     // Of the picture that is there; 0 before the first.
@@ -109,6 +113,7 @@ private:
 
     bool traced_ = false;  // the visible-sphere buffer is of this scene, view and shaders
     int step_ = 0;
+    int certified_rows_ = 0;  // from the top
     double last_seconds_ = 0.0;
 };
 

@@ -181,4 +181,24 @@ Picture rendered(const TemporaryFolder& folder, const std::string& scene, const 
     return decode_png(folder.read("expected.png"));
 }
 
+testing::AssertionResult same_picture(const Picture& found, const Picture& expected) {
+    if (found.width != expected.width || found.height != expected.height) {
+        return testing::AssertionFailure() << found.width << " x " << found.height << " pixels instead of " << expected.width
+                                           << " x " << expected.height;
+    }
+    int count = 0;
+    std::string first;
+    for (int y = 0; y < found.height; ++y) {
+        for (int x = 0; x < found.width; ++x) {
+            const std::vector<int> was = found.at(x, y);
+            const std::vector<int> should = expected.at(x, y);
+            if (was == should || ++count > 1) continue;
+            first = std::to_string(x) + "," + std::to_string(y) + ": " + testing::PrintToString(was) + " instead of " +
+                    testing::PrintToString(should);
+        }
+    }
+    if (count == 0) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << count << " pixels differ, the first at " << first;
+}
+
 }  // namespace sphereview::test

@@ -1,6 +1,8 @@
 // The shipped viewer in a window of its own, and hands for it.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -86,5 +88,8 @@ private:
 
 // The scene file's spheres as rendered with the window's camera and size: what its picture must be.
 Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame);
+
+// Whether two pictures are equal; says how many pixels differ and where the first is.
+testing::AssertionResult same_picture(const Picture& found, const Picture& expected);
 
 }  // namespace sphereview::test
