@@ -27,9 +27,16 @@ void draw_command_button(const PanelContext& context, CommandId id, const char* 
     ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
 }
 
-float width_of_each(int count) {
-    const float gaps = ImGui::GetStyle().ItemSpacing.x * static_cast<float>(count - 1);
-    return std::max(1.0F, (ImGui::GetContentRegionAvail().x - gaps) / static_cast<float>(count));
+std::vector<float> button_widths(std::initializer_list<const char*> labels) {
+    const auto count = static_cast<float>(labels.size());
+    float left = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x * (count - 1.0F);
+    std::vector<float> widths;
+    for (const char* label : labels) {
+        widths.push_back(ImGui::CalcTextSize(label, nullptr, true).x);
+        left -= widths.back();
+    }
+    for (float& width : widths) width = std::max(1.0F, width + left / count);
+    return widths;
 }
 
 }  // namespace sphereview

@@ -1,6 +1,9 @@
 // How fields stand below each other.
 #pragma once
 
+#include <initializer_list>
+#include <vector>
+
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
@@ -11,7 +14,7 @@ void begin_field(const PanelContext& context, const char* label);
 // A button so wide that runs the command, with its help and its shortcut as a tooltip. `label` may be another than the menu's.
 void draw_command_button(const PanelContext& context, CommandId id, const char* label, const std::string& widget, float width);
 
-// The width of each of so many items side by side.
-float width_of_each(int count);
+// The widths of buttons side by side that fill the line: each as much wider than its label as the others.
+std::vector<float> button_widths(std::initializer_list<const char*> labels);
 
 }  // namespace sphereview

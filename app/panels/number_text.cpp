@@ -1,6 +1,5 @@
 #include "panels/number_text.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>

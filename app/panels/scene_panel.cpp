@@ -65,14 +65,17 @@ void draw_vector(const PanelContext& context, const char* label, const glm::dvec
 void draw_scene_panel(const PanelContext& context) {
     const Scene& scene = context.document.scene();
     draw_background(context);
+    const std::vector<float> widths = button_widths({"Use this view", "Home"});
+    draw_command_button(context, CommandId::use_view_as_camera, "Use this view", "use view", widths[0]);
+    ImGui::SameLine();
+    draw_command_button(context, CommandId::go_home, "Home", "home", widths[1]);
+    const bool open = ImGui::TreeNodeEx("camera", ImGuiTreeNodeFlags_NoTreePushOnOpen);
+    note_widget(context, "camera");
+    if (!open) return;
     draw_vector(context, "eye", scene.camera.eye);
-    draw_vector(context, "screen", scene.camera.center);
+    draw_vector(context, "centre", scene.camera.center);
     draw_vector(context, "right", scene.camera.right);
     draw_vector(context, "up", scene.camera.up);
-    const float width = width_of_each(2);
-    draw_command_button(context, CommandId::use_view_as_camera, "Use this view", "use view", width);
-    ImGui::SameLine();
-    draw_command_button(context, CommandId::go_home, "Home", "home", width);
 }
 
 }  // namespace sphereview

@@ -21,14 +21,15 @@ void draw_buttons(const PanelContext& context) {
     const std::vector<Sphere>& spheres = context.document.scene().spheres;
     const std::optional<std::uint32_t> primary = context.selection.primary();
     const bool hidden = primary && *primary < spheres.size() && spheres[*primary].hidden;
-    const float width = width_of_each(4);
-    draw_command_button(context, CommandId::add_sphere, "Add", "add", width);
+    const char* hide = hidden ? "Show###hide" : "Hide###hide";
+    const std::vector<float> widths = button_widths({"Add", "Duplicate", "Delete", hide});
+    draw_command_button(context, CommandId::add_sphere, "Add", "add", widths[0]);
     ImGui::SameLine();
-    draw_command_button(context, CommandId::duplicate, "Duplicate", "duplicate", width);
+    draw_command_button(context, CommandId::duplicate, "Duplicate", "duplicate", widths[1]);
     ImGui::SameLine();
-    draw_command_button(context, CommandId::remove, "Delete", "delete", width);
+    draw_command_button(context, CommandId::remove, "Delete", "delete", widths[2]);
     ImGui::SameLine();
-    draw_command_button(context, CommandId::hide, hidden ? "Show###hide" : "Hide###hide", "hide", width);
+    draw_command_button(context, CommandId::hide, hide, "hide", widths[3]);
 }
 
 void draw_filter(const PanelContext& context, SidePanelState& state) {

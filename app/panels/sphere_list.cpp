@@ -28,7 +28,10 @@ void keep_list(const Document& document, SidePanelState& state) {
     const std::uint64_t known = std::exchange(state.drawn_revision, document.revision());
     if (known == document.revision()) return;
     const bool order = document.changes_since(known).order;
-    if (order) state.dragged.reset();
+    if (order) {
+        state.anchor.reset();
+        state.dragged.reset();
+    }
     if (order && !state.focus_rename) state.renaming.reset();
     if (state.renaming && *state.renaming >= document.scene().spheres.size()) state.renaming.reset();
 }
@@ -65,7 +68,7 @@ void toggle_hidden(const PanelContext& context, std::uint32_t number) {
 void scroll_to(const RowPlaces& places, std::size_t row) {
     const float height = ImGui::GetWindowHeight();
     const float above = places.of(row) - ImGui::GetWindowPos().y;
-    const float margin = ImGui::GetStyle().WindowPadding.y;
+    const float margin = 2.0F;
     if (above >= margin && above + places.height <= height - margin) return;
     const double middle = static_cast<double>(row) * places.height - 0.5 * (height - places.height);
     ImGui::SetScrollY(static_cast<float>(std::max(0.0, middle)));
@@ -122,9 +125,11 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
         keep_list(context.document, state);
     }
     const ListedSpheres listed(scene, state.filter.empty(), state.listed);
+    const float padding = 4.0F * context.scale;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
     ImGui::BeginChild("spheres", {0.0F, height}, true);
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const RowPlaces places{static_cast<double>(ImGui::GetWindowPos().y) + style.WindowPadding.y - ImGui::GetScrollY(),
+    ImGui::PopStyleVar();
+    const RowPlaces places{static_cast<double>(ImGui::GetWindowPos().y) + padding - ImGui::GetScrollY(),
                            ImGui::GetCursorScreenPos().x, std::max(1.0F, ImGui::GetContentRegionAvail().x),
                            std::round(ImGui::GetFrameHeight())};
     if (listed.size() == 0) {

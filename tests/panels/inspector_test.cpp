@@ -1,0 +1,123 @@
+#include "panels/inspector.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/panel_harness.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr PictureSize size{101, 101};  // pixel (50, 50) looks along +z
+
+// A base, so that it is there when PanelHarness draws for the first time.
+struct HeldPixel {
+    std::optional<InspectedPixel> pixel;
+};
+
+class InspectorHarness : private HeldPixel, public PanelHarness {
+public:
+    explicit InspectorHarness(const Scene& scene)
+        : HeldPixel{InspectedPixel{{50, 50}, size, explain_pixel(scene, size, {50, 50})}}, PanelHarness(drawn(), scene) {}
+    InspectorHarness() : PanelHarness(drawn()) {}
+
+private:
+    Draw drawn() {
+        return in_window([this](const PanelContext& context) { draw_inspector(context, pixel); }, 460.0F, 600.0F);
+    }
+};
+
+Scene of(std::vector<Sphere> spheres) {
+    Scene scene;
+    scene.spheres = std::move(spheres);
+    return scene;
+}
+
+void expect_in_order(const std::string& text, const std::vector<std::string>& parts) {
+    std::size_t place = 0;
+    for (const std::string& part : parts) {
+        const std::size_t found = text.find(part, place);
+        ASSERT_NE(found, std::string::npos) << "\"" << part << "\" is missing, or too early, in:\n" << text;
+        place = found + part.size();
+    }
+}
+
+TEST(Inspector, ShowsTheFormulaeAndTheHitsInOrder) {
+    Scene scene =
+        of({{{0.0, 0.0, 400.0}, 20.0}, {{0.0, 0.0, 200.0}, 20.0}, {{0.0, 90.0, 200.0}, 20.0}, {{0.0, 0.0, -200.0}, 20.0}});
+    scene.spheres.push_back({{0.0, 0.0, 100.0}, 5.0, {}, true});
+    scene.names[1] = "sun";
+    InspectorHarness panel(scene);
+    expect_in_order(panel.text(), {"pixel 50, 50 of 101 x 101",
+                                   "P = O + t D",
+                                   "O = (0, 0, 0)",
+                                   "D = (0, 0, 100)",
+                                   "D.D t^2 + 2 D.(O - C) t + (O - C).(O - C) - r^2 = 0",
+                                   "'sun'",
+                                   "seen",
+                                   "a = 10000",
+                                   "b = -40000",
+                                   "c = 39600",
+                                   "discriminant = 1.6e+07  > 0: two roots",
+                                   "t1 = 1.8",
+                                   "t2 = 2.2",
+                                   "t1, counts",
+                                   "t = 1.8",
+                                   "point = (0, 0, 180)",
+                                   "normal = (0, 0, -1)",
+                                   "sphere 0",
+                                   "t1 = 3.8",
+                                   "1 missed: discriminant < 0",
+                                   "1 behind the eye",
+                                   "1 hidden",
+                                   "Decided: "});
+    EXPECT_TRUE(panel.has("hit 1"));
+    EXPECT_LT(panel.place("hit 1").y, panel.place("hit 0").y);
+    EXPECT_TRUE(panel.take_actions().empty());
+}
+
+TEST(Inspector, ShowsATangentRay) {
+    InspectorHarness panel(of({{{20.0, 0.0, 200.0}, 20.0}}));
+    expect_in_order(panel.text(),
+                    {"discriminant = 0  = 0 exactly: tangent, one root", "the ray is tangent", "t = 2", "only exact"});
+}
+
+TEST(Inspector, ShowsAnEyeInside) {
+    InspectorHarness panel(of({{{0.0, 0.0, 10.0}, 50.0}}));
+    expect_in_order(panel.text(), {"seen", "t1 = -0.4", "t2 = 0.6", "the eye is inside the sphere", "t = 0.6"});
+}
+
+TEST(Inspector, ShowsTheBackground) {
+    Scene scene = of({{{0.0, 90.0, 200.0}, 20.0}});
+    scene.background = {{255, 255, 255}, false};
+    InspectorHarness panel(scene);
+    expect_in_order(panel.text(), {"No hit: the pixel shows the background, white.", "1 missed"});
+}
+
+TEST(Inspector, ShowsEqualHits) {
+    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 210.0}, 30.0}}));
+    expect_in_order(panel.text(), {"sphere 0", "seen", "sphere 1", "exactly as near"});
+}
+
+TEST(Inspector, ShowsTheNearestOfManyHits) {
+    Scene scene;
+    for (int i = 0; i < 500; ++i) scene.spheres.push_back({{0.0, 0.0, 200.0 + i}, 50.0});
+    InspectorHarness panel(scene);
+    expect_in_order(panel.text(), {"sphere 0", "seen", "sphere 19", "and 480 more hits"});
+    EXPECT_EQ(panel.text().find("sphere 20"), std::string::npos);
+}
+
+TEST(Inspector, AsksForAPixel) {
+    InspectorHarness panel;
+    EXPECT_NE(panel.text().find("Point at the picture"), std::string::npos);
+}
+
+TEST(Inspector, LeavesOutSpheresThatAreGone) {
+    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 300.0}, 20.0}}));
+    panel.document.apply(RemoveSpheres{{1}}, "");
+    EXPECT_EQ(panel.text().find("sphere 1"), std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace sphereview

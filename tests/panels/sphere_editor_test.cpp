@@ -1,0 +1,258 @@
+#include <bit>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "panels/side_panel_harness.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Bits = std::array<std::uint64_t, 4>;
+
+Bits bits(const Sphere& s) {
+    return {std::bit_cast<std::uint64_t>(s.center.x), std::bit_cast<std::uint64_t>(s.center.y),
+            std::bit_cast<std::uint64_t>(s.center.z), std::bit_cast<std::uint64_t>(s.radius)};
+}
+
+const Sphere& changed_sphere(const EditScene& edit) { return std::get<ChangeSpheres>(edit.edit).spheres.at(0); }
+
+void drag_slider(SidePanelHarness& panel, const std::string& slider, float from, float to) {
+    panel.drag(panel.place(slider, from), panel.place(slider, to));
+}
+
+void type_into(SidePanelHarness& panel, const std::string& slider, const std::string& text, ImGuiKey key = ImGuiKey_Enter) {
+    panel.modifiers(true);
+    panel.click(panel.place(slider));
+    panel.modifiers(false);
+    panel.type(text);
+    panel.tap(key);
+}
+
+TEST(SphereEditor, DraggingASliderChangesThatValueAloneInOneGesture) {
+    for (const std::size_t which : {0U, 1U, 2U, 3U}) {
+        const std::string slider = std::array{"slider x", "slider y", "slider z", "slider radius"}[which];
+        SidePanelHarness panel(line_of_spheres(10));
+        panel.select(3);
+        const Bits before = bits(panel.sphere(3));
+        drag_slider(panel, slider, 0.4F, 0.8F);
+        const auto edits = panel.taken<EditScene>();
+        ASSERT_GE(edits.size(), 5U) << slider;
+        EXPECT_NE(edits.front().gesture, 0U);
+        for (const EditScene& edit : edits) {
+            EXPECT_EQ(edit.gesture, edits.front().gesture);
+            EXPECT_EQ(edit.name, which == 3 ? "Change radius of sphere 3" : "Move sphere 3");
+            EXPECT_EQ(std::get<ChangeSpheres>(edit.edit).numbers, std::vector<std::uint32_t>{3});
+            const Bits after = bits(changed_sphere(edit));
+            for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(after[i] == before[i], i != which) << slider << " " << i;
+        }
+        EXPECT_EQ(panel.sphere(4), line_of_spheres(10).spheres[4]);
+        panel.document.undo();
+        EXPECT_EQ(bits(panel.sphere(3)), before) << "one step takes all of the drag back";
+        EXPECT_FALSE(panel.document.can_undo());
+    }
+}
+
+TEST(SphereEditor, EachDragIsAGestureOfItsOwn) {
+    SidePanelHarness panel(line_of_spheres(10));
+    panel.select(3);
+    drag_slider(panel, "slider x", 0.4F, 0.8F);
+    const auto first = panel.taken<EditScene>();
+    drag_slider(panel, "slider x", 0.8F, 0.3F);
+    const auto second = panel.taken<EditScene>();
+    ASSERT_FALSE(first.empty());
+    ASSERT_FALSE(second.empty());
+    EXPECT_NE(first.back().gesture, second.front().gesture);
+}
+
+TEST(SphereEditor, NothingIsAskedForWhileAHeldSliderRests) {
+    SidePanelHarness panel(line_of_spheres(10));
+    panel.select(3);
+    panel.move(panel.place("slider x", 0.7F));
+    panel.press();
+    panel.take_actions();
+    panel.frames(5);
+    EXPECT_TRUE(panel.take_actions().empty());
+    panel.release();
+    panel.frames(2);
+    EXPECT_TRUE(panel.take_actions().empty());
+}
+
+TEST(SphereEditor, DraggedValuesAreShortAndInRange) {
+    SidePanelHarness panel(line_of_spheres(10));
+    panel.select(3);
+    drag_slider(panel, "slider x", 0.4F, 0.8F);
+    EXPECT_LE(shortest(panel.sphere(3).center.x).size(), 7U) << shortest(panel.sphere(3).center.x);
+    const SceneBounds bounds = panel.bounds();
+    drag_slider(panel, "slider radius", 0.5F, 1.5F);
+    EXPECT_NEAR(panel.sphere(3).radius, bounds.extent(), 1e-3 * bounds.extent());
+    const double extent = panel.bounds().extent();  // grew with the sphere
+    drag_slider(panel, "slider radius", 0.5F, -0.5F);
+    EXPECT_NEAR(panel.sphere(3).radius, extent / 10000.0, 1e-3 * extent / 10000.0);
+    EXPECT_GT(panel.sphere(3).radius, 0.0);
+}
+
+TEST(SphereEditor, CtrlClickTypesAnyNumberInFull) {
+    SidePanelHarness panel(line_of_spheres(10));
+    panel.select(3);
+    type_into(panel, "slider x", "-123456.7890123456");
+    EXPECT_EQ(panel.sphere(3).center.x, -123456.7890123456);
+    EXPECT_EQ(panel.document.undo_name(), "Move sphere 3");
+    type_into(panel, "slider radius", " 2.5e-7 ");
+    EXPECT_EQ(panel.sphere(3).radius, 2.5e-7);
+    type_into(panel, "slider radius", "1e300");
+    EXPECT_EQ(panel.sphere(3).radius, 1e300) << "beyond the slider's range";
+    EXPECT_EQ(panel.taken<EditScene>().size(), 3U);
+}
+
+TEST(SphereEditor, TypedNonsenseIsRefused) {
+    for (const auto& [slider, text] :
+         {std::pair("slider x", "abc"), std::pair("slider y", "1e999"), std::pair("slider z", "nan"), std::pair("slider x", "inf"),
+          std::pair("slider y", "1 2"), std::pair("slider z", " "), std::pair("slider radius", "0"),
+          std::pair("slider radius", "-3"), std::pair("slider radius", "1e-999"), std::pair("slider radius", "2,5")}) {
+        SidePanelHarness panel(line_of_spheres(10));
+        panel.select(3);
+        type_into(panel, slider, text);
+        EXPECT_TRUE(panel.taken<EditScene>().empty()) << slider << " " << text;
+        EXPECT_EQ(bits(panel.sphere(3)), bits(line_of_spheres(10).spheres[3]));
+        EXPECT_EQ(panel.state().typed.field, "") << "the slider is back";
+    }
+}
+
+TEST(SphereEditor, EscapeAndEnterWithoutTypingRoundNothing) {
+    SidePanelHarness panel(line_of_spheres(10));
+    panel.select(7);
+    type_into(panel, "slider x", "", ImGuiKey_Enter);
+    type_into(panel, "slider x", "12", ImGuiKey_Escape);
+    panel.click("slider y", 1);
+    EXPECT_TRUE(panel.taken<EditScene>().empty());
+    EXPECT_EQ(bits(panel.sphere(7)), bits(line_of_spheres(10).spheres[7]));
+}
+
+TEST(SphereEditor, ClickOnAnotherSliderAcceptsWhatWasTyped) {
+    SidePanelHarness panel(line_of_spheres(10));
+    panel.select(3);
+    panel.modifiers(true);
+    panel.click("slider x");
+    panel.modifiers(false);
+    panel.type("77.25");
+    drag_slider(panel, "slider y", 0.3F, 0.8F);
+    EXPECT_EQ(panel.sphere(3).center.x, 77.25);
+    EXPECT_NE(panel.sphere(3).center.y, line_of_spheres(10).spheres[3].center.y);
+}
+
+TEST(SphereEditor, ExtremeScenesAreEdited) {
+    for (const double size : {1e-300, 1e-9, 1e9, 1e150, 1e300}) {
+        Scene scene;
+        scene.spheres = {{{size, -size, size}, size}, {{-size, size, size}, 0.1 * size}};
+        SidePanelHarness panel(scene);
+        panel.select(1);
+        for (const std::string slider : {"slider x", "slider y", "slider z", "slider radius"})
+            drag_slider(panel, slider, 0.3F, 0.6F);
+        const Sphere& sphere = panel.sphere(1);
+        EXPECT_FALSE(panel.taken<EditScene>().empty());
+        for (const double value : {sphere.center.x, sphere.center.y, sphere.center.z, sphere.radius})
+            EXPECT_TRUE(std::isfinite(value));
+        EXPECT_GT(sphere.radius, 0.0) << size;
+        EXPECT_NE(sphere, scene.spheres[1]);
+    }
+}
+
+TEST(SphereEditor, ColorIsEditedInWholeNumbers) {
+    SidePanelHarness panel(line_of_spheres(5));
+    panel.select(2);
+    type_into(panel, "color", "");  // focuses nothing typed
+    EXPECT_TRUE(panel.taken<EditScene>().empty());
+    panel.modifiers(true);
+    panel.click(panel.place("color", 0.1F));  // red's field
+    panel.modifiers(false);
+    panel.type("201");
+    panel.tap(ImGuiKey_Enter);
+    EXPECT_EQ(panel.sphere(2).color, (Color{201, 20, 30}));
+    EXPECT_EQ(panel.document.undo_name(), "Recolour sphere 2");
+    panel.document.undo();
+    EXPECT_EQ(panel.document.scene(), line_of_spheres(5)) << "typing is one step";
+    panel.frames();
+    panel.take_actions();
+    panel.drag(panel.place("color", 0.1F), panel.place("color", 0.6F));
+    const auto edits = panel.taken<EditScene>();
+    ASSERT_FALSE(edits.empty());
+    for (const EditScene& edit : edits) EXPECT_EQ(edit.gesture, edits.front().gesture);
+    panel.document.undo();
+    EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
+}
+
+TEST(SphereEditor, EveryColorIsShownWithoutChange) {
+    Scene scene = line_of_spheres(256);
+    for (std::size_t i = 0; i < 256; ++i) {
+        const auto part = static_cast<std::uint8_t>(i);
+        scene.spheres[i].color = {part, static_cast<std::uint8_t>(255 - part), part};
+    }
+    SidePanelHarness panel(scene);
+    for (std::uint32_t i = 0; i < 256; ++i) panel.select(i);
+    EXPECT_TRUE(panel.take_actions().empty());
+}
+
+TEST(SphereEditor, PickerIsOneGesture) {
+    SidePanelHarness panel(line_of_spheres(5));
+    panel.select(2);
+    panel.click(panel.place("color", 0.985F));  // the swatch opens it
+    panel.frames(3);
+    panel.take_actions();
+    const ImVec2 start = ImGui::GetIO().MousePos;
+    // The picker is placed below the swatch.
+    panel.drag({start.x + 40.0F, start.y + 60.0F}, {start.x + 90.0F, start.y + 120.0F});
+    const auto edits = panel.taken<EditScene>();
+    ASSERT_FALSE(edits.empty());
+    for (const EditScene& edit : edits) EXPECT_EQ(edit.gesture, edits.front().gesture);
+    EXPECT_NE(edits.front().gesture, 0U);
+    panel.document.undo();
+    EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
+}
+
+TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
+    SidePanelHarness panel(line_of_spheres(5));
+    panel.selection.set({4, 1, 2});
+    panel.frames(2);
+    panel.click("hidden");
+    EXPECT_EQ(panel.document.undo_name(), "Hide 3 spheres");
+    for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(panel.sphere(i).hidden, i == 1 || i == 2 || i == 4) << i;
+    panel.drag(panel.place("color", 0.1F), panel.place("color", 0.6F));
+    EXPECT_EQ(panel.document.undo_name(), "Recolour 3 spheres");
+    EXPECT_EQ(panel.sphere(1).color, panel.sphere(2).color);
+    EXPECT_NE(panel.sphere(1).color, panel.sphere(0).color);
+    drag_slider(panel, "slider x", 0.3F, 0.9F);
+    EXPECT_EQ(panel.sphere(1).center, line_of_spheres(5).spheres[1].center) << "values belong to the primary one";
+    EXPECT_NE(panel.sphere(2).center, line_of_spheres(5).spheres[2].center);
+}
+
+TEST(SphereEditor, NameIsTyped) {
+    SidePanelHarness panel(line_of_spheres(5));
+    panel.select(2);
+    panel.click("name");
+    panel.type("venus");
+    EXPECT_TRUE(panel.document.scene().names.empty()) << "not before it is done";
+    panel.click("row 4");
+    EXPECT_EQ(panel.document.scene().names.at(2), "venus");
+    EXPECT_EQ(panel.selection.primary(), 4U);
+    EXPECT_EQ(panel.document.scene().names.size(), 1U);
+    panel.select(2);
+    panel.click("name");
+    panel.type("x");
+    panel.tap(ImGuiKey_Escape);
+    EXPECT_EQ(panel.document.scene().names.at(2), "venus");
+}
+
+TEST(SphereEditor, SelectionThatTheSceneDoesNotHaveIsNotShown) {
+    SidePanelHarness panel(line_of_spheres(5));
+    panel.select(4);
+    EXPECT_TRUE(panel.has("slider x"));
+    panel.applies = false;
+    panel.document.apply(RemoveSpheres{{3, 4}}, "");
+    panel.frames(2);
+    EXPECT_FALSE(panel.has("slider x"));
+}
+
+}  // namespace
+
+}  // namespace sphereview
