@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include "base/text.hpp"
-
 namespace sphereview {
 
 void note_widget(const PanelContext& context, const std::string& name) {
@@ -15,7 +13,7 @@ void note_widget(const PanelContext& context, const std::string& name) {
 
 std::string title_of(const Scene& scene, std::uint32_t number) {
     const auto name = scene.names.find(number);
-    return name == scene.names.end() ? "sphere " + std::to_string(number) : in_quotes(name->second);
+    return name == scene.names.end() ? "sphere " + std::to_string(number) : "'" + name->second + "'";
 }
 
 }  // namespace sphereview

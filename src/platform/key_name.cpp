@@ -1,10 +1,9 @@
 #include "platform/key_name.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include <array>
 #include <utility>
+
+#include "platform/glfw.hpp"
 
 namespace sphereview {
 
@@ -49,7 +48,7 @@ std::string key_name(int key, int scancode) {
         if (code == key) return name;
     }
     if (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25) return "f" + std::to_string(key - GLFW_KEY_F1 + 1);
-    const char* name = glfwGetKeyName(key, scancode);
+    const char* name = glfw().GetKeyName(key, scancode);
     // A layout without Latin letters still has its shortcuts where an English one has them.
     const bool latin = name != nullptr && name[0] > ' ' && name[0] <= '~';
     if (latin) return name;

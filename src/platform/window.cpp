@@ -1,7 +1,5 @@
 #include "platform/window.hpp"
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "platform/connection_loss.hpp"
+#include "platform/glfw.hpp"
 #include "platform/key_name.hpp"
 
 namespace sphereview {
@@ -26,7 +25,7 @@ namespace {
 
 std::string last_error() {
     const char* description = nullptr;
-    glfwGetError(&description);
+    glfw().GetError(&description);
     return description != nullptr ? description : "no reason given";
 }
 
@@ -42,7 +41,7 @@ Modifiers modifiers_of(int mods) {
 // GLFW's wheel callback does not tell.
 Modifiers modifiers_now(GLFWwindow* window) {
     const auto held = [&](int left, int right) {
-        return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+        return glfw().GetKey(window, left) == GLFW_PRESS || glfw().GetKey(window, right) == GLFW_PRESS;
     };
 #ifdef __APPLE__
     const bool control = held(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER);
@@ -53,7 +52,7 @@ Modifiers modifiers_now(GLFWwindow* window) {
 }
 
 std::vector<InputEvent>& events_of(GLFWwindow* window) {
-    return *static_cast<std::vector<InputEvent>*>(glfwGetWindowUserPointer(window));
+    return *static_cast<std::vector<InputEvent>*>(glfw().GetWindowUserPointer(window));
 }
 
 void on_button(GLFWwindow* window, int button, int action, int mods) {
@@ -81,56 +80,56 @@ void on_drop(GLFWwindow* window, int count, const char** paths) {
 }
 
 void listen(GLFWwindow* window, std::vector<InputEvent>& events) {
-    glfwSetWindowUserPointer(window, &events);
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { events_of(w).push_back(PointerMoved{x, y}); });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    glfw().SetWindowUserPointer(window, &events);
+    glfw().SetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { events_of(w).push_back(PointerMoved{x, y}); });
+    glfw().SetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         if (entered == GLFW_FALSE) events_of(w).push_back(PointerLeft{});
     });
-    glfwSetMouseButtonCallback(window, on_button);
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
+    glfw().SetMouseButtonCallback(window, on_button);
+    glfw().SetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         events_of(w).push_back(WheelTurned{x, y, modifiers_now(w)});
     });
-    glfwSetKeyCallback(window, on_key);
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned character) {
+    glfw().SetKeyCallback(window, on_key);
+    glfw().SetCharCallback(window, [](GLFWwindow* w, unsigned character) {
         events_of(w).push_back(CharacterTyped{static_cast<char32_t>(character)});
     });
-    glfwSetDropCallback(window, on_drop);
-    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
-        glfwSetWindowShouldClose(w, GLFW_FALSE);  // whether it closes is for the program to say
+    glfw().SetDropCallback(window, on_drop);
+    glfw().SetWindowCloseCallback(window, [](GLFWwindow* w) {
+        glfw().SetWindowShouldClose(w, GLFW_FALSE);  // whether it closes is for the program to say
         events_of(w).push_back(CloseRequested{});
     });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-        events_of(w).push_back(FocusChanged{focused == GLFW_TRUE});
-    });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) { events_of(w).push_back(WindowChanged{}); });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { events_of(w).push_back(WindowChanged{}); });
-    glfwSetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { events_of(w).push_back(WindowChanged{}); });
+    glfw().SetWindowFocusCallback(window,
+                                  [](GLFWwindow* w, int focused) { events_of(w).push_back(FocusChanged{focused == GLFW_TRUE}); });
+    glfw().SetWindowRefreshCallback(window, [](GLFWwindow* w) { events_of(w).push_back(WindowChanged{}); });
+    glfw().SetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { events_of(w).push_back(WindowChanged{}); });
+    glfw().SetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { events_of(w).push_back(WindowChanged{}); });
 }
 
 // Keeps a window that was last seen on a screen that is gone reachable: its title bar must lie on some screen.
 bool is_on_a_screen(const WindowPlace& place) {
     int count = 0;
-    GLFWmonitor** monitors = glfwGetMonitors(&count);
+    GLFWmonitor** monitors = glfw().GetMonitors(&count);
     for (int i = 0; i < count; ++i) {
         int x = 0;
         int y = 0;
         int width = 0;
         int height = 0;
-        glfwGetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
-        if (*place.x + place.width > x + 50 && *place.x < x + width - 50 && *place.y >= y && *place.y < y + height - 50) return true;
+        glfw().GetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
+        if (*place.x + place.width > x + 50 && *place.x < x + width - 50 && *place.y >= y && *place.y < y + height - 50)
+            return true;
     }
     return false;
 }
 
 // No larger than the screen.
 WindowPlace fitting(WindowPlace place) {
-    GLFWmonitor* monitor = glfwGetPrimaryMonitor();
+    GLFWmonitor* monitor = glfw().GetPrimaryMonitor();
     if (monitor == nullptr) return place;
     int x = 0;
     int y = 0;
     int width = 0;
     int height = 0;
-    glfwGetMonitorWorkarea(monitor, &x, &y, &width, &height);
+    glfw().GetMonitorWorkarea(monitor, &x, &y, &width, &height);
     if (width > 0) place.width = std::min(place.width, width);
     if (height > 0) place.height = std::min(place.height, height);
     return place;
@@ -139,82 +138,82 @@ WindowPlace fitting(WindowPlace place) {
 }  // namespace
 
 Window::Window(const std::string& title, const WindowPlace& place) : state_(std::make_unique<State>()) {
-    if (glfwInit() == GLFW_FALSE) throw RenderError("there is no display to open a window on: " + last_error());
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    glfwWindowHint(GLFW_MAXIMIZED, place.maximized ? GLFW_TRUE : GLFW_FALSE);
-    glfwWindowHintString(GLFW_X11_CLASS_NAME, "sphereview");
-    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "sphereview");
+    if (glfw().Init() == GLFW_FALSE) throw RenderError("there is no display to open a window on: " + last_error());
+    glfw().WindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfw().WindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfw().WindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfw().WindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfw().WindowHint(GLFW_DEPTH_BITS, 0);
+    glfw().WindowHint(GLFW_STENCIL_BITS, 0);
+    glfw().WindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfw().WindowHint(GLFW_MAXIMIZED, place.maximized ? GLFW_TRUE : GLFW_FALSE);
+    glfw().WindowHintString(GLFW_X11_CLASS_NAME, "sphereview");
+    glfw().WindowHintString(GLFW_X11_INSTANCE_NAME, "sphereview");
     const WindowPlace fitted = fitting(place);
-    state_->window = glfwCreateWindow(fitted.width, fitted.height, title.c_str(), nullptr, nullptr);
+    state_->window = glfw().CreateWindow(fitted.width, fitted.height, title.c_str(), nullptr, nullptr);
     if (state_->window == nullptr) {
         const std::string why = last_error();
-        glfwTerminate();
+        glfw().Terminate();
         throw RenderError("no window with OpenGL 3.3 can be opened: " + why);
     }
     state_->title = title;
-    if (place.x && place.y && is_on_a_screen(place)) glfwSetWindowPos(state_->window, *place.x, *place.y);
-    glfwMakeContextCurrent(state_->window);
-    if (gladLoadGL(glfwGetProcAddress) == 0 || !GLAD_GL_VERSION_3_3) {
-        glfwDestroyWindow(state_->window);
-        glfwTerminate();
+    if (place.x && place.y && is_on_a_screen(place)) glfw().SetWindowPos(state_->window, *place.x, *place.y);
+    glfw().MakeContextCurrent(state_->window);
+    if (gladLoadGL(glfw().GetProcAddress) == 0 || !GLAD_GL_VERSION_3_3) {
+        glfw().DestroyWindow(state_->window);
+        glfw().Terminate();
         throw RenderError("the window's context has no OpenGL 3.3 functions");
     }
-    glfwSwapInterval(1);
+    glfw().SwapInterval(1);
     listen(state_->window, state_->events);
 }
 
 Window::~Window() {
     for (GLFWcursor* cursor : state_->cursors) {
-        if (cursor != nullptr) glfwDestroyCursor(cursor);
+        if (cursor != nullptr) glfw().DestroyCursor(cursor);
     }
-    glfwDestroyWindow(state_->window);
-    glfwTerminate();
+    glfw().DestroyWindow(state_->window);
+    glfw().Terminate();
 }
 
 void Window::show() {
-    glfwShowWindow(state_->window);
-    glfwFocusWindow(state_->window);
+    glfw().ShowWindow(state_->window);
+    glfw().FocusWindow(state_->window);
 }
 
 std::vector<InputEvent> Window::wait_events(std::optional<double> seconds) {
     // What came while something else was asked of GLFW is here already.
     if (!state_->events.empty() || (seconds && *seconds <= 0.0)) {
-        glfwPollEvents();
+        glfw().PollEvents();
     } else if (seconds) {
-        glfwWaitEventsTimeout(*seconds);
+        glfw().WaitEventsTimeout(*seconds);
     } else {
-        glfwWaitEvents();
+        glfw().WaitEvents();
     }
     return std::exchange(state_->events, {});
 }
 
-void Window::wake() { glfwPostEmptyEvent(); }
+void Window::wake() { glfw().PostEmptyEvent(); }
 
-void Window::swap_buffers() { glfwSwapBuffers(state_->window); }
+void Window::swap_buffers() { glfw().SwapBuffers(state_->window); }
 
 Window::Extent Window::extent() const {
     Extent extent;
-    glfwGetWindowSize(state_->window, &extent.width, &extent.height);
+    glfw().GetWindowSize(state_->window, &extent.width, &extent.height);
     return extent;
 }
 
 Window::Extent Window::framebuffer() const {
-    if (glfwGetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE) return {};
+    if (glfw().GetWindowAttrib(state_->window, GLFW_ICONIFIED) == GLFW_TRUE) return {};
     Extent extent;
-    glfwGetFramebufferSize(state_->window, &extent.width, &extent.height);
+    glfw().GetFramebufferSize(state_->window, &extent.width, &extent.height);
     return extent;
 }
 
 double Window::content_scale() const {
     float x = 1.0F;
     float y = 1.0F;
-    glfwGetWindowContentScale(state_->window, &x, &y);
+    glfw().GetWindowContentScale(state_->window, &x, &y);
     return std::clamp(static_cast<double>(x), 1.0, 4.0);
 }
 
@@ -222,19 +221,19 @@ WindowPlace Window::place() const {
     WindowPlace place;
     int x = 0;
     int y = 0;
-    glfwGetWindowPos(state_->window, &x, &y);
+    glfw().GetWindowPos(state_->window, &x, &y);
     place.x = x;
     place.y = y;
     place.width = extent().width;
     place.height = extent().height;
-    place.maximized = glfwGetWindowAttrib(state_->window, GLFW_MAXIMIZED) == GLFW_TRUE;
+    place.maximized = glfw().GetWindowAttrib(state_->window, GLFW_MAXIMIZED) == GLFW_TRUE;
     return place;
 }
 
 void Window::set_title(const std::string& title) {
     if (title == state_->title) return;
     state_->title = title;
-    glfwSetWindowTitle(state_->window, title.c_str());
+    glfw().SetWindowTitle(state_->window, title.c_str());
 }
 
 void Window::set_pointer(PointerShape shape) {
@@ -243,16 +242,16 @@ void Window::set_pointer(PointerShape shape) {
     constexpr std::array<int, 6> shapes = {GLFW_ARROW_CURSOR,   GLFW_IBEAM_CURSOR, GLFW_HRESIZE_CURSOR,
                                            GLFW_VRESIZE_CURSOR, GLFW_HAND_CURSOR,  GLFW_CROSSHAIR_CURSOR};
     const auto index = static_cast<std::size_t>(shape);
-    if (state_->cursors[index] == nullptr) state_->cursors[index] = glfwCreateStandardCursor(shapes[index]);
-    glfwSetCursor(state_->window, state_->cursors[index]);
+    if (state_->cursors[index] == nullptr) state_->cursors[index] = glfw().CreateStandardCursor(shapes[index]);
+    glfw().SetCursor(state_->window, state_->cursors[index]);
 }
 
 std::string Window::clipboard() const {
-    const char* text = glfwGetClipboardString(state_->window);
+    const char* text = glfw().GetClipboardString(state_->window);
     return text != nullptr ? text : "";
 }
 
-void Window::set_clipboard(const std::string& text) { glfwSetClipboardString(state_->window, text.c_str()); }
+void Window::set_clipboard(const std::string& text) { glfw().SetClipboardString(state_->window, text.c_str()); }
 
 void Window::set_connection_lost_handler(void (*on_loss)()) { handle_connection_loss(on_loss); }
 

@@ -39,7 +39,8 @@ struct WheelTurned {
     Modifiers modifiers;
 };
 // A key by what the person's keyboard layout has there ("a", "7", "+") or by its usual name in lower case ("f12", "delete",
-// "backspace", "enter", "escape", "tab", "space", "home", "end", "page up", "page down", "insert", "left", "right", "up", "down", "shift", "control", "alt").
+// "backspace", "enter", "escape", "tab", "space", "home", "end", "page up", "page down", "insert", "left", "right", "up", "down",
+// "shift", "control", "alt").
 struct KeyChanged {
     std::string name;
     bool pressed = false;

@@ -1,0 +1,33 @@
+// GLFW, opened at run time like the other libraries of displays, so that the program starts, and renders, where it is missing.
+#pragma once
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace sphereview {
+
+// The functions that this program uses, without their prefix.
+// clang-format off
+#define SPHEREVIEW_GLFW_FUNCTIONS(X) \
+    X(CreateStandardCursor) X(CreateWindow) X(DestroyCursor) X(DestroyWindow) X(FocusWindow) \
+    X(GetClipboardString) X(GetError) X(GetFramebufferSize) X(GetKey) X(GetKeyName) X(GetMonitorWorkarea) \
+    X(GetMonitors) X(GetPrimaryMonitor) X(GetProcAddress) X(GetWindowAttrib) X(GetWindowContentScale) \
+    X(GetWindowPos) X(GetWindowSize) X(GetWindowUserPointer) X(Init) X(MakeContextCurrent) X(PollEvents) \
+    X(PostEmptyEvent) X(SetCharCallback) X(SetClipboardString) X(SetCursor) X(SetCursorEnterCallback) \
+    X(SetCursorPosCallback) X(SetDropCallback) X(SetFramebufferSizeCallback) X(SetKeyCallback) \
+    X(SetMouseButtonCallback) X(SetScrollCallback) X(SetWindowCloseCallback) X(SetWindowContentScaleCallback) \
+    X(SetWindowFocusCallback) X(SetWindowPos) X(SetWindowRefreshCallback) X(SetWindowShouldClose) \
+    X(SetWindowTitle) X(SetWindowUserPointer) X(ShowWindow) X(SwapBuffers) X(SwapInterval) X(Terminate) \
+    X(WaitEvents) X(WaitEventsTimeout) X(WindowHint) X(WindowHintString)
+// clang-format on
+
+struct Glfw {
+#define SPHEREVIEW_DECLARE(name) decltype(&::glfw##name) name = nullptr;
+    SPHEREVIEW_GLFW_FUNCTIONS(SPHEREVIEW_DECLARE)
+#undef SPHEREVIEW_DECLARE
+};
+
+// Opened at the first call. Throws RenderError where there is no GLFW.
+const Glfw& glfw();
+
+}  // namespace sphereview
