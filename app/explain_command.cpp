@@ -127,7 +127,7 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
 
 ExitCode run_explain(const ExplainOptions& options) {
     const auto [scene, name, format] = load_scene(options.scene);
-    const PixelExplanation explanation = explain_pixel(scene, options.size, options.pixel);
+    const PixelExplanation explanation = explain_pixel(scene, scene.camera, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const std::string text =
         options.json

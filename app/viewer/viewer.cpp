@@ -241,9 +241,8 @@ void Viewer::note_facts() {
                      sphere,    hidden_.count(state_.document)};
     facts_.inspected.reset();
     if (pixel && state_.inspector_shown) {
-        Scene seen = state_.scene();
-        seen.camera = state_.camera;
-        facts_.inspected = InspectedPixel{*pixel, state_.picture_size, explain_pixel(seen, state_.picture_size, *pixel)};
+        facts_.inspected =
+            InspectedPixel{*pixel, state_.picture_size, explain_pixel(state_.scene(), state_.camera, state_.picture_size, *pixel)};
     }
 }
 

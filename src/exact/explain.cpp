@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
 
 #include "exact/drawn.hpp"
 #include "exact/exact_decision.hpp"
@@ -23,11 +24,11 @@ struct Ray {
     FloatVector direction;  // D
     Float m;
 
-    Ray(const Scene& scene, PictureSize size, Pixel pixel) : m(size.shorter_side()) {
-        scale.include(scene.camera);
+    Ray(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel) : m(size.shorter_side()) {
+        scale.include(camera);
         for (const Sphere& sphere : scene.spheres) scale.include(sphere);
-        eye = scale.whole(scene.camera.eye);
-        exact = exact_direction(scene.camera, size, pixel, scale);
+        eye = scale.whole(camera.eye);
+        exact = exact_direction(camera, size, pixel, scale);
         for (std::size_t i = 0; i < 3; ++i) {
             origin[i] = unscaled(eye[i], 1);
             direction[i] = unscaled(exact[i], 1) / m;
@@ -41,6 +42,33 @@ struct Ray {
 glm::dvec3 rounded(const FloatVector& v) {
     return {v[0].convert_to<double>(), v[1].convert_to<double>(), v[2].convert_to<double>()};
 }
+
+// Most spheres are missed by far: for those exact arithmetic need not be asked.
+class DoubleFilter {
+public:
+    DoubleFilter(const Camera& camera, PictureSize size, Pixel pixel)
+        : eye_(camera.eye), frame_(ray_frame<double>(camera, size)), error_scale_(error_scale(ray_condition(camera), double_unit)) {
+        if (frame_.in_range) ray_ = unit_ray(frame_, size, pixel);
+    }
+
+    // The discriminant is below 0: the ray passes the centre at a distance above the radius, as hit_bounds() has it.
+    bool surely_missed(const Sphere& sphere) const {
+        const glm::dvec3 c = sphere.center - eye_;
+        const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
+        if (!frame_.in_range || !std::isfinite(error_scale_) || !(size > smallest_double_size && size < largest_double_size)) {
+            return false;
+        }
+        const double along = c.x * ray_.x + c.y * ray_.y + c.z * ray_.z;
+        const glm::dvec3 p = c - along * ray_;
+        return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius > error_scale_ * size;
+    }
+
+private:
+    glm::dvec3 eye_;
+    RayFrame<double> frame_;
+    double error_scale_;
+    glm::dvec3 ray_{0.0};
+};
 
 struct Hit {
     const Sphere* sphere;
@@ -89,8 +117,9 @@ ExplainedHit explain(const Hit& hit, const Ray& ray) {
 
 }  // namespace
 
-PixelExplanation explain_pixel(const Scene& scene, PictureSize size, Pixel pixel) {
-    const Ray ray(scene, size, pixel);
+PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel) {
+    const Ray ray(scene, camera, size, pixel);
+    const DoubleFilter filter(camera, size, pixel);
     PixelExplanation out;
     out.origin = rounded(ray.origin);
     out.direction = rounded(ray.direction);
@@ -100,6 +129,10 @@ PixelExplanation explain_pixel(const Scene& scene, PictureSize size, Pixel pixel
         const Sphere& sphere = scene.spheres[i];
         if (sphere.hidden) {
             ++out.hidden;
+            continue;
+        }
+        if (filter.surely_missed(sphere)) {
+            ++out.missed;
             continue;
         }
         ExactQuadratic quadratic(sphere, ray.eye, ray.exact, ray.scale);
@@ -114,8 +147,8 @@ PixelExplanation explain_pixel(const Scene& scene, PictureSize size, Pixel pixel
         out.hits.push_back(explain(hits[i], ray));
         out.hits.back().as_near_as_last = i > 0 && compare(hits[i - 1].root, hits[i].root) == 0;
     }
-    const DrawnSpheres drawn = drawn_spheres(scene);
-    out.level = decision_level(scene, drawn, size, pixel);
+    const DrawnSpheres drawn = drawn_spheres(scene, camera);
+    out.level = decision_level(scene, drawn, camera, size, pixel);
     return out;
 }
 

@@ -51,7 +51,7 @@ struct PixelExplanation {
     std::int32_t visible() const { return hits.empty() ? visible_background : hits.front().number; }
 };
 
-// The pixel must lie inside the picture.
-PixelExplanation explain_pixel(const Scene& scene, PictureSize size, Pixel pixel);
+// A pixel inside the picture that `camera` sees.
+PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel);
 
 }  // namespace sphereview

@@ -19,6 +19,10 @@ inline constexpr double double_unit = 0x1p-53;  // IEEE 754 double precision, ro
 // Beyond this condition of the rays (exact/rays.hpp) the bound for floats is not proven.
 inline constexpr double largest_float_condition = 256.0;
 
+// Sizes, |x| + |y| + |z| + r, for which the squares and the bound of the double filter neither overflow nor underflow.
+inline constexpr double smallest_double_size = 0x1p-300;
+inline constexpr double largest_double_size = 0x1p300;
+
 // c(kappa, u) of docs/exactness.md: a sphere at C with radius r has w = c (|x| + |y| + |z| + r).
 constexpr double error_scale(double kappa, double unit) { return (5.0 * kappa + 22.0) * unit * (1.0 + 1.0 / 64.0); }
 

@@ -1,6 +1,7 @@
 // The rays of a picture in floating point, and how far they can be trusted.
 #pragma once
 
+#include <cmath>
 #include <glm/vec3.hpp>
 
 #include "scene/camera.hpp"
@@ -20,6 +21,15 @@ struct RayFrame {
 
 template <typename Real>
 RayFrame<Real> ray_frame(const Camera& camera, PictureSize size);
+
+// The ray through a pixel's centre, of length 1.
+template <typename Real>
+glm::vec<3, Real> unit_ray(const RayFrame<Real>& frame, PictureSize size, Pixel pixel) {
+    const RayCoefficients coefficients = ray_coefficients(size, pixel);
+    const glm::vec<3, Real> d =
+        (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) + static_cast<Real>(coefficients.across) * frame.right;
+    return d * (Real(1) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
+}
 
 // kappa of docs/exactness.md: no pixel's |forward| + |across right| + |upward up| exceeds kappa |ray|. At least sqrt(3);
 // large when the screen's centre lies far off the axis.

@@ -12,10 +12,6 @@ namespace sphereview {
 
 namespace {
 
-// Sizes for which the squares and the bound of the double filter neither overflow nor underflow.
-constexpr double smallest_size = 0x1p-300;
-constexpr double largest_size = 0x1p300;
-
 // Anything may be true.
 constexpr HitBounds<double> unknown_hit = {-NearestHits<double>::never, NearestHits<double>::never};
 
@@ -34,17 +30,8 @@ HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm
     const glm::dvec3 c = sphere.center - eye;
     const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
     // Also when it is not a number: then nothing is known.
-    if (!(size > smallest_size && size < largest_size)) return unknown_hit;
+    if (!(size > smallest_double_size && size < largest_double_size)) return unknown_hit;
     return bounds_of_side<double>(side, c, sphere.radius, error_scale * size, ray);
-}
-
-// The ray through a pixel's centre, of length 1.
-template <typename Real>
-glm::vec<3, Real> unit_ray(const RayFrame<Real>& frame, PictureSize size, Pixel pixel) {
-    const RayCoefficients coefficients = ray_coefficients(size, pixel);
-    const glm::vec<3, Real> d =
-        (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) + static_cast<Real>(coefficients.across) * frame.right;
-    return d * (Real(1) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
 }
 
 }  // namespace
@@ -113,8 +100,8 @@ std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
     return decide_exactly(camera_, size_, pixel, contenders);
 }
 
-DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, Pixel pixel) {
-    const FloatView view = float_view(scene.camera, size, gpu_unit);
+DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel) {
+    const FloatView view = float_view(camera, size, gpu_unit);
     const glm::vec3 ray = unit_ray(view.rays, size, pixel);
     NearestHits<float> nearest;
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -125,7 +112,7 @@ DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, Pict
     }
     if (!view.all_doubtful && nearest.decided()) return DecisionLevel::in_float;
     DecisionLevel level = DecisionLevel::in_double;
-    Resolver(scene, drawn, size).resolve(pixel, level);
+    Resolver(scene, drawn, camera, size, nullptr).resolve(pixel, level);
     return level;
 }
 

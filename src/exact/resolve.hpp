@@ -24,7 +24,7 @@ struct DecisionCounts {
 enum class DecisionLevel { in_float, in_double, exactly };
 
 // What it takes to decide a pixel: float with the bound assumed of GPUs, double, or exact integers.
-DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, Pixel pixel);
+DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel);
 
 // Turns what a renderer wrote into the numbers of the exact picture. What is passed in must outlive it.
 class Resolver {
