@@ -154,7 +154,20 @@ def frames(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
-SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "micro": micro}
+def live(bench: Bench) -> tuple[list[Row], dict]:
+    """The viewer's picture while a sphere is dragged; see live.cpp."""
+    rows, data = [], {}
+    for count in [4, 1000]:
+        case = Case(f"live-{count}", [bench.program("live"), "volume", str(count), str(bench.runs)], {"LIBGL_ALWAYS_SOFTWARE": "1"})
+        result = data[case.name] = json.loads(bench.run(case)["stdout"])
+        wall = {what: cost["wall_ms"] for what, cost in result.items() if isinstance(cost, dict)}
+        rows.append(Row(f"live, {count:,} spheres", ", ".join(f"{what} {ms:.1f}" for what, ms in wall.items()) + " ms"))
+        rows.append(at_most("  drag, from the edit to the pixels", min(wall[f"drag, step {step}"] for step in [1, 2, 4, 8]), 30, " ms"))
+    return rows, data
+
+
+SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "live": live,
+            "micro": micro}
 
 
 def numbers(text: str) -> list[int]:

@@ -9,10 +9,10 @@ layout(std140) uniform Frame {
     float error_scale;   // c(kappa, u) of docs/exactness.md
     int all_doubtful;    // not 0: float proves nothing about this scene
     int level_count;     // of tiles
-    int grid_step;       // the visible-sphere buffer has a texel for this many columns and rows of pixels
+    int grid_shift;      // the visible-sphere buffer has a texel for each 2^this columns and rows of pixels
     ivec2 window_corner; // of the picture's top left pixel, as gl_FragCoord counts in the window
     int hovered;         // the index of the sphere under the pointer; -1: none
     float outline;       // width of the selected spheres' outlines, in pixels
-    int checkerboard;    // not 0: where nothing is, a window shows squares of this many pixels instead of transparency
+    int checkerboard;    // not 0: where nothing is, a window shows squares of 2^this pixels instead of transparency
     ivec4 levels[8];     // x: a tile's side is 2^x pixels; y: tiles in a row; z: the number of the first
 };

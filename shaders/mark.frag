@@ -1,7 +1,6 @@
 #version 330 core
 // Picks the spheres that have an outline from the visible-sphere buffer, so that outline.frag need look only once a pixel.
 #include "colors.glsl"
-#include "frame.glsl"
 #include "marks.glsl"
 #include "visible.glsl"
 

@@ -5,6 +5,7 @@
 #include "window.glsl"
 
 uniform isampler2D marks;
+uniform isampler2D busy_cells;
 
 out vec4 color;
 
@@ -12,12 +13,14 @@ const float far = 1.0e6;
 
 void main() {
     ivec2 pixel = window_pixel();
-    int own = texelFetch(marks, texel_of(pixel), 0).r;
+    ivec2 texel = texel_of(pixel);
+    int own = texelFetch(marks, texel, 0).r;
     // The squared distances to the nearest pixels of other spheres that are marked.
     float selected = far;
     float under_pointer = far;
-    int reach = int(outline + 1.5);
-    for (int y = -reach; y <= reach; ++y) {
+    int reach = outline_reach();
+    int end = texelFetch(busy_cells, texel >> cell_shift, 0).r != 0 ? reach : -reach - 1;
+    for (int y = -reach; y <= end; ++y) {
         for (int x = -reach; x <= reach; ++x) {
             int mark = texelFetch(marks, texel_of(pixel + ivec2(x, y)), 0).r;
             float distance = mark == own || mark == no_mark ? far : float(x * x + y * y);

@@ -10,7 +10,7 @@ out vec4 color;
 
 vec4 background_at(ivec2 pixel) {
     if (background.a > 0.0 || checkerboard == 0) return background;
-    ivec2 square = pixel / checkerboard;
+    ivec2 square = pixel >> checkerboard;
     return ((square.x + square.y) & 1) == 0 ? vec4(0.6, 0.6, 0.6, 1.0) : vec4(0.4, 0.4, 0.4, 1.0);
 }
 

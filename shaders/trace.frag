@@ -18,7 +18,7 @@ vec3 ray_direction(ivec2 pixel) {
 
 void main() {
     // Row 0 of the attachment is the top row of the block. In a coarse grid a texel stands for the pixels around this one.
-    ivec2 pixel = min(block_origin + grid_step * ivec2(gl_FragCoord.xy), picture_size - 1);
+    ivec2 pixel = min(block_origin + (ivec2(gl_FragCoord.xy) << grid_shift), picture_size - 1);
     vec3 ray = ray_direction(pixel);
     float smallest_high = never;  // over the sure hits
     int sure = -1;

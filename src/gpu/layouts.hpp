@@ -23,7 +23,7 @@ struct FrameBlock {
     float error_scale = 0.0F;
     std::int32_t all_doubtful = 0;
     std::int32_t level_count = 0;
-    std::int32_t grid_step = 1;
+    std::int32_t grid_shift = 0;
     glm::ivec2 window_corner{0};
     std::int32_t hovered = -1;
     float outline = 0.0F;
@@ -47,7 +47,7 @@ inline constexpr std::array<BlockMember, 15> frame_members = {{
     {"error_scale", offsetof(FrameBlock, error_scale)},
     {"all_doubtful", offsetof(FrameBlock, all_doubtful)},
     {"level_count", offsetof(FrameBlock, level_count)},
-    {"grid_step", offsetof(FrameBlock, grid_step)},
+    {"grid_shift", offsetof(FrameBlock, grid_shift)},
     {"window_corner", offsetof(FrameBlock, window_corner)},
     {"hovered", offsetof(FrameBlock, hovered)},
     {"outline", offsetof(FrameBlock, outline)},
@@ -65,9 +65,9 @@ static_assert(sizeof(Candidate) == 8, "two 32-bit numbers a texel in candidates.
 enum class BlockBinding : unsigned { frame = 0, spheres = 1, colors = 2 };
 
 // The texture unit of each sampler, by its name in the shaders.
-enum class TextureUnit : int { visible_spheres, sphere_table, color_table, candidate_table, list_begin_table, marks };
-inline constexpr std::array<const char*, 6> sampler_names = {"visible_spheres", "sphere_table",     "color_table",
-                                                             "candidate_table", "list_begin_table", "marks"};
+enum class TextureUnit : int { visible_spheres, sphere_table, color_table, candidate_table, list_begin_table, marks, busy_cells };
+inline constexpr std::array<const char*, 7> sampler_names = {"visible_spheres",  "sphere_table", "color_table", "candidate_table",
+                                                             "list_begin_table", "marks",        "busy_cells"};
 
 // A uniform block is guaranteed 16 KiB, 1,024 spheres; more is used up to this, which every desktop GPU offers.
 inline constexpr int largest_uniform_block = 65536;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cassert>
 #include <chrono>
 #include <utility>
@@ -17,7 +18,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::int32_t checkerboard_square = 8;  // pixels
+constexpr std::int32_t checkerboard_shift = 3;  // squares of 8 pixels
 constexpr std::size_t most_single_ranges = 4096;
 
 // The framebuffers that are bound, until its end.
@@ -65,7 +66,8 @@ int traced_pixel(int texel, int step, int pixels) { return std::min(texel * step
 LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const std::vector<std::string>& defines) {
     return {make_program("trace.frag", defines, files),
             make_program("shade.frag", defines, files),
-            {make_program("mark.frag", defines, files), make_program("outline.frag", defines, files)}};
+            {make_program("mark.frag", defines, files), make_program("busy.frag", defines, files),
+             make_program("outline.frag", defines, files)}};
 }
 
 LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& bounds)
@@ -136,7 +138,7 @@ void LivePicture::trace(int step) {
     const int width = grid_side(view_.size.width, step);
     const int height = grid_side(view_.size.height, step);
     visible_.require(width, height);
-    frame_.grid_step = step;
+    frame_.grid_shift = std::countr_zero(static_cast<unsigned>(step));
     frame_.block_origin = {step / 2, step / 2};
     upload_frame(frame_buffer_, frame_);
     tables_.bind();
@@ -162,7 +164,7 @@ void LivePicture::trace(int step) {
 }
 
 bool LivePicture::update(const Document& document, const View& view, int step) {
-    assert(step >= 1 && view.size.width >= 1 && view.size.height >= 1);
+    assert(std::has_single_bit(static_cast<unsigned>(step)) && view.size.width >= 1 && view.size.height >= 1);
     const auto begin = std::chrono::steady_clock::now();
     if (view.size.width > visible_.largest_side() || view.size.height > visible_.largest_side()) {
         throw TooLarge("its pictures have at most " + in_groups(static_cast<std::uint64_t>(visible_.largest_side())) +
@@ -270,7 +272,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
         outlined = united(outlined, PixelPlanes(view_.camera, view_.size).range(drawn_.center_radius[*index]));
     }
     frame.background = shown_background(background);
-    frame.checkerboard = checkerboard_square;
+    frame.checkerboard = checkerboard_shift;
     frame.window_corner = {area.x, area.y + area.height - 1};
     frame.outline = std::max(highlights.thickness, 1.0F);
     upload_frame(frame_buffer_, frame);

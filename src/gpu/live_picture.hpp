@@ -43,8 +43,8 @@ public:
     explicit LivePicture(const std::string& shader_folder = "", const TextureBounds& bounds = {});
 
     // Brings the picture up to date: traces every step-th pixel of each row and column (each for the step x step pixels around
-    // it), if what is there is coarser than that or of another scene or view. With step 1 all pixels. Returns whether it
-    // traced. Throws TooLarge, RenderError; the picture is then what it was.
+    // it; a power of two), if what is there is coarser than that or of another scene or view. With step 1 all pixels. Returns
+    // whether it traced. Throws TooLarge, RenderError; the picture is then what it was.
     bool update(const Document& document, const View& view, int step);
 
     // Decides the doubtful pixels of a picture without a grid as an export has them, for about so many seconds; what is left is

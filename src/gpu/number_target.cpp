@@ -67,6 +67,11 @@ void NumberTarget::draw(const VertexArray& no_vertices, const Block& block, cons
     if (some) draw_block(no_vertices, {left, top, width, height});
 }
 
+void NumberTarget::draw_all(const VertexArray& no_vertices, const Block& block) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
+    draw_block(no_vertices, block);
+}
+
 void NumberTarget::read(const Block& block, std::span<std::int32_t> numbers) const {
     assert(numbers.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.name());

@@ -32,6 +32,9 @@ public:
     // Writes the block with the program in use where it is `covered` (in the target's texels), `elsewhere` around that.
     void draw(const VertexArray& no_vertices, const Block& block, const PixelRange& covered, std::int32_t elsewhere) const;
 
+    // Writes all of the block.
+    void draw_all(const VertexArray& no_vertices, const Block& block) const;
+
     // The block's texels, row by row.
     void read(const Block& block, std::span<std::int32_t> numbers) const;
 

@@ -7,11 +7,16 @@ namespace sphereview {
 
 namespace {
 
+constexpr int cell_shift = 3;  // as in shaders/marks.glsl
+
 // By so many pixels on each side, but not beyond the picture.
 PixelRange grown(const PixelRange& range, int by, const glm::ivec2& size) {
     return {std::max(range.left - by, 0), std::max(range.top - by, 0), std::min(range.right + by, size.x - 1),
             std::min(range.bottom + by, size.y - 1)};
 }
+
+// From the first to the last, inclusive.
+Block block_of(int left, int top, int right, int bottom) { return {left, top, right - left + 1, bottom - top + 1}; }
 
 }  // namespace
 
@@ -24,17 +29,24 @@ PixelRange united(const PixelRange& a, const PixelRange& b) {
 void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible,
                     const FrameBlock& frame, const PixelRange& range, const WindowArea& area, GLuint window) {
     if (range.empty()) return;
-    const int step = frame.grid_step;
+    const int step = 1 << frame.grid_shift;
     // A coarse texel of a sphere may stand for pixels beside its range.
     const int reach = static_cast<int>(std::ceil(frame.outline)) + 2 + step;
     const PixelRange drawn = grown(range, reach, frame.picture_size);
     const PixelRange looked_at = grown(drawn, reach, frame.picture_size);
-    const Block grid{looked_at.left / step, looked_at.top / step, looked_at.right / step - looked_at.left / step + 1,
-                     looked_at.bottom / step - looked_at.top / step + 1};
-    marks_.require((frame.picture_size.x + step - 1) / step, (frame.picture_size.y + step - 1) / step);
+    const Block grid = block_of(looked_at.left / step, looked_at.top / step, looked_at.right / step, looked_at.bottom / step);
+    const int grid_width = (frame.picture_size.x + step - 1) / step;
+    const int grid_height = (frame.picture_size.y + step - 1) / step;
+    marks_.require(grid_width, grid_height);
+    busy_.require(((grid_width - 1) >> cell_shift) + 1, ((grid_height - 1) >> cell_shift) + 1);
     visible.bind(TextureUnit::visible_spheres);
     glUseProgram(programs.mark.name());
-    marks_.draw(no_vertices, grid, {grid.x, grid.y, grid.x + grid.width - 1, grid.y + grid.height - 1}, 0);
+    marks_.draw_all(no_vertices, grid);
+    marks_.bind(TextureUnit::marks);
+    glUseProgram(programs.busy.name());
+    // Cells at the rim see what earlier frames left beside the grid, and may be busy without need.
+    busy_.draw_all(no_vertices, block_of(grid.x >> cell_shift, grid.y >> cell_shift, (grid.x + grid.width - 1) >> cell_shift,
+                                         (grid.y + grid.height - 1) >> cell_shift));
 
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, window);
     const int left = std::max(frame.window_corner.x + drawn.left, area.x);
@@ -42,12 +54,12 @@ void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_verti
     const int bottom = std::max(frame.window_corner.y - drawn.bottom, area.y);
     const int top = std::min(frame.window_corner.y - drawn.top, area.y + area.height - 1);
     if (right < left || top < bottom) return;
-    marks_.bind(TextureUnit::marks);
+    busy_.bind(TextureUnit::busy_cells);
     glUseProgram(programs.outline.name());
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    draw_block(no_vertices, {left, bottom, right - left + 1, top - bottom + 1});
+    draw_block(no_vertices, block_of(left, bottom, right, top));
     glDisable(GL_BLEND);
 }
 

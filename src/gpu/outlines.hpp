@@ -19,9 +19,10 @@ struct WindowArea {
     int height = 0;
 };
 
-// Made from mark.frag and outline.frag.
+// Made from mark.frag, busy.frag and outline.frag.
 struct OutlinePrograms {
     Program mark;
+    Program busy;
     Program outline;
 };
 
@@ -37,6 +38,7 @@ public:
 
 private:
     NumberTarget marks_;  // one for each texel of the visible-sphere buffer
+    NumberTarget busy_;   // one for each cell of those
 };
 
 }  // namespace sphereview
