@@ -143,6 +143,12 @@ Running::~Running() {
 
 void Running::send(int signal_number) const { kill(process_, signal_number); }
 
+bool Running::has_ended() {
+    int status = 0;
+    if (!ended_ && waitpid(process_, &status, WNOHANG) == process_) ended_ = status;
+    return ended_.has_value();
+}
+
 double Running::processor_seconds() const {
     std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
     std::string line;

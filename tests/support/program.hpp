@@ -62,6 +62,9 @@ public:
     // out first.
     bool wait_for_errors(const std::string& text, int times = 1);
 
+    // Whether it has ended by itself; wait() says how.
+    bool has_ended();
+
     // What standard error held so far, as far as a wait has collected it.
     const std::string& errors_so_far() const { return outcome_.errors; }
 

@@ -74,6 +74,7 @@ const Json& ViewerWindow::frame() {
 const Json& ViewerWindow::wait_until(const std::string& what, const std::function<bool(const Json&)>& condition) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
     while (std::chrono::steady_clock::now() < deadline) {
+        if (program_->has_ended() && !read_log()) break;
         read_log();
         if (!frame_.is_null() && frame_["resting"] == true && condition(frame_)) return frame_;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -1,0 +1,52 @@
+// Takes the README's screenshots: screenshots FOLDER
+#include <cstdio>
+#include <exception>
+#include <fstream>
+
+#include "ui/viewer_window.hpp"
+#include "ui/x_client.hpp"
+
+namespace {
+
+using namespace sphereview::test;
+
+void save(ViewerWindow& window, const std::string& path) {
+    std::ofstream(path, std::ios::binary) << encode_png(read_screen(window.server().display()));
+    std::printf("%s\n", path.c_str());
+}
+
+// The place of a pixel of the picture, as parts of its sides.
+Place at(ViewerWindow& window, double x, double y) {
+    const auto& size = window.frame().at("picture_size");
+    return window.pixel(x * size[0].get<double>(), y * size[1].get<double>());
+}
+
+void take(const std::string& folder) {
+    const TemporaryFolder files;
+    const ScreenOptions screen{1280, 800, 96};
+    {
+        ViewerWindow window(files, {SOURCE_DIR "/scenes/planets.toml"}, screen);
+        window.click_widget("row 3");
+        window.wait_for("selection", {3});
+        window.move_to(at(window, 0.72, 0.42));
+        window.wait_until("a rest", [](const Json&) { return true; });
+        save(window, folder + "/viewer.png");
+    }
+    ViewerWindow window(files, {SOURCE_DIR "/scenes/input4.txt"}, screen);
+    window.key("i");
+    window.move_to(at(window, 0.665, 0.334));
+    window.wait_until("a pixel of a sphere", [](const Json& frame) { return !frame.at("hovered").is_null(); });
+    save(window, folder + "/inspector.png");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        take(argc > 1 ? argv[1] : ".");
+        return 0;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "screenshots: %s\n", error.what());
+        return 1;
+    }
+}
