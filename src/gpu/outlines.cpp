@@ -41,12 +41,12 @@ void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_verti
     busy_.require(((grid_width - 1) >> cell_shift) + 1, ((grid_height - 1) >> cell_shift) + 1);
     visible.bind(TextureUnit::visible_spheres);
     glUseProgram(programs.mark.name());
-    marks_.draw_all(no_vertices, grid);
+    marks_.draw(no_vertices, grid);
     marks_.bind(TextureUnit::marks);
     glUseProgram(programs.busy.name());
     // Cells at the rim see what earlier frames left beside the grid, and may be busy without need.
-    busy_.draw_all(no_vertices, block_of(grid.x >> cell_shift, grid.y >> cell_shift, (grid.x + grid.width - 1) >> cell_shift,
-                                         (grid.y + grid.height - 1) >> cell_shift));
+    busy_.draw(no_vertices, block_of(grid.x >> cell_shift, grid.y >> cell_shift, (grid.x + grid.width - 1) >> cell_shift,
+                                     (grid.y + grid.height - 1) >> cell_shift));
 
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, window);
     const int left = std::max(frame.window_corner.x + drawn.left, area.x);
