@@ -66,7 +66,7 @@ using Edit = std::variant<ChangeSpheres, InsertSpheres, RemoveSpheres, ReorderSp
 // and its own inverse is the edit. Moves what it can; copies nothing that the edit does not touch.
 Edit apply(Edit edit, Scene& scene);
 
-// Whether the scene would be the same, bit for bit, after the edit.
+// Whether the scene would be the same, bit for bit, after the edit. Places count even where equal spheres change them.
 bool changes_nothing(const Edit& edit, const Scene& scene);
 
 // The spheres that an edit is about, by the numbers that they have afterwards, ascending: those that are changed, put in, moved

@@ -1,0 +1,211 @@
+#include "scene/document.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sphereview {
+
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+Sphere at(double x) { return {{x, 0.0, 200.0}, 20.0, {}, false}; }
+
+Scene row(std::uint32_t count) {
+    Scene scene;
+    for (std::uint32_t i = 0; i < count; ++i) scene.spheres.push_back(at(i));
+    return scene;
+}
+
+Edit move(std::uint32_t number, double x) { return ChangeSpheres{{number}, {at(x)}}; }
+
+double x_of(const Document& document, std::size_t number) { return document.scene().spheres[number].center.x; }
+
+}  // namespace
+
+TEST(Document, UndoesAndRedoesByName) {
+    Document document(row(3));
+    EXPECT_FALSE(document.can_undo());
+    EXPECT_EQ(document.undo_name(), "");
+    EXPECT_EQ(document.undo(), Numbers{});
+    EXPECT_EQ(document.apply(move(1, 7), "Move"), Numbers{1});
+    EXPECT_EQ(document.apply(RenameSphere{1, "sun"}, "Rename"), Numbers{1});
+    EXPECT_EQ(document.undo_name(), "Rename");
+    EXPECT_EQ(document.undo(), Numbers{1});
+    EXPECT_EQ(document.undo_name(), "Move");
+    EXPECT_EQ(document.redo_name(), "Rename");
+    document.undo();
+    EXPECT_EQ(document.scene(), row(3));
+    EXPECT_EQ(document.redo(), Numbers{1});
+    EXPECT_EQ(x_of(document, 1), 7.0);
+    document.apply(move(0, 5), "Move 0");
+    EXPECT_FALSE(document.can_redo());
+    EXPECT_EQ(document.redo_name(), "");
+    EXPECT_EQ(document.redo(), Numbers{});
+}
+
+TEST(Document, MakesOneStepOfAGesture) {
+    Document document(row(2));
+    for (int i = 1; i <= 1000; ++i) document.apply(move(0, i), "Move", 4);
+    document.apply(move(0, -1), "Move again", 5);
+    document.undo();
+    EXPECT_EQ(x_of(document, 0), 1000.0);
+    document.undo();
+    EXPECT_EQ(document.scene(), row(2));
+    EXPECT_FALSE(document.can_undo());
+    document.redo();
+    EXPECT_EQ(x_of(document, 0), 1000.0);
+    // After an undo the gesture is over.
+    document.apply(move(0, 3), "Move", 4);
+    document.undo();
+    EXPECT_EQ(x_of(document, 0), 1000.0);
+}
+
+TEST(Document, KeepsTheFirstNameAndAllKindsOfAGesture) {
+    Document document(row(2));
+    document.apply(InsertSpheres{{2}, {{at(1), ""}}}, "Duplicate", 1);
+    document.apply(move(2, 5), "Move", 1);
+    document.apply(move(2, 6), "Move", 1);
+    EXPECT_EQ(document.undo_name(), "Duplicate");
+    EXPECT_EQ(document.undo(), Numbers{});
+    EXPECT_EQ(document.scene(), row(2));
+    EXPECT_EQ(document.redo(), Numbers{2});
+    EXPECT_EQ(x_of(document, 2), 6.0);
+}
+
+TEST(Document, TakesWhatChangesNothingForNoStep) {
+    Document document(row(2));
+    document.apply(move(0, 9), "Move");
+    document.undo();
+    const std::uint64_t revision = document.revision();
+    EXPECT_EQ(document.apply(move(1, 1), "Move"), Numbers{1});
+    document.apply(ReplaceScene{row(2)}, "Reload");
+    EXPECT_EQ(document.revision(), revision);
+    EXPECT_FALSE(document.can_undo());
+    EXPECT_TRUE(document.can_redo());
+}
+
+TEST(Document, ForgetsAGestureThatEndsWhereItBegan) {
+    Document document(row(2));
+    document.apply(move(1, 4), "First");
+    document.mark_saved();
+    document.apply(move(0, 4), "Move", 1);
+    document.apply(move(0, 5), "Move", 1);
+    EXPECT_TRUE(document.is_changed());
+    document.apply(move(0, 0), "Move", 1);
+    EXPECT_FALSE(document.is_changed());
+    EXPECT_EQ(document.undo_name(), "First");
+    document.apply(move(0, 6), "Move", 1);
+    EXPECT_EQ(document.undo_name(), "Move");
+    document.undo();
+    EXPECT_FALSE(document.is_changed());
+}
+
+TEST(Document, IsChangedExceptInTheSavedState) {
+    Document document(row(2));
+    EXPECT_FALSE(document.is_changed());
+    document.apply(move(0, 1), "a", 1);
+    document.mark_saved();
+    document.apply(move(0, 2), "b", 1);  // does not join the step that was saved
+    EXPECT_TRUE(document.is_changed());
+    document.undo();
+    EXPECT_FALSE(document.is_changed());
+    document.undo();
+    EXPECT_TRUE(document.is_changed());
+    document.apply(move(0, 3), "c");  // what was saved can no longer be reached
+    document.undo();
+    document.redo();
+    EXPECT_TRUE(document.is_changed());
+    document.mark_saved();
+    EXPECT_FALSE(document.is_changed());
+    document.mark_unsaved();
+    EXPECT_TRUE(document.is_changed());
+    document.undo();
+    EXPECT_TRUE(document.is_changed());
+}
+
+TEST(Document, FollowsTheSpheresOfAStepAsTheirNumbersChange) {
+    Document document(row(4));
+    document.apply(move(3, 9), "x", 1);
+    EXPECT_EQ(document.apply(RemoveSpheres{{0}}, "x", 1), Numbers{});
+    EXPECT_EQ(document.apply(ReorderSphere{2, 0}, "x", 1), Numbers{0});
+    EXPECT_EQ(document.undo(), (Numbers{0, 3}));
+    EXPECT_EQ(document.scene(), row(4));
+    EXPECT_EQ(document.redo(), Numbers{0});
+    EXPECT_EQ(x_of(document, 0), 9.0);
+}
+
+TEST(Document, ForgetsTheOldestStepsForWantOfMemory) {
+    constexpr std::size_t bytes = 100'000;
+    Document document(row(100), bytes);
+    for (int step = 1; step <= 100; ++step) {
+        ChangeSpheres all;
+        for (std::uint32_t i = 0; i < 100; ++i) {
+            all.numbers.push_back(i);
+            all.spheres.push_back(at(step * 1000.0 + i));
+        }
+        document.apply(std::move(all), "Move all");
+        if (step == 95) document.mark_saved();
+    }
+    int steps = 0;
+    bool saved = false;
+    for (; document.can_undo(); ++steps) {
+        document.undo();
+        saved = saved || !document.is_changed();
+    }
+    EXPECT_GT(steps, 10);
+    EXPECT_LT(steps, 25);
+    EXPECT_TRUE(saved);
+    EXPECT_TRUE(document.is_changed());
+    EXPECT_EQ(x_of(document, 0), (100 - steps) * 1000.0);
+
+    Document small(row(100), 1);
+    small.apply(ReplaceScene{row(200)}, "a");
+    small.apply(ReplaceScene{row(300)}, "b");
+    EXPECT_EQ(small.undo_name(), "b");
+    small.undo();
+    EXPECT_EQ(small.scene(), row(200));
+    EXPECT_FALSE(small.can_undo());
+    EXPECT_TRUE(small.is_changed());
+}
+
+TEST(Document, SaysThatEverythingChangedWhereItCannotKnow) {
+    const auto everything = [](const SceneChanges& changes) {
+        return changes.order && changes.geometry && changes.camera && changes.background && changes.spheres.empty();
+    };
+    Document document(row(1000));
+    const Document other(row(1000));
+    const std::uint64_t begin = document.revision();
+    EXPECT_TRUE(everything(document.changes_since(0)));
+    EXPECT_TRUE(everything(document.changes_since(other.revision())));
+    for (std::size_t i = 0; i < ChangeLog::most_changes; ++i) document.apply(move(0, -1.0 - static_cast<double>(i)), "Move", 1);
+    EXPECT_EQ(document.changes_since(begin).spheres, Numbers{0});
+    const std::uint64_t late = document.revision();
+    document.apply(move(1, -1.0), "Move");
+    EXPECT_TRUE(everything(document.changes_since(begin)));
+    // The record of spheres is bounded, too, but a change of all is always there.
+    ChangeSpheres all;
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        all.numbers.push_back(i);
+        all.spheres.push_back(at(0.5));
+    }
+    for (int i = 0; i < 100; ++i) {
+        const std::uint64_t before = document.revision();
+        for (Sphere& sphere : all.spheres) ++sphere.color.r;
+        document.apply(all, "Colour all", 9);
+        EXPECT_EQ(document.changes_since(before).spheres.size(), 1000U);
+    }
+    EXPECT_TRUE(everything(document.changes_since(late)));
+}
+
+TEST(Document, NeverGivesTwoScenesOneRevision) {
+    Document first(row(1));
+    Document second(row(2));
+    EXPECT_NE(first.revision(), second.revision());
+    Document copy = first;
+    first.apply(move(0, 1), "a");
+    copy.apply(move(0, 2), "b");
+    EXPECT_NE(first.revision(), copy.revision());
+    EXPECT_GT(first.revision(), 0U);
+}
+
+}  // namespace sphereview

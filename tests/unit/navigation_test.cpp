@@ -1,0 +1,355 @@
+#include "scene/navigation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+#include <ostream>
+#include <vector>
+
+#include "oracle/random.hpp"
+
+namespace sphereview {
+
+void PrintTo(const Camera& camera, std::ostream* out) {
+    out->precision(17);
+    for (const glm::dvec3& v : {camera.eye, camera.center, camera.right, camera.up}) {
+        *out << "(" << v.x << ", " << v.y << ", " << v.z << ") ";
+    }
+}
+
+namespace {
+
+using oracle::Random;
+
+constexpr double pi = std::numbers::pi;
+constexpr glm::dvec3 y_axis{0.0, 1.0, 0.0};
+
+glm::dvec3 direction(Random& random) {
+    while (true) {
+        const glm::dvec3 v = random.in_cube(1.0);
+        if (glm::length(v) > 0.1 && glm::length(v) < 1.0) return glm::normalize(v);
+    }
+}
+
+// Any size, roll and offset from the axis; now and then mirrored, level, upside down or looking straight along y.
+Camera any_camera(Random& random, double scale) {
+    glm::dvec3 ahead = direction(random);
+    if (random.chance(0.1)) ahead = random.chance(0.5) ? y_axis : -y_axis;
+    const glm::dvec3 helper = random.chance(0.5) && std::fabs(ahead.y) < 0.99 ? y_axis : direction(random);
+    glm::dvec3 right = glm::normalize(glm::cross(helper, ahead));
+    glm::dvec3 up = glm::cross(ahead, right);
+    if (random.chance(0.2)) right = -right, up = -up;
+    if (random.chance(0.2)) right = -right;
+    const double half = scale * random.of_size(0.1, 10.0);
+    Camera camera;
+    camera.eye = random.in_cube(scale * 10.0);
+    camera.right = half * right;
+    camera.up = half * up;
+    camera.center = camera.eye + scale * random.of_size(0.2, 20.0) * ahead;
+    if (random.chance(0.5)) camera.center += random.between(-3, 3) * camera.right + random.between(-3, 3) * camera.up;
+    EXPECT_FALSE(camera_fault(camera));
+    return camera;
+}
+
+PictureSize any_size(Random& random) { return {random.whole(1, 2000), random.whole(1, 2000)}; }
+
+glm::dvec2 any_place(Random& random, PictureSize size) {
+    return {random.between(0.0, size.width), random.between(0.0, size.height)};
+}
+
+glm::dvec3 ahead_of(const Camera& camera) {
+    const glm::dvec3 ahead = glm::normalize(glm::cross(camera.right, camera.up));
+    return glm::dot(ahead, camera.center - camera.eye) < 0.0 ? -ahead : ahead;
+}
+
+// How far two places are apart, in pixels of a picture 1000 pixels wide.
+double apart(PictureSize size, const glm::dvec2& a, const glm::dvec2& b) {
+    return glm::length(a - b) * 1000.0 / size.shorter_side();
+}
+
+void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
+    EXPECT_LE(glm::length(a - b), tolerance) << a.x << ", " << a.y << ", " << a.z << " and " << b.x << ", " << b.y << ", " << b.z;
+}
+
+constexpr double scales[] = {1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9};
+constexpr double tolerance = 1e-5;  // pixels
+
+}  // namespace
+
+TEST(Project, IsWhatTheRayOfThePixelGoesThrough) {
+    // The design's formula: D = (50 (2i + 1 - W) / m, 50 (H - 1 - 2j) / m, 100), and P = t D.
+    for (const PictureSize size : {PictureSize{1000, 1000}, PictureSize{1600, 900}, PictureSize{3, 8}}) {
+        const double m = size.shorter_side();
+        for (const Pixel pixel : {Pixel{0, 0}, Pixel{size.width - 1, 0}, Pixel{1, size.height - 1}, Pixel{2, 2}}) {
+            const glm::dvec3 ray(50.0 * (2 * pixel.x + 1 - size.width) / m, 50.0 * (size.height - 1 - 2 * pixel.y) / m, 100.0);
+            const glm::dvec2 place(pixel.x + 0.5, pixel.y + 0.5);
+            const auto projected = project({}, size, 3.0 * ray);
+            ASSERT_TRUE(projected);
+            EXPECT_NEAR(projected->x, place.x, 1e-9);
+            EXPECT_NEAR(projected->y, place.y, 1e-9);
+            expect_near(point_at({}, size, place, 3.0), 3.0 * ray, 1e-9);
+        }
+    }
+}
+
+TEST(Project, AgreesWithTheRayCoefficientsOfAnyCamera) {
+    Random random(1);
+    for (int trial = 0; trial < 2000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const double scale = scales[trial % 6];
+        const Camera camera = any_camera(random, scale);
+        const PictureSize size = any_size(random);
+        const Pixel pixel{random.whole(0, size.width - 1), random.whole(0, size.height - 1)};
+        const RayCoefficients ray = ray_coefficients(size, pixel);
+        const double m = size.shorter_side();
+        const glm::dvec3 d = (camera.center - camera.eye) + static_cast<double>(ray.across) / m * camera.right +
+                             static_cast<double>(ray.upward) / m * camera.up;
+        const auto place = project(camera, size, camera.eye + random.of_size(0.1, 10.0) * d);
+        ASSERT_TRUE(place);
+        EXPECT_LT(apart(size, *place, {pixel.x + 0.5, pixel.y + 0.5}), tolerance);
+    }
+}
+
+TEST(Project, IsTheInverseOfPointAt) {
+    Random random(2);
+    for (int trial = 0; trial < 5000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const Camera camera = any_camera(random, scales[trial % 6]);
+        const PictureSize size = any_size(random);
+        const glm::dvec2 place = any_place(random, size);
+        const double depth = random.of_size(1e-2, 1e3);
+        const glm::dvec3 point = point_at(camera, size, place, depth);
+        EXPECT_NEAR(depth_of(camera, point) / depth, 1.0, 1e-9);
+        const auto back = project(camera, size, point);
+        ASSERT_TRUE(back);
+        EXPECT_LT(apart(size, *back, place), tolerance);
+    }
+}
+
+// Not quite perpendicular is allowed, and the ray formula takes it as it is.
+TEST(Project, IsTheInverseWhereTheCameraIsJustWithinTheTolerance) {
+    const Camera camera{{0, 0, 0}, {0, 0, 100}, {50, 0, 0}, {50 * 0.9e-6, 50, 0}};
+    ASSERT_FALSE(camera_fault(camera));
+    const auto place = project(camera, {}, point_at(camera, {}, {10, 20}, 2.0));
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->x, 10.0, 1e-9);
+    EXPECT_NEAR(place->y, 20.0, 1e-9);
+}
+
+TEST(Project, ShowsNothingThatIsNotBeforeTheEye) {
+    EXPECT_FALSE(project({}, {}, {0, 0, 0}));
+    EXPECT_FALSE(project({}, {}, {5, 5, 0}));
+    EXPECT_FALSE(project({}, {}, {0, 0, -100}));
+    EXPECT_TRUE(project({}, {}, {0, 0, 1e-3}));
+    EXPECT_EQ(depth_of({}, {7, 7, 100}), 1.0);
+    EXPECT_EQ(depth_of({}, {7, 7, -50}), -0.5);
+}
+
+TEST(Orbited, KeepsThePivotsPixelAndDistance) {
+    Random random(3);
+    for (int trial = 0; trial < 5000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const Camera camera = any_camera(random, scales[trial % 6]);
+        const PictureSize size = any_size(random);
+        const glm::dvec2 place = any_place(random, size);
+        const glm::dvec3 pivot = point_at(camera, size, place, random.of_size(0.1, 10.0));
+        const Camera moved = orbited(camera, pivot, random.between(-7, 7), random.between(-4, 4));
+        ASSERT_FALSE(camera_fault(moved));
+        EXPECT_NEAR(glm::length(moved.eye - pivot) / glm::length(camera.eye - pivot), 1.0, 1e-9);
+        const auto shown = project(moved, size, pivot);
+        ASSERT_TRUE(shown);
+        EXPECT_LT(apart(size, *shown, place), tolerance);
+        EXPECT_NEAR(glm::length(moved.right) / glm::length(camera.right), 1.0, 1e-12);
+    }
+}
+
+TEST(Orbited, TakesWhatLiesBeforeThePivotAlongWithThePointer) {
+    Random random(4);
+    for (int trial = 0; trial < 2000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const Camera camera = any_camera(random, 1.0);
+        const glm::dvec3 ahead = ahead_of(camera);
+        const double height = std::fabs(glm::dot(glm::normalize(camera.up), y_axis));
+        if (height < 0.1 || std::fabs(ahead.y) > 0.99) continue;
+        const glm::dvec3 pivot = camera.center + ahead * glm::length(camera.right);
+        const glm::dvec3 before = camera.center;
+        // The pivot is beside it in an off-axis picture; what counts is how the one moves against the other.
+        const auto shift = [&](double turn, double tilt) {
+            const Camera moved = orbited(camera, pivot, turn, tilt);
+            return *project(moved, {}, before) - *project(camera, {}, before);
+        };
+        EXPECT_GT(shift(1e-3, 0.0).x, 0.0);
+        EXPECT_LT(shift(-1e-3, 0.0).x, 0.0);
+        EXPECT_GT(shift(0.0, 1e-3).y, 0.0);
+        EXPECT_LT(shift(0.0, -1e-3).y, 0.0);
+    }
+}
+
+TEST(Orbited, StopsAtThePoles) {
+    Random random(5);
+    const glm::dvec3 pivot{0.0, 0.0, 200.0};
+    for (int trial = 0; trial < 3000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const Camera begin = any_camera(random, 1.0);
+        const bool upright = begin.up.y > 1e-3 * glm::length(begin.up);
+        const bool upside_down = begin.up.y < -1e-3 * glm::length(begin.up);
+        if (!upright && !upside_down) continue;
+        // Once far beyond the pole, then a thousand small steps, with turns that must not matter.
+        for (const double towards : {1.0, -1.0}) {
+            Camera camera = orbited(begin, pivot, 0.0, towards * random.between(4.0, 40.0));
+            for (int step = 0; step < 50; ++step) camera = orbited(camera, pivot, random.between(-4, 4), towards * 0.01);
+            ASSERT_FALSE(camera_fault(camera));
+            EXPECT_EQ(camera.up.y > 0.0, upright);
+            EXPECT_LT(std::fabs(camera.up.y), 2e-4 * glm::length(camera.up));
+            // As high or low as the roll lets it.
+            const double highest = std::sqrt(1.0 - std::pow(glm::dot(glm::normalize(begin.right), y_axis), 2));
+            EXPECT_NEAR(std::fabs(ahead_of(camera).y), highest, 1e-6);
+            // And back again, to the other pole.
+            camera = orbited(camera, pivot, 0.0, -towards * (pi - 2e-4));
+            EXPECT_LT(std::fabs(camera.up.y), 2e-4 * glm::length(camera.up));
+            EXPECT_EQ(camera.up.y > 0.0, upright);
+        }
+    }
+}
+
+TEST(Orbited, LeavesAPoleThatItBeganAt) {
+    const glm::dvec3 pivot{0.0, -200.0, 0.0};
+    const Camera down{{0, 0, 0}, {0, -100, 0}, {50, 0, 0}, {0, 0, 50}};
+    expect_near(orbited(down, pivot, 0.0, 1.0).eye, {0, 0, 0}, 1e-9);
+    const Camera level = orbited(down, pivot, 0.0, -pi / 2.0);
+    expect_near(level.eye, {0, -200, -200}, 1e-9);
+    expect_near(level.up, {0, 50, 0}, 1e-9);
+    expect_near(orbited(down, pivot, pi / 2.0, 0.0).up, {50, 0, 0}, 1e-9);
+}
+
+TEST(Orbited, HasNoPolesForACameraThatLiesOnItsSide) {
+    const Camera side{{0, 0, 0}, {0, 0, 100}, {0, 50, 0}, {-50, 0, 0}};
+    expect_near(orbited(side, {0, 0, 100}, 0.0, 2.5).center, {0, 0, 100}, 1e-9);
+    expect_near(orbited(side, {0, 0, 100}, 0.0, pi).eye, {0, 0, 200}, 1e-9);
+}
+
+TEST(Panned, MovesWhatLiesAtTheDepthByThePixels) {
+    Random random(6);
+    for (int trial = 0; trial < 5000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const Camera camera = any_camera(random, scales[trial % 6]);
+        const PictureSize size = any_size(random);
+        const double depth = random.of_size(0.1, 10.0);
+        const glm::dvec2 from = any_place(random, size);
+        const glm::dvec2 to = any_place(random, size);
+        const Camera moved = panned(camera, size, to - from, depth);
+        ASSERT_FALSE(camera_fault(moved));
+        const glm::dvec3 point = point_at(camera, size, from, depth);
+        const auto shown = project(moved, size, point);
+        ASSERT_TRUE(shown);
+        EXPECT_LT(apart(size, *shown, to), tolerance);
+        EXPECT_NEAR(depth_of(moved, point) / depth, 1.0, 1e-9);
+    }
+}
+
+TEST(Zoomed, KeepsThePixelAndScalesTheDistance) {
+    Random random(7);
+    for (int trial = 0; trial < 5000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const Camera camera = any_camera(random, scales[trial % 6]);
+        const PictureSize size = any_size(random);
+        const glm::dvec2 place = any_place(random, size);
+        const glm::dvec3 point = point_at(camera, size, place, random.of_size(0.1, 10.0));
+        const double factor = random.of_size(0.01, 100.0);
+        const Camera moved = zoomed(camera, point, factor);
+        ASSERT_FALSE(camera_fault(moved));
+        EXPECT_NEAR(glm::length(moved.eye - point) / glm::length(camera.eye - point) / factor, 1.0, 1e-9);
+        const auto shown = project(moved, size, point);
+        ASSERT_TRUE(shown);
+        EXPECT_LT(apart(size, *shown, place), tolerance);
+    }
+}
+
+TEST(Zoomed, GoesAsNearAndAsFarAsDoublesAllowAndBackAgain) {
+    const glm::dvec3 point{30.0, 20.0, 200.0};
+    const glm::dvec2 place = *project({}, {}, point);
+    Camera camera;
+    for (const double factor : {0.8, 1.25, 1.25, 0.8}) {
+        for (int i = 0; i < 5000; ++i) camera = zoomed(camera, point, factor);
+        ASSERT_FALSE(camera_fault(camera));
+        const auto shown = project(camera, {}, point);
+        ASSERT_TRUE(shown) << factor;
+        EXPECT_NEAR(shown->x, place.x, 0.01) << factor;
+        EXPECT_NEAR(shown->y, place.y, 0.01) << factor;
+    }
+    EXPECT_LT(glm::length(camera.eye - point), 1e-3);
+}
+
+TEST(CenteredOn, PutsThePointInTheMiddleAsDeepAsBefore) {
+    Random random(8);
+    for (int trial = 0; trial < 5000; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        const double scale = scales[trial % 6];
+        const Camera camera = any_camera(random, scale);
+        const glm::dvec3 point = random.in_cube(100.0 * scale);
+        const double depth = std::fabs(depth_of(camera, point));
+        const Camera moved = centered_on(camera, point);
+        ASSERT_FALSE(camera_fault(moved));
+        const auto shown = project(moved, {}, point);
+        ASSERT_TRUE(shown);
+        EXPECT_LT(apart({}, *shown, {500.0, 500.0}), tolerance / std::min(1.0, depth));
+        EXPECT_NEAR(depth_of(moved, point) / depth, 1.0, 1e-6 / std::min(1.0, depth));
+    }
+    EXPECT_EQ(centered_on({}, {0, 0, 0}).eye, glm::dvec3(0, 0, -100));
+}
+
+TEST(Navigation, NeverLeadsToAFaultyCamera) {
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const double scale = scales[seed % 6];
+        Camera camera = seed <= 2 ? Camera{} : any_camera(random, scale);
+        const auto shape_of = [](const Camera& c) {
+            const glm::dvec3 axis = c.center - c.eye;  // wherever it has gone: the squares may be too large
+            return std::hypot(c.right.x, c.right.y, c.right.z) / std::hypot(axis.x, axis.y, axis.z);
+        };
+        const double shape = shape_of(camera);
+        const PictureSize size{1000, 700};
+        bool moved = false;
+        for (int i = 0; i < 10000; ++i) {
+            const bool wild = random.chance(0.01);
+            const double depth = wild ? random.of_size(1e-12, 1e12) : random.of_size(0.1, 10.0);
+            const glm::dvec3 point = point_at(camera, size, any_place(random, size), depth);
+            const Camera before = camera;
+            switch (random.whole(0, 3)) {
+                case 0: camera = orbited(camera, point, random.between(-3, 3), random.between(-3, 3)); break;
+                case 1: camera = panned(camera, size, any_place(random, size) - any_place(random, size), depth); break;
+                case 2: camera = zoomed(camera, point, wild ? random.of_size(1e-9, 1e9) : random.of_size(0.5, 2.0)); break;
+                default: camera = centered_on(camera, wild ? point : random.in_cube(scale)); break;
+            }
+            const auto fault = camera_fault(camera);
+            ASSERT_FALSE(fault) << fault->what << " after operation " << i;
+            moved = moved || !(camera == before);
+        }
+        EXPECT_TRUE(moved);
+        EXPECT_NEAR(shape_of(camera) / shape, 1.0, 1e-3);
+    }
+}
+
+TEST(Navigation, StaysWhereNumbersEnd) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const double infinite = std::numeric_limits<double>::infinity();
+    const Camera camera;
+    const glm::dvec3 point{0, 0, 200};
+    for (const double bad : {nan, infinite, -infinite}) {
+        EXPECT_EQ(orbited(camera, point, bad, 0.0), camera);
+        EXPECT_EQ(panned(camera, {}, {bad, 0.0}, 1.0), camera);
+        EXPECT_EQ(panned(camera, {}, {1.0, 0.0}, bad), camera);
+        EXPECT_EQ(zoomed(camera, point, bad), camera);
+        EXPECT_EQ(centered_on(camera, {bad, 0, 0}), camera);
+    }
+    EXPECT_EQ(orbited(camera, point, 0.0, nan), camera);
+    EXPECT_EQ(zoomed(camera, point, 0.0), camera);
+    EXPECT_EQ(zoomed(camera, point, -1.0), camera);
+    EXPECT_EQ(zoomed(camera, point, 1e308), camera);
+}
+
+}  // namespace sphereview
