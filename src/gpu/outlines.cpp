@@ -31,7 +31,7 @@ void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_verti
     if (range.empty()) return;
     const int step = 1 << frame.grid_shift;
     // A coarse texel of a sphere may stand for pixels beside its range.
-    const int reach = static_cast<int>(std::ceil(frame.outline)) + 2 + step;
+    const int reach = static_cast<int>(std::ceil(frame.outline)) + 3 + step;
     const PixelRange drawn = grown(range, reach, frame.picture_size);
     const PixelRange looked_at = grown(drawn, reach, frame.picture_size);
     const Block grid = block_of(looked_at.left / step, looked_at.top / step, looked_at.right / step, looked_at.bottom / step);
