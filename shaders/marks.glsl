@@ -9,4 +9,4 @@ const int hovered_mark = -2;  // the hovered sphere, when it is not selected
 const int cell_shift = 3;
 
 // How many pixels a pixel's outline is at most away from its sphere.
-int outline_reach() { return int(outline + 1.5); }
+int outline_reach() { return int(outline + 2.5); }

@@ -1,6 +1,6 @@
 #version 330 core
-// Outlines around spheres, over the picture in a window: a light line beside the sphere's pixels, which keep their colours, and a
-// dark rim around it, so that one of the two shows on any colour.
+// Outlines around spheres, over the picture in a window: a light line beside the sphere's pixels, which keep their colours, between
+// two dark ones, so that something shows on any colour.
 #include "marks.glsl"
 #include "window.glsl"
 
@@ -30,15 +30,17 @@ void main() {
         }
     }
     // Half a pixel more: the distances are those of pixels' centres.
-    float wide = outline + 0.5;
-    float thin = max(0.5 * outline, 1.0) + 0.5;
+    const float inner = 1.5;
+    float wide = inner + outline;
+    float thin = inner + max(0.5 * outline, 1.0);
     float to_selected = sqrt(selected);
     float to_hovered = sqrt(under_pointer);
-    if (to_hovered < thin) {
+    bool dark = min(to_selected, to_hovered) < inner;
+    if (!dark && to_hovered < thin) {
         color = vec4(1.0, 1.0, 1.0, 1.0);
-    } else if (to_selected < wide) {
+    } else if (!dark && to_selected < wide) {
         color = vec4(1.0, 0.65, 0.0, 1.0);
-    } else if (min(to_selected, to_hovered - thin + wide) < wide + 1.0) {
+    } else if (dark || to_hovered < thin + 1.0 || to_selected < wide + 1.0) {
         color = vec4(0.0, 0.0, 0.0, 0.7);
     } else {
         discard;

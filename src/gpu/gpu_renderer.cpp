@@ -60,9 +60,14 @@ void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Tim
         upload_frame(frame_buffer_, frame_);
         tables_.bind();
         glUseProgram(trace_.name());
-        const PixelRange covered{covered_.left - block.x, covered_.top - block.y, covered_.right - block.x,
-                                 covered_.bottom - block.y};
-        visible_.draw(no_vertices_, in_target, covered, frame_.all_doubtful != 0 ? doubtful_background : visible_background);
+        // Elsewhere the background is known.
+        const Block covered = common(block, covered_);
+        if (covered.width < block.width || covered.height < block.height) {
+            visible_.fill(frame_.all_doubtful != 0 ? doubtful_background : visible_background);
+        }
+        if (covered.width > 0 && covered.height > 0) {
+            visible_.draw(no_vertices_, {covered.x - block.x, covered.y - block.y, covered.width, covered.height});
+        }
         glFinish();
         check_gl("tracing");
     }

@@ -148,12 +148,14 @@ void LivePicture::trace(int step) {
         covered = {lists_.covered.left / step, lists_.covered.top / step, lists_.covered.right / step,
                    lists_.covered.bottom / step};
     }
-    const std::int32_t elsewhere = frame_.all_doubtful != 0 ? doubtful_background : visible_background;
+    // Elsewhere the background is known.
+    if (!(covered == PixelRange{0, 0, width - 1, height - 1})) {
+        visible_.fill(frame_.all_doubtful != 0 ? doubtful_background : visible_background);
+    }
     for (int y = 0; y < height; y += preferred_block_side) {
         for (int x = 0; x < width; x += preferred_block_side) {
-            visible_.draw(no_vertices_,
-                          {x, y, std::min(preferred_block_side, width - x), std::min(preferred_block_side, height - y)}, covered,
-                          elsewhere);
+            const Block block = common({x, y, preferred_block_side, preferred_block_side}, covered);
+            if (block.width > 0 && block.height > 0) visible_.draw(no_vertices_, block);
             glFinish();  // no draw waits behind another; and the time is known
         }
     }

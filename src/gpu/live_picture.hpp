@@ -30,7 +30,7 @@ struct View {
 struct Highlights {
     const Selection* selection = nullptr;
     std::optional<std::uint32_t> hovered;
-    float thickness = 2.0F;  // of a selected sphere's outline, in pixels, at least 1; a hovered one's is half as wide
+    float thickness = 2.0F;  // of a selected sphere's line, in pixels, at least 1, without its rims; a hovered one's is half
 };
 
 // Belongs to the current context, like GpuRenderer. It alone decides what to upload and whether anything must be traced again.

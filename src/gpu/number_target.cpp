@@ -8,6 +8,13 @@
 
 namespace sphereview {
 
+Block common(const Block& block, const PixelRange& range) {
+    const int left = std::max(block.x, range.left);
+    const int top = std::max(block.y, range.top);
+    return {left, top, std::min(block.x + block.width - 1, range.right) - left + 1,
+            std::min(block.y + block.height - 1, range.bottom) - top + 1};
+}
+
 void draw_block(const VertexArray& no_vertices, const Block& block) {
     glEnable(GL_SCISSOR_TEST);
     glScissor(block.x, block.y, block.width, block.height);
@@ -49,25 +56,13 @@ void NumberTarget::require(int width, int height) {
     height_ = new_height;
 }
 
-void NumberTarget::draw(const VertexArray& no_vertices, const Block& block, const PixelRange& covered,
-                        std::int32_t elsewhere) const {
+void NumberTarget::fill(std::int32_t number) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
-    const int left = std::max(block.x, covered.left);
-    const int top = std::max(block.y, covered.top);
-    const int width = std::min(block.x + block.width - 1, covered.right) - left + 1;
-    const int height = std::min(block.y + block.height - 1, covered.bottom) - top + 1;
-    const bool some = width > 0 && height > 0;
-    if (!some || width != block.width || height != block.height) {
-        const std::array<GLint, 4> numbers = {elsewhere, 0, 0, 0};  // GL reads four, whatever the format
-        glEnable(GL_SCISSOR_TEST);
-        glScissor(block.x, block.y, block.width, block.height);
-        glClearBufferiv(GL_COLOR, 0, numbers.data());
-        glDisable(GL_SCISSOR_TEST);
-    }
-    if (some) draw_block(no_vertices, {left, top, width, height});
+    const std::array<GLint, 4> numbers = {number, 0, 0, 0};  // GL reads four, whatever the format
+    glClearBufferiv(GL_COLOR, 0, numbers.data());
 }
 
-void NumberTarget::draw_all(const VertexArray& no_vertices, const Block& block) const {
+void NumberTarget::draw(const VertexArray& no_vertices, const Block& block) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name());
     draw_block(no_vertices, block);
 }

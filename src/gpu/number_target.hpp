@@ -14,6 +14,9 @@ namespace sphereview {
 // Draws are split into blocks of at most this side: a watchdog ends one that takes seconds.
 inline constexpr int preferred_block_side = 2048;
 
+// What of the block lies in the range; of width or height 0 or less: nothing.
+Block common(const Block& block, const PixelRange& range);
+
 // Draws the one triangle that covers `block` of the bound framebuffer, in GL's coordinates, with the program in use.
 // Scissored: nothing else is touched.
 void draw_block(const VertexArray& no_vertices, const Block& block);
@@ -29,11 +32,11 @@ public:
     // Makes it at least so large; what it held is lost when it grows. At most largest_side(). Throws RenderError.
     void require(int width, int height);
 
-    // Writes the block with the program in use where it is `covered` (in the target's texels), `elsewhere` around that.
-    void draw(const VertexArray& no_vertices, const Block& block, const PixelRange& covered, std::int32_t elsewhere) const;
+    // Writes the number everywhere. (Into a part, with the scissor, Mesa clears as slowly as it draws.)
+    void fill(std::int32_t number) const;
 
-    // Writes all of the block.
-    void draw_all(const VertexArray& no_vertices, const Block& block) const;
+    // Writes the block with the program in use.
+    void draw(const VertexArray& no_vertices, const Block& block) const;
 
     // The block's texels, row by row.
     void read(const Block& block, std::span<std::int32_t> numbers) const;

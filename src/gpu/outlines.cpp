@@ -31,7 +31,7 @@ void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_verti
     if (range.empty()) return;
     const int step = 1 << frame.grid_shift;
     // A coarse texel of a sphere may stand for pixels beside its range.
-    const int reach = static_cast<int>(std::ceil(frame.outline)) + 2 + step;
+    const int reach = static_cast<int>(std::ceil(frame.outline)) + 3 + step;
     const PixelRange drawn = grown(range, reach, frame.picture_size);
     const PixelRange looked_at = grown(drawn, reach, frame.picture_size);
     const Block grid = block_of(looked_at.left / step, looked_at.top / step, looked_at.right / step, looked_at.bottom / step);
@@ -41,12 +41,12 @@ void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_verti
     busy_.require(((grid_width - 1) >> cell_shift) + 1, ((grid_height - 1) >> cell_shift) + 1);
     visible.bind(TextureUnit::visible_spheres);
     glUseProgram(programs.mark.name());
-    marks_.draw_all(no_vertices, grid);
+    marks_.draw(no_vertices, grid);
     marks_.bind(TextureUnit::marks);
     glUseProgram(programs.busy.name());
     // Cells at the rim see what earlier frames left beside the grid, and may be busy without need.
-    busy_.draw_all(no_vertices, block_of(grid.x >> cell_shift, grid.y >> cell_shift, (grid.x + grid.width - 1) >> cell_shift,
-                                         (grid.y + grid.height - 1) >> cell_shift));
+    busy_.draw(no_vertices, block_of(grid.x >> cell_shift, grid.y >> cell_shift, (grid.x + grid.width - 1) >> cell_shift,
+                                     (grid.y + grid.height - 1) >> cell_shift));
 
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, window);
     const int left = std::max(frame.window_corner.x + drawn.left, area.x);

@@ -61,9 +61,11 @@ TEST_P(OutlineTest, IsBesideThePixelsOfItsSphereAndNowhereElse) {
                 for (int y = 0; y < view.size.height; ++y) {
                     for (int x = 0; x < view.size.width; ++x) {
                         const bool own = what[static_cast<std::size_t>(y * view.size.width + x)] == selected;
-                        const double wide = thickness + 0.5;
-                        const bool in_line = !own && near_sphere(what, view.size, x, y, selected, wide);
-                        const bool in_rim = !own && !in_line && near_sphere(what, view.size, x, y, selected, wide + 1.0);
+                        const auto within = [&](double distance) {
+                            return !own && near_sphere(what, view.size, x, y, selected, distance);
+                        };
+                        const bool in_line = within(1.5 + thickness) && !within(1.5);
+                        const bool in_rim = within(2.5 + thickness) && !in_line;
                         line += in_line ? 1 : 0;
                         rim += in_rim ? 1 : 0;
                         const Rgba before = at(plain, x, y);
