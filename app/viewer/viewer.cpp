@@ -253,7 +253,7 @@ void Viewer::show(const Rectangle& area) {
     const int top = static_cast<int>(std::lround(area.y * pixels_));
     const PictureSize size = state_.picture_size;
     picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
-                  {&state_.selection, state_.hovered, static_cast<float>(imgui_.scale() * pixels_)});
+                  {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)});
 }
 
 }  // namespace sphereview
