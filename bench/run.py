@@ -19,6 +19,7 @@ from harness import (MILLION, NOTHING_COULD_RENDER, ROOT, Bench, CannotRun, Case
                      phases)
 from peers import COUNTS, SETS, peers
 from plot import draw
+from window import window
 
 
 def whole_process(bench: Bench) -> tuple[list[Row], dict]:
@@ -167,7 +168,7 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
 
 
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "live": live,
-            "micro": micro}
+            "window": window, "micro": micro}
 
 
 def numbers(text: str) -> list[int]:

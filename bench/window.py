@@ -1,0 +1,147 @@
+"""The window as a person feels it: from a movement of the mouse to the picture that shows it, and what resting costs.
+
+Drives the real program in Xvfb, with the mouse moved through XTest. A frame counts when its buffers have been swapped.
+"""
+import ctypes
+import json
+import os
+import shutil
+import statistics
+import subprocess
+import tempfile
+import time
+from contextlib import contextmanager
+from pathlib import Path
+
+from harness import Bench, CannotRun, Row, at_most
+
+WINDOW = (1366, 1098)  # leaves the picture about 1000 x 1000
+PATIENCE_S = 60.0
+
+
+class Mouse:
+    """XTest: no process to start for each movement."""
+
+    def __init__(self, display: str):
+        self.x11, self.xtst = ctypes.CDLL("libX11.so.6"), ctypes.CDLL("libXtst.so.6")
+        self.x11.XOpenDisplay.restype = ctypes.c_void_p
+        self.display = ctypes.c_void_p(self.x11.XOpenDisplay(display.encode()))
+
+    def move(self, x: float, y: float) -> None:
+        self.xtst.XTestFakeMotionEvent(self.display, -1, round(x), round(y), 0)
+        self.x11.XFlush(self.display)
+
+    def button(self, pressed: bool) -> None:
+        self.xtst.XTestFakeButtonEvent(self.display, 1, int(pressed), 0)
+        self.x11.XFlush(self.display)
+
+
+class Viewer:
+    def __init__(self, process: subprocess.Popen, log: Path, mouse: Mouse):
+        self.process, self.log, self.mouse = process, log, mouse
+        self.stream = None
+        self.part = ""
+        self.frames: list[dict] = []
+
+    def read(self) -> None:
+        if self.stream is None:
+            if not self.log.exists():
+                return
+            self.stream = self.log.open(encoding="utf-8")
+        self.part += self.stream.read()
+        *lines, self.part = self.part.split("\n")
+        self.frames += [json.loads(line) for line in lines]
+
+    def wait(self, what: str, condition) -> dict:
+        end = time.perf_counter() + PATIENCE_S
+        while time.perf_counter() < end:
+            self.read()
+            if self.frames and condition(self.frames[-1]):
+                return self.frames[-1]
+            if self.process.poll() is not None:
+                raise CannotRun("the viewer", self.process.returncode, self.process.stderr.read().strip())
+            time.sleep(0.0002)
+        raise CannotRun(f"the viewer, waiting for {what}", -1)
+
+    def rest(self) -> dict:
+        return self.wait("rest", lambda frame: frame["resting"])
+
+    def cpu_seconds(self) -> float:
+        fields = Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
+        return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+@contextmanager
+def viewer(bench: Bench, scene: Path):
+    with tempfile.TemporaryDirectory() as home:
+        xvfb = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", f"{WINDOW[0]}x{WINDOW[1]}x24"], stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL, text=True)
+        process = None
+        try:
+            display = ":" + xvfb.stdout.readline().strip()
+            log = Path(home) / "frames.log"
+            environment = {**os.environ, "DISPLAY": display, "HOME": home, "XDG_CONFIG_HOME": home, "XDG_STATE_HOME": home,
+                           "LIBGL_ALWAYS_SOFTWARE": "1"}
+            process = subprocess.Popen([bench.program("sphereview"), str(scene), "--frame-log", str(log)], env=environment,
+                                       stderr=subprocess.PIPE, text=True)
+            yield Viewer(process, log, Mouse(display))
+        finally:
+            for program in (process, xvfb):
+                if program is not None:
+                    program.kill()
+                    program.wait()
+
+
+def drag(shown: Viewer, runs: int) -> dict:
+    """Selects the first sphere, drags its x slider, and times each movement."""
+    def middle(widget: str) -> tuple[float, float]:
+        left, top, right, bottom = shown.rest()["widgets"][widget]
+        return (left + right) / 2, (top + bottom) / 2
+
+    shown.wait("the list", lambda frame: frame["resting"] and "row 0" in frame["widgets"])
+    shown.mouse.move(*middle("row 0"))
+    shown.mouse.button(True)
+    shown.mouse.button(False)
+    shown.wait("the selection", lambda frame: frame["selection"] == [0] and frame["resting"] and "slider x" in frame["widgets"])
+    x, y = middle("slider x")
+    shown.mouse.move(x, y)
+    shown.mouse.button(True)
+    shown.rest()
+    answers, frames, steps = [], [], []
+    for number in range(runs):
+        before = shown.frames[-1]["revision"]
+        x += 3 if number % 2 == 0 else -3
+        begin = time.perf_counter()
+        shown.mouse.move(x, y)
+        frame = shown.wait("the moved sphere", lambda frame: frame["revision"] > before)
+        answers.append((time.perf_counter() - begin) * 1e3)
+        frames.append(frame["seconds"] * 1e3)
+        steps.append(frame["step"])
+    shown.mouse.button(False)
+    shown.rest()
+    return {"answer_ms": statistics.median(answers), "worst_ms": max(answers), "frame_ms": statistics.median(frames),
+            "step": statistics.median(steps)}
+
+
+def window(bench: Bench) -> tuple[list[Row], dict]:
+    """From the mouse to the picture, at 4 and 1,000 spheres; an idle window."""
+    if shutil.which("Xvfb") is None:
+        return [Row("window", "needs Xvfb")], {}
+    rows, data = [], {}
+    for count in [4, 1000]:
+        with viewer(bench, bench.scene("volume", count)) as shown:
+            size = shown.rest()["picture_size"]
+            result = drag(shown, max(20, bench.runs))
+            before, begin, frames = shown.cpu_seconds(), time.perf_counter(), len(shown.frames)
+            time.sleep(5.0)
+            shown.read()
+            result["idle_percent"] = 100.0 * (shown.cpu_seconds() - before) / (time.perf_counter() - begin)
+            result["idle_frames"] = len(shown.frames) - frames
+            result["size"] = size
+        data[str(count)] = result
+        rows.append(Row(f"window, {count:,} spheres, {size[0]} x {size[1]}",
+                        f"a slider's movement answered in {result['answer_ms']:.1f} ms (worst {result['worst_ms']:.0f}), "
+                        f"of it the frame {result['frame_ms']:.1f} ms, every {result['step']:g}th pixel"))
+        rows.append(at_most("  answer", result["answer_ms"], 30, " ms"))
+        rows.append(at_most("  an idle window's part of a core", result["idle_percent"], 1, " %"))
+    return rows, data
