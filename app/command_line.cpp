@@ -54,7 +54,8 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
         ->type_name("WxH");
     view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
-    view->add_option("--shader-dir", typed.view.shader_folder, "Use the shaders in this folder, and each that is saved there at once")
+    view->add_option("--shader-dir", typed.view.shader_folder,
+                     "Use the shaders in this folder, and each that is saved there at once")
         ->type_name("FOLDER");
     view->add_option("--frame-log", typed.view.frame_log)->type_name("FILE")->group("");  // hidden: for tests
     view->footer(std::string(view_examples) + exit_codes);
@@ -161,7 +162,10 @@ Command parse(CLI::App& app, TypedOptions& typed, int argc, const char* const* a
 }  // namespace
 
 Command parse_command_line(int argc, const char* const* argv) {
-    CLI::App app("sphereview ray traces scenes of spheres.", "sphereview");
+    CLI::App app(
+        "sphereview ray traces scenes of spheres.\n\n  sphereview [SCENE]        opens a scene in a window\n  sphereview COMMAND "
+        "...    works without one\n",
+        "sphereview");
     app.set_version_flag("--version", "sphereview " + std::string(version));
     app.footer(exit_codes);
     TypedOptions typed;

@@ -51,8 +51,8 @@ struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     std::optional<Background> background;
     std::optional<PictureSize> size;  // of exports, instead of the last ones
-    std::string shader_folder;  // instead of the shaders in the program; "" for those
-    std::string frame_log;      // hidden: a JSON line for each frame goes there
+    std::string shader_folder;        // instead of the shaders in the program; "" for those
+    std::string frame_log;            // hidden: a JSON line for each frame goes there
 };
 
 // A text to print, then done: --help, --version.

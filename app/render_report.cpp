@@ -68,8 +68,9 @@ void print_tiles(const RenderReport& report) {
         sides += joint + std::to_string(facts.tile_sides[i]);
     }
     const std::string tiles = sides.empty() ? "no sphere is in the picture" : "tiles of " + sides + " pixels";
-    std::fprintf(stderr, "%s: %s, candidates: %s, in the longest list: %s; spheres in %s\n", report.job.label.c_str(), tiles.c_str(),
-                 in_groups(facts.candidates).c_str(), in_groups(facts.longest_list).c_str(), facts.spheres_in.c_str());
+    std::fprintf(stderr, "%s: %s, candidates: %s, in the longest list: %s; spheres in %s\n", report.job.label.c_str(),
+                 tiles.c_str(), in_groups(facts.candidates).c_str(), in_groups(facts.longest_list).c_str(),
+                 facts.spheres_in.c_str());
 }
 
 // Nothing was counted where best guesses were kept, or nothing was drawn.

@@ -11,9 +11,9 @@ namespace sphereview {
 // file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
 void install_interrupt_handlers();
 
-// From now on the first of these signals is passed to `act`, called with the signal's number on a thread of its own, so that a program
-// with unsaved work can keep that; a second one ends the process as above. Where there are no POSIX signals it does nothing.
-// Call once.
+// From now on the first of these signals is passed to `act`, called with the signal's number on a thread of its own, so that a
+// program with unsaved work can keep that; a second one ends the process as above. Where there are no POSIX signals it does
+// nothing. Call once.
 void pass_interrupts_to(std::function<void(int)> act);
 
 // Names a temporary file that an interruption removes, for as long as this object lives. From any thread.

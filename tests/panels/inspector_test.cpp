@@ -18,7 +18,8 @@ struct HeldPixel {
 class InspectorHarness : private HeldPixel, public PanelHarness {
 public:
     explicit InspectorHarness(const Scene& scene)
-        : HeldPixel{InspectedPixel{{50, 50}, size, explain_pixel(scene, scene.camera, size, {50, 50})}}, PanelHarness(drawn(), scene) {}
+        : HeldPixel{InspectedPixel{{50, 50}, size, explain_pixel(scene, scene.camera, size, {50, 50})}},
+          PanelHarness(drawn(), scene) {}
     InspectorHarness() : PanelHarness(drawn()) {}
 
 private:
