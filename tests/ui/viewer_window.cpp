@@ -127,7 +127,7 @@ void ViewerWindow::wheel(int clicks) {
 void ViewerWindow::key(const std::string& name) { xdotool({"key", name}); }
 void ViewerWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
 void ViewerWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
-void ViewerWindow::type(const std::string& text) { xdotool({"type", "--delay", "1", text}); }
+void ViewerWindow::type(const std::string& text) { xdotool({"type", "--delay", "1", "--", text}); }
 void ViewerWindow::press_close_button() { test::press_close_button(server_.display()); }
 
 bool ViewerWindow::drop(const std::vector<std::string>& paths) {
