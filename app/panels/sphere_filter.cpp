@@ -57,8 +57,7 @@ std::vector<std::uint32_t> filtered(const Scene& scene, std::string_view filter)
         if (lower_case(name).find(wanted) != std::string::npos) found.push_back(number);
     }
     std::ranges::sort(found);
-    const auto repeated = std::ranges::unique(found);
-    found.erase(repeated.begin(), repeated.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

@@ -46,7 +46,10 @@ void draw_splitter(ViewerState& state, const PanelContext& context, const Rectan
 void draw_inspector_window(ViewerState& state, const PanelContext& context, const FrameFacts& facts, const Rectangle& picture) {
     const float margin = 10.0F * context.scale;
     ImGui::SetNextWindowPos(ImVec2(picture.x + margin, picture.y + margin), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSize(ImVec2(480.0F * context.scale, 480.0F * context.scale), ImGuiCond_FirstUseEver);
+    const auto side = [&](float wanted, float room) {
+        return std::max(std::min(wanted * context.scale, room - 2.0F * margin), 120.0F * context.scale);
+    };
+    ImGui::SetNextWindowSize(ImVec2(side(480.0F, picture.width), side(560.0F, picture.height)), ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowBgAlpha(0.92F);
     ImGui::Begin("Pixel inspector", &state.inspector_shown, ImGuiWindowFlags_NoSavedSettings);
     draw_inspector(context, facts.inspected);

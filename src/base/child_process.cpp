@@ -236,7 +236,7 @@ std::string find_program(const std::string& name) {
     while (!folders.empty()) {
         const std::size_t end = std::min(folders.find(':'), folders.size());
         // Only absolute ones: what runs must not depend on the current folder.
-        const std::string program = std::string(folders.substr(0, end)) + '/' + name;
+        std::string program = std::string(folders.substr(0, end)) + '/' + name;
         struct stat status {};
         if (program[0] == '/' && stat(program.c_str(), &status) == 0 && S_ISREG(status.st_mode) &&
             access(program.c_str(), X_OK) == 0) {

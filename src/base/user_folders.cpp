@@ -105,9 +105,9 @@ fs::path state_folder() { return below(xdg_folder("XDG_STATE_HOME", ".local/stat
 #endif
 
 fs::path pictures_folder() {
-    const fs::path home = home_folder();
+    fs::path home = home_folder();
     const fs::path chosen = chosen_pictures_folder();
-    const fs::path pictures = chosen.empty() ? below(home, "Pictures") : chosen;
+    fs::path pictures = chosen.empty() ? below(home, "Pictures") : chosen;
     if (is_folder(pictures)) return pictures;
     if (is_folder(home)) return home;
     std::error_code error;

@@ -10,7 +10,7 @@ namespace sphereview {
 // clang-format off
 #define SPHEREVIEW_GLFW_FUNCTIONS(X) \
     X(CreateStandardCursor) X(CreateWindow) X(DestroyCursor) X(DestroyWindow) X(FocusWindow) \
-    X(GetClipboardString) X(GetError) X(GetFramebufferSize) X(GetKey) X(GetKeyName) X(GetMonitorWorkarea) \
+    X(GetClipboardString) X(GetError) X(GetFramebufferSize) X(GetKey) X(GetKeyName) X(GetMonitorContentScale) X(GetMonitorWorkarea) \
     X(GetMonitors) X(GetPrimaryMonitor) X(GetProcAddress) X(GetWindowAttrib) X(GetWindowContentScale) \
     X(GetWindowPos) X(GetWindowSize) X(GetWindowUserPointer) X(Init) X(MakeContextCurrent) X(PollEvents) \
     X(PostEmptyEvent) X(SetCharCallback) X(SetClipboardString) X(SetCursor) X(SetCursorEnterCallback) \

@@ -121,10 +121,18 @@ bool is_on_a_screen(const WindowPlace& place) {
     return false;
 }
 
-// No larger than the screen.
+// As large as wanted on a usual screen, larger where text is, and no larger than the screen.
 WindowPlace fitting(WindowPlace place) {
     GLFWmonitor* monitor = glfw().GetPrimaryMonitor();
     if (monitor == nullptr) return place;
+#ifndef __APPLE__    // where a window's size is in screen coordinates anyway
+    if (!place.x) {  // it has never been anywhere
+        float scale = 1.0F;
+        glfw().GetMonitorContentScale(monitor, &scale, nullptr);
+        place.width = static_cast<int>(static_cast<float>(place.width) * std::max(scale, 1.0F));
+        place.height = static_cast<int>(static_cast<float>(place.height) * std::max(scale, 1.0F));
+    }
+#endif
     int x = 0;
     int y = 0;
     int width = 0;

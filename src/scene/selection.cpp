@@ -13,8 +13,7 @@ void Selection::set(std::vector<std::uint32_t> numbers) {
     numbers_ = std::move(numbers);
     choose_last();
     std::ranges::sort(numbers_);
-    const auto repeated = std::ranges::unique(numbers_);
-    numbers_.erase(repeated.begin(), repeated.end());
+    numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
 }
 
 void Selection::set_only(std::uint32_t number) { set({number}); }

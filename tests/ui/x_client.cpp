@@ -1,5 +1,6 @@
 #include "ui/x_client.hpp"
 
+#include <X11/Xatom.h>
 #include <X11/Xutil.h>
 
 #include <cstdint>
@@ -27,6 +28,14 @@ Window XConnection::program_window() const {
     if (children != nullptr) XFree(children);
     if (found == 0) throw std::runtime_error("no window of the program is shown");
     return found;
+}
+
+void set_text_resolution(const std::string& display, int dpi) {
+    const XConnection x(display);
+    const std::string resources = "Xft.dpi:\t" + std::to_string(dpi) + "\n";
+    XChangeProperty(x.get(), x.root(), XA_RESOURCE_MANAGER, XA_STRING, 8, PropModeReplace,
+                    reinterpret_cast<const unsigned char*>(resources.data()), static_cast<int>(resources.size()));
+    XSync(x.get(), False);
 }
 
 Picture read_screen(const std::string& display) {

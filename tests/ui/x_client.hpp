@@ -8,6 +8,9 @@
 
 namespace sphereview::test {
 
+// What a desktop's settings say of a screen: dots per inch for text (the resource Xft.dpi).
+void set_text_resolution(const std::string& display, int dpi);
+
 // What the screen shows, RGB.
 Picture read_screen(const std::string& display);
 

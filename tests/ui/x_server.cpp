@@ -3,6 +3,8 @@
 #include <csignal>
 #include <stdexcept>
 
+#include "ui/x_client.hpp"
+
 namespace sphereview::test {
 
 XServer::XServer(const ScreenOptions& options) {
@@ -10,8 +12,7 @@ XServer::XServer(const ScreenOptions& options) {
     Command command;
     command.program = XVFB;
     // It chooses a display that is free and, once it can be used, says which on standard error.
-    command.arguments = {"-displayfd", "2",   "-screen", "0", screen, "-dpi", std::to_string(options.dpi),
-                         "-nolisten",  "tcp", "-noreset"};
+    command.arguments = {"-displayfd", "2", "-screen", "0", screen, "-nolisten", "tcp", "-noreset"};
     command.input_stays_open = true;
     xvfb_ = std::make_unique<Running>(command);
     // Other lines may be warnings.
@@ -23,6 +24,7 @@ XServer::XServer(const ScreenOptions& options) {
         const std::string line = errors.substr(begin, errors.find('\n', begin) - begin);
         if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos) display_ = ":" + line;
     }
+    set_text_resolution(display_, options.dpi);
 }
 
 void XServer::kill() { xvfb_->send(SIGKILL); }
