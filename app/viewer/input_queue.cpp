@@ -7,8 +7,11 @@ namespace sphereview {
 
 namespace {
 
+bool is_modifier(const std::string& key) { return key == "shift" || key == "control" || key == "alt"; }
+
 // What a frame has taken so far.
 struct Taken {
+    bool moved = false;
     bool button = false;
     bool wheel = false;
     bool key_that_edits = false;  // "backspace" and the like: a text field takes the frame's characters before its keys
@@ -22,7 +25,10 @@ struct Taken {
     }
 
 private:
-    bool hidden_by(const PointerMoved&) const { return button || wheel; }
+    bool hidden_by(const PointerMoved&) {
+        moved = true;
+        return button || wheel;
+    }
     bool hidden_by(const ButtonChanged&) {
         const bool hides = button || wheel;
         button = true;
@@ -36,7 +42,9 @@ private:
     bool hidden_by(const KeyChanged& event) {
         const bool seen = std::ranges::find(keys, event.name) != keys.end();
         const bool other_modifiers = !keys.empty() && event.modifiers != modifiers;
-        if (seen || other_modifiers || (event.pressed && characters)) return true;
+        // What the mouse did before a modifier changed was done without that change.
+        const bool for_mouse = (moved || button || wheel) && is_modifier(event.name);
+        if (seen || other_modifiers || for_mouse || (event.pressed && characters)) return true;
         keys.push_back(event.name);
         modifiers = event.modifiers;
         key_that_edits = key_that_edits || (event.pressed && event.name.size() > 1);

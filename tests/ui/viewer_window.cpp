@@ -101,6 +101,10 @@ void ViewerWindow::click(const Place& place, int button) {
     xdotool({"mousemove", number(place.x), number(place.y), "click", std::to_string(button)});
 }
 
+void ViewerWindow::click_many(const Place& place, int times) {
+    xdotool({"mousemove", number(place.x), number(place.y), "click", "--repeat", std::to_string(times), "--delay", "0", "1"});
+}
+
 void ViewerWindow::double_click(const Place& place) {
     xdotool({"mousemove", number(place.x), number(place.y), "click", "--repeat", "2", "--delay", "20", "1"});
 }
@@ -125,6 +129,12 @@ void ViewerWindow::wheel(int clicks) {
 }
 
 void ViewerWindow::key(const std::string& name) { xdotool({"key", name}); }
+void ViewerWindow::keys(const std::vector<std::string>& names) {
+    // GLFW takes two presses of a key within a millisecond for one that the input method has doubled.
+    std::vector<std::string> words{"key", "--delay", "3"};
+    words.insert(words.end(), names.begin(), names.end());
+    xdotool(words);
+}
 void ViewerWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
 void ViewerWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
 void ViewerWindow::type(const std::string& text) { xdotool({"type", "--delay", "1", "--", text}); }

@@ -42,13 +42,15 @@ public:
     // Real input, through xdotool. None waits for what it causes.
     void move_to(const Place& place);
     void click(const Place& place, int button = 1);
+    void click_many(const Place& place, int times);  // without a pause
     void double_click(const Place& place);
     void press(int button = 1);
     void release(int button = 1);
     // Moves in steps, as a hand does.
     void drag(const Place& from, const Place& to, int button = 1);
-    void wheel(int clicks);             // > 0: away from the person
-    void key(const std::string& name);  // as xdotool calls it: "ctrl+z", "F12"
+    void wheel(int clicks);                            // > 0: away from the person
+    void key(const std::string& name);                 // as xdotool calls it: "ctrl+z", "F12"
+    void keys(const std::vector<std::string>& names);  // one after the other, faster than frames
     void key_down(const std::string& name);
     void key_up(const std::string& name);
     void type(const std::string& text);
