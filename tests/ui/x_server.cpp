@@ -14,15 +14,14 @@ XServer::XServer(const ScreenOptions& options) {
                          "-nolisten",  "tcp", "-noreset"};
     command.input_stays_open = true;
     xvfb_ = std::make_unique<Running>(command);
-    if (!xvfb_->wait_for_errors("\n")) throw std::runtime_error("Xvfb does not start");
-    // Other lines may be warnings.
+    // Lines before it are of displays that others have.
     std::size_t from = 0;
-    while (display_.empty()) {
-        const std::string errors = xvfb_->errors_so_far();
-        const std::size_t end = errors.find('\n', from);
-        if (end == std::string::npos) {
-            throw std::runtime_error("Xvfb does not say which display it has: " + errors);
+    for (int line_count = 1; display_.empty(); ++line_count) {
+        if (!xvfb_->wait_for_errors("\n", line_count)) {
+            throw std::runtime_error("Xvfb does not start: " + xvfb_->errors_so_far());
         }
+        const std::string& errors = xvfb_->errors_so_far();
+        const std::size_t end = errors.find('\n', from);
         const std::string line = errors.substr(from, end - from);
         if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos) display_ = ":" + line;
         from = end + 1;
