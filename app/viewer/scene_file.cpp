@@ -22,43 +22,29 @@ std::string absolute_path(const std::string& path) {
     return error ? path : absolute.lexically_normal().string();
 }
 
-std::optional<FileStamp> stamp_of(const std::string& path) {
-    std::error_code error;
-    FileStamp stamp;
-    stamp.time = fs::last_write_time(path, error);
-    if (error) return std::nullopt;
-    stamp.size = fs::file_size(path, error);
-    if (error) return std::nullopt;
-    return stamp;
+// A question of its kind that waits already is asked for the latest purpose instead of twice.
+void ask(ViewerState& state, Question question) {
+    for (Dialog& dialog : state.dialogs) {
+        auto* waiting = std::get_if<Question>(&dialog);
+        if (waiting == nullptr || waiting->id != question.id) continue;
+        *waiting = std::move(question);
+        return;
+    }
+    state.dialogs.push_back(std::move(question));
 }
 
 void read_scene(ViewerState& state, const std::string& path) {
     try {
         // Before it is read: what is written meanwhile shows as a change.
-        const auto stamp = stamp_of(path);
+        FileStates stamp = file_states(path);
         LoadedScene loaded = load_scene(path);
         adopt(state, std::move(loaded.scene), path, loaded.format);
-        state.stamp = stamp;
+        state.stamp = std::move(stamp);
     } catch (...) {
-        remove_recent(state.settings, absolute_path(path));
+        // A broken file can be repaired, and is then looked for where it was.
+        if (std::error_code error; !fs::exists(path, error)) remove_recent(state.settings, absolute_path(path));
         report_error(state, "The scene cannot be opened", describe_current_exception(path).message);
     }
-}
-
-// Calls `then` when nothing would be lost, or the person says that it may be.
-void with_edits_safe(ViewerState& state, std::function<void()> then) {
-    if (!state.document.is_changed()) return then();
-    Question question;
-    question.id = "save-changes";
-    question.title = "Save changes?";
-    question.text = in_quotes(state.name()) + " has changes that are not saved.";
-    question.answers = {"Save", "Don't save", "Cancel"};
-    question.cancel = 2;
-    question.answer = [&state, then = std::move(then)](int answer) {
-        if (answer == 0) save_scene(state, then);
-        if (answer == 1) then();
-    };
-    state.dialogs.push_back(std::move(question));
 }
 
 void write(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
@@ -69,13 +55,15 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
     }
     state.path = path;
     state.format = format;
-    state.stamp = stamp_of(path);
+    state.stamp = file_states(path);
     state.document.mark_saved();
     state.messages.scene_error.clear();
     add_recent(state.settings, path);
     announce(state, "Saved " + path);
     then();
 }
+
+void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
 
 void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
     const std::string lost = lost_in(state.scene(), format);
@@ -87,18 +75,24 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
     question.answers = {"Save as TOML...", "Save all the same", "Cancel"};
     question.cancel = 2;
     question.answer = [&state, path, format, then](int answer) {
-        if (answer == 0) {
-            state.format = SceneFormat::toml;
-            save_scene_as(state, then);
-        }
+        if (answer == 0) ask_where_to_save(state, SceneFormat::toml, then);
         if (answer == 1) write(state, path, format, then);
     };
     state.dialogs.push_back(std::move(question));
 }
 
+void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
+    const std::string ending = format == SceneFormat::toml ? ".toml" : ".txt";
+    const std::string stem = state.path.empty() ? "scene" : fs::path(state.path).stem().string();
+    const FileQuestion question{true, "Save the scene", usual_folder(state), stem + ending, {".txt", ".toml"}};
+    ask_for_file(state, question, [&state, then](const std::string& path) {
+        const std::string absolute = absolute_path(path);
+        write_unless_lost(state, absolute, format_of_name(absolute), then);
+    });
+}
+
 void reload(ViewerState& state, LoadedScene loaded) {
     state.format = loaded.format;
-    state.messages.scene_error.clear();
     if (loaded.scene != state.scene()) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
@@ -120,12 +114,27 @@ void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat
     const bool has_file = !path.empty() && path != standard_stream;
     state.path = has_file ? absolute_path(path) : "";
     state.format = format;
-    state.stamp.reset();
+    state.stamp.clear();
     if (has_file) {
-        state.stamp = stamp_of(state.path);
+        state.stamp = file_states(state.path);
         add_recent(state.settings, state.path);
     }
     go_home(state);
+}
+
+void with_edits_safe(ViewerState& state, std::function<void()> then) {
+    if (!state.document.is_changed()) return then();
+    Question question;
+    question.id = "save-changes";
+    question.title = "Save changes?";
+    question.text = in_quotes(state.name()) + " has changes that are not saved.";
+    question.answers = {"Save", "Don't save", "Cancel"};
+    question.cancel = 2;
+    question.answer = [&state, then = std::move(then)](int answer) {
+        if (answer == 0) save_scene(state, then);
+        if (answer == 1) then();
+    };
+    ask(state, std::move(question));
 }
 
 void new_scene(ViewerState& state) {
@@ -146,15 +155,7 @@ void save_scene(ViewerState& state, const std::function<void()>& then) {
     write_unless_lost(state, state.path, state.format, then);
 }
 
-void save_scene_as(ViewerState& state, const std::function<void()>& then) {
-    const std::string ending = state.format == SceneFormat::toml ? ".toml" : ".txt";
-    const std::string stem = state.path.empty() ? "scene" : fs::path(state.path).stem().string();
-    const FileQuestion question{true, "Save the scene", usual_folder(state), stem + ending, {".txt", ".toml"}};
-    ask_for_file(state, question, [&state, then](const std::string& path) {
-        const std::string absolute = absolute_path(path);
-        write_unless_lost(state, absolute, format_of_name(absolute), then);
-    });
-}
+void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }
 
 void quit(ViewerState& state) {
     with_edits_safe(state, [&state] { state.quits = true; });
@@ -162,9 +163,9 @@ void quit(ViewerState& state) {
 
 void look_at_file(ViewerState& state) {
     if (state.path.empty()) return;
-    const auto stamp = stamp_of(state.path);
-    if (!stamp || stamp == state.stamp) return;  // a file that is gone may be on its way back
-    state.stamp = stamp;
+    FileStates stamp = file_states(state.path);
+    if (stamp.empty() || stamp == state.stamp) return;  // a file that is gone may be on its way back
+    state.stamp = std::move(stamp);
     LoadedScene loaded;
     try {
         loaded = load_scene(state.path);
@@ -172,6 +173,7 @@ void look_at_file(ViewerState& state) {
         state.messages.scene_error = describe_current_exception(state.path).message;
         return;
     }
+    state.messages.scene_error.clear();
     if (!state.document.is_changed() || loaded.scene == state.scene()) return reload(state, std::move(loaded));
     Question question;
     question.id = "reload";
@@ -184,7 +186,7 @@ void look_at_file(ViewerState& state) {
         if (answer == 0) reload(state, std::move(*loaded));
         if (answer == 1) state.document.mark_unsaved();
     };
-    state.dialogs.push_back(std::move(question));
+    ask(state, std::move(question));
 }
 
 void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept) {

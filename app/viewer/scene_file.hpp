@@ -11,6 +11,9 @@ namespace sphereview {
 // Takes over a scene that was read from `path` ("-" and "" have no file).
 void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat format);
 
+// Calls `then` at once when nothing would be lost, or as soon as the person has saved it or says that it may be.
+void with_edits_safe(ViewerState& state, std::function<void()> then);
+
 // Each asks what there is to ask, in dialogs, before anything is lost.
 void new_scene(ViewerState& state);
 void open_scene(ViewerState& state, const std::string& path);

@@ -1,7 +1,10 @@
 // sphereview [SCENE]: the window.
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/load_scene.hpp"
@@ -19,18 +22,28 @@ namespace {
 // For the handler of a lost connection, which is given nothing.
 const ViewerState* open_state = nullptr;
 
+constexpr const char* way_out = " ('sphereview render' needs no window; 'sphereview doctor' says what works here)";
+
+// What became of unsaved changes, for a message; "" when there are none.
+std::string keep_for_recovery(const ViewerState& state) {
+    if (!state.document.is_changed()) return "";
+    const bool kept = write_recovery(state.scene(), state.path);
+    return "unsaved changes of " + state.name() + (kept ? " are kept; the next start offers them" : " could not be kept");
+}
+
 void save_for_recovery(const ViewerState& state) {
-    if (!state.document.is_changed()) return;
-    if (write_recovery(state.scene(), state.path)) {
-        std::fprintf(stderr, "sphereview: unsaved changes of %s are kept; the next start offers them\n", state.name().c_str());
-    } else {
-        std::fprintf(stderr, "sphereview: unsaved changes of %s could not be kept\n", state.name().c_str());
-    }
+    const std::string said = keep_for_recovery(state);
+    if (!said.empty()) std::fprintf(stderr, "sphereview: %s\n", said.c_str());
 }
 
 [[noreturn]] void on_connection_lost() {
-    std::fprintf(stderr, "sphereview: the connection to the display is lost\n");
-    if (open_state != nullptr) save_for_recovery(*open_state);
+    std::string said = "the connection to the display is lost";
+    if (open_state != nullptr) {
+        const std::string kept = keep_for_recovery(*open_state);
+        if (!kept.empty()) said += "; " + kept;
+        save_settings(open_state->settings);
+    }
+    std::fprintf(stderr, "sphereview: %s%s\n", said.c_str(), way_out);
     std::fflush(nullptr);
     std::_Exit(static_cast<int>(ExitCode::no_renderer));
 }
@@ -49,7 +62,9 @@ void recover(ViewerState& state, const Recovery& recovery) {
 }
 
 void offer_recovery(ViewerState& state) {
-    for (const Recovery& recovery : list_recoveries()) {
+    std::vector<Recovery> recoveries = list_recoveries();
+    std::ranges::reverse(recoveries);  // the last question is asked first: of the latest changes
+    for (const Recovery& recovery : recoveries) {
         Question question;
         question.id = "recover";
         question.title = "Recover unsaved changes?";
@@ -58,7 +73,8 @@ void offer_recovery(ViewerState& state) {
         question.answers = {"Recover", "Discard", "Later"};
         question.cancel = 2;
         question.answer = [&state, recovery](int answer) {
-            if (answer == 0) recover(state, recovery);
+            // What was recovered before may not be saved yet.
+            if (answer == 0) with_edits_safe(state, [&state, recovery] { recover(state, recovery); });
             if (answer == 1) remove_recovery(recovery.file);
         };
         state.dialogs.push_back(std::move(question));
@@ -107,8 +123,7 @@ ExitCode run_view(const ViewOptions& options) {
         }
         state.settings.place = window.place();
     } catch (const RenderError& error) {
-        throw RenderError(std::string("sphereview: ") + error.what() +
-                          " ('sphereview render' needs no window; 'sphereview doctor' says what works here)");
+        throw RenderError(std::string("sphereview: ") + error.what() + way_out);
     }
     save_settings(state.settings);
     return ExitCode::done;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/options.hpp"
+#include "base/file_state.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
 #include "panels/panel_context.hpp"
@@ -22,14 +23,6 @@
 namespace sphereview {
 
 using Clock = std::chrono::steady_clock;
-
-// What tells a file from what it was before.
-struct FileStamp {
-    std::filesystem::file_time_type time;
-    std::uintmax_t size = 0;
-
-    bool operator==(const FileStamp&) const = default;
-};
 
 // A dialog of the system that is open, and what its answer is for.
 struct OpenSystemDialog {
@@ -60,7 +53,7 @@ struct ViewerState {
     // The file that the document is of.
     std::string path;  // absolute; "" when it has none yet
     SceneFormat format = SceneFormat::toml;
-    std::optional<FileStamp> stamp;  // of what was read or written last
+    FileStates stamp;  // of what was read or written last
 
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;

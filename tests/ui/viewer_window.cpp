@@ -34,7 +34,8 @@ std::vector<std::pair<std::string, std::optional<std::string>>> environment_for(
 
 }  // namespace
 
-ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen)
+ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen,
+                           const std::string& input)
     : folder_(folder), server_(screen) {
     std::filesystem::create_directories(folder.path("home"));
     std::filesystem::remove(folder.path(log_name));
@@ -42,6 +43,7 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
     command.arguments = arguments;
     command.arguments.insert(command.arguments.end(), {"--frame-log", folder.path(log_name)});
     command.folder = folder.path();
+    command.input = input;
     command.environment = environment_for(folder, server_.display());
     program_.emplace(command);
     wait_until("a first frame", [](const Json&) { return true; });

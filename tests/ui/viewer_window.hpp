@@ -29,8 +29,9 @@ struct Place {
 class ViewerWindow {
 public:
     // In `folder` lie the frame log, the home folder and what a test puts there. Returns when the first frame is drawn and the
-    // window rests.
-    ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen = {});
+    // window rests. `input` is its standard input.
+    ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen = {},
+                 const std::string& input = "");
 
     // The last frame of the log (app/viewer/frame_log.hpp).
     const Json& frame();

@@ -15,13 +15,16 @@ XServer::XServer(const ScreenOptions& options) {
     command.arguments = {"-displayfd", "2", "-screen", "0", screen, "-nolisten", "tcp", "-noreset"};
     command.input_stays_open = true;
     xvfb_ = std::make_unique<Running>(command);
-    // Other lines may be warnings.
-    for (int lines = 1; display_.empty(); ++lines) {
-        if (!xvfb_->wait_for_errors("\n", lines)) throw std::runtime_error("Xvfb does not start: " + xvfb_->errors_so_far());
+    // Lines before it are of displays that others have.
+    std::size_t from = 0;
+    for (int line_count = 1; display_.empty(); ++line_count) {
+        if (!xvfb_->wait_for_errors("\n", line_count)) {
+            throw std::runtime_error("Xvfb does not start: " + xvfb_->errors_so_far());
+        }
         const std::string& errors = xvfb_->errors_so_far();
-        std::size_t begin = 0;
-        for (int i = 1; i < lines; ++i) begin = errors.find('\n', begin) + 1;
-        const std::string line = errors.substr(begin, errors.find('\n', begin) - begin);
+        const std::size_t end = errors.find('\n', from);
+        const std::string line = errors.substr(from, end - from);
+        from = end + 1;
         if (!line.empty() && line.find_first_not_of("0123456789") == std::string::npos) display_ = ":" + line;
     }
     set_text_resolution(display_, options.dpi);
