@@ -36,7 +36,8 @@ void draw_splitter(ViewerState& state, const PanelContext& context, const Rectan
     ImGui::InvisibleButton("##edge", ImVec2(area.width, std::max(area.height, 1.0F)));
     note_widget(context, "splitter");
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemActive()) {
+    // A frame's movement comes before its release, and before its press: that was not yet the edge's.
+    if ((ImGui::IsItemActive() && !ImGui::IsItemActivated()) || ImGui::IsItemDeactivated()) {
         state.settings.panel_width -= static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
     }
     ImGui::End();

@@ -98,7 +98,7 @@ TEST_F(Reloading, DoesNotTakeItsOwnSaveForAChange) {
     window_.wait_until("an error", [](const Json& f) { return f.at("scene_error") != ""; });
     EXPECT_EQ(window_.frame().at("dialogs"), Json::array());
     EXPECT_EQ(window_.frame().at("spheres"), 4);
-    EXPECT_EQ(window_.frame().at("undo"), "Add sphere");
+    EXPECT_EQ(window_.frame().at("undo"), "Add sphere 3");
 }
 
 }  // namespace sphereview::test

@@ -44,8 +44,10 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
     command.arguments.insert(command.arguments.end(), {"--frame-log", folder.path(log_name)});
     command.folder = folder.path();
     command.input = input;
+    command.input_stays_open = !input.empty();
     command.environment = environment_for(folder, server_.display());
     program_.emplace(command);
+    if (!input.empty()) program_->close_input();
     wait_until("a first frame", [](const Json&) { return true; });
 }
 

@@ -46,7 +46,8 @@ public:
         const XClientMessageEvent status = wait_for("XdndStatus");
         if ((status.data.l[1] & 1) == 0) return false;
         send("XdndDrop", {0, CurrentTime, 0, 0});
-        return (wait_for("XdndFinished").data.l[1] & 1) != 0;
+        // GLFW 3.3 says how many bytes it took where the protocol has a 1.
+        return wait_for("XdndFinished").data.l[1] != 0;
     }
 
 private:
