@@ -71,7 +71,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
     if (!dragging_ && glm::distance(mouse.place, start_) > mouse.drag_threshold) dragging_ = true;
     if (dragging_) drag(mouse, state, consequences, gesture, actions);
     if (mouse.cancelled) {
-        if (dragging_ && mode_ == Mode::move_spheres) actions.push_back(RunCommand{CommandId::undo});
+        if (has_moved_) actions.push_back(RunCommand{CommandId::undo});
         mode_ = Mode::none;
     } else if (mouse.released[static_cast<std::size_t>(button_)]) {
         if (!dragging_ && button_ == left) click(mouse, state, actions);
@@ -83,6 +83,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
 void MouseControl::press(int button, const PictureMouse& mouse, const PictureState& state) {
     button_ = button;
     dragging_ = false;
+    has_moved_ = false;
     start_ = mouse.place;
     last_ = mouse.place;
     drag_gesture_ = 0;
@@ -170,7 +171,9 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
         if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z)) return;
         changes = changes || change.spheres[i] != state.scene.spheres[numbers[i]];
     }
-    if (changes) actions.push_back(EditScene{std::move(change), "Move " + title_of(state), drag_gesture_});
+    if (!changes) return;
+    has_moved_ = true;
+    actions.push_back(EditScene{std::move(change), "Move " + title_of(state), drag_gesture_});
 }
 
 void MouseControl::change_radius(const PictureMouse& mouse, const PictureState& state, std::int32_t picked, std::uint64_t& gesture,

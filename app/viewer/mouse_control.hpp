@@ -67,7 +67,8 @@ private:
 
     Mode mode_ = Mode::none;
     int button_ = 0;
-    bool dragging_ = false;  // the pointer has left the place where it went down
+    bool dragging_ = false;   // the pointer has left the place where it went down
+    bool has_moved_ = false;  // spheres, which Escape takes back
     glm::dvec2 start_{0.0};
     glm::dvec2 last_{0.0};
     glm::dvec3 grabbed_point_{0.0};  // in the scene, where the button went down

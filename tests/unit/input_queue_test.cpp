@@ -1,0 +1,88 @@
+// Input in portions: whatever happened, in whatever order, a frame sees at most one change of each button and key.
+#include "viewer/input_queue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+namespace sphereview {
+
+namespace {
+
+InputEvent random_event(std::mt19937& random) {
+    const auto below = [&](unsigned count) { return static_cast<unsigned>(random() % count); };
+    const Modifiers modifiers{below(2) == 1, false, false};
+    switch (below(5)) {
+        case 0: return PointerMoved{static_cast<double>(below(100)), static_cast<double>(below(100))};
+        case 1: return ButtonChanged{static_cast<MouseButton>(below(3)), below(2) == 1, modifiers};
+        case 2: return WheelTurned{0.0, below(2) == 1 ? 1.0 : -1.0, modifiers};
+        case 3: return KeyChanged{below(2) == 1 ? "a" : "backspace", below(2) == 1, false, modifiers};
+        default: return CharacterTyped{U'a'};
+    }
+}
+
+std::string in_words(const InputEvent& event) {
+    std::string text = std::to_string(event.index());
+    if (const auto* e = std::get_if<PointerMoved>(&event)) text += " " + std::to_string(e->x) + " " + std::to_string(e->y);
+    if (const auto* e = std::get_if<ButtonChanged>(&event))
+        text += " " + std::to_string(static_cast<int>(e->button)) + (e->pressed ? "d" : "u") + (e->modifiers.control ? "c" : "");
+    if (const auto* e = std::get_if<WheelTurned>(&event)) text += " " + std::to_string(e->y);
+    if (const auto* e = std::get_if<KeyChanged>(&event))
+        text += " " + e->name + (e->pressed ? "d" : "u") + (e->modifiers.control ? "c" : "");
+    return text;
+}
+
+// Whether widgets that look once a frame miss something of it.
+testing::AssertionResult hides_nothing(const std::vector<InputEvent>& frame) {
+    int buttons = 0;
+    bool moved_after = false;
+    std::map<std::string, int> keys;
+    for (const InputEvent& event : frame) {
+        if (std::holds_alternative<ButtonChanged>(event)) ++buttons;
+        if (std::holds_alternative<PointerMoved>(event) && buttons > 0) moved_after = true;
+        if (const auto* key = std::get_if<KeyChanged>(&event)) ++keys[key->name];
+    }
+    if (buttons > 1) return testing::AssertionFailure() << buttons << " changes of buttons";
+    if (moved_after) return testing::AssertionFailure() << "the pointer moves after a change of a button";
+    for (const auto& [name, count] : keys) {
+        if (count > 1) return testing::AssertionFailure() << count << " changes of key " << name;
+    }
+    return testing::AssertionSuccess();
+}
+
+}  // namespace
+
+TEST(InputQueue, KeepsEveryEventInItsOrder) {
+    for (unsigned trial = 0; trial < 500; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        std::mt19937 random(trial);
+        InputQueue queue;
+        std::vector<std::string> given;
+        std::vector<std::string> taken;
+        const auto take = [&] {
+            const std::vector<InputEvent> frame = queue.take_frame();
+            EXPECT_FALSE(frame.empty()) << "no progress";
+            EXPECT_TRUE(hides_nothing(frame));
+            for (const InputEvent& event : frame) taken.push_back(in_words(event));
+        };
+        for (unsigned round = 0; round < 5; ++round) {
+            std::vector<InputEvent> events;
+            for (auto i = random() % 10; i > 0; --i) events.push_back(random_event(random));
+            for (const InputEvent& event : events) given.push_back(in_words(event));
+            queue.add(std::move(events));
+            if (!queue.empty()) take();
+        }
+        while (!queue.empty() && !HasFailure()) take();
+        ASSERT_EQ(taken, given);
+    }
+}
+
+TEST(InputQueue, MovesAndTurnsAddUpInOneFrame) {
+    InputQueue queue;
+    queue.add({PointerMoved{1, 1}, PointerMoved{2, 2}, WheelTurned{0, 1, {}}, WheelTurned{0, 1, {}}});
+    EXPECT_EQ(queue.take_frame().size(), 4U);
+    EXPECT_TRUE(queue.empty());
+}
+
+}  // namespace sphereview

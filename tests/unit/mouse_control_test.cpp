@@ -1,0 +1,154 @@
+// The mouse in the picture, without a window.
+#include "viewer/mouse_control.hpp"
+
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+namespace sphereview {
+
+namespace {
+
+// A sphere straight ahead; the pointer picks it wherever it is less than 150 pixels from the middle.
+struct Hand : testing::Test {
+    Hand() {
+        scene.spheres = {Sphere{.center = {0, 0, 300}, .radius = 60, .color = {255, 0, 0}}};
+        mouse.place = {520, 490};
+        mouse.available = true;
+    }
+
+    PictureConsequences frame() {
+        actions.clear();
+        const PictureState state{
+            scene, selection,   camera,
+            size,  {0, 0, 300}, [&](glm::dvec2 at) { return glm::distance(at, glm::dvec2(500, 500)) < 150 ? 0 : -1; }};
+        const PictureConsequences done = control.frame(mouse, state, gesture, actions);
+        mouse.pressed = {};
+        mouse.released = {};
+        mouse.wheel = 0.0;
+        mouse.double_clicked = false;
+        mouse.cancelled = false;
+        for (const Action& action : actions) {
+            if (const auto* edit = std::get_if<EditScene>(&action)) scene.spheres = std::get<ChangeSpheres>(edit->edit).spheres;
+            if (const auto* select = std::get_if<SelectSpheres>(&action)) selection = select->selection;
+        }
+        if (done.camera) camera = *done.camera;
+        return done;
+    }
+    void press(std::size_t button = 0) {
+        mouse.pressed[button] = true;
+        frame();
+    }
+    void release(std::size_t button = 0) {
+        mouse.released[button] = true;
+        frame();
+    }
+    std::uint64_t gesture_of_action() const { return std::get<EditScene>(actions.at(0)).gesture; }
+    bool undoes() const {
+        return actions.size() == 1 && std::holds_alternative<RunCommand>(actions[0]) &&
+               std::get<RunCommand>(actions[0]).command == CommandId::undo;
+    }
+
+    Scene scene;
+    Selection selection;
+    Camera camera;
+    PictureSize size{1000, 1000};
+    std::uint64_t gesture = 0;
+    std::vector<Action> actions;
+    MouseControl control;
+    PictureMouse mouse;
+};
+
+}  // namespace
+
+TEST_F(Hand, ThePointThatWasGrabbedStaysUnderThePointer) {
+    selection.set_only(0);
+    const glm::dvec3 center = scene.spheres[0].center;
+    press();
+    // The nearer point of the sphere on the pointer's ray.
+    glm::dvec3 ray = glm::normalize(point_at(camera, size, mouse.place, 1.0));
+    const double along = glm::dot(center, ray);
+    const glm::dvec3 grabbed = ray * (along - std::sqrt(3600.0 - (glm::dot(center, center) - along * along)));
+    for (const glm::dvec2 to : {glm::dvec2(540, 470), glm::dvec2(100, 900), glm::dvec2(990, 3)}) {
+        mouse.place = to;
+        frame();
+        const auto seen = project(camera, size, grabbed + scene.spheres[0].center - center);
+        ASSERT_TRUE(seen);
+        EXPECT_NEAR(seen->x, to.x, 1e-6);
+        EXPECT_NEAR(seen->y, to.y, 1e-6);
+        EXPECT_EQ(gesture_of_action(), gesture) << "one step";
+    }
+    EXPECT_EQ(gesture, 1U);
+    release();
+    EXPECT_FALSE(control.holds_mouse());
+}
+
+TEST_F(Hand, EscapeTakesAMoveBackAndOnlyThat) {
+    selection.set_only(0);
+    press();
+    mouse.place.x += 50;
+    frame();
+    mouse.cancelled = true;
+    frame();
+    EXPECT_TRUE(undoes());
+    EXPECT_FALSE(control.holds_mouse());
+
+    press();
+    mouse.cancelled = true;
+    frame();
+    EXPECT_TRUE(actions.empty()) << "nothing had moved";
+
+    // A drag that moved nothing, because the sphere has gone from the selection: what was done before it stays.
+    press();
+    selection.clear();
+    mouse.place.x += 50;
+    frame();
+    mouse.cancelled = true;
+    frame();
+    EXPECT_TRUE(actions.empty());
+}
+
+TEST_F(Hand, AClickSelectsAndADragDoesNot) {
+    press();
+    release();
+    EXPECT_TRUE(selection.contains(0));
+    mouse.place = {10, 10};
+    press();
+    mouse.place = {300, 300};
+    EXPECT_TRUE(frame().camera) << "an orbit";
+    release();
+    EXPECT_TRUE(selection.contains(0));
+    mouse.place = {10, 10};
+    press();
+    release();
+    EXPECT_TRUE(selection.empty());
+}
+
+TEST_F(Hand, TheWheelKeepsWhatIsUnderThePointer) {
+    mouse.place = {800, 300};
+    const glm::dvec3 point = point_at(camera, size, mouse.place, depth_of(camera, {0, 0, 300}));
+    mouse.wheel = 2.0;
+    EXPECT_TRUE(frame().camera);
+    const auto seen = project(camera, size, point);
+    ASSERT_TRUE(seen);
+    EXPECT_NEAR(seen->x, 800, 1e-6);
+    EXPECT_NEAR(seen->y, 300, 1e-6);
+}
+
+TEST_F(Hand, CtrlAndWheelIsOneStepOverOneSphere) {
+    selection.set_only(0);
+    mouse.control = true;
+    mouse.wheel = 1.0;
+    frame();
+    const std::uint64_t first = gesture_of_action();
+    mouse.wheel = 1.0;
+    frame();
+    EXPECT_EQ(gesture_of_action(), first);
+    EXPECT_GT(scene.spheres[0].radius, 60.0);
+    ++gesture;  // something else was done between
+    mouse.wheel = -1.0;
+    frame();
+    EXPECT_NE(gesture_of_action(), first);
+}
+
+}  // namespace sphereview

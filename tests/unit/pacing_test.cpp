@@ -1,0 +1,60 @@
+// When to draw, and how coarsely.
+#include "viewer/pacing.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sphereview {
+
+namespace {
+
+// Draws until nothing is to be drawn.
+int frames_until_rest(Pacing& pacing, int step) {
+    int frames = 0;
+    while (!pacing.rests() && frames < 100) {
+        const bool refines = pacing.refines();
+        pacing.drew(refines ? 1 : step, refines || step == 1);
+        ++frames;
+    }
+    return frames;
+}
+
+}  // namespace
+
+TEST(Pacing, RestsAfterAFewFrames) {
+    Pacing pacing;
+    EXPECT_LT(frames_until_rest(pacing, 1), 6);
+    EXPECT_EQ(pacing.patience(), std::nullopt);
+    pacing.touch();
+    EXPECT_FALSE(pacing.rests());
+    EXPECT_EQ(pacing.patience(), 0.0);
+}
+
+TEST(Pacing, ACoarsePictureIsRefinedBeforeItRests) {
+    Pacing pacing;
+    pacing.touch();
+    pacing.drew(4, false);
+    EXPECT_FALSE(pacing.refines()) << "while it still moves";
+    while (pacing.patience() == 0.0) pacing.drew(4, false);
+    EXPECT_FALSE(pacing.rests());
+    EXPECT_TRUE(pacing.refines());
+    EXPECT_EQ(pacing.patience(), Pacing::refine_after);
+    pacing.drew(1, false);
+    EXPECT_FALSE(pacing.rests()) << "before every pixel is decided";
+    pacing.drew(1, true);
+    EXPECT_TRUE(pacing.rests());
+}
+
+TEST(Pacing, ASlowDeviceMovesCoarsely) {
+    Pacing pacing;
+    EXPECT_EQ(pacing.moving_step(), 1);
+    pacing.traced(1, 0.9 * Pacing::frame_budget);
+    EXPECT_EQ(pacing.moving_step(), 1);
+    pacing.traced(1, 10 * Pacing::frame_budget);
+    EXPECT_EQ(pacing.moving_step(), 4);
+    pacing.traced(1, 1e6);
+    EXPECT_EQ(pacing.moving_step(), 8);
+    for (int i = 0; i < 100; ++i) pacing.traced(8, 0.001 * Pacing::frame_budget);
+    EXPECT_EQ(pacing.moving_step(), 1);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,80 @@
+// The commands of the Edit and View menus on the viewer's state, without a window.
+#include "viewer/perform.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sphereview {
+
+namespace {
+
+struct Commands : testing::Test {
+    Commands() : state(ViewOptions{}, ViewerSettings{}) {
+        Scene scene;
+        scene.spheres = {Sphere{.center = {0, 0, 300}, .radius = 60, .color = {255, 0, 0}},
+                         Sphere{.center = {100, 0, 300}, .radius = 30, .color = {0, 255, 0}}};
+        state.document = Document(scene);
+        state.camera = scene.camera;
+        state.pivot = {0, 0, 300};
+        before = scene;
+    }
+
+    Scene before;
+    ViewerState state;
+};
+
+}  // namespace
+
+TEST_F(Commands, EachIsOneStepThatUndoes) {
+    for (const CommandId id : {CommandId::add_sphere, CommandId::duplicate, CommandId::remove, CommandId::hide,
+                               CommandId::move_down, CommandId::use_view_as_camera}) {
+        SCOPED_TRACE(std::string(info_of(id).label));
+        state.selection.set_only(0);
+        state.camera.eye.x = 5.0;
+        ASSERT_TRUE(is_enabled(state, id));
+        run_command(state, id);
+        EXPECT_TRUE(state.document.is_changed());
+        run_command(state, CommandId::undo);
+        EXPECT_FALSE(state.document.can_undo());
+        EXPECT_FALSE(state.document.is_changed());
+        EXPECT_EQ(state.scene().spheres, before.spheres);
+        EXPECT_EQ(state.scene().camera, before.camera);
+    }
+}
+
+TEST_F(Commands, WithoutASelectionThereIsNothingToDo) {
+    for (const CommandId id : {CommandId::duplicate, CommandId::remove, CommandId::hide, CommandId::move_up, CommandId::move_down,
+                               CommandId::rename, CommandId::undo, CommandId::redo, CommandId::use_view_as_camera}) {
+        EXPECT_FALSE(is_enabled(state, id)) << info_of(id).label;
+        run_command(state, id);
+        EXPECT_FALSE(state.document.can_undo());
+    }
+    state.selection.set_only(0);
+    EXPECT_FALSE(is_enabled(state, CommandId::move_up));
+    EXPECT_TRUE(is_enabled(state, CommandId::move_down));
+}
+
+TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
+    run_command(state, CommandId::add_sphere);
+    EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{2});
+    state.selection.set({0, 1});
+    run_command(state, CommandId::duplicate);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{3, 4}));
+    run_command(state, CommandId::remove);
+    EXPECT_TRUE(state.selection.empty());
+    state.selection.set_only(0);
+    run_command(state, CommandId::move_down);
+    EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
+}
+
+TEST_F(Commands, AHiddenOneAmongOthersIsHiddenWithThem) {
+    state.selection.set_only(0);
+    run_command(state, CommandId::hide);
+    EXPECT_TRUE(state.scene().spheres[0].hidden);
+    run_command(state, CommandId::select_all);
+    run_command(state, CommandId::hide);
+    EXPECT_TRUE(state.scene().spheres[0].hidden && state.scene().spheres[1].hidden);
+    run_command(state, CommandId::hide);
+    EXPECT_FALSE(state.scene().spheres[0].hidden || state.scene().spheres[1].hidden);
+}
+
+}  // namespace sphereview
