@@ -61,7 +61,7 @@ void draw_inspector_window(ViewerState& state, const PanelContext& context, cons
 
 Rectangle draw_panels(ViewerState& state, const PanelContext& context, const FrameFacts& facts) {
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
-    const float menu_height = draw_menu_bar(context, state.settings.recent);
+    const float menu_height = std::ceil(draw_menu_bar(context, state.settings.recent));  // the picture has whole pixels
     const float status_height = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
@@ -70,7 +70,6 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Fra
         const float widest = std::max(whole.x - splitter - narrowest_picture * context.scale, narrowest_panel);
         state.settings.panel_width = std::clamp(state.settings.panel_width, static_cast<double>(narrowest_panel),
                                                 static_cast<double>(std::max(widest / context.scale, narrowest_panel)));
-        // Whole coordinates: the picture has whole pixels.
         const float width = std::floor(std::min(static_cast<float>(state.settings.panel_width) * context.scale, widest));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
         place_window(panel);

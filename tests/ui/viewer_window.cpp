@@ -14,7 +14,7 @@ namespace sphereview::test {
 
 namespace {
 
-constexpr std::chrono::seconds patience{120};  // generous: a sanitized program on a busy machine
+constexpr std::chrono::seconds patience{60};  // generous: a sanitized program on a busy machine
 constexpr const char* log_name = "frames.log";
 
 std::string number(double value) { return std::to_string(static_cast<int>(value + 0.5)); }
@@ -129,7 +129,7 @@ void ViewerWindow::drag(const Place& from, const Place& to, int button) {
 }
 
 void ViewerWindow::wheel(int clicks) {
-    for (int i = 0; i < std::abs(clicks); ++i) xdotool({"click", clicks > 0 ? "4" : "5"});
+    if (clicks != 0) xdotool({"click", "--repeat", std::to_string(std::abs(clicks)), "--delay", "2", clicks > 0 ? "4" : "5"});
 }
 
 void ViewerWindow::key(const std::string& name) { xdotool({"key", name}); }
@@ -139,6 +139,10 @@ void ViewerWindow::keys(const std::vector<std::string>& names) {
     words.insert(words.end(), names.begin(), names.end());
     xdotool(words);
 }
+void ViewerWindow::resize(int width, int height) {
+    xdotool({"search", "--onlyvisible", "--name", "sphereview", "windowsize", std::to_string(width), std::to_string(height)});
+}
+
 void ViewerWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
 void ViewerWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
 void ViewerWindow::type(const std::string& text) { xdotool({"type", "--delay", "1", "--", text}); }

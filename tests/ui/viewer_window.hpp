@@ -52,6 +52,8 @@ public:
     void wheel(int clicks);                            // > 0: away from the person
     void key(const std::string& name);                 // as xdotool calls it: "ctrl+z", "F12"
     void keys(const std::vector<std::string>& names);  // one after the other, faster than frames
+    void key_many(const std::string& name, int times) { keys(std::vector<std::string>(static_cast<std::size_t>(times), name)); }
+    void resize(int width, int height);  // the window
     void key_down(const std::string& name);
     void key_up(const std::string& name);
     void type(const std::string& text);

@@ -1,0 +1,58 @@
+// Nothing is drawn when nothing changes; a slow picture is coarse while it moves.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <thread>
+
+#include "ui/editing.hpp"
+
+namespace sphereview::test {
+
+namespace {
+
+using Quiet = Editing;
+
+std::string many_spheres(int count) {
+    std::string text = std::to_string(count) + "\n";
+    std::uint32_t random = 1;
+    const auto next = [&](int below) {
+        random = random * 1664525U + 1013904223U;
+        return static_cast<int>((random >> 8U) % static_cast<std::uint32_t>(below));
+    };
+    for (int i = 0; i < count; ++i) {
+        text += std::to_string(next(256)) + " " + std::to_string(next(256)) + " " + std::to_string(next(256)) + "\n" +
+                std::to_string(next(400) - 200) + " " + std::to_string(next(400) - 200) + " " + std::to_string(200 + next(300)) +
+                "\n" + std::to_string(1 + next(8)) + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+TEST_F(Quiet, AnIdleWindowDrawsNothing) {
+    const Json last = take_marks_away().at("frame");
+    const double before = window_.processor_seconds();
+    constexpr double seconds = 3.0;
+    std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+    EXPECT_EQ(window_.frame().at("frame"), last);
+    EXPECT_LT(window_.processor_seconds() - before, 0.03 * seconds);
+}
+
+TEST(LargeScreen, HasLargeText) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    const auto height_of_add = [&](ViewerWindow& window) {
+        const Json r = window.frame().at("widgets").at("add");
+        return r[3].get<double>() - r[1].get<double>();
+    };
+    double usual = 0.0;
+    {
+        ViewerWindow window(folder, {scene});
+        usual = height_of_add(window);
+    }
+    ViewerWindow window(folder, {scene}, {2400, 1600, 192});
+    EXPECT_NEAR(height_of_add(window) / usual, 2.0, 0.15);
+}
+
+}  // namespace sphereview::test
