@@ -1,4 +1,4 @@
-// Nothing is drawn when nothing changes; a slow picture is coarse while it moves.
+// Nothing is drawn when nothing changes; text is as large as the screen wants it.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,21 +12,6 @@ namespace sphereview::test {
 namespace {
 
 using Quiet = Editing;
-
-std::string many_spheres(int count) {
-    std::string text = std::to_string(count) + "\n";
-    std::uint32_t random = 1;
-    const auto next = [&](int below) {
-        random = random * 1664525U + 1013904223U;
-        return static_cast<int>((random >> 8U) % static_cast<std::uint32_t>(below));
-    };
-    for (int i = 0; i < count; ++i) {
-        text += std::to_string(next(256)) + " " + std::to_string(next(256)) + " " + std::to_string(next(256)) + "\n" +
-                std::to_string(next(400) - 200) + " " + std::to_string(next(400) - 200) + " " + std::to_string(200 + next(300)) +
-                "\n" + std::to_string(1 + next(8)) + "\n";
-    }
-    return text;
-}
 
 }  // namespace
 
