@@ -65,6 +65,19 @@ TEST_F(Panels, WhatAButtonDoesIsInThePicture) {
     expect_rendered();
 }
 
+TEST_F(Panels, ANameIsTypedAndItsLettersAreNoShortcuts) {
+    window_.click_widget("row 0");
+    window_.key("F2");
+    window_.widget("rename");
+    window_.type("him?");  // hide, inspector, frame of the export, help
+    window_.key("Return");
+    window_.wait_for("undo", "Rename sphere 0");
+    EXPECT_EQ(window_.frame().at("shown").at("inspector"), false);
+    EXPECT_EQ(window_.frame().at("shown").at("help"), false);
+    expect_rendered();
+    EXPECT_TRUE(contains(folder_.read(name_), "\"him?\""));
+}
+
 TEST_F(Panels, WindowsOpenAndCloseByKeyAndMenu) {
     const auto shown = [&](const std::string& what, bool is) {
         window_.wait_until(what, [&](const Json& f) { return f.at("shown").at(what) == is; });
