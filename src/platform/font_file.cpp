@@ -73,7 +73,7 @@ std::string system_font_file() {
     const FontSet fonts(FcFontSort(config.get(), wanted.get(), FcFalse, nullptr, &result));
     if (!fonts) return "";
     for (int i = 0; i < fonts->nfont; ++i) {
-        const std::string file = readable_file(fonts->fonts[i]);
+        std::string file = readable_file(fonts->fonts[i]);
         if (!file.empty()) return file;
     }
     return "";

@@ -22,6 +22,7 @@ namespace sphereview {
 // clang-format on
 
 struct Glfw {
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a member's name stands in none
 #define SPHEREVIEW_DECLARE(name) decltype(&::glfw##name) name = nullptr;
     SPHEREVIEW_GLFW_FUNCTIONS(SPHEREVIEW_DECLARE)
 #undef SPHEREVIEW_DECLARE
