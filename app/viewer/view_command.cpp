@@ -90,11 +90,6 @@ void load_first_scene(ViewerState& state) {
 }  // namespace
 
 ExitCode run_view(const ViewOptions& options) {
-    static std::atomic<int> interrupted = 0;
-    pass_interrupts_to([](int signal_number) {
-        interrupted = signal_number;
-        Window::wake();
-    });
     ViewerState state(options, load_settings());
     state.background = options.background;
     if (options.size) {
@@ -107,6 +102,12 @@ ExitCode run_view(const ViewOptions& options) {
         Window window("sphereview", state.settings.place);
         open_state = &state;
         Window::set_connection_lost_handler(on_connection_lost);
+        // Only now: until there is a window, an interruption ends the program at once, also while it waits for standard input.
+        static std::atomic<int> interrupted = 0;
+        pass_interrupts_to([](int signal_number) {
+            interrupted = signal_number;
+            Window::wake();
+        });
         Viewer viewer(state, window);
         window.show();
         try {
