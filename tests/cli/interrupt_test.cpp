@@ -38,6 +38,19 @@ TEST_P(Interrupt, WhileReadingOrRenderingLeavesNothing) {
     }
 }
 
+// The window keeps unsaved changes when it is interrupted; before it is open there are none, and reading may never end.
+TEST_P(Interrupt, BeforeTheWindowIsOpenEndsTheProgram) {
+    const auto [signal_number, status] = GetParam();
+    Command command;
+    command.arguments = {"scene"};
+    command.folder = folder_.path();
+    command.environment = {{"HOME", folder_.path()}, {"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}};
+    Running program(command);
+    const std::ofstream scene(folder_.path("scene"));
+    program.send(signal_number);
+    EXPECT_EQ(program.wait().status, status);
+}
+
 // Interrupted at each system call from the end of its input to its own end, the program leaves the whole file or nothing.
 TEST_P(Interrupt, AtAnySystemCallLeavesAllOrNothing) {
     const auto [signal_number, status] = GetParam();
