@@ -30,6 +30,9 @@ inline constexpr std::size_t most_named_atoms = 100'000;
 // The readers of each format. `name` is how messages call the file. All throw InputError "NAME:LINE:COLUMN: found ...,
 // expected ...", also for a frame that the file has not, and MemoryError when the spheres cannot fit.
 
+// Throws InputError when a file of so many frames has not the one that is asked for.
+void require_frame(const std::string& name, std::int64_t frame, std::int64_t frames);
+
 // XYZ: for each frame the number of atoms, a line of comment, and lines `ELEMENT x y z ...`. Extended XYZ: the comment's
 // `Properties=` says what the columns are. The other frames are only skipped: what their lines hold is not looked at.
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options);
