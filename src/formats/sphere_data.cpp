@@ -4,6 +4,12 @@
 
 namespace sphereview {
 
+SphereData read_data(std::string_view content, const std::string& name, SceneFormat format, const DataOptions& options) {
+    if (format == SceneFormat::xyz) return read_xyz(content, name, options);
+    if (format == SceneFormat::csv) return read_csv(content, name, options);
+    throw InputError(name + ": this build cannot read " + std::string(words_for(format)));
+}
+
 void require_frame(const std::string& name, std::int64_t frame, std::int64_t frames) {
     if (frame >= 0 && frame < frames) return;
     const std::string found =

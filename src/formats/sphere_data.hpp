@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "scene/scene.hpp"
+#include "scene/scene_format.hpp"
 
 namespace sphereview {
 
@@ -29,6 +30,9 @@ inline constexpr std::size_t most_named_atoms = 100'000;
 
 // The readers of each format. `name` is how messages call the file. All throw InputError "NAME:LINE:COLUMN: found ...,
 // expected ...", also for a frame that the file has not, and MemoryError when the spheres cannot fit.
+
+// Reads a file of one of the formats for data.
+SphereData read_data(std::string_view content, const std::string& name, SceneFormat format, const DataOptions& options);
 
 // Throws InputError when a file of so many frames has not the one that is asked for.
 void require_frame(const std::string& name, std::int64_t frame, std::int64_t frames);
