@@ -105,7 +105,7 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
     });
 }
 
-void show_frame(ViewerState& state, std::int64_t frame) {
+void read_frame(ViewerState& state, std::int64_t frame) {
     try {
         FileStates stamp = file_states(state.path);
         LoadedScene loaded = load_scene(state.path, data_options(state, frame));
@@ -192,14 +192,12 @@ void save_scene(ViewerState& state, const std::function<void()>& then) {
 
 void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }
 
-bool has_frame(const ViewerState& state, std::int64_t step) {
-    return !state.path.empty() && state.frame + step >= 0 && state.frame + step < state.frames;
-}
+bool has_frame(const ViewerState& state, std::int64_t frame) { return !state.path.empty() && frame >= 0 && frame < state.frames; }
 
-void step_frame(ViewerState& state, std::int64_t step) {
-    if (!has_frame(state, step)) return;
-    with_edits_safe(state, [&state, step] {
-        if (has_frame(state, step)) show_frame(state, state.frame + step);  // saving may have made it another file
+void show_frame(ViewerState& state, std::int64_t frame) {
+    if (!has_frame(state, frame) || frame == state.frame) return;
+    with_edits_safe(state, [&state, frame] {
+        if (has_frame(state, frame)) read_frame(state, frame);  // saving may have made it another file
     });
 }
 

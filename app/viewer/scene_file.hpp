@@ -25,11 +25,11 @@ void save_scene_as(
     ViewerState& state, const std::function<void()>& then = [] {});
 void quit(ViewerState& state);
 
-// Shows another frame of the scene's file, so many after the present one, with the same view and, of as many spheres, the same
-// selection. Asks about edits that are not saved.
-void step_frame(ViewerState& state, std::int64_t step);
-// Whether there is such a frame.
-bool has_frame(const ViewerState& state, std::int64_t step);
+// Shows another frame of the scene's file, with the same view and, of as many spheres, the same selection. Asks about edits that
+// are not saved.
+void show_frame(ViewerState& state, std::int64_t frame);
+// Whether the file has that frame.
+bool has_frame(const ViewerState& state, std::int64_t frame);
 
 // Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so; edits that are
 // not saved are lost only if the person says so.
