@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/backend.hpp"
+#include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_format.hpp"
 
@@ -16,6 +17,7 @@ struct RenderOptions {
     std::vector<std::string> scenes;    // paths, or "-"
     std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
     PictureSize size;
+    DataOptions data;
     std::optional<Background> background;  // instead of the scene's own
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
@@ -31,12 +33,14 @@ struct ConvertOptions {
     std::string input;
     std::string output;
     std::optional<SceneFormat> to;  // by the output's name when not given
+    DataOptions data;
 };
 
 struct ExplainOptions {
     std::string scene;  // a path, or "-"
     Pixel pixel;        // inside the picture
     PictureSize size;
+    DataOptions data;
     std::optional<Background> background;  // instead of the scene's own
     bool json = false;
 };
@@ -49,6 +53,7 @@ struct DoctorOptions {
 
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
+    DataOptions data;                  // of the scene; its radius of every one that is opened
     std::optional<Background> background;
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::string shader_folder;        // instead of the shaders in the program; "" for those

@@ -29,6 +29,8 @@ struct TypedOptions {
     std::optional<std::string> backend;
     std::optional<std::string> device;
     std::optional<std::string> to;
+    std::optional<std::string> frame;
+    std::optional<std::string> radius;
     std::optional<std::string> timeout;
 };
 

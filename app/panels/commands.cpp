@@ -36,6 +36,8 @@ constexpr auto commands = std::to_array<CommandInfo>({
     {center_on_selection, "View", "Centre on selection", "C|.", "Brings the selected spheres to the middle of the picture."},
     {use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home",
      "An edit like any other: Home returns here then."},
+    {next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays.", true},
+    {previous_frame, "View", "Previous frame", "Page Up", "Shows the frame before."},
     {toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
     {toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
     {toggle_export_frame, "View", "Frame of the export", "M", "Marks what an export shows, where the window shows more or less."},

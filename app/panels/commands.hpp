@@ -30,6 +30,8 @@ enum class CommandId {
     go_home,  // the scene's own camera
     center_on_selection,
     use_view_as_camera,
+    next_frame,  // of a file of several
+    previous_frame,
     toggle_panel,
     toggle_inspector,
     toggle_export_frame,

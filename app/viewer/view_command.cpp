@@ -51,8 +51,10 @@ void save_for_recovery(const ViewerState& state) {
 void recover(ViewerState& state, const Recovery& recovery) {
     const std::string path = recovery.original;
     try {
-        Scene scene = load_scene(recovery.file).scene;
-        adopt(state, std::move(scene), path, path.empty() ? SceneFormat::toml : format_of_name(path));
+        LoadedScene loaded = load_scene(recovery.file);
+        if (!path.empty()) loaded.format = format_of_name(path);
+        loaded.framed = !is_data(loaded.format);
+        adopt(state, std::move(loaded), path);
         state.document.mark_unsaved();
         remove_recovery(recovery.file);
         announce(state, "Recovered the unsaved changes of " + state.name());
@@ -82,9 +84,9 @@ void offer_recovery(ViewerState& state) {
 }
 
 void load_first_scene(ViewerState& state) {
-    if (!state.options.scene) return adopt(state, {}, "", SceneFormat::toml);
-    LoadedScene loaded = load_scene(*state.options.scene);
-    adopt(state, std::move(loaded.scene), *state.options.scene, loaded.format);
+    if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
+    adopt(state, load_scene(*state.options.scene, {.data = state.options.data}), *state.options.scene);
+    state.frame = state.options.data.frame;
 }
 
 }  // namespace

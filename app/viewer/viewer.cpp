@@ -187,7 +187,9 @@ void Viewer::draw_frame() {
                                state_.gesture,
                                state_.hovered,
                                actions,
-                               log_.wanted() ? &widgets_ : nullptr};
+                               log_.wanted() ? &widgets_ : nullptr,
+                               state_.frame,
+                               state_.frames};
     area_ = draw_panels(state_, context, facts_);
     draw_export_frame(state_, area_);
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;

@@ -53,6 +53,8 @@ struct ViewerState {
     // The file that the document is of.
     std::string path;  // absolute; "" when it has none yet
     SceneFormat format = SceneFormat::toml;
+    std::int64_t frame = 0;  // of the file, which may have several
+    std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
 
     // The view: what the window shows, which need not be the scene's own camera.
