@@ -23,7 +23,7 @@ ExitCode run_convert(const ConvertOptions& options) {
 
     const LoadedScene loaded = [&] {
         Progress progress(true);
-        return load_scene(options.input, {.progress = &progress, .data = options.data});
+        return load_scene(options.input, {.progress = &progress, .data = options.data, .framing = options.framing});
     }();
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
         std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", loaded.name.c_str(), lost.c_str());
