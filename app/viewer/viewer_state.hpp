@@ -18,6 +18,7 @@
 #include "panels/side_panel.hpp"
 #include "panels/status_bar.hpp"
 #include "platform/file_dialog.hpp"
+#include "viewer/autosave.hpp"
 #include "viewer/settings.hpp"
 
 namespace sphereview {
@@ -54,6 +55,7 @@ struct ViewerState {
     std::string path;  // absolute; "" when it has none yet
     SceneFormat format = SceneFormat::toml;
     FileStates stamp;  // of what was read or written last
+    Autosave autosave;
 
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;
