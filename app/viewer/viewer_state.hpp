@@ -19,6 +19,7 @@
 #include "panels/status_bar.hpp"
 #include "platform/file_dialog.hpp"
 #include "scene/framing.hpp"
+#include "viewer/autosave.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/settings.hpp"
 
@@ -58,6 +59,7 @@ struct ViewerState {
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
+    Autosave autosave;
 
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;

@@ -86,6 +86,15 @@ TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {
     EXPECT_EQ(fitted, seen(molecule, {"--fit"}));
     EXPECT_EQ(fitted, seen(molecule, {"--view", "front"}));
     EXPECT_NE(fitted, seen(molecule, {"--no-fit"}));
+    // Written as TOML, it is seen as it was; text holds no camera, and that is worth a word only if one was asked for.
+    Command convert;
+    convert.arguments = {"convert", "-", "-", "--to", "toml"};
+    convert.input = molecule;
+    EXPECT_EQ(seen(run(convert).output, {}), fitted);
+    convert.arguments.back() = "text";
+    EXPECT_EQ(run(convert).errors, "");
+    convert.arguments.emplace_back("--fit");
+    EXPECT_EQ(run(convert).errors, "stdin: the text format cannot hold the camera; left out\n");
     // Nothing to see: as without.
     EXPECT_EQ(seen("0", {"--fit"}).at(50, 50), black);
     // A scene's own camera says from where: here from +x.
