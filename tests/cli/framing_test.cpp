@@ -92,9 +92,9 @@ TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {
     convert.input = molecule;
     EXPECT_EQ(seen(run(convert).output, {}), fitted);
     convert.arguments.back() = "text";
-    EXPECT_EQ(run(convert).errors, "");
+    EXPECT_EQ(run(convert).errors, "stdin: the text format cannot hold the names (3); left out\n");
     convert.arguments.emplace_back("--fit");
-    EXPECT_EQ(run(convert).errors, "stdin: the text format cannot hold the camera; left out\n");
+    EXPECT_EQ(run(convert).errors, "stdin: the text format cannot hold the camera, the names (3); left out\n");
     // Nothing to see: as without.
     EXPECT_EQ(seen("0", {"--fit"}).at(50, 50), black);
     // A scene's own camera says from where: here from +x.

@@ -29,9 +29,9 @@ Picture picture_alone(ViewerWindow& window) {
     return window.picture();
 }
 
-class Framing : public Editing {
+class FitByKeys : public Editing {
 protected:
-    Framing() : Editing("scene.toml"), home_(window_.frame().at("camera")) {}
+    FitByKeys() : Editing("scene.toml"), home_(window_.frame().at("camera")) {}
 
     void expect_fitted(const std::string& view) {
         take_marks_away();
@@ -43,7 +43,7 @@ protected:
 
 }  // namespace
 
-TEST_F(Framing, FitsEverythingFromEverySide) {
+TEST_F(FitByKeys, FitsEverythingFromEverySide) {
     Json last = home_;
     for (const auto& [key, view] : {std::pair{"4", "iso"}, {"2", "right"}, {"3", "top"}, {"1", "front"}}) {
         window_.key(key);
@@ -62,7 +62,7 @@ TEST_F(Framing, FitsEverythingFromEverySide) {
     window_.wait_for("camera", home_);
 }
 
-TEST_F(Framing, EndsWhenAnythingElseIsDone) {
+TEST_F(FitByKeys, EndsWhenAnythingElseIsDone) {
     window_.keys({"4", "Home", "ctrl+a"});
     EXPECT_EQ(window_.wait_for("selection", {0, 1}).at("camera"), home_);
     expect_rendered();
