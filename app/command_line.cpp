@@ -58,8 +58,9 @@ void add_data_options(CLI::App& command, TypedOptions& typed) {
 }
 
 void add_framing_options(CLI::App& command, TypedOptions& typed) {
-    command.add_flag("--fit", typed.fit, "Move the camera so that it sees everything, the way it looks; usual for XYZ and CSV");
-    command.add_flag("--no-fit", typed.no_fit, "Look from (0, 0, 0) along z also at XYZ and CSV");
+    command.add_flag("--fit", typed.fit,
+                     "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
+    command.add_flag("--no-fit", typed.no_fit, "Look at data, too, from (0, 0, 0) along z");
     command.add_option("--view", typed.view_from, "Fit, from another side: " + std::string(view_syntax))->type_name("SIDE");
 }
 

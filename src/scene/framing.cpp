@@ -25,8 +25,8 @@ constexpr double half_side = 50.0;
 // Of the planes that everything lies between: the screen's edges, less the margin.
 constexpr double slope = half_side / distance * (31.0 / 32.0);
 
-// Eyes are this much of the scene's distance from the origin apart from what they see: their numbers then keep some 13 bits.
-constexpr double smallest_part = 0x1p-40;
+// What is smaller than this part of its distance from the origin counts as larger: an eye's numbers could not place it well enough.
+constexpr double smallest_part = 0x1p-46;
 // Below it squares and reciprocals leave the range of doubles.
 constexpr double smallest_radius = 0x1p-900;
 // For an eye: its screen's numbers must be finite as well.

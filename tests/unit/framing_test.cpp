@@ -146,6 +146,7 @@ TEST(Framing, HoldsAtTheEndsOfDoubles) {
     const std::vector<Scene> scenes = {
         scene_of({{{1e15, -1e15, 1e15}, 1.0, {}, false}}),
         scene_of({{{1e15, -1e15, 1e15}, 1e-30, {}, false}}),
+        scene_of({{{1e6, 1e6, -1e6}, 2e-8, {}, false}}),
         scene_of({{{0.0, 0.0, 0.0}, smallest, {}, false}}),
         scene_of({{{0.0, 0.0, 0.0}, 1e-300, {}, false}, {{1e-299, 0.0, 0.0}, smallest, {}, false}}),
         scene_of({{{1e300, 0.0, 0.0}, 1e-300, {}, false}}),
