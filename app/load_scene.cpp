@@ -59,7 +59,8 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     const FramingOptions& framing = options.framing;
     if (!framing.fit.value_or(!loaded.framed)) return loaded;
     Camera& camera = loaded.scene.camera;
-    camera = fitted(loaded.scene, framing.view ? *framing.view : axes_of(camera)).value_or(camera);
+    const ViewAxes present = loaded.framed ? axes_of(camera) : data_axes;
+    camera = fitted(loaded.scene, with_hand_of(present, framing.view.value_or(present))).value_or(camera);
     return loaded;
 }
 

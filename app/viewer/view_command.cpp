@@ -91,7 +91,8 @@ void load_first_scene(ViewerState& state) {
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
     if (fits_view) {
-        const ViewAxes axes = state.options.framing.view.value_or(axes_of(state.camera));
+        const ViewAxes present = axes_of(state.camera);
+        const ViewAxes axes = with_hand_of(present, state.options.framing.view.value_or(present));
         state.camera = fitted(state.scene(), axes).value_or(state.camera);
     }
 }

@@ -32,7 +32,7 @@ void go_home(ViewerState& state) {
 }
 
 void fly_to_fit(ViewerState& state, const ViewAxes& axes) {
-    const std::optional<Camera> camera = fitted(state.scene(), axes);
+    const std::optional<Camera> camera = fitted(state.scene(), with_hand_of(axes_of(state.camera), axes));
     if (!camera) return;
     update_bounds(state);
     state.pivot = state.bounds.middle();

@@ -162,6 +162,13 @@ ViewAxes axes_of(const Camera& camera) {
     return {without_negative_zero(axes.right), without_negative_zero(axes.up), without_negative_zero(axes.ahead)};
 }
 
+ViewAxes with_hand_of(const ViewAxes& present, const ViewAxes& view) {
+    const auto is_mirrored = [](const ViewAxes& axes) { return dot(cross(axes.right, axes.up), axes.ahead) < 0.0; };
+    if (is_mirrored(present) == is_mirrored(view)) return view;
+    const auto turned = [](const glm::dvec3& v) { return without_negative_zero({v.x, v.y, -v.z}); };
+    return {turned(view.right), turned(view.up), turned(view.ahead)};
+}
+
 std::optional<ViewAxes> parse_view(std::string_view text) {
     if (text == "front") return axes_from(0.0, 0.0);
     if (text == "right") return axes_from(90.0, 0.0);

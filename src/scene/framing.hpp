@@ -18,6 +18,10 @@ struct ViewAxes {
     glm::dvec3 ahead{0.0, 0.0, 1.0};  // into the picture
 };
 
+// The front of data of other programs: their coordinates are right-handed, so with x to the right and y up their z comes out of the
+// picture. Seen as scenes are, a molecule would be its own mirror image.
+inline constexpr ViewAxes data_axes{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}};
+
 // The sine and the cosine of a finite angle in degrees, each within 2^-51 of its size or 2^-52. Exact at multiples of 90.
 struct SineCosine {
     double sine = 0.0;
@@ -34,6 +38,10 @@ ViewAxes isometric_axes();
 
 // The way a camera without a fault looks; a mirrored one's axes are mirrored.
 ViewAxes axes_of(const Camera& camera);
+
+// The view, with z turned round where `present` is mirrored and the view is not, or the other way about: so going from one to the
+// other never shows a mirror image.
+ViewAxes with_hand_of(const ViewAxes& present, const ViewAxes& view);
 
 // How a view is written, for messages and help.
 inline constexpr std::string_view view_syntax = "front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in degrees";

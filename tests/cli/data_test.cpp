@@ -94,6 +94,25 @@ TEST_F(Data, IsRenderedAndExplainedByFrame) {
     EXPECT_EQ(report["color"], (nlohmann::json{48, 80, 248}));
 }
 
+// Their coordinates are right-handed, ours are left-handed: seen as it should be, data looks like a scene with z turned round.
+TEST_F(Data, IsNotMirrored) {
+    folder_.write("hand.xyz", "4\n\nC 0 0 0\nO 2 0 0\nN 0 3 0\nS 0 0 4\n");
+    folder_.write("hand.txt",
+                  "4\n144 144 144\n0 0 0\n0.76\n255 13 13\n2 0 0\n0.66\n48 80 248\n0 3 0\n0.71\n255 255 48\n0 0 -4\n1.05\n");
+    const auto render = [&](const std::string& scene, const std::string& view, const std::string& option, const std::string& file) {
+        return sphereview({"render", scene, "--view", view, "--size", "50x50", "--backend", "cpu", option, file}).status;
+    };
+    for (const std::string view : {"front", "right", "top", "iso", "20,30"}) {
+        EXPECT_EQ(render("hand.txt", view, "-o", "hand.png"), 0);
+        EXPECT_EQ(render("hand.xyz", view, "--expect", "hand.png"), 0) << view;
+    }
+    EXPECT_EQ(render("hand.txt", "front", "-o", "hand.png"), 0);
+    EXPECT_EQ(sphereview({"render", "hand.xyz", "--size", "50x50", "--backend", "cpu", "--expect", "hand.png"}).status, 0);
+    // As a native scene it keeps its hand, whatever view is asked for.
+    EXPECT_EQ(sphereview({"convert", "hand.xyz", "hand.toml"}).status, 0);
+    EXPECT_EQ(render("hand.toml", "front", "--expect", "hand.png"), 0);
+}
+
 TEST_F(Data, ThatIsBadIsReportedInOneLine) {
     folder_.write("a.xyz", "1\n\nH 1 two 3\n");
     folder_.write("a.csv", "x,y,z\n1,2\n");

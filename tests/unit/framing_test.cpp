@@ -100,6 +100,22 @@ const std::vector<std::string> views = {"front", "back", "left", "right", "top",
 
 }  // namespace
 
+TEST(ViewAxes, KeepToTheHandOfThePresentOnes) {
+    const ViewAxes front;
+    EXPECT_EQ(with_hand_of(front, view("right")).right, view("right").right);
+    EXPECT_EQ(with_hand_of(data_axes, data_axes).ahead, data_axes.ahead);
+    const ViewAxes data_front = with_hand_of(data_axes, front);
+    EXPECT_EQ(data_front.right, data_axes.right);
+    EXPECT_EQ(data_front.up, data_axes.up);
+    EXPECT_EQ(data_front.ahead, data_axes.ahead);
+    const ViewAxes scene_front = with_hand_of(front, data_axes);
+    EXPECT_EQ(scene_front.ahead, front.ahead);
+    for (const char* name : {"right", "top", "iso", "20,30"}) {
+        const ViewAxes of_data = with_hand_of(data_axes, view(name));
+        EXPECT_LT(glm::dot(glm::cross(of_data.right, of_data.up), of_data.ahead), -0.999) << name;
+    }
+}
+
 TEST(Framing, EverythingIsInsideAndTouchesTheMargin) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
