@@ -9,7 +9,7 @@ DISTANCE = 2.82  # between neighbours
 
 
 def main():
-    ions = [(x, y, z) for x in range(SIDE) for y in range(SIDE) for z in range(SIDE) if x + y + SIDE - 1 - z < 21]
+    ions = [(x, y, z) for x in range(SIDE) for y in range(SIDE) for z in range(SIDE) if x + y + z < 24]
     edge = SIDE * DISTANCE
     print(len(ions))
     print(f'Lattice="{edge:.2f} 0 0 0 {edge:.2f} 0 0 0 {edge:.2f}" Properties=species:S:1:pos:R:3')

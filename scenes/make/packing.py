@@ -39,7 +39,7 @@ def main():
         for _ in range(TRIES):
             # Rounded at once, so that what is written does not overlap.
             ball = tuple(round(CONTAINER * (2.0 * generator.random() - 1.0), 2) for _ in range(3)) + (round(radius, 2),)
-            if ball[2] - ball[3] < 0.0 or not fits(ball):
+            if ball[2] + ball[3] > 0.0 or not fits(ball):
                 continue
             grid.setdefault(tuple(ceil(v / CELL) for v in ball[:3]), []).append(ball)
             print(*(f"{v + 0.0:.2f}" for v in ball), *color(radius), sep=",")
