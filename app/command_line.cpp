@@ -69,6 +69,8 @@ void add_render(CLI::App& app, TypedOptions& typed) {
     render->add_option("-o,--output", options.output, "PNG file, or a pattern with {name}; - is standard output")
         ->type_name("FILE");
     render->add_option("-s,--size", typed.size, "Width and height in pixels [1000x1000]")->type_name("WxH");
+    render->add_option("--samples", typed.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]")
+        ->type_name("N");
     render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     render->add_option("--backend", typed.backend, std::string(backend_names) + " [auto, or SPHEREVIEW_BACKEND]")

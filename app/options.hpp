@@ -16,6 +16,7 @@ struct RenderOptions {
     std::vector<std::string> scenes;    // paths, or "-"
     std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
     PictureSize size;
+    int samples = 1;                       // points a pixel: one of sample_counts
     std::optional<Background> background;  // instead of the scene's own
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device

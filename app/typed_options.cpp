@@ -1,5 +1,6 @@
 #include "app/typed_options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
@@ -8,6 +9,7 @@
 #include "base/text.hpp"
 #include "image/image.hpp"
 #include "scene/number.hpp"
+#include "scene/samples.hpp"
 
 namespace sphereview {
 
@@ -81,6 +83,21 @@ PictureSize checked_size(const std::string& text) {
     return {pair.first, pair.second};
 }
 
+std::optional<int> checked_samples(const std::optional<std::string>& text) {
+    if (!text) return std::nullopt;
+    for (const int count : sample_counts) {
+        if (*text == std::to_string(count)) return count;
+    }
+    wrong("--samples", *text, sample_counts_text);
+}
+
+// The picture of all points may be no wider and no higher than any picture.
+void check_sampled_size(const std::string& text, PictureSize size, int samples) {
+    const std::int64_t longest = most_pixels / sample_side(samples);
+    if (std::max(size.width, size.height) <= longest) return;
+    wrong("--size", text, "sides of at most " + std::to_string(longest) + " pixels with --samples " + std::to_string(samples));
+}
+
 Pixel checked_pixel(const std::string& text, PictureSize size) {
     const NumberPair pair = parse_pair(text, ",");
     if (!pair.well_formed) wrong("--pixel", text, "X,Y, such as 500,500");
@@ -111,6 +128,8 @@ RenderOptions checked_render(const TypedOptions& typed) {
     check_file_name("--expect", options.expect);
     check_file_name("--diff", options.diff);
     options.size = checked_size(typed.size);
+    options.samples = checked_samples(typed.samples).value_or(sample_counts.front());
+    check_sampled_size(typed.size, options.size, options.samples);
     options.certify = !typed.no_certify;
     options.background = checked_background(typed.background);
     options.backend = chosen_backend(typed);

@@ -16,7 +16,7 @@ TEST(Usage, EachCommandHasHelpWithExamplesAndExitStatus) {
         {{"-h"}, {"render", "Exit status"}},
         {{"render", "--help"},
          {"Examples:", "sphereview render scene.txt", "Exit status: 0", "--output", "--size", "--background", "--backend",
-          "--device", "--expect", "--diff", "--timings", "--json", "--verbose", "SPHEREVIEW_BACKEND"}},
+          "--device", "--expect", "--diff", "--timings", "--json", "--verbose", "--samples", "SPHEREVIEW_BACKEND"}},
         {{"convert", "--help"}, {"Examples:", "sphereview convert scene.txt scene.toml", "--to", "Exit status"}},
         {{"explain", "--help"}, {"Examples:", "sphereview explain scene.txt --pixel", "--json", "Exit status"}},
         {{"doctor", "--help"}, {"Examples:", "sphereview doctor --json", "--timeout", "Exit status 0 if any backend works"}},
