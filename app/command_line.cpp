@@ -52,6 +52,9 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     view->add_option("SCENE", typed.view.scene, "Scene file, text or TOML; - is standard input; none: an empty scene");
     view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
         ->type_name("WxH");
+    view->add_option("--samples", typed.samples,
+                     "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 1]")
+        ->type_name("N");
     view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     view->add_option("--shader-dir", typed.view.shader_folder,

@@ -52,6 +52,7 @@ struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     std::optional<Background> background;
     std::optional<PictureSize> size;  // of exports, instead of the last ones
+    std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those
     std::string frame_log;            // hidden: a JSON line for each frame goes there
 };

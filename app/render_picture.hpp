@@ -7,16 +7,20 @@
 #include "base/progress.hpp"
 #include "exact/resolve.hpp"
 #include "image/image.hpp"
+#include "scene/samples.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
 
 struct PictureOptions {
-    PictureSize size;
+    PictureSize size;  // sides at most longest_side(samples)
     Background background;
     bool certify = true;  // false: best guesses stay as they are
     int samples = 1;      // points a pixel: one of sample_counts
 };
+
+// The widest and highest a picture with so many samples may be: that of all points is no longer than any picture.
+constexpr int longest_side(int samples) { return static_cast<int>(most_pixels / sample_side(samples)); }
 
 // How a picture came about.
 struct PictureFacts {

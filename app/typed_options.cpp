@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/render_picture.hpp"
 #include "base/input_file.hpp"
 #include "base/text.hpp"
 #include "image/image.hpp"
@@ -91,9 +92,8 @@ std::optional<int> checked_samples(const std::optional<std::string>& text) {
     wrong("--samples", *text, sample_counts_text);
 }
 
-// The picture of all points may be no wider and no higher than any picture.
 void check_sampled_size(const std::string& text, PictureSize size, int samples) {
-    const std::int64_t longest = most_pixels / sample_side(samples);
+    const int longest = longest_side(samples);
     if (std::max(size.width, size.height) <= longest) return;
     wrong("--size", text, "sides of at most " + std::to_string(longest) + " pixels with --samples " + std::to_string(samples));
 }
@@ -117,6 +117,7 @@ ViewOptions checked_view(const TypedOptions& typed) {
         wrong("--shader-dir", options.shader_folder, "a folder");
     }
     if (typed.view_size) options.size = checked_size(*typed.view_size);
+    options.samples = checked_samples(typed.samples);
     options.background = checked_background(typed.background);
     return options;
 }

@@ -15,8 +15,11 @@ namespace {
 
 constexpr int checkerboard_shift = 3;
 
-// What is read back of a strip stays in the processor's cache.
-int strip_height(int width) { return std::max(16, (1 << 18) / width); }
+// What is read back of a strip stays in the processor's cache; and an input waits for one strip at most.
+constexpr int first_strip_height = 64;
+constexpr int least_strip_height = 16;
+int largest_strip_height(int width) { return std::max(least_strip_height, (1 << 18) / width); }
+constexpr double longest_strip = 0.008;  // seconds
 
 }  // namespace
 
@@ -96,6 +99,7 @@ void SampledPicture::begin(const Source& source) {
         sums_size_ = source.size;
     }
     point_ = row_ = 0;
+    strip_height_ = first_strip_height;
     strip_traced_ = false;
     begun_ = true;
 }
@@ -180,13 +184,17 @@ void SampledPicture::refine(const Source& source, int samples, const Background&
             begin(source);
         }
         do {
-            const Block strip{0, row_, source.size.width, std::min(strip_height(source.size.width), source.size.height - row_)};
+            const Block strip{0, row_, source.size.width, std::min(strip_height_, source.size.height - row_)};
+            const auto strip_begin = std::chrono::steady_clock::now();
             if (!strip_traced_) trace_strip(source, strip);
             strip_traced_ = true;
             if (!decide_strip(source, strip, deadline)) return;
             add_strip(strip);
             strip_traced_ = false;
             row_ += strip.height;
+            const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - strip_begin).count();
+            if (taken > longest_strip) strip_height_ = std::max(strip_height_ / 2, least_strip_height);
+            if (taken < 0.25 * longest_strip) strip_height_ = std::min(strip_height_ * 2, largest_strip_height(source.size.width));
             if (row_ == source.size.height) {
                 row_ = 0;
                 ++point_;

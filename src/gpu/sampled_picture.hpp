@@ -71,6 +71,7 @@ private:
     bool impossible_ = false;
     int point_ = 0;  // that is in work, of samples_
     int row_ = 0;    // the first of the strip that is in work
+    int strip_height_ = 0;
     bool strip_traced_ = false;
 
     CandidateLists lists_;

@@ -60,6 +60,7 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"--bakground", "white"}, "unknown option '--bakground'; did you mean '--background'? (see 'sphereview --help')"},
         {{"a.txt", "b.txt"}, "unexpected argument 'b.txt' (see 'sphereview view --help')"},
         {{"a.txt", "--size", "0x3"}, "--size: found '0x3', expected sides of at least 1 pixel (see 'sphereview view --help')"},
+        {{"a.txt", "--samples", "8"}, "--samples: found '8', expected 1, 4 or 16 (see 'sphereview view --help')"},
         {{"view", "--shader-dir", "no/such/folder"}, "--shader-dir: found 'no/such/folder', expected a folder"},
         {{"render", "a.txt", "-s"}, "--size: found no value, expected WxH (see"},
         {{"render", "--output=", "a.txt"}, "--output: found no value, expected FILE (see"},
