@@ -182,6 +182,7 @@ void SampledPicture::refine(const Source& source, int samples, const Background&
             point_ = row_ = 0;
             if (!have_lists(source)) return;
             begin(source);
+            if (deadline.passed()) return;  // uploading a million spheres is enough for once
         }
         do {
             const Block strip{0, row_, source.size.width, std::min(strip_height_, source.size.height - row_)};
