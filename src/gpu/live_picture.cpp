@@ -66,6 +66,7 @@ int traced_pixel(int texel, int step, int pixels) { return std::min(texel * step
 LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const std::vector<std::string>& defines) {
     return {make_program("trace.frag", defines, files),
             make_program("shade.frag", defines, files),
+            make_program("average.frag", defines, files),
             {make_program("mark.frag", defines, files), make_program("busy.frag", defines, files),
              make_program("outline.frag", defines, files)}};
 }
@@ -271,7 +272,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     tables_.bind();
     const Block whole{area.x, area.y, area.width, area.height};
     if (is_averaged(samples, background)) {
-        sampled_.draw(no_vertices_, whole);
+        sampled_.draw(programs_.average, no_vertices_, whole);
     } else {
         visible_.bind(TextureUnit::visible_spheres);
         glUseProgram(programs_.shade.name());

@@ -94,6 +94,7 @@ private:
     struct Programs {
         Program trace;
         Program shade;
+        Program average;
         OutlinePrograms outlines;
     };
     static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);

@@ -70,7 +70,6 @@ void SampledPicture::compile(const Source& source) {
     if (!defines_.empty() && defines == defines_) return;
     trace_ = make_program("trace.frag", defines, source.shaders);
     shade_ = make_program("shade.frag", defines, source.shaders);
-    average_ = make_program("average.frag", defines, source.shaders);
     defines_ = std::move(defines);
 }
 
@@ -206,12 +205,12 @@ void SampledPicture::refine(const Source& source, int samples, const Background&
     }
 }
 
-void SampledPicture::draw(const VertexArray& no_vertices, const Block& area) const {
+void SampledPicture::draw(const Program& average, const VertexArray& no_vertices, const Block& area) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::sums));
     glBindTexture(GL_TEXTURE_2D, sums_.name());
     glActiveTexture(GL_TEXTURE0);
-    glUseProgram(average_.name());
-    glUniform1i(glGetUniformLocation(average_.name(), "samples"), samples_);
+    glUseProgram(average.name());
+    glUniform1i(glGetUniformLocation(average.name(), "samples"), samples_);
     draw_block(no_vertices, area);
 }
 

@@ -52,8 +52,9 @@ public:
     // Another thread is making lists, for which refine() only waits.
     bool waits() const { return lists_in_work_.valid(); }
 
-    // Draws the average into `area` of the bound framebuffer; the window's FrameBlock is uploaded.
-    void draw(const VertexArray& no_vertices, const Block& area) const;
+    // Draws the average into `area` of the bound framebuffer with a program made from average.frag; the window's FrameBlock is
+    // uploaded.
+    void draw(const Program& average, const VertexArray& no_vertices, const Block& area) const;
 
 private:
     bool is_of(int samples, const Background& background) const { return samples == samples_ && background == background_; }
@@ -83,7 +84,6 @@ private:
     std::vector<std::string> defines_;  // that the programs were compiled with
     Program trace_;
     Program shade_;
-    Program average_;
     VertexArray no_vertices_;
     Buffer frame_buffer_;
     FrameBlock frame_;

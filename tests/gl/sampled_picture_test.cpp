@@ -12,6 +12,8 @@
 #include "image/average.hpp"
 #include "scene/samples.hpp"
 #include "shade/shade.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/text_match.hpp"
 
 namespace sphereview::test {
 namespace {
@@ -213,6 +215,28 @@ TEST_P(SampledPictureTest, HoldsSpheresInEveryKindOfTexture) {
     for (LivePicture* picture : {&from_buffers, &in_two_dimensions}) {
         expect_average(*picture, document, {scene.camera, {150, 100}}, 4);
     }
+}
+
+TEST_P(SampledPictureTest, IsMadeByTheFoldersShaders) {
+    const TemporaryFolder folder;
+    const std::string begin = "#version 330 core\nout vec4 color;\nvoid main() { color = ";
+    const std::string half_red = begin + "vec4(0.5, 0.0, 0.0, 1.0); }\n";
+    folder.write("shade.frag", half_red);
+    const Document document(two_spheres());
+    const View view{{}, {40, 40}};
+    LivePicture picture(folder.path());
+    picture.update(document, view, 1);
+    refine(picture, document, 16);
+    EXPECT_EQ(at(window(picture, document, view, 16), 3, 3), (Rgba{128, 0, 0, 255}));
+    folder.write("shade.frag", begin + "vec4(0.0, 1.0, 0.0, 1.0); }\n");
+    EXPECT_EQ(picture.reload_shaders(), "");
+    EXPECT_TRUE(picture.update(document, view, 1));
+    EXPECT_FALSE(picture.is_averaged(16, {}));
+    refine(picture, document, 16);
+    EXPECT_EQ(at(window(picture, document, view, 16), 3, 3), (Rgba{0, 255, 0, 255}));
+    folder.write("average.frag", begin + "broken; }\n");
+    EXPECT_TRUE(contains(picture.reload_shaders(), "average.frag:3")) << picture.shader_log();
+    EXPECT_TRUE(picture.is_averaged(16, {}));
 }
 
 // The lists of so many are made by another thread.
