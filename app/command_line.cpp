@@ -52,6 +52,9 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     view->add_option("SCENE", typed.view.scene, "Scene file, text or TOML; - is standard input; none: an empty scene");
     view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
         ->type_name("WxH");
+    view->add_option("--samples", typed.samples,
+                     "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 1]")
+        ->type_name("N");
     view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     view->add_option("--shader-dir", typed.view.shader_folder,
@@ -69,6 +72,8 @@ void add_render(CLI::App& app, TypedOptions& typed) {
     render->add_option("-o,--output", options.output, "PNG file, or a pattern with {name}; - is standard output")
         ->type_name("FILE");
     render->add_option("-s,--size", typed.size, "Width and height in pixels [1000x1000]")->type_name("WxH");
+    render->add_option("--samples", typed.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]")
+        ->type_name("N");
     render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     render->add_option("--backend", typed.backend, std::string(backend_names) + " [auto, or SPHEREVIEW_BACKEND]")

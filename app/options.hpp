@@ -16,6 +16,7 @@ struct RenderOptions {
     std::vector<std::string> scenes;    // paths, or "-"
     std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
     PictureSize size;
+    int samples = 1;                       // points a pixel: one of sample_counts
     std::optional<Background> background;  // instead of the scene's own
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
@@ -51,6 +52,7 @@ struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     std::optional<Background> background;
     std::optional<PictureSize> size;  // of exports, instead of the last ones
+    std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those
     std::string frame_log;            // hidden: a JSON line for each frame goes there
 };

@@ -107,6 +107,17 @@ TEST_P(SamePicture, OnEveryBackend) {
     }
 }
 
+TEST_P(SamePicture, WithSamplesOnEveryBackend) {
+    const auto& [name, scene, size] = GetParam();
+    for (const char* samples : {"4", "16"}) {
+        const Picture expected = picture_of(scene, "cpu", {"-s", size, "--samples", samples});
+        EXPECT_EQ(std::to_string(expected.width) + "x" + std::to_string(expected.height), size);
+        for (const char* backend : {"egl", "osmesa"}) {
+            EXPECT_TRUE(picture_of(scene, backend, {"-s", size, "--samples", samples}) == expected) << backend << " " << samples;
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, SamePicture, testing::ValuesIn(cases), [](const auto& test) { return test.param.name; });
 
 // What some of these pictures must show, so that all being equally wrong is not enough.
