@@ -14,17 +14,23 @@ ExitCode run_convert(const ConvertOptions& options) {
     if (!input.empty() && input == file_identity(options.output)) {
         throw InputError(options.output + ": the output is also the input");
     }
+    const SceneFormat format = options.to ? *options.to : format_of_name(options.output);
+    if (is_data(format)) {
+        throw InputError(options.output + ": found a name for " + std::string(words_for(format)) +
+                         ", which is only read; expected one for text or TOML (.txt, .toml), or --to");
+    }
     check_output(options.output);
 
-    const auto [scene, name, read_format] = [&] {
+    FramingOptions framing = options.framing;
+    if (format == SceneFormat::text && !framing.fit) framing.fit = false;  // text holds no camera: none is made only to be lost
+    const LoadedScene loaded = [&] {
         Progress progress(true);
-        return load_scene(options.input, &progress);
+        return load_scene(options.input, {.progress = &progress, .data = options.data, .framing = framing});
     }();
-    const SceneFormat format = options.to ? *options.to : format_of_name(options.output);
-    if (const std::string lost = lost_in(scene, format); !lost.empty()) {
-        std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", name.c_str(), lost.c_str());
+    if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
+        std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", loaded.name.c_str(), lost.c_str());
     }
-    write_output(options.output, write_scene(scene, format));
+    write_output(options.output, write_scene(loaded.scene, format));
     return ExitCode::done;
 }
 

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
+#include "app/framing_options.hpp"
 #include "base/progress.hpp"
+#include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_format.hpp"
 
@@ -12,14 +15,22 @@ namespace sphereview {
 
 // A scene and how messages call the file it came from.
 struct LoadedScene {
-    Scene scene;
-    std::string name;
+    Scene scene{};
+    std::string name{};
     SceneFormat format = SceneFormat::text;
+    bool framed = true;       // its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden
+    std::int64_t frames = 1;  // in the file
+};
+
+struct LoadOptions {
+    Progress* progress = nullptr;
+    std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
+    DataOptions data{};
+    FramingOptions framing{};
 };
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
-// InputError, and MemoryError when it cannot fit: a sphere takes its own bytes and `more_per_sphere` for what is to be made of
-// it.
-LoadedScene load_scene(const std::string& path, Progress* progress = nullptr, std::size_t more_per_sphere = 0);
+// InputError, and MemoryError when it cannot fit.
+LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace sphereview

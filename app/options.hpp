@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "app/backend.hpp"
+#include "app/framing_options.hpp"
+#include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_format.hpp"
 
@@ -16,7 +18,9 @@ struct RenderOptions {
     std::vector<std::string> scenes;    // paths, or "-"
     std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
     PictureSize size;
-    int samples = 1;                       // points a pixel: one of sample_counts
+    int samples = 1;  // points a pixel: one of sample_counts
+    DataOptions data;
+    FramingOptions framing;
     std::optional<Background> background;  // instead of the scene's own
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
@@ -32,12 +36,16 @@ struct ConvertOptions {
     std::string input;
     std::string output;
     std::optional<SceneFormat> to;  // by the output's name when not given
+    DataOptions data;
+    FramingOptions framing;  // of the camera that is written
 };
 
 struct ExplainOptions {
     std::string scene;  // a path, or "-"
     Pixel pixel;        // inside the picture
     PictureSize size;
+    DataOptions data;
+    FramingOptions framing;
     std::optional<Background> background;  // instead of the scene's own
     bool json = false;
 };
@@ -50,6 +58,8 @@ struct DoctorOptions {
 
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
+    DataOptions data;                  // of the scene; its radius of every one that is opened
+    FramingOptions framing;            // of the scene; of later ones, if nobody has chosen their camera
     std::optional<Background> background;
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::optional<int> samples;       // instead of the last

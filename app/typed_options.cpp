@@ -107,10 +107,43 @@ Pixel checked_pixel(const std::string& text, PictureSize size) {
     return {pair.first, pair.second};
 }
 
+DataOptions checked_data(const TypedOptions& typed) {
+    DataOptions data;
+    if (typed.frame) {
+        const char* last = typed.frame->data() + typed.frame->size();
+        const auto read = std::from_chars(typed.frame->data(), last, data.frame);
+        if (read.ec != std::errc{} || read.ptr != last || data.frame < 0) {
+            wrong("--frame", *typed.frame, "the number of a frame, from 0");
+        }
+    }
+    if (typed.radius) {
+        double radius = 0.0;
+        if (parse_double(*typed.radius, radius) != NumberFault::none || !(radius > 0.0)) {
+            wrong("--radius", *typed.radius, "a number above 0");
+        }
+        data.radius = radius;
+    }
+    return data;
+}
+
+FramingOptions checked_framing(const TypedOptions& typed) {
+    FramingOptions framing;
+    if (typed.view_from) {
+        framing.view = parse_view(*typed.view_from);
+        if (!framing.view) wrong("--view", *typed.view_from, std::string(view_syntax));
+    }
+    const bool fits = typed.fit || typed.view_from;
+    if (fits && typed.no_fit) throw WrongUsage(std::string(typed.fit ? "--fit" : "--view") + " and --no-fit contradict each other");
+    if (fits || typed.no_fit) framing.fit = fits;
+    return framing;
+}
+
 }  // namespace
 
 ViewOptions checked_view(const TypedOptions& typed) {
     ViewOptions options = typed.view;
+    options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     check_file_name("SCENE", options.scene);
     std::error_code ignored;
     if (!options.shader_folder.empty() && !std::filesystem::is_directory(options.shader_folder, ignored)) {
@@ -124,6 +157,8 @@ ViewOptions checked_view(const TypedOptions& typed) {
 
 RenderOptions checked_render(const TypedOptions& typed) {
     RenderOptions options = typed.render;
+    options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     for (const std::string& scene : options.scenes) check_file_name("SCENE", scene);
     check_file_name("--output", options.output);
     check_file_name("--expect", options.expect);
@@ -148,6 +183,8 @@ RenderOptions checked_render(const TypedOptions& typed) {
 
 ConvertOptions checked_convert(const TypedOptions& typed) {
     ConvertOptions options = typed.convert;
+    options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     check_file_name("IN", options.input);
     check_file_name("OUT", options.output);
     if (typed.to == "text") {
@@ -164,6 +201,8 @@ ConvertOptions checked_convert(const TypedOptions& typed) {
 
 ExplainOptions checked_explain(const TypedOptions& typed) {
     ExplainOptions options = typed.explain;
+    options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     check_file_name("SCENE", options.scene);
     options.size = checked_size(typed.size);
     options.background = checked_background(typed.background);

@@ -31,7 +31,10 @@ struct RunCommand {
 struct OpenFile {
     std::string path;
 };
-using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile>;
+struct ShowFrame {
+    std::int64_t frame = 0;  // of the scene's file
+};
+using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame>;
 
 // Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
 struct WidgetRectangle {
@@ -53,6 +56,8 @@ struct PanelContext {
     std::vector<Action>& actions;              // what is to be done after all panels are drawn, in order
     WidgetRectangles* rectangles = nullptr;    // collected when not null
     std::function<bool(CommandId)> checked{};  // whether a command stands for what is chosen now
+    std::int64_t frame = 0;                    // of the scene's file, which has several where `frames` is not 1
+    std::int64_t frames = 1;
 };
 
 // Notes the last widget's rectangle, if anyone wants to know.

@@ -51,6 +51,18 @@ void draw_background(const PanelContext& context) {
     if (gesture) change_background(context, edited, *gesture);
 }
 
+void draw_frame(const PanelContext& context) {
+    begin_field(context, "frame");
+    std::int64_t frame = context.frame;
+    const std::int64_t first = 0;
+    const std::int64_t last = context.frames - 1;
+    ImGui::SetNextItemWidth(-1.0F);
+    if (ImGui::SliderScalar("##frame", ImGuiDataType_S64, &frame, &first, &last, nullptr, ImGuiSliderFlags_AlwaysClamp)) {
+        if (frame != context.frame) context.actions.emplace_back(ShowFrame{frame});
+    }
+    note_widget(context, "frame");
+}
+
 // Shortened; in full as a tooltip.
 void draw_vector(const PanelContext& context, const char* label, const glm::dvec3& v) {
     begin_field(context, label);
@@ -64,6 +76,7 @@ void draw_vector(const PanelContext& context, const char* label, const glm::dvec
 
 void draw_scene_panel(const PanelContext& context) {
     const Scene& scene = context.document.scene();
+    if (context.frames > 1) draw_frame(context);
     draw_background(context);
     const std::vector<float> widths = button_widths({"Use this view", "Home"});
     draw_command_button(context, CommandId::use_view_as_camera, "Use this view", "use view", widths[0]);

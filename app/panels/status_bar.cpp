@@ -49,6 +49,11 @@ std::string spheres_text(std::size_t spheres, std::size_t hidden, std::size_t se
     return text;
 }
 
+// As --frame counts them.
+std::string frame_text(std::int64_t frame, std::int64_t frames) {
+    return "frame " + std::to_string(frame) + " of 0.." + std::to_string(frames - 1);
+}
+
 std::string pixel_text(int x, int y) { return std::to_string(x) + ", " + std::to_string(y); }
 
 // Seconds can be anything a driver says, also before the first frame.
@@ -69,6 +74,9 @@ void draw_status_bar(const PanelContext& context, const Status& status) {
     columns.put(status.renderer, std::min(width_of(status.renderer), 0.3F * columns.rest()));
     columns.put(spheres_text(spheres, status.hidden, context.selection.size()),
                 width_of(spheres_text(spheres, std::max<std::size_t>(spheres, 1), std::max<std::size_t>(spheres, 1))));
+    if (context.frames > 1) {
+        columns.put(frame_text(context.frame, context.frames), width_of(frame_text(context.frames - 1, context.frames)));
+    }
     columns.put(time_text(status.frame_seconds), width_of("9,999.9 ms"), true);
     columns.put(status.step > 1 ? "1/" + std::to_string(status.step) : "", width_of("1/16"));
     columns.put(status.pixel ? pixel_text(status.pixel->x, status.pixel->y) : "", width_of(pixel_text(99'999, 99'999)), true);

@@ -38,6 +38,7 @@ void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const Wid
                        {"title", frame.title},
                        {"renderer", frame.renderer},
                        {"path", state.path},
+                       {"scene_frame", {state.frame, state.frames}},
                        {"changed", state.document.is_changed()},
                        {"spheres", state.scene().spheres.size()},
                        {"selection", state.selection.numbers()},

@@ -73,6 +73,8 @@ bool is_enabled(const ViewerState& state, CommandId command) {
         case CommandId::move_up: return selected.size() == 1 && selected.front() > 0;
         case CommandId::move_down: return selected.size() == 1 && selected.front() + 1 < count;
         case CommandId::select_all: return selected.size() < count;
+        case CommandId::next_frame: return has_frame(state, state.frame + 1);
+        case CommandId::previous_frame: return has_frame(state, state.frame - 1);
         case CommandId::use_view_as_camera: return state.camera != state.scene().camera;
         default: return true;
     }
@@ -105,8 +107,15 @@ void run_command(ViewerState& state, CommandId command) {
         case CommandId::select_none: return state.selection.clear();
         case CommandId::go_home: return go_home(state);
         case CommandId::center_on_selection: return center_on_selection(state);
+        case CommandId::fit_all: return fly_to_fit(state, axes_of(state.camera));
+        case CommandId::view_front: return fly_to_fit(state, axes_from(0.0, 0.0));
+        case CommandId::view_right: return fly_to_fit(state, axes_from(90.0, 0.0));
+        case CommandId::view_top: return fly_to_fit(state, axes_from(0.0, 90.0));
+        case CommandId::view_iso: return fly_to_fit(state, isometric_axes());
         case CommandId::use_view_as_camera:
             return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
+        case CommandId::next_frame: return show_frame(state, state.frame + 1);
+        case CommandId::previous_frame: return show_frame(state, state.frame - 1);
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
         case CommandId::toggle_export_frame: state.export_frame_shown = !state.export_frame_shown; return;
@@ -130,6 +139,8 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             run_command(state, command->command);
         } else if (const auto* file = std::get_if<OpenFile>(&action)) {
             open_scene(state, file->path);
+        } else if (const auto* frame = std::get_if<ShowFrame>(&action)) {
+            show_frame(state, frame->frame);
         }
     }
 }

@@ -3,7 +3,6 @@
 #include <system_error>
 
 #include "app/failure.hpp"
-#include "app/load_scene.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
@@ -37,8 +36,7 @@ void read_scene(ViewerState& state, const std::string& path) {
     try {
         // Before it is read: what is written meanwhile shows as a change.
         FileStates stamp = file_states(path);
-        LoadedScene loaded = load_scene(path);
-        adopt(state, std::move(loaded.scene), path, loaded.format);
+        adopt(state, load_scene(path, load_options(state, 0)), path);
         state.stamp = std::move(stamp);
     } catch (...) {
         // A broken file can be repaired, and is then looked for where it was.
@@ -55,6 +53,8 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
     }
     state.path = path;
     state.format = format;
+    state.frame = 0;
+    state.frames = 1;
     state.stamp = file_states(path);
     state.document.mark_saved();
     state.messages.scene_error.clear();
@@ -82,17 +82,43 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
 }
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
-    const std::string ending = format == SceneFormat::toml ? ".toml" : ".txt";
-    const std::string stem = state.path.empty() ? "scene" : fs::path(state.path).stem().string();
-    const FileQuestion question{true, "Save the scene", usual_folder(state), stem + ending, {".txt", ".toml"}};
+    const std::string ending = format == SceneFormat::text ? ".txt" : ".toml";
+    fs::path stem = state.path.empty() ? "scene" : fs::path(state.path).stem();
+    if (is_data(state.format) && is_data(format_of_name(stem.string()))) stem = stem.stem();  // .xyz.gz
+    const FileQuestion question{true, "Save the scene", usual_folder(state), stem.string() + ending, {".txt", ".toml"}};
     ask_for_file(state, question, [&state, then](const std::string& path) {
         const std::string absolute = absolute_path(path);
-        write_unless_lost(state, absolute, format_of_name(absolute), then);
+        const SceneFormat named = format_of_name(absolute);
+        if (is_data(named)) {
+            return report_error(state, "The scene cannot be saved",
+                                in_quotes(fs::path(absolute).filename().string()) + " is a name for " +
+                                    std::string(words_for(named)) + ", which is only read. Take one that ends with .toml or .txt.");
+        }
+        write_unless_lost(state, absolute, named, then);
     });
+}
+
+void read_frame(ViewerState& state, std::int64_t frame) {
+    try {
+        FileStates stamp = file_states(state.path);
+        LoadedScene loaded = load_scene(state.path, load_options(state, frame));
+        const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
+        state.document = Document(std::move(loaded.scene));
+        state.bounds_revision = 0;
+        if (!same_spheres) state.selection.clear();
+        state.hovered.reset();
+        state.messages.scene_error.clear();
+        state.frame = frame;
+        state.frames = loaded.frames;
+        state.stamp = std::move(stamp);
+    } catch (...) {
+        report_error(state, "The frame cannot be read", describe_current_exception(state.path).message);
+    }
 }
 
 void reload(ViewerState& state, LoadedScene loaded) {
     state.format = loaded.format;
+    state.frames = loaded.frames;
     if (loaded.scene != state.scene()) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
@@ -104,8 +130,16 @@ void reload(ViewerState& state, LoadedScene loaded) {
 
 }  // namespace
 
-void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat format) {
-    state.document = Document(std::move(scene));
+LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
+    LoadOptions options;
+    options.data = {frame, state.options.data.radius};
+    options.framing = state.options.framing;
+    if (options.framing.fit.value_or(false)) options.framing.fit.reset();
+    return options;
+}
+
+void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
+    state.document = Document(std::move(loaded.scene));
     state.bounds_revision = 0;
     state.selection.clear();
     state.hovered.reset();
@@ -113,7 +147,9 @@ void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat
     state.messages.scene_error.clear();
     const bool has_file = !path.empty() && path != standard_stream;
     state.path = has_file ? absolute_path(path) : "";
-    state.format = format;
+    state.format = loaded.format;
+    state.frame = 0;
+    state.frames = loaded.frames;
     state.stamp.clear();
     if (has_file) {
         state.stamp = file_states(state.path);
@@ -138,7 +174,7 @@ void with_edits_safe(ViewerState& state, std::function<void()> then) {
 }
 
 void new_scene(ViewerState& state) {
-    with_edits_safe(state, [&state] { adopt(state, {}, "", SceneFormat::toml); });
+    with_edits_safe(state, [&state] { adopt(state, {.format = SceneFormat::toml}, ""); });
 }
 
 void open_scene(ViewerState& state, const std::string& path) {
@@ -146,16 +182,25 @@ void open_scene(ViewerState& state, const std::string& path) {
 }
 
 void ask_for_scene(ViewerState& state) {
-    const FileQuestion question{false, "Open a scene", usual_folder(state), "", {".txt", ".toml"}};
+    const FileQuestion question{false, "Open a scene", usual_folder(state), "", {".txt", ".toml", ".xyz", ".extxyz", ".csv"}};
     ask_for_file(state, question, [&state](const std::string& path) { open_scene(state, path); });
 }
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
-    if (state.path.empty()) return save_scene_as(state, then);
+    if (state.path.empty() || is_data(state.format)) return save_scene_as(state, then);
     write_unless_lost(state, state.path, state.format, then);
 }
 
 void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }
+
+bool has_frame(const ViewerState& state, std::int64_t frame) { return !state.path.empty() && frame >= 0 && frame < state.frames; }
+
+void show_frame(ViewerState& state, std::int64_t frame) {
+    if (!has_frame(state, frame) || frame == state.frame) return;
+    with_edits_safe(state, [&state, frame] {
+        if (has_frame(state, frame)) read_frame(state, frame);  // saving may have made it another file
+    });
+}
 
 void quit(ViewerState& state) {
     with_edits_safe(state, [&state] { state.quits = true; });
@@ -168,7 +213,7 @@ void look_at_file(ViewerState& state) {
     state.stamp = std::move(stamp);
     LoadedScene loaded;
     try {
-        loaded = load_scene(state.path);
+        loaded = load_scene(state.path, load_options(state, state.frame));
     } catch (...) {
         state.messages.scene_error = describe_current_exception(state.path).message;
         return;

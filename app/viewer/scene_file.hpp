@@ -4,12 +4,16 @@
 #include <functional>
 #include <string>
 
+#include "app/load_scene.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
 
+// How to read that frame of a file. A scene that has a camera keeps it: of such a one only the view may be fitted.
+LoadOptions load_options(const ViewerState& state, std::int64_t frame);
+
 // Takes over a scene that was read from `path` ("-" and "" have no file).
-void adopt(ViewerState& state, Scene scene, const std::string& path, SceneFormat format);
+void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);
 
 // Calls `then` at once when nothing would be lost, or as soon as the person has saved it or says that it may be.
 void with_edits_safe(ViewerState& state, std::function<void()> then);
@@ -23,6 +27,12 @@ void save_scene(
 void save_scene_as(
     ViewerState& state, const std::function<void()>& then = [] {});
 void quit(ViewerState& state);
+
+// Shows another frame of the scene's file, with the same view and, of as many spheres, the same selection. Asks about edits that
+// are not saved.
+void show_frame(ViewerState& state, std::int64_t frame);
+// Whether the file has that frame.
+bool has_frame(const ViewerState& state, std::int64_t frame);
 
 // Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so; edits that are
 // not saved are lost only if the person says so.

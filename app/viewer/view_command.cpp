@@ -51,8 +51,10 @@ void save_for_recovery(const ViewerState& state) {
 void recover(ViewerState& state, const Recovery& recovery) {
     const std::string path = recovery.original;
     try {
-        Scene scene = load_scene(recovery.file).scene;
-        adopt(state, std::move(scene), path, path.empty() ? SceneFormat::toml : format_of_name(path));
+        LoadedScene loaded = load_scene(recovery.file);
+        if (!path.empty()) loaded.format = format_of_name(path);
+        loaded.framed = !is_data(loaded.format);
+        adopt(state, std::move(loaded), path);
         state.document.mark_unsaved();
         // Now they are this process's to keep: until they are, their file stays.
         if (state.autosave.keep(state.document, state.path)) remove_recovery(recovery.file);
@@ -83,9 +85,15 @@ void offer_recovery(ViewerState& state) {
 }
 
 void load_first_scene(ViewerState& state) {
-    if (!state.options.scene) return adopt(state, {}, "", SceneFormat::toml);
-    LoadedScene loaded = load_scene(*state.options.scene);
-    adopt(state, std::move(loaded.scene), *state.options.scene, loaded.format);
+    if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
+    LoadedScene loaded = load_scene(*state.options.scene, load_options(state, state.options.data.frame));
+    const bool fits_view = loaded.framed && state.options.framing.fit.value_or(false);
+    adopt(state, std::move(loaded), *state.options.scene);
+    state.frame = state.options.data.frame;
+    if (fits_view) {
+        const ViewAxes axes = state.options.framing.view.value_or(axes_of(state.camera));
+        state.camera = fitted(state.scene(), axes).value_or(state.camera);
+    }
 }
 
 }  // namespace

@@ -24,9 +24,12 @@ constexpr bool is_space(char c) { return (c == ' ') | (static_cast<unsigned char
 // `expected`, here, is a function that describes what should stand there: its words are only made for a message.
 class TokenReader {
 public:
-    // Begins at the first token at or after `offset`, which lies between two tokens.
-    TokenReader(const TextSource& source, std::size_t offset)
-        : source_(source), next_(source.text.data() + offset), end_(source.text.data() + source.text.size()) {
+    // Begins at the first token at or after `offset`, which lies between two tokens. `end_found`: how messages call the end.
+    TokenReader(const TextSource& source, std::size_t offset, const char* end_found = "the text ends")
+        : source_(source),
+          next_(source.text.data() + offset),
+          end_(source.text.data() + source.text.size()),
+          end_found_(end_found) {
         skip_space();
     }
 
@@ -38,7 +41,7 @@ public:
     // An integer from `low` to `high`.
     template <typename Expected>
     std::int64_t integer(std::int64_t low, std::int64_t high, const Expected& expected) {
-        if (at_end()) fail_at_end("the text ends", expected());
+        if (at_end()) fail_at_end(end_found_, expected());
         const char* first = next_;
         if (*first == '+' && end_ - first > 1 && first[1] != '-') ++first;
         std::int64_t value = 0;
@@ -64,23 +67,10 @@ public:
         return number(expected, is_good, " above 0");
     }
 
-    void skip_tokens(std::size_t count) {
-        for (; count > 0; --count) step_to(token().data() + token().size());
-    }
-
-    // Says that the next token is wrong.
-    [[noreturn]] void fail(const std::string& expected) const {
-        throw InputError(place(offset()) + "found " + in_quotes(token()) + ", expected " + expected);
-    }
-
-    [[noreturn]] void fail_at_end(const std::string& found, const std::string& expected) const {
-        throw InputError(place(source_.text.size()) + found + ", expected " + expected);
-    }
-
-private:
+    // A finite number that `is_good`, which `what_is_good` says in words: " above 0".
     template <typename Expected, typename IsGood>
     double number(const Expected& expected, const IsGood& is_good, const char* what_is_good) {
-        if (at_end()) fail_at_end("the text ends", expected());
+        if (at_end()) fail_at_end(end_found_, expected());
         double value = 0.0;
         const auto result = std::from_chars(next_, end_, value);
         const char* last = result.ptr;
@@ -98,8 +88,23 @@ private:
         return value;
     }
 
+    // The next token; "" at the end.
     std::string_view token() const { return {next_, static_cast<std::size_t>(std::find_if(next_, end_, is_space) - next_)}; }
 
+    void skip_tokens(std::size_t count) {
+        for (; count > 0; --count) step_to(token().data() + token().size());
+    }
+
+    // Says that the next token is wrong.
+    [[noreturn]] void fail(const std::string& expected) const {
+        throw InputError(place(offset()) + "found " + in_quotes(token()) + ", expected " + expected);
+    }
+
+    [[noreturn]] void fail_at_end(const std::string& found, const std::string& expected) const {
+        throw InputError(place(source_.text.size()) + found + ", expected " + expected);
+    }
+
+private:
     bool ends_token(const char* place) const { return place == end_ || is_space(*place); }
 
     void step_to(const char* place) {
@@ -119,6 +124,7 @@ private:
     const TextSource& source_;
     const char* next_;
     const char* end_;
+    const char* end_found_;
 };
 
 }  // namespace sphereview

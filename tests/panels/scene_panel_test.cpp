@@ -34,6 +34,23 @@ TEST(ScenePanel, ButtonsRunCommands) {
     EXPECT_EQ(commands[1].command, CommandId::go_home);
 }
 
+TEST(ScenePanel, TheFrameOfSeveralIsChosen) {
+    SidePanelHarness panel(line_of_spheres(2));
+    EXPECT_FALSE(panel.has("frame"));
+    panel.frames_of_file = 11;
+    panel.frame_of_file = 2;
+    panel.frames(2);
+    panel.take_actions();
+    panel.click(panel.place("frame", 0.99F));
+    auto shown = panel.taken<ShowFrame>();
+    ASSERT_FALSE(shown.empty());
+    EXPECT_EQ(shown.front().frame, 10);
+    panel.click(panel.place("frame", 0.01F));
+    shown = panel.taken<ShowFrame>();
+    ASSERT_FALSE(shown.empty());
+    EXPECT_EQ(shown.front().frame, 0);
+}
+
 TEST(ScenePanel, CameraIsShown) {
     Scene scene = line_of_spheres(2);
     scene.camera.eye = {0.123456789, 0.0, -7.0};

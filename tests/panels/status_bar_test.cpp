@@ -57,6 +57,14 @@ TEST(StatusBar, TellsWhatIsDrawnAndSelected) {
     EXPECT_FALSE(bar.says("1/"));
 }
 
+TEST(StatusBar, TellsTheFrameOfSeveral) {
+    StatusHarness bar;
+    EXPECT_FALSE(bar.says("frame "));
+    bar.panels.frame_of_file = 3;
+    bar.panels.frames_of_file = 120;
+    EXPECT_TRUE(bar.says("frame 3 of 0..119")) << bar.text();
+}
+
 TEST(StatusBar, OneSphereIsOne) {
     StatusHarness bar(scene_of(1));
     EXPECT_TRUE(bar.says("1 sphere"));

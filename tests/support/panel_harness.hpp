@@ -35,6 +35,8 @@ public:
     WidgetRectangles rectangles;
     std::function<bool(CommandId)> enabled = [](CommandId) { return true; };
     float scale = 1.0F;
+    std::int64_t frame_of_file = 0;
+    std::int64_t frames_of_file = 1;
     // Whether EditScene and SelectSpheres are done after each frame, as in the viewer; all actions are collected anyway.
     bool applies = true;
 

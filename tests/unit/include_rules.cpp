@@ -14,6 +14,7 @@ using Names = std::vector<std::string_view>;
 const std::map<std::string_view, Names> allowed = {
     {"base", {"system"}},
     {"scene", {"base", "glm", "toml++"}},
+    {"formats", {"base", "scene", "glm"}},
     {"image", {"base", "stb", "libdeflate"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact"}},
@@ -23,10 +24,10 @@ const std::map<std::string_view, Names> allowed = {
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
     {"panels", {"base", "scene", "exact", "glm", "imgui"}},
     {"viewer",
-     {"base", "scene", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app", "glm", "glad", "json",
-      "imgui"}},
-    {"app", {"base",   "scene", "image",      "exact", "shade", "tiles", "cpu",    "gpu",  "platform", "glm",
-             "toml++", "stb",   "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11",    "json"}},
+     {"base", "scene", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app", "glm", "glad",
+      "json", "imgui"}},
+    {"app", {"base",   "scene", "formats",    "image", "exact", "shade", "tiles",  "cpu",  "gpu",   "platform", "glm",
+             "toml++", "stb",   "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11", "json"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.

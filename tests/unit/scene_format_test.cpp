@@ -36,6 +36,59 @@ TEST(DetectFormat, BelievesTheNameWhereTheContentIsUnclear) {
     }
 }
 
+TEST(DetectFormat, KnowsDataByItsName) {
+    for (const auto& [name, format] : std::vector<std::pair<const char*, SceneFormat>>{{"a.xyz", SceneFormat::xyz},
+                                                                                       {"b/a.ExtXYZ", SceneFormat::xyz},
+                                                                                       {"a.csv", SceneFormat::csv},
+                                                                                       {"a.pdb", SceneFormat::pdb},
+                                                                                       {"pdb1crn.ent.gz", SceneFormat::pdb},
+                                                                                       {"a.cif", SceneFormat::mmcif},
+                                                                                       {"a.mmCIF.GZ", SceneFormat::mmcif},
+                                                                                       {"a.csv.gz", SceneFormat::csv}}) {
+        EXPECT_EQ(format_of_name(name), format) << name;
+        for (const char* content : {"", "1 1 2 3 4 5 6 7", "[camera]", "# a comment"}) {
+            EXPECT_EQ(detect_format(content, name), format) << name;
+        }
+    }
+    EXPECT_EQ(format_of_name("a.toml.gz"), SceneFormat::toml);
+    EXPECT_EQ(format_of_name("a.txt.gz"), SceneFormat::text);
+    EXPECT_EQ(format_of_name("a.gz"), SceneFormat::text);
+}
+
+TEST(DetectFormat, KnowsDataOfAnotherNameByItsContent) {
+    const std::vector<std::pair<std::string, SceneFormat>> cases = {
+        {"3\nwater\nO 0 0 0\nH 0 0 1\nH 0 1 0\n", SceneFormat::xyz},
+        {" 1 \r\n\r\n  Fe2+ 1 2 3\r\n", SceneFormat::xyz},
+        {"1\r\rH 0 0 0", SceneFormat::xyz},
+        {"1\nAtoms. Timestep: 0\n1 0 0 0\n", SceneFormat::xyz},
+        {"1\n-76.4\nH 0 0\n", SceneFormat::xyz},
+        {"1\nProperties=pos:R:3\n0 0 0\n", SceneFormat::xyz},
+        {"x,y,z\n1,2,3\n", SceneFormat::csv},
+        {"\xEF\xBB\xBF\n\"Name\";\"Z\";\"Y\";\"X\"\n", SceneFormat::csv},
+        {"# x, y, z\n", SceneFormat::csv},
+        {"HEADER    PLANT PROTEIN                           30-APR-81   1CRN\n", SceneFormat::pdb},
+        {"ATOM      1  N   THR A   1      17.047  14.099   3.625  1.00 13.79           N\n", SceneFormat::pdb},
+        {"REMARK   1 R = 0.1\n", SceneFormat::pdb},
+        {"data_1CRN\n#\nloop_\n", SceneFormat::mmcif},
+        {"# written by a program\ndata_1CRN\n_entry.id = 1\n", SceneFormat::mmcif},
+    };
+    for (const auto& [content, format] : cases) {
+        for (const char* name : {"stdin", "a.dat", "xyz"}) EXPECT_EQ(detect_format(content, name), format) << content;
+    }
+    // Neither data nor anything else where the name says what it is.
+    EXPECT_EQ(detect_format("3\nwater\nO 0 0 0\n", "s.txt"), SceneFormat::text);
+    EXPECT_EQ(detect_format("x,y,z\n", "s.toml"), SceneFormat::toml);
+    // Scenes that look a little like data.
+    for (const char* content :
+         {"1\n255 0 0\n1 2 3 4\n", "2\n255 0 0\nhello 2 3 4\n", "1\n255 0 0 1 2 3 4\n", "1\n\n255 0 0 1 2 3 4\n",
+          "1\n255 0 zero\n1 2 3 4\n", "1\nred\n0.5 2 3 4\n", "3\n", "2 3\na\nH 0 0 0\n", "-1\na\nH 0 0 0\n"}) {
+        EXPECT_EQ(detect_format(content, "stdin"), SceneFormat::text) << content;
+    }
+    for (const char* content : {"x = 1", "data_x = 1", "TITLE = 'x'", "# x, y", "[x.y.z]"}) {
+        EXPECT_EQ(detect_format(content, "stdin"), SceneFormat::toml) << content;
+    }
+}
+
 TEST(FormatOfName, IsTomlForTomlOnly) {
     EXPECT_EQ(format_of_name("a/b.toml"), SceneFormat::toml);
     EXPECT_EQ(format_of_name("a/b.ToML"), SceneFormat::toml);

@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "base/available_memory.hpp"
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "formats/csv_records.hpp"
+#include "formats/lines.hpp"
+#include "formats/names.hpp"
+#include "formats/sphere_data.hpp"
+#include "scene/number.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr double usual_radius = 1.0;
+
+enum Column : std::size_t { x, y, z, radius, red, green, blue, name_column, column_count };
+constexpr std::array<const char*, column_count> column_names = {"x", "y", "z", "radius", "r", "g", "b", "name"};
+constexpr const char* header_syntax = "a header with x, y, z, and perhaps radius, r, g, b, name";
+
+// Which field each column is.
+struct Header {
+    std::size_t fields = 0;
+    std::array<std::optional<std::size_t>, column_count> place{};
+
+    bool has(Column column) const { return place[column].has_value(); }
+};
+
+// A field's words as a header has them: "# X" for "x".
+std::string header_word(const CsvField& field) {
+    const std::string text = lower_case(unquoted(field));
+    const std::size_t begin = std::min(text.find_first_not_of("# \t"), text.size());
+    const std::size_t end = text.find_last_not_of(" \t");
+    return end == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+}
+
+// What stands between the fields of the first line.
+char separator_of(std::string_view text) {
+    bool quoted = false;
+    for (const char c : text.substr(std::min(text.find_first_not_of(" \r\n"), text.size()))) {
+        if (c == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (c == ',' || c == ';' || c == '\t') return c;
+        if (c == '\n' || c == '\r') break;
+    }
+    return ',';
+}
+
+// The header in the record's fields.
+Header header_of(const CsvRecords& records) {
+    Header header;
+    header.fields = records.fields().size();
+    for (std::size_t i = 0; i < header.fields; ++i) {
+        const CsvField& field = records.fields()[i];
+        const auto found = std::ranges::find(column_names, header_word(field));
+        if (found == column_names.end()) continue;
+        auto& place = header.place[static_cast<std::size_t>(found - column_names.begin())];
+        if (place) records.fail(field, "each of x, y, z, radius, r, g, b and name only once");
+        place = i;
+    }
+    if (!header.has(x) || !header.has(y) || !header.has(z)) records.fail(records.fields()[0], header_syntax);
+    if (header.has(red) != header.has(green) || header.has(red) != header.has(blue)) {
+        records.fail(records.fields()[*header.place[header.has(red)     ? red
+                                                    : header.has(green) ? green
+                                                                        : blue]],
+                     "all three of r, g and b, or none");
+    }
+    return header;
+}
+
+// The spheres of one piece.
+struct Spheres {
+    std::vector<Sphere> spheres{};
+    std::vector<std::pair<std::size_t, std::string>> names{};
+};
+
+// Reads the fields of a record.
+class RowReader {
+public:
+    RowReader(const CsvRecords& records, const Header& header, const DataOptions& options)
+        : records_(records), header_(header), default_radius_(options.radius.value_or(usual_radius)) {}
+
+    Sphere sphere() const {
+        // A separator at the end of the line is common, and no field.
+        const std::vector<CsvField>& fields = records_.fields();
+        const bool one_empty = fields.size() == header_.fields + 1 && fields.back().text.empty();
+        if (fields.size() > header_.fields && !one_empty) {
+            records_.fail(fields[header_.fields],
+                          "the end of the line after " + std::to_string(header_.fields) + " fields, as the header has them");
+        }
+        Sphere sphere;
+        sphere.center = {number(x), number(y), number(z)};
+        sphere.radius = radius_of_row();
+        if (header_.has(red) && !(field(red).text.empty() && field(green).text.empty() && field(blue).text.empty())) {
+            sphere.color = {channel(red), channel(green), channel(blue)};
+        }
+        return sphere;
+    }
+
+    std::string name() const { return header_.has(name_column) ? as_utf8(unquoted(field(name_column))) : ""; }
+
+private:
+    const CsvField& field(Column column) const {
+        const std::size_t place = *header_.place[column];
+        if (place >= records_.fields().size()) records_.fail_at_end(column_names[column]);
+        return records_.fields()[place];
+    }
+
+    double number(Column column) const {
+        const CsvField& text = field(column);
+        const auto expected = [&](const char* what) { return column_names[column] + std::string(what); };
+        double value = 0.0;
+        switch (parse_double(text.text, value)) {
+            case NumberFault::none: break;
+            case NumberFault::not_a_number: records_.fail(text, expected(", a number"));
+            case NumberFault::not_finite: records_.fail(text, expected(", a finite number"));
+            case NumberFault::too_large: records_.fail(text, expected(", a number that a double can hold (at most 1.8e308)"));
+        }
+        return value;
+    }
+
+    double radius_of_row() const {
+        if (!header_.has(radius) || field(radius).text.empty()) return default_radius_;
+        const double value = number(radius);
+        if (!(value > 0.0)) records_.fail(field(radius), "radius above 0");
+        return value;
+    }
+
+    std::uint8_t channel(Column column) const {
+        const std::string_view text = field(column).text;
+        unsigned value = 0;
+        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (text.empty() || read.ec != std::errc{} || read.ptr != text.data() + text.size() || value > color_max) {
+            records_.fail(field(column), column_names[column] + std::string(", a whole number from 0 to 255"));
+        }
+        return static_cast<std::uint8_t>(value);
+    }
+
+    const CsvRecords& records_;
+    const Header& header_;
+    double default_radius_;
+};
+
+Spheres read_piece(CsvRecords records, const Header& header, const DataOptions& options) {
+    Spheres read;
+    const RowReader row(records, header, options);
+    while (records.next()) {
+        read.spheres.push_back(row.sphere());
+        std::string name = row.name();
+        if (!name.empty()) read.names.emplace_back(read.spheres.size() - 1, std::move(name));
+    }
+    return read;
+}
+
+// Where pieces of the text from `begin` on begin, each with a record, and where the last ends.
+std::vector<std::size_t> piece_places(std::string_view text, std::size_t begin, char line_end) {
+    std::vector<std::size_t> places = {begin};
+    // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
+    const bool in_one = text.find('"', begin) != std::string_view::npos;
+    while (!in_one && text.size() - places.back() > usual_line_piece) {
+        const std::size_t end = text.find(line_end, places.back() + usual_line_piece);
+        if (end == std::string_view::npos) break;
+        places.push_back(end + 1);
+    }
+    places.push_back(text.size());
+    return places;
+}
+
+Scene joined(std::vector<Spheres> pieces, const std::string& name) {
+    Scene scene;
+    std::size_t count = 0;
+    for (const Spheres& piece : pieces) count += piece.spheres.size();
+    if (count > most_spheres)
+        throw InputError(name + ": found " + in_groups(count) + " spheres, expected at most " + in_groups(most_spheres));
+    require_memory(count * sizeof(Sphere), name + ": " + in_groups(count) + " spheres need");
+    if (pieces.size() == 1) {
+        scene.spheres = std::move(pieces[0].spheres);
+    } else {
+        scene.spheres.reserve(count);
+    }
+    std::size_t first = 0;
+    for (Spheres& piece : pieces) {
+        if (pieces.size() > 1) scene.spheres.insert(scene.spheres.end(), piece.spheres.begin(), piece.spheres.end());
+        for (auto& [index, text] : piece.names) {
+            scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(first + index), std::move(text));
+        }
+        first = scene.spheres.size();
+        piece = {};
+    }
+    return scene;
+}
+
+}  // namespace
+
+SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options) {
+    require_frame(name, options.frame, 1);
+    const TextSource source{name, without_byte_order_mark(content)};
+    const char line_end = line_end_of(source.text);
+    CsvRecords first(source, separator_of(source.text), line_end, 0, source.text.size());
+    if (!first.next()) throw InputError(name + ":1:1: the text is empty, expected " + header_syntax);
+    const Header header = header_of(first);
+    const std::vector<std::size_t> places = piece_places(source.text, first.offset(), line_end);
+    std::vector<Spheres> pieces(places.size() - 1);
+    parallel_in_order(pieces.size(), [&](std::size_t i) {
+        pieces[i] = read_piece({source, first.separator(), line_end, places[i], places[i + 1]}, header, options);
+    });
+    return {joined(std::move(pieces), name), 1};
+}
+
+}  // namespace sphereview

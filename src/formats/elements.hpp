@@ -1,0 +1,30 @@
+// The usual colours and radii of the chemical elements.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "scene/sphere.hpp"
+
+namespace sphereview {
+
+struct Element {
+    std::string_view symbol;  // "Fe"; "" of the unknown one
+    Color color;
+    double radius;  // in angstrom; the source is named beside the table
+};
+
+// By its symbol in any letter case; D and T are hydrogen. Null if there is no such element.
+const Element* find_element(std::string_view symbol);
+
+// What is drawn for atoms whose element is not known.
+const Element& unknown_element();
+
+// By its atomic number.
+const Element& element_of_number(std::int64_t number);
+
+// What files call an atom: a symbol, a symbol with more behind its letters ("C1", "Fe2+", "O_w"), two letters of which the first
+// is a symbol ("OW", "CG1"), or an atomic number. Else the unknown element.
+const Element& element_of_species(std::string_view species);
+
+}  // namespace sphereview

@@ -1,0 +1,206 @@
+#include <algorithm>
+#include <cmath>
+
+#include "base/available_memory.hpp"
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "formats/elements.hpp"
+#include "formats/lines.hpp"
+#include "formats/names.hpp"
+#include "formats/sphere_data.hpp"
+#include "formats/xyz_layout.hpp"
+#include "scene/token_reader.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t lines_a_piece = 1024;  // that one core reads at a time
+constexpr const char* line_ends = "the line ends";
+
+// Where a frame lies in the text.
+struct Frame {
+    std::int64_t number = 0;  // from 0
+    std::size_t comment = 0;  // where its line begins
+    std::size_t comment_end = 0;
+    std::size_t atoms = 0;
+    std::vector<std::size_t> pieces{};  // where the first line of each lines_a_piece begins
+};
+
+// Finds the frames of a text without looking at their atoms.
+class FrameFinder {
+public:
+    explicit FrameFinder(const TextSource& source)
+        : source_(source), line_end_(line_end_of(source.text)), walker_(source.text, line_end_) {}
+
+    char line_end() const { return line_end_; }
+
+    // Steps over the next frame; false when there is none. The pieces of the wanted one are noted.
+    bool next(Frame& frame, bool wanted) {
+        TextSource line = source_;
+        std::size_t begin = 0;
+        do {  // blank lines may stand between frames
+            if (walker_.at_end()) return false;
+            begin = walker_.offset();
+            line.text = source_.text.substr(0, walker_.step());
+        } while (TokenReader(line, begin).at_end());
+        TokenReader reader(line, begin, line_ends);
+        const std::string of_frame = " of frame " + std::to_string(frame.number);
+        const auto expected = [&] { return "the number of atoms" + of_frame; };
+        frame.atoms = static_cast<std::size_t>(reader.integer(0, most_spheres, expected));
+        if (!reader.at_end()) reader.fail("the end of the line after " + expected());
+
+        if (walker_.at_end()) fail_at_end("the comment" + of_frame);
+        frame.comment = walker_.offset();
+        frame.comment_end = walker_.step();
+        for (std::size_t i = 0; i < frame.atoms; ++i) {
+            if (walker_.at_end()) {
+                fail_at_end("atom " + std::to_string(i + 1) + " of " + std::to_string(frame.atoms) + of_frame);
+            }
+            if (wanted && i % lines_a_piece == 0) frame.pieces.push_back(walker_.offset());
+            walker_.step();
+        }
+        return true;
+    }
+
+private:
+    [[noreturn]] void fail_at_end(const std::string& expected) const {
+        TokenReader(source_, source_.text.size()).fail_at_end("the text ends", expected);
+    }
+
+    const TextSource& source_;
+    char line_end_;
+    LineWalker walker_;
+};
+
+// What a line says beside the sphere itself.
+struct Atom {
+    Sphere sphere{};
+    std::string_view species{};
+};
+
+// Reads the lines of one piece.
+class AtomReader {
+public:
+    AtomReader(const TextSource& source, const std::vector<XyzColumn>& layout, const Frame& frame, const DataOptions& options)
+        : text_(source.text), line_{source.name, {}, source.origin}, layout_(layout), frame_(frame), options_(options) {}
+
+    // Atom `index` of the frame, which stands at [begin, end).
+    Atom read(std::size_t begin, std::size_t end, std::size_t index) {
+        line_.text = text_.substr(0, end);
+        TokenReader reader(line_, begin, line_ends);
+        const auto the = [&](const char* what) {
+            return [this, what, index] {
+                return std::string(what) + " of atom " + std::to_string(index + 1) + " of " + std::to_string(frame_.atoms);
+            };
+        };
+        Atom atom;
+        const Element* element = &unknown_element();
+        bool has_radius = false;
+        bool has_color = false;
+        std::size_t column = 0;
+        for (const XyzColumn& next : layout_) {
+            reader.skip_tokens(next.first - column);
+            column = next.first + columns_of(next.field);
+            Sphere& sphere = atom.sphere;
+            switch (next.field) {
+                case XyzField::species:
+                    if (reader.at_end()) reader.fail_at_end(line_ends, the("the element")());
+                    atom.species = reader.token();
+                    element = &element_of_species(atom.species);
+                    reader.skip_tokens(1);
+                    break;
+                case XyzField::position:
+                    sphere.center.x = reader.number(the("the x"));
+                    sphere.center.y = reader.number(the("the y"));
+                    sphere.center.z = reader.number(the("the z"));
+                    break;
+                case XyzField::radius:
+                    sphere.radius = reader.positive_number(the("the radius"));
+                    has_radius = true;
+                    break;
+                case XyzField::real_color:
+                    sphere.color.r = channel(reader, the("the red"));
+                    sphere.color.g = channel(reader, the("the green"));
+                    sphere.color.b = channel(reader, the("the blue"));
+                    has_color = true;
+                    break;
+                case XyzField::byte_color:
+                    sphere.color.r = static_cast<std::uint8_t>(reader.integer(0, color_max, the("the red")));
+                    sphere.color.g = static_cast<std::uint8_t>(reader.integer(0, color_max, the("the green")));
+                    sphere.color.b = static_cast<std::uint8_t>(reader.integer(0, color_max, the("the blue")));
+                    has_color = true;
+                    break;
+            }
+        }
+        if (!has_radius) atom.sphere.radius = options_.radius.value_or(element->radius);
+        if (!has_color) atom.sphere.color = element->color;
+        return atom;
+    }
+
+private:
+    // A part of 1.
+    template <typename Expected>
+    static std::uint8_t channel(TokenReader& reader, const Expected& expected) {
+        const auto is_good = [](double value) { return value >= 0.0 && value <= 1.0; };
+        return static_cast<std::uint8_t>(std::lround(color_max * reader.number(expected, is_good, " from 0 to 1")));
+    }
+
+    std::string_view text_;
+    TextSource line_;  // the text up to the line's end
+    const std::vector<XyzColumn>& layout_;
+    const Frame& frame_;
+    const DataOptions& options_;
+};
+
+// What an atom is called: its species, or the symbol of its number.
+std::string name_of(std::string_view species) {
+    const bool number = !species.empty() && species[0] >= '0' && species[0] <= '9';
+    const std::string_view symbol = number ? element_of_species(species).symbol : species;
+    return as_utf8(symbol.empty() ? species : symbol);
+}
+
+Scene read_frame(const TextSource& source, const Frame& frame, char line_end, const DataOptions& options) {
+    require_memory(frame.atoms * sizeof(Sphere), source.name + ": " + in_groups(frame.atoms) + " spheres need");
+    const auto layout = xyz_layout({source.name, source.text.substr(0, frame.comment_end), source.origin}, frame.comment);
+    Scene scene;
+    scene.spheres.resize(frame.atoms);
+    std::vector<std::string_view> species(frame.atoms <= most_named_atoms ? frame.atoms : 0);
+    parallel_in_order(frame.pieces.size(), [&](std::size_t piece) {
+        AtomReader reader(source, layout, frame, options);
+        LineWalker walker(source.text, line_end, frame.pieces[piece]);
+        const std::size_t first = piece * lines_a_piece;
+        const std::size_t last = std::min(frame.atoms, first + lines_a_piece);
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t begin = walker.offset();
+            const Atom atom = reader.read(begin, walker.step(), i);
+            scene.spheres[i] = atom.sphere;
+            if (!species.empty()) species[i] = atom.species;
+        }
+    });
+    for (std::size_t i = 0; i < species.size(); ++i) {
+        if (!species[i].empty()) scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(i), name_of(species[i]));
+    }
+    return scene;
+}
+
+}  // namespace
+
+SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options) {
+    const TextSource source{name, without_byte_order_mark(content)};
+    FrameFinder finder(source);
+    Frame wanted;
+    std::int64_t frames = 0;
+    while (true) {
+        Frame frame;
+        frame.number = frames;
+        if (!finder.next(frame, frames == options.frame)) break;
+        if (frames == options.frame) wanted = std::move(frame);
+        ++frames;
+    }
+    if (frames == 0) TokenReader(source, 0).fail_at_end("the text is empty", "the number of atoms of frame 0");
+    require_frame(name, options.frame, frames);
+    return {read_frame(source, wanted, finder.line_end(), options), frames};
+}
+
+}  // namespace sphereview

@@ -1,0 +1,145 @@
+// Files of atoms and particles on the command line.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+constexpr const char* two_frames = "1\nfirst\nO 0 0 100\n2\nsecond\nN 0 0 100\nH 1 0 100\n";
+
+class Data : public testing::Test {
+protected:
+    Outcome sphereview(const std::vector<std::string>& arguments, const std::string& input = "") const {
+        Command command;
+        command.arguments = arguments;
+        command.folder = folder_.path();
+        command.input = input;
+        return run(command);
+    }
+
+    std::string as_text(const std::vector<std::string>& arguments, const std::string& input = "") const {
+        std::vector<std::string> all = {"convert"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        all.insert(all.end(), {"-", "--to", "text"});
+        return sphereview(all, input).output;
+    }
+
+    void expect_fault(const std::vector<std::string>& arguments, const std::string& line, const std::string& input = "") const {
+        const Outcome outcome = sphereview(arguments, input);
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.output, "");
+        EXPECT_EQ(outcome.errors, line + "\n");
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Data, IsConvertedToTextAndToml) {
+    folder_.write("a.xyz", two_frames);
+    EXPECT_EQ(as_text({"a.xyz"}), "1\n255 13 13\n0 0 100\n0.66\n");
+    EXPECT_EQ(as_text({"a.xyz", "--frame", "1"}), "2\n48 80 248\n0 0 100\n0.71\n255 255 255\n1 0 100\n0.31\n");
+    EXPECT_EQ(as_text({"a.xyz", "--frame", "1", "--radius", "2.5"}), "2\n48 80 248\n0 0 100\n2.5\n255 255 255\n1 0 100\n2.5\n");
+    EXPECT_EQ(as_text({"-"}, two_frames), as_text({"a.xyz"}));
+
+    folder_.write("A.CSV", "Name,X,Y,Z,R,G,B\nsun,1,2,3,255,220,0\n\"the moon\",4,5,6,,,\n");
+    const Outcome outcome = sphereview({"convert", "A.CSV", "a.toml", "--radius", "3", "--no-fit"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.output + outcome.errors, "");
+    EXPECT_EQ(folder_.read("a.toml"),
+              "[[sphere]]\nname = \"sun\"\ncolor = [255, 220, 0]\ncenter = [1.0, 2.0, 3.0]\nradius = 3.0\n\n"
+              "[[sphere]]\nname = \"the moon\"\ncolor = [255, 255, 255]\ncenter = [4.0, 5.0, 6.0]\nradius = 3.0\n");
+    const Outcome poorer = sphereview({"convert", "A.CSV", "a.txt"});
+    EXPECT_EQ(poorer.status, 0);
+    EXPECT_EQ(poorer.errors, "A.CSV: the text format cannot hold the names (2); left out\n");
+    EXPECT_EQ(as_text({"a.toml"}), as_text({"A.CSV", "--radius", "3"}));
+}
+
+TEST_F(Data, IsOnlyRead) {
+    folder_.write("a.xyz", two_frames);
+    for (const auto& [name, format] : std::vector<std::pair<std::string, std::string>>{
+             {"b.csv", "CSV"}, {"b.XYZ", "XYZ"}, {"b.pdb", "PDB"}, {"b.cif", "mmCIF"}, {"b.csv.gz", "CSV"}}) {
+        expect_fault({"convert", "a.xyz", name}, name + ": found a name for " + format +
+                                                     ", which is only read; expected one for text or TOML (.txt, .toml), or --to");
+        EXPECT_FALSE(folder_.has(name));
+    }
+    EXPECT_EQ(sphereview({"convert", "a.xyz", "b.csv", "--to", "text"}).status, 0);
+    EXPECT_TRUE(folder_.read("b.csv").starts_with("1\n255 13 13\n"));
+}
+
+TEST_F(Data, IsRenderedAndExplainedByFrame) {
+    folder_.write("a.xyz", two_frames);
+    folder_.write("0.txt", "1\n255 13 13\n0 0 100\n0.66\n");
+    folder_.write("1.txt", "2\n48 80 248\n0 0 100\n20\n255 255 255\n1 0 100\n20\n");
+    const std::vector<std::string> small = {"--size", "64x48", "--backend", "cpu", "--no-fit"};
+    const auto render = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "render");
+        arguments.insert(arguments.end(), small.begin(), small.end());
+        return sphereview(arguments);
+    };
+    EXPECT_EQ(render({"0.txt", "1.txt"}).status, 0);
+    EXPECT_EQ(render({"a.xyz"}).status, 0);
+    EXPECT_TRUE(folder_.has("a.png"));
+    EXPECT_EQ(render({"a.xyz", "--expect", "0.png"}).status, 0);
+    EXPECT_EQ(render({"a.xyz", "--frame", "1", "--radius", "20", "--expect", "1.png"}).status, 0);
+    EXPECT_EQ(render({"a.xyz", "--frame", "0", "--radius", "20", "--expect", "1.png"}).status, 1);
+
+    const Outcome outcome =
+        sphereview({"explain", "a.xyz", "--pixel", "500,500", "--frame", "1", "--radius", "20", "--no-fit", "--json"});
+    const auto report = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(report["visible"], 0);
+    EXPECT_EQ(report["color"], (nlohmann::json{48, 80, 248}));
+}
+
+TEST_F(Data, ThatIsBadIsReportedInOneLine) {
+    folder_.write("a.xyz", "1\n\nH 1 two 3\n");
+    folder_.write("a.csv", "x,y,z\n1,2\n");
+    folder_.write("empty.csv", "");
+    expect_fault({"convert", "a.xyz", "a.txt"}, "a.xyz:3:5: found 'two', expected the y of atom 1 of 1, a number");
+    expect_fault({"explain", "a.csv", "--pixel", "1,1"}, "a.csv:2:4: the line ends, expected z");
+    expect_fault({"render", "a.csv"}, "a.csv:2:4: the line ends, expected z");
+    expect_fault({"render", "empty.csv"},
+                 "empty.csv:1:1: the text is empty, expected a header with x, y, z, and perhaps radius, r, g, b, name");
+    expect_fault({"convert", "-", "a.txt"}, "stdin:3:2: the line ends, expected the x of atom 1 of 1", "1\nhydrogen\nH\n");
+    EXPECT_FALSE(folder_.has("a.txt"));
+    EXPECT_FALSE(folder_.has("a.png"));
+}
+
+TEST_F(Data, HasOnlyTheFramesItHas) {
+    folder_.write("a.xyz", two_frames);
+    folder_.write("a.csv", "x,y,z\n");
+    folder_.write("a.txt", "0");
+    folder_.write("a.toml", "background = 'white'");
+    expect_fault({"convert", "a.xyz", "b.txt", "--frame", "2"}, "a.xyz: found 2 frames, 0 to 1, expected frame 2");
+    for (const std::string name : {"a.csv", "a.txt", "a.toml"}) {
+        expect_fault({"render", name, "--frame", "1"}, name + ": found 1 frame, number 0, expected frame 1");
+        EXPECT_EQ(sphereview({"convert", name, "b.txt", "--frame", "0", "--radius", "1e-3"}).status, 0);
+    }
+}
+
+TEST_F(Data, OptionsThatMakeNoSenseAreRefused) {
+    for (const std::string command : {"render", "convert", "explain", "view"}) {
+        const std::string help = " (see 'sphereview " + command + " --help')";
+        std::vector<std::string> words = {command, "a.xyz"};
+        if (command == "convert") words.emplace_back("b.txt");
+        if (command == "explain") words.insert(words.end(), {"--pixel", "1,1"});
+        const auto with = [&](const std::string& option, const std::string& value) {
+            std::vector<std::string> all = words;
+            all.push_back(option + "=" + value);
+            return all;
+        };
+        for (const std::string value : {"-1", "1.5", "x", "99999999999999999999"}) {
+            expect_fault(with("--frame", value),
+                         "sphereview: --frame: found '" + value + "', expected the number of a frame, from 0" + help);
+        }
+        for (const std::string value : {"0", "-1", "nan", "inf", "1e999", "x"}) {
+            expect_fault(with("--radius", value), "sphereview: --radius: found '" + value + "', expected a number above 0" + help);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sphereview::test

@@ -1,0 +1,131 @@
+// Files of atoms in the viewer, without a window.
+#include "viewer/scene_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/environment.hpp"
+#include "support/temporary_folder.hpp"
+#include "viewer/perform.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr const char* three_frames = "1\n\nO 0 0 100\n2\n\nO 1 0 100\nH 2 0 100\n2\n\nO 3 0 100\nH 4 0 100\n";
+
+struct DataInViewer : testing::Test {
+    DataInViewer() : path(folder.write("a.xyz", three_frames)), state(ViewOptions{}, ViewerSettings{}) {
+        adopt(state, load_scene(path), path);
+    }
+
+    double x() const { return state.scene().spheres.at(0).center.x; }
+    Question* question() { return state.dialogs.empty() ? nullptr : std::get_if<Question>(&state.dialogs.back()); }
+    void add_sphere() { run_command(state, CommandId::add_sphere); }
+    void answer(int number) {
+        ASSERT_NE(question(), nullptr);
+        const auto asked = *question();
+        state.dialogs.pop_back();
+        asked.answer(number);
+    }
+
+    test::TemporaryFolder folder;
+    std::string path;
+    ViewerState state;
+};
+
+}  // namespace
+
+TEST_F(DataInViewer, FramesAreSteppedThroughWithViewAndSelection) {
+    EXPECT_EQ(state.frames, 3);
+    EXPECT_FALSE(is_enabled(state, CommandId::previous_frame));
+    state.camera.eye.x = 7.0;
+    state.selection.set_only(0);
+    run_command(state, CommandId::next_frame);
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_EQ(x(), 1.0);
+    EXPECT_EQ(state.camera.eye.x, 7.0);
+    EXPECT_TRUE(state.selection.empty()) << "of another number of spheres";
+    EXPECT_FALSE(state.document.is_changed() || state.document.can_undo());
+    state.selection.set_only(1);
+    perform(state, {ShowFrame{2}});
+    EXPECT_EQ(x(), 3.0);
+    EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
+    EXPECT_FALSE(is_enabled(state, CommandId::next_frame));
+    for (const std::int64_t frame : {std::int64_t{-1}, std::int64_t{3}}) show_frame(state, frame);
+    EXPECT_EQ(state.frame, 2);
+    run_command(state, CommandId::previous_frame);
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_TRUE(state.dialogs.empty());
+}
+
+TEST_F(DataInViewer, AStepAsksAboutEdits) {
+    add_sphere();
+    run_command(state, CommandId::next_frame);
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "save-changes");
+    answer(2);
+    EXPECT_EQ(state.frame, 0);
+    EXPECT_TRUE(state.document.is_changed());
+    run_command(state, CommandId::next_frame);
+    answer(1);
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_EQ(state.scene().spheres.size(), 2U);
+    EXPECT_FALSE(state.document.is_changed());
+}
+
+TEST_F(DataInViewer, SavingAsksForAnotherName) {
+    const test::Variable no_desktop("SPHEREVIEW_FILE_DIALOG", "none");
+    add_sphere();
+    run_command(state, CommandId::file_save);
+    ASSERT_FALSE(state.dialogs.empty());
+    const auto* browser = std::get_if<FileBrowser>(&state.dialogs.back());
+    ASSERT_NE(browser, nullptr);
+    EXPECT_EQ(browser->name, "a.toml");
+    const auto accept = browser->accept;
+    state.dialogs.clear();
+    accept(folder.path("b.csv"));  // which it could not write
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "error");
+    EXPECT_FALSE(folder.has("b.csv"));
+    state.dialogs.clear();
+    accept(folder.path("b.toml"));
+    EXPECT_EQ(state.path, folder.path("b.toml"));
+    EXPECT_EQ(state.format, SceneFormat::toml);
+    EXPECT_EQ(state.frames, 1);
+    EXPECT_EQ(load_scene(state.path).scene, state.scene());
+    EXPECT_EQ(folder.read("a.xyz"), three_frames);
+}
+
+TEST_F(DataInViewer, AChangedFileIsReadAgainAtTheSameFrame) {
+    show_frame(state, 1);
+    folder.write("a.xyz", "0\n\n1\n\nO 9 0 100\n");
+    look_at_file(state);
+    EXPECT_EQ(x(), 9.0);
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_EQ(state.frames, 2);
+    folder.write("a.xyz", "0\n\n");
+    look_at_file(state);
+    EXPECT_EQ(state.messages.scene_error, path + ": found 1 frame, number 0, expected frame 1");
+    EXPECT_EQ(x(), 9.0);
+    run_command(state, CommandId::previous_frame);
+    EXPECT_EQ(state.frame, 0);
+    EXPECT_TRUE(state.scene().spheres.empty());
+    EXPECT_EQ(state.messages.scene_error, "");
+}
+
+TEST(RadiusOption, HoldsForEveryFileThatIsOpened) {
+    const test::TemporaryFolder folder;
+    ViewOptions options;
+    options.data = {1, 0.25};
+    ViewerState state(options, ViewerSettings{});
+    open_scene(state, folder.write("a.xyz", three_frames));
+    EXPECT_EQ(state.frame, 0) << "the frame is of the first file alone";
+    EXPECT_EQ(state.scene().spheres.at(0).radius, 0.25);
+    show_frame(state, 1);
+    EXPECT_EQ(state.scene().spheres.at(1).radius, 0.25);
+    open_scene(state, folder.write("b.csv", "x,y,z\n1,2,3\n"));
+    EXPECT_EQ(state.scene().spheres.at(0).radius, 0.25);
+    EXPECT_FALSE(is_enabled(state, CommandId::next_frame));
+}
+
+}  // namespace sphereview
