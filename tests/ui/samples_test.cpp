@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <sstream>
 #include <thread>
 
 #include "support/text_match.hpp"
@@ -25,6 +26,15 @@ protected:
                                      folder_.path("expected.png")});
         ASSERT_EQ(outcome.status, 0) << outcome;
         EXPECT_TRUE(same_picture(window_.picture(), decode_png(folder_.read("expected.png"))));
+    }
+    // What the window drew first of the scene as it was then.
+    Json first_frame_of(const Json& revision) const {
+        std::istringstream log(folder_.read("frames.log"));
+        for (std::string line; std::getline(log, line);) {
+            const Json frame = Json::parse(line);
+            if (frame.at("revision") == revision) return frame;
+        }
+        throw std::runtime_error("no such frame");
     }
 };
 
@@ -55,6 +65,7 @@ TEST_F(AntiAliasing, GivesWayToTheLivePictureAndComesBack) {
     const Json moved = window_.wait_until("another picture", [&](const Json& frame) {
         return frame.at("revision") != before.at("revision") && frame.at("samples") == 4;
     });
+    EXPECT_EQ(first_frame_of(moved.at("revision")).at("samples"), 1) << "at once, as without anti-aliasing";
     window_.move_to({from.x - 40, from.y});
     window_.wait_until("another picture",
                        [&](const Json& frame) { return frame.at("revision") != moved.at("revision") && frame.at("samples") == 4; });
