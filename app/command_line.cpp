@@ -71,6 +71,9 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     add_framing_options(*view, typed);
     view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
         ->type_name("WxH");
+    view->add_option("--samples", typed.samples,
+                     "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 1]")
+        ->type_name("N");
     view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     view->add_option("--shader-dir", typed.view.shader_folder,
@@ -88,6 +91,8 @@ void add_render(CLI::App& app, TypedOptions& typed) {
     render->add_option("-o,--output", options.output, "PNG file, or a pattern with {name}; - is standard output")
         ->type_name("FILE");
     render->add_option("-s,--size", typed.size, "Width and height in pixels [1000x1000]")->type_name("WxH");
+    render->add_option("--samples", typed.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]")
+        ->type_name("N");
     add_data_options(*render, typed);
     add_framing_options(*render, typed);
     render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))

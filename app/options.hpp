@@ -18,6 +18,7 @@ struct RenderOptions {
     std::vector<std::string> scenes;    // paths, or "-"
     std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
     PictureSize size;
+    int samples = 1;  // points a pixel: one of sample_counts
     DataOptions data;
     FramingOptions framing;
     std::optional<Background> background;  // instead of the scene's own
@@ -61,6 +62,7 @@ struct ViewOptions {
     FramingOptions framing;            // of the scene; of later ones, if nobody has chosen their camera
     std::optional<Background> background;
     std::optional<PictureSize> size;  // of exports, instead of the last ones
+    std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those
     std::string frame_log;            // hidden: a JSON line for each frame goes there
 };

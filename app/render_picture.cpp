@@ -8,6 +8,8 @@
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
+#include "image/average.hpp"
+#include "scene/samples.hpp"
 #include "shade/shade.hpp"
 #include "tiles/build_lists.hpp"
 
@@ -15,29 +17,33 @@ namespace sphereview {
 
 namespace {
 
-// What happens to each block of a picture after it was traced.
+// What happens to each block of a picture after it was traced. Its pixels are points here, unless something else is said: with
+// samples, blocks are those of a picture of `side` times the size, of which only as much as is traced at once is ever there.
 class PictureInProgress {
 public:
     PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
                       Timings& timings, DecisionCounts& counts, Progress& progress)
         : scene_(scene),
           options_(options),
-          resolver_(scene, drawn, options.size, &lists),
+          side_(sample_side(options.samples)),
+          size_(sampled_size(options.size, side_)),
+          resolver_(scene, drawn, size_, &lists),
           picture_(make_picture(options.size, options.background)),
           timings_(timings),
           counts_(counts),
           progress_(progress) {}
 
-    // Calls trace(block, visible) for blocks of at most this size, one after the other, and finishes each.
+    // Calls trace(block, visible) for blocks of at most this size, one after the other, and finishes each. Width and height must
+    // be multiples of every sample_side().
     template <typename Trace>
     Image draw(int block_width, int block_height, const Trace& trace) {
         // Not a vector: nobody needs its millions of numbers cleared first.
-        const auto most = static_cast<std::size_t>(std::min(block_width, picture_.width())) *
-                          static_cast<std::size_t>(std::min(block_height, picture_.height()));
+        const auto most = static_cast<std::size_t>(std::min(block_width, size_.width)) *
+                          static_cast<std::size_t>(std::min(block_height, size_.height));
         const auto buffer = std::make_unique_for_overwrite<std::int32_t[]>(most);
-        for (int y = 0; y < picture_.height(); y += block_height) {
-            for (int x = 0; x < picture_.width(); x += block_width) {
-                const Block block{x, y, std::min(block_width, picture_.width() - x), std::min(block_height, picture_.height() - y)};
+        for (int y = 0; y < size_.height; y += block_height) {
+            for (int x = 0; x < size_.width; x += block_width) {
+                const Block block{x, y, std::min(block_width, size_.width - x), std::min(block_height, size_.height - y)};
                 const std::span visible(buffer.get(),
                                         static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
                 trace(block, visible);
@@ -61,9 +67,9 @@ private:
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             y += strip.height;
             const double block_part = static_cast<double>(y) / block.height;
-            progress_.update((block.y + block.height * (block.x + block_part * block.width) / picture_.width()) /
-                             picture_.height());
+            progress_.update((block.y + block.height * (block.x + block_part * block.width) / size_.width) / size_.height);
             rows = static_cast<int>(std::clamp(rows * std::clamp(0.1 / seconds, 0.1, 16.0), 1.0, 1e6));
+            rows = std::max(rows / side_, 1) * side_;
         }
     }
 
@@ -73,25 +79,56 @@ private:
         } else {
             resolver_.accept_guesses(visible);
         }
-        shade_flat(scene_, options_.background, strip, visible, picture_);
+        if (side_ == 1) {
+            shade(strip, visible, picture_, {});
+        } else {
+            average(strip, visible);
+        }
+    }
+
+    void shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin) const {
+        shade_flat(scene_, options_.background, block, visible, picture, origin);
+    }
+
+    // Some rows at a time: their colours stay in the processor's cache.
+    void average(const Block& strip, std::span<const std::int32_t> visible) {
+        constexpr int points_at_once = 1 << 18;
+        const auto width = static_cast<std::size_t>(strip.width);
+        const int most_rows = std::max(points_at_once / strip.width / side_, 1) * side_;
+        for (int y = 0; y < strip.height; y += most_rows) {
+            const Block rows{strip.x, strip.y + y, strip.width, std::min(most_rows, strip.height - y)};
+            if (points_.width() != rows.width || points_.height() != rows.height) {
+                points_ = make_picture({rows.width, rows.height}, options_.background);
+            }
+            shade(rows, visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(rows.height) * width),
+                  points_, {rows.x, rows.y});
+            average_into(points_, side_, picture_, rows.x / side_, rows.y / side_);
+        }
     }
 
     static constexpr int first_strip = 64;
 
     const Scene& scene_;
     const PictureOptions& options_;
+    int side_;          // points along a side of a pixel
+    PictureSize size_;  // in points
     Resolver resolver_;
     Image picture_;
+    Image points_;  // colours that are not averaged yet
     Timings& timings_;
     DecisionCounts& counts_;
     Progress& progress_;
 };
 
+// Columns of a CPU block: all of any usual picture. Its 8 rows at least may take so much memory.
+constexpr int cpu_block_width = 1 << 18;
+
 // Rows of a CPU block: enough work for all cores, little enough for a progress bar.
 int cpu_block_height(PictureSize size, const CandidateLists& lists) {
     constexpr double tests_per_block = 1e8;
     const double in_tile = static_cast<double>(lists.candidates.size()) / static_cast<double>(lists.begins.size());
-    const double cells = tests_per_block / (static_cast<double>(size.width) * (in_tile + 10.0) * (1 << cpu_cell_shift));
+    const double cells =
+        tests_per_block / (static_cast<double>(std::min(size.width, cpu_block_width)) * (in_tile + 10.0) * (1 << cpu_cell_shift));
     return static_cast<int>(std::clamp(cells, 1.0, 1e6)) << cpu_cell_shift;
 }
 
@@ -116,7 +153,7 @@ void describe(const CandidateLists& lists, PictureFacts& facts) {
 
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
                      Timings& timings, PictureFacts& facts, Progress& progress) {
-    const PictureSize size = options.size;
+    const PictureSize size = sampled_size(options.size, sample_side(options.samples));
     const CandidateLists lists = [&] {
         const PhaseTimer timer(timings, Phase::lists);
         return build_lists(drawn, scene.camera, size, backend.tile_costs);
@@ -126,17 +163,18 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     if (!backend.gpu) {
         facts.spheres_in = "memory";
         const CpuRenderer cpu(drawn, lists, scene.camera, size);
-        return picture.draw(size.width, cpu_block_height(size, lists), [&](const Block& block, std::span<std::int32_t> visible) {
-            const PhaseTimer timer(timings, Phase::trace);
-            cpu.trace(block, visible);
-        });
+        return picture.draw(cpu_block_width, cpu_block_height(size, lists),
+                            [&](const Block& block, std::span<std::int32_t> visible) {
+                                const PhaseTimer timer(timings, Phase::trace);
+                                cpu.trace(block, visible);
+                            });
     }
     GpuRenderer& gpu = *backend.gpu;
     gpu.upload(drawn, lists, scene.camera, size, timings);
     facts.spheres_in = gpu.storage();
-    const int side = gpu.largest_block_side();
+    const int side = gpu.largest_block_side() / 4 * 4;  // whole pixels, whatever the samples
     const int width = std::min(side, size.width);
-    return picture.draw(width, gpu_block_height(width, side),
+    return picture.draw(side, gpu_block_height(width, side),
                         [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
 }
 

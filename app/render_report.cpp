@@ -24,6 +24,7 @@ Json to_json(const RenderReport& report) {
         {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
         {"output", optional_path(report.job.output)},
         {"size", {report.size.width, report.size.height}},
+        {"samples", report.samples},
         {"spheres", report.spheres},
         {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
         {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
@@ -58,6 +59,11 @@ void print_backend(const RenderReport& report) {
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 
+// Tiles and decisions are of points where a pixel has several.
+std::string unit_of(const RenderReport& report) {
+    return report.samples == 1 ? "pixels" : "points (" + std::to_string(report.samples) + " a pixel)";
+}
+
 // "NAME: tiles of 16 and 4 pixels, candidates: 2,600,000, in the longest list: 400; spheres in buffer textures".
 void print_tiles(const RenderReport& report) {
     const PictureFacts& facts = report.facts;
@@ -67,7 +73,8 @@ void print_tiles(const RenderReport& report) {
         const char* const joint = i == 0 ? "" : i + 1 == facts.tile_sides.size() ? " and " : ", ";
         sides += joint + std::to_string(facts.tile_sides[i]);
     }
-    const std::string tiles = sides.empty() ? "no sphere is in the picture" : "tiles of " + sides + " pixels";
+    const std::string tiles =
+        sides.empty() ? "no sphere is in the picture" : "tiles of " + sides + (report.samples == 1 ? " pixels" : " points");
     std::fprintf(stderr, "%s: %s, candidates: %s, in the longest list: %s; spheres in %s\n", report.job.label.c_str(),
                  tiles.c_str(), in_groups(facts.candidates).c_str(), in_groups(facts.longest_list).c_str(),
                  facts.spheres_in.c_str());
@@ -77,8 +84,8 @@ void print_tiles(const RenderReport& report) {
 void print_decisions(const RenderReport& report) {
     const DecisionCounts& counts = report.facts.decisions;
     if (counts.in_float + counts.in_double + counts.exactly == 0) return;
-    std::fprintf(stderr, "%s: pixels decided: %lld in float, %lld in double, %lld exactly\n", report.job.label.c_str(),
-                 static_cast<long long>(counts.in_float), static_cast<long long>(counts.in_double),
+    std::fprintf(stderr, "%s: %s decided: %lld in float, %lld in double, %lld exactly\n", report.job.label.c_str(),
+                 unit_of(report).c_str(), static_cast<long long>(counts.in_float), static_cast<long long>(counts.in_double),
                  static_cast<long long>(counts.exactly));
 }
 

@@ -1,13 +1,16 @@
 #include "app/typed_options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/render_picture.hpp"
 #include "base/input_file.hpp"
 #include "base/text.hpp"
 #include "image/image.hpp"
 #include "scene/number.hpp"
+#include "scene/samples.hpp"
 
 namespace sphereview {
 
@@ -81,6 +84,20 @@ PictureSize checked_size(const std::string& text) {
     return {pair.first, pair.second};
 }
 
+std::optional<int> checked_samples(const std::optional<std::string>& text) {
+    if (!text) return std::nullopt;
+    for (const int count : sample_counts) {
+        if (*text == std::to_string(count)) return count;
+    }
+    wrong("--samples", *text, sample_counts_text);
+}
+
+void check_sampled_size(const std::string& text, PictureSize size, int samples) {
+    const int longest = longest_side(samples);
+    if (std::max(size.width, size.height) <= longest) return;
+    wrong("--size", text, "sides of at most " + std::to_string(longest) + " pixels with --samples " + std::to_string(samples));
+}
+
 Pixel checked_pixel(const std::string& text, PictureSize size) {
     const NumberPair pair = parse_pair(text, ",");
     if (!pair.well_formed) wrong("--pixel", text, "X,Y, such as 500,500");
@@ -133,6 +150,7 @@ ViewOptions checked_view(const TypedOptions& typed) {
         wrong("--shader-dir", options.shader_folder, "a folder");
     }
     if (typed.view_size) options.size = checked_size(*typed.view_size);
+    options.samples = checked_samples(typed.samples);
     options.background = checked_background(typed.background);
     return options;
 }
@@ -146,6 +164,8 @@ RenderOptions checked_render(const TypedOptions& typed) {
     check_file_name("--expect", options.expect);
     check_file_name("--diff", options.diff);
     options.size = checked_size(typed.size);
+    options.samples = checked_samples(typed.samples).value_or(sample_counts.front());
+    check_sampled_size(typed.size, options.size, options.samples);
     options.certify = !typed.no_certify;
     options.background = checked_background(typed.background);
     options.backend = chosen_backend(typed);

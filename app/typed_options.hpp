@@ -25,6 +25,7 @@ struct TypedOptions {
     std::string pixel;
     bool no_certify = false;
     std::string size = "1000x1000";
+    std::optional<std::string> samples;
     std::optional<std::string> background;
     std::optional<std::string> backend;
     std::optional<std::string> device;

@@ -166,19 +166,42 @@ def frames(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
+def samples(bench: Bench) -> tuple[list[Row], dict]:
+    """What 4 and 16 samples a pixel cost an export, and the window (see live.cpp)."""
+    scenes = {"input4.txt": ROOT / "scenes" / "input4.txt"}
+    for scene_set in SETS:
+        scenes[f"{scene_set}, {MILLION:,} spheres"] = bench.scene(scene_set, MILLION)
+    rows, data = [], {}
+    for name, scene in scenes.items():
+        for backend in ["cpu", "egl"]:
+            cases = [bench.render(f"{scene.stem}-{backend}-{count}", scene, "--backend", backend, "--samples", str(count),
+                                  LIBGL_ALWAYS_SOFTWARE="1") for count in [1, 4, 16]]
+            taken = bench.interleaved(cases)
+            data |= taken
+            seconds = [median(taken[case.name], "wall_s") for case in cases]
+            rows.append(Row(f"{name}, {backend}, 1, 4, 16 samples", ", ".join(f"{s * 1e3:.0f}" for s in seconds) + " ms"))
+            rows.append(at_most("  16 samples / 1", seconds[2] / seconds[0], 16))
+    for count in [4, 1000, MILLION]:
+        case = Case(f"window-{count}", [bench.program("live"), "half", str(count), str(bench.runs)], {"LIBGL_ALWAYS_SOFTWARE": "1"})
+        result = data[case.name] = json.loads(bench.run(case)["stdout"])
+        wall = {what: cost["wall_ms"] for what, cost in result.items() if "samples" in what}
+        rows.append(Row(f"window, {count:,} spheres", ", ".join(f"{what} {ms:.0f}" for what, ms in wall.items()) + " ms"))
+    return rows, data
+
+
 def live(bench: Bench) -> tuple[list[Row], dict]:
     """The viewer's picture while a sphere is dragged; see live.cpp."""
     rows, data = [], {}
     for count in [4, 1000]:
         case = Case(f"live-{count}", [bench.program("live"), "volume", str(count), str(bench.runs)], {"LIBGL_ALWAYS_SOFTWARE": "1"})
         result = data[case.name] = json.loads(bench.run(case)["stdout"])
-        wall = {what: cost["wall_ms"] for what, cost in result.items() if isinstance(cost, dict)}
+        wall = {what: cost["wall_ms"] for what, cost in result.items() if isinstance(cost, dict) and "samples" not in what}
         rows.append(Row(f"live, {count:,} spheres", ", ".join(f"{what} {ms:.1f}" for what, ms in wall.items()) + " ms"))
         rows.append(at_most("  drag, from the edit to the pixels", min(wall[f"drag, step {step}"] for step in [1, 2, 4, 8]), 30, " ms"))
     return rows, data
 
 
-SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "live": live,
+SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "live": live, "samples": samples,
             "window": window, "micro": micro}
 
 

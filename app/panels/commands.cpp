@@ -46,6 +46,10 @@ constexpr auto commands = std::to_array<CommandInfo>({
     {toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
     {toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
     {toggle_export_frame, "View", "Frame of the export", "M", "Marks what an export shows, where the window shows more or less."},
+    {no_anti_aliasing, "View", "Anti-aliasing off", "Alt+1", "A pixel shows what is at its centre.", true},
+    {anti_aliasing_4, "View", "4 samples a pixel", "Alt+4",
+     "When nothing moves, and in exports, a pixel is the average of 4 points."},
+    {anti_aliasing_16, "View", "16 samples a pixel", "Alt+6", "The average of 16 points."},
     {larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger.", true},
     {smaller_text, "View", "Smaller text", "Ctrl+-", "Makes text and panels smaller."},
 

@@ -19,9 +19,10 @@ std::string label_of(const PanelContext& context, const CommandInfo& info) {
 
 void draw_item(const PanelContext& context, const CommandInfo& info) {
     const bool enabled = !context.enabled || context.enabled(info.id);
+    const bool checked = context.checked && context.checked(info.id);
     // The label changes with the step; what follows "###" is the same widget for ImGui all the time.
     const std::string label = label_of(context, info) + "###" + std::string(info.label);
-    if (ImGui::MenuItem(label.c_str(), first_shortcut(info.shortcut).c_str(), false, enabled)) {
+    if (ImGui::MenuItem(label.c_str(), first_shortcut(info.shortcut).c_str(), checked, enabled)) {
         context.actions.emplace_back(RunCommand{info.id});
     }
     note_widget(context, "item " + std::string(info.label));

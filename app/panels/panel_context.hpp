@@ -48,14 +48,15 @@ using WidgetRectangles = std::map<std::string, WidgetRectangle>;
 struct PanelContext {
     const Document& document;
     const Selection& selection;
-    const SceneBounds& bounds;               // what the sliders' ranges come from: of the scene, but still during a drag
-    std::function<bool(CommandId)> enabled;  // whether a command has something to do now
-    float scale = 1.0F;                      // sizes that are not text are times this
-    std::uint64_t& gesture;                  // the number of the current drag; whoever begins one adds 1
-    std::optional<std::uint32_t>& hovered;   // the sphere under the pointer, in the picture or in the list
-    std::vector<Action>& actions;            // what is to be done after all panels are drawn, in order
-    WidgetRectangles* rectangles = nullptr;  // collected when not null
-    std::int64_t frame = 0;                  // of the scene's file, which has several where `frames` is not 1
+    const SceneBounds& bounds;                 // what the sliders' ranges come from: of the scene, but still during a drag
+    std::function<bool(CommandId)> enabled;    // whether a command has something to do now
+    float scale = 1.0F;                        // sizes that are not text are times this
+    std::uint64_t& gesture;                    // the number of the current drag; whoever begins one adds 1
+    std::optional<std::uint32_t>& hovered;     // the sphere under the pointer, in the picture or in the list
+    std::vector<Action>& actions;              // what is to be done after all panels are drawn, in order
+    WidgetRectangles* rectangles = nullptr;    // collected when not null
+    std::function<bool(CommandId)> checked{};  // whether a command stands for what is chosen now
+    std::int64_t frame = 0;                    // of the scene's file, which has several where `frames` is not 1
     std::int64_t frames = 1;
 };
 

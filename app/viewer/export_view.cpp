@@ -1,10 +1,13 @@
 #include "viewer/export_view.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "app/failure.hpp"
 #include "app/render_picture.hpp"
+#include "base/error.hpp"
 #include "base/output_file.hpp"
+#include "base/text.hpp"
 #include "base/user_folders.hpp"
 #include "image/png.hpp"
 
@@ -31,7 +34,9 @@ std::string try_export(ViewerState& state, const std::string& path, PictureSize 
     } catch (...) {
         return describe_current_exception().message;
     }
-    announce(state, "Exported " + path + " (" + std::to_string(size.width) + " x " + std::to_string(size.height) + ")");
+    const int samples = state.settings.samples;
+    announce(state, "Exported " + path + " (" + std::to_string(size.width) + " x " + std::to_string(size.height) +
+                        (samples > 1 ? ", " + std::to_string(samples) + " samples a pixel)" : ")"));
     return "";
 }
 
@@ -56,6 +61,11 @@ void ask_for_export(ViewerState& state, const std::string& first_path, const std
 }  // namespace
 
 void export_view(const ViewerState& state, const std::string& path, PictureSize size) {
+    const int samples = state.settings.samples;
+    if (std::max(size.width, size.height) > longest_side(samples)) {
+        throw RenderError("a picture with " + std::to_string(samples) + " samples a pixel can be at most " +
+                          in_groups(static_cast<std::uint64_t>(longest_side(samples))) + " pixels wide and high");
+    }
     check_output(path);
     Scene scene = state.scene();
     scene.camera = state.camera;
@@ -65,7 +75,7 @@ void export_view(const ViewerState& state, const std::string& path, PictureSize 
     PictureFacts facts;
     Progress progress{false};
     const Image picture =
-        render_picture(cpu, scene, drawn_spheres(scene), {size, state.shown_background(), true}, timings, facts, progress);
+        render_picture(cpu, scene, drawn_spheres(scene), {size, state.shown_background(), true, samples}, timings, facts, progress);
     write_output(path, encode_png(picture));
 }
 

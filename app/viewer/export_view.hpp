@@ -7,8 +7,8 @@
 
 namespace sphereview {
 
-// Writes the certified picture of the view, byte for byte what `render` makes of the scene saved with the view as its camera.
-// Throws what rendering and writing do.
+// Writes the certified picture of the view, byte for byte what `render --samples N` makes of the scene saved with the view as its
+// camera. Throws what rendering and writing do.
 void export_view(const ViewerState& state, const std::string& path, PictureSize size);
 
 // F12: at once, to the next free name beside the scene, or in the Pictures folder.

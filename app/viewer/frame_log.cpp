@@ -32,6 +32,7 @@ void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const Wid
                        {"revision", state.document.revision()},
                        {"step", frame.step},
                        {"exact", frame.exact},
+                       {"samples", frame.samples},
                        {"resting", frame.resting},
                        {"seconds", frame.seconds},
                        {"title", frame.title},

@@ -14,6 +14,7 @@ struct LoggedFrame {
     std::uint64_t number = 0;
     int step = 1;          // of the picture's grid
     bool exact = false;    // every pixel is decided
+    int samples = 1;       // points a pixel, in the picture that is shown
     bool resting = false;  // nothing waits to be done: the next frame comes with the next event
     Rectangle picture;
     double seconds = 0.0;  // from the first of its events to the swap

@@ -31,7 +31,6 @@ void draw_splitter(ViewerState& state, const PanelContext& context, const Rectan
     place_window(area);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
     ImGui::Begin("##splitter", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar);
     ImGui::InvisibleButton("##edge", ImVec2(area.width, std::max(area.height, 1.0F)));
     note_widget(context, "splitter");
@@ -41,7 +40,7 @@ void draw_splitter(ViewerState& state, const PanelContext& context, const Rectan
         state.settings.panel_width -= static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
     }
     ImGui::End();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleVar(2);
 }
 
 void draw_inspector_window(ViewerState& state, const PanelContext& context, const FrameFacts& facts, const Rectangle& picture) {
@@ -60,6 +59,8 @@ void draw_inspector_window(ViewerState& state, const PanelContext& context, cons
 }  // namespace
 
 Rectangle draw_panels(ViewerState& state, const PanelContext& context, const FrameFacts& facts) {
+    // The windows around the picture have no border: ImGui's, if it is wider than a pixel, reaches beyond its window.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
     const float menu_height = std::ceil(draw_menu_bar(context, state.settings.recent));  // the picture has whole pixels
     const float status_height = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
@@ -86,7 +87,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Fra
     ImGui::Begin("##status", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_status_bar(context, facts.status);
     ImGui::End();
-    ImGui::PopStyleVar(2);
+    ImGui::PopStyleVar(3);
 
     const ClosedMessages closed = draw_messages(context, state.messages, {picture.x, picture.y, picture.width, picture.height});
     if (closed.scene_error) state.messages.scene_error.clear();

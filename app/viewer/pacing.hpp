@@ -41,6 +41,7 @@ public:
     // Pixels that float cannot decide are decided when nothing moves. Rare scenes have so many that it is left at this.
     static constexpr double certify_at_once = 0.015;  // seconds in a frame
     static constexpr double certify_in_all = 2.0;
+    static constexpr double look_again = 0.01;  // seconds, while another thread works for the picture
 
 private:
     // ImGui shows what a click did in the next frame, and places what is new in the one after that.

@@ -36,6 +36,16 @@ void select_all(ViewerState& state) {
     state.selection.set(std::move(all));
 }
 
+// What a choice of anti-aliasing means; 0: the command is none.
+int samples_of(CommandId command) {
+    switch (command) {
+        case CommandId::no_anti_aliasing: return 1;
+        case CommandId::anti_aliasing_4: return 4;
+        case CommandId::anti_aliasing_16: return 16;
+        default: return 0;
+    }
+}
+
 void apply(ViewerState& state, EditScene& action) {
     const bool adds_or_removes =
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
@@ -68,6 +78,10 @@ bool is_enabled(const ViewerState& state, CommandId command) {
         case CommandId::use_view_as_camera: return state.camera != state.scene().camera;
         default: return true;
     }
+}
+
+bool is_checked(const ViewerState& state, CommandId command) {
+    return samples_of(command) != 0 && samples_of(command) == state.settings.samples;
 }
 
 void run_command(ViewerState& state, CommandId command) {
@@ -105,6 +119,9 @@ void run_command(ViewerState& state, CommandId command) {
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
         case CommandId::toggle_export_frame: state.export_frame_shown = !state.export_frame_shown; return;
+        case CommandId::no_anti_aliasing:
+        case CommandId::anti_aliasing_4:
+        case CommandId::anti_aliasing_16: state.settings.samples = samples_of(command); return;
         case CommandId::larger_text: return scale_text(state, 1.1);
         case CommandId::smaller_text: return scale_text(state, 1.0 / 1.1);
         case CommandId::help: state.help_shown = !state.help_shown; return;

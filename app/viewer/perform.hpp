@@ -14,4 +14,7 @@ void run_command(ViewerState& state, CommandId command);
 // Whether the command has something to do now.
 bool is_enabled(const ViewerState& state, CommandId command);
 
+// Whether the command stands for what is chosen now: the menu marks it.
+bool is_checked(const ViewerState& state, CommandId command);
+
 }  // namespace sphereview

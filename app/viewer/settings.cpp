@@ -109,6 +109,7 @@ void update(Json& json, const ViewerSettings& settings) {
     json["text_scale"] = settings.text_scale;
     json["export_width"] = settings.export_width;
     json["export_height"] = settings.export_height;
+    json["samples"] = settings.samples;
     Json recent = Json::array();
     std::ranges::copy_if(settings.recent, std::back_inserter(recent), is_utf8);
     json["recent"] = recent;
@@ -143,6 +144,8 @@ ViewerSettings load_settings() {
         settings.export_width = ViewerSettings{}.export_width;
         settings.export_height = ViewerSettings{}.export_height;
     }
+    read(json, "samples", {sample_counts.front(), sample_counts.back()}, settings.samples);
+    if (std::ranges::find(sample_counts, settings.samples) == sample_counts.end()) settings.samples = ViewerSettings{}.samples;
     read_recent(json, settings.recent);
     return settings;
 }

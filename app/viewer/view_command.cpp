@@ -106,6 +106,7 @@ ExitCode run_view(const ViewOptions& options) {
         state.settings.export_width = options.size->width;
         state.settings.export_height = options.size->height;
     }
+    if (options.samples) state.settings.samples = *options.samples;
     load_first_scene(state);
     offer_recovery(state);
     try {

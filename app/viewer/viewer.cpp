@@ -69,13 +69,18 @@ void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
         if (pacing_.rests() && input_.empty()) state_.autosave.look(state_.document, state_.path, Clock::now());
         wait_for_work();
-        if (!pacing_.rests() || !input_.empty()) draw_frame();
+        if (!pacing_.rests() || !input_.empty()) {
+            draw_frame();
+        } else if (refinement_waits()) {
+            refine();
+        }
     }
 }
 
 void Viewer::wait_for_work() {
     files_.follow_scene(state_.path);
     std::optional<double> patience = input_.empty() ? pacing_.patience() : 0.0;
+    if (!patience && refinement_waits()) patience = picture_.refining_waits() ? Pacing::look_again : 0.0;
     if (!patience) {
         for (const auto& time : {state_.announcement_ends, state_.autosave.due()}) {
             if (!time) continue;
@@ -201,6 +206,7 @@ void Viewer::draw_frame() {
                                state_.hovered,
                                actions,
                                log_.wanted() ? &widgets_ : nullptr,
+                               [this](CommandId command) { return is_checked(state_, command); },
                                state_.frame,
                                state_.frames};
     area_ = draw_panels(state_, context, facts_);
@@ -230,10 +236,12 @@ void Viewer::draw_frame() {
     window_.swap_buffers();
     pacing_.drew(picture_.step(), exact_ || certify_seconds_ <= 0.0);
     if (log_.wanted()) {
-        const bool resting = pacing_.rests() && input_.empty();
+        const bool resting = pacing_.rests() && input_.empty() && !refinement_waits();
+        const int samples = state_.settings.samples;
+        const int shown = picture_.is_averaged(samples, state_.shown_background()) ? samples : 1;
         log_.add(state_,
-                 {++frame_number_, picture_.step(), exact_, resting, area_, seconds_between(begin, Clock::now()), title_for(state_),
-                  renderer_},
+                 {++frame_number_, picture_.step(), exact_, shown, resting, area_, seconds_between(begin, Clock::now()),
+                  title_for(state_), renderer_},
                  widgets_);
     }
 }
@@ -242,6 +250,17 @@ void Viewer::certify() {
     const auto begin = Clock::now();
     exact_ = picture_.certify(state_.document, Pacing::certify_at_once);
     certify_seconds_ -= seconds_between(begin, Clock::now());
+}
+
+bool Viewer::refinement_waits() const {
+    return exact_ && pacing_.rests() && !picture_.is_refined(state_.settings.samples, state_.shown_background());
+}
+
+// Frames that would show the same are not drawn meanwhile.
+void Viewer::refine() {
+    const int samples = state_.settings.samples;
+    picture_.refine(state_.document, samples, state_.shown_background(), Pacing::certify_at_once);
+    if (picture_.is_refined(samples, state_.shown_background())) pacing_.touch();
 }
 
 void Viewer::note_facts() {
@@ -269,7 +288,8 @@ void Viewer::show(const Rectangle& area) {
     const int top = static_cast<int>(std::lround(area.y * pixels_));
     const PictureSize size = state_.picture_size;
     picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
-                  {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)});
+                  {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)},
+                  state_.settings.samples);
 }
 
 }  // namespace sphereview

@@ -33,6 +33,9 @@ private:
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
     void use_mouse(const PanelContext& context, bool cancelled);
     void certify();
+    // Anti-aliasing waits for a picture that rests and is exact.
+    bool refinement_waits() const;
+    void refine();
     void show(const Rectangle& area);
     void note_facts();
     void finish_system_dialog();

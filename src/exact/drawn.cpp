@@ -104,6 +104,13 @@ DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
     return drawn;
 }
 
+std::optional<std::size_t> DrawnSpheres::index_of(std::uint32_t number) const {
+    if (numbers.empty()) return number < size() ? std::optional<std::size_t>(number) : std::nullopt;
+    const auto found = std::ranges::lower_bound(numbers, static_cast<std::int32_t>(number));
+    if (found == numbers.end() || *found != static_cast<std::int32_t>(number)) return std::nullopt;
+    return static_cast<std::size_t>(found - numbers.begin());
+}
+
 EyeSide DrawnSpheres::side(std::size_t index) const {
     const glm::vec4& sphere = center_radius[index];
     if (sphere.w != 0.0F) return sphere.w > 0.0F ? EyeSide::outside : EyeSide::inside;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct DrawnSpheres {
 
     std::size_t size() const { return center_radius.size(); }
     std::int32_t number(std::size_t index) const { return numbers.empty() ? static_cast<std::int32_t>(index) : numbers[index]; }
+    // The place of a sphere that is drawn; none for one that was left out.
+    std::optional<std::size_t> index_of(std::uint32_t number) const;
     // The eye's side of a sphere, also of one that is beyond float.
     EyeSide side(std::size_t index) const;
 };

@@ -65,9 +65,18 @@ static_assert(sizeof(Candidate) == 8, "two 32-bit numbers a texel in candidates.
 enum class BlockBinding : unsigned { frame = 0, spheres = 1, colors = 2 };
 
 // The texture unit of each sampler, by its name in the shaders.
-enum class TextureUnit : int { visible_spheres, sphere_table, color_table, candidate_table, list_begin_table, marks, busy_cells };
-inline constexpr std::array<const char*, 7> sampler_names = {"visible_spheres",  "sphere_table", "color_table", "candidate_table",
-                                                             "list_begin_table", "marks",        "busy_cells"};
+enum class TextureUnit : int {
+    visible_spheres,
+    sphere_table,
+    color_table,
+    candidate_table,
+    list_begin_table,
+    marks,
+    busy_cells,
+    sums
+};
+inline constexpr std::array<const char*, 8> sampler_names = {"visible_spheres",  "sphere_table", "color_table", "candidate_table",
+                                                             "list_begin_table", "marks",        "busy_cells",  "sums"};
 
 // A uniform block is guaranteed 16 KiB, 1,024 spheres; more is used up to this, which every desktop GPU offers.
 inline constexpr int largest_uniform_block = 65536;

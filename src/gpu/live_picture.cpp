@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "exact/resolve.hpp"
+#include "gpu/decide_doubtful.hpp"
 #include "gpu/program.hpp"
 #include "tiles/pixel_range.hpp"
 
@@ -66,12 +66,17 @@ int traced_pixel(int texel, int step, int pixels) { return std::min(texel * step
 LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const std::vector<std::string>& defines) {
     return {make_program("trace.frag", defines, files),
             make_program("shade.frag", defines, files),
+            make_program("average.frag", defines, files),
             {make_program("mark.frag", defines, files), make_program("busy.frag", defines, files),
              make_program("outline.frag", defines, files)}};
 }
 
 LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& bounds)
-    : shader_folder_(shader_folder), no_vertices_(make_vertex_array()), frame_buffer_(make_buffer()), tables_(bounds) {
+    : shader_folder_(shader_folder),
+      no_vertices_(make_vertex_array()),
+      frame_buffer_(make_buffer()),
+      tables_(bounds),
+      sampled_(bounds) {
     if (!shader_folder_.empty()) shader_files_ = ShaderFiles(shader_folder_);
     compile(tables_.defines_for(drawn_, lists_));
 }
@@ -97,20 +102,13 @@ std::string LivePicture::reload_shaders() {
         shader_files_ = std::move(files);
         shader_log_.clear();
         traced_ = false;
+        sampled_.discard(SampledPicture::Change::shaders);
     } catch (const RenderError& error) {
         shader_log_ = error.what();
     } catch (const InputError& error) {
         shader_log_ = error.what();
     }
     return shader_log_;
-}
-
-std::optional<std::size_t> LivePicture::index_of(std::uint32_t number) const {
-    const std::vector<std::int32_t>& numbers = drawn_.numbers;
-    if (numbers.empty()) return number < drawn_.size() ? std::optional<std::size_t>(number) : std::nullopt;
-    const auto found = std::ranges::lower_bound(numbers, static_cast<std::int32_t>(number));
-    if (found == numbers.end() || *found != static_cast<std::int32_t>(number)) return std::nullopt;
-    return static_cast<std::size_t>(found - numbers.begin());
 }
 
 void LivePicture::rebuild(const Document& document, const View& view, bool geometry) {
@@ -123,6 +121,7 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     if (defines != defines_) compile(defines);
 
     revision_ = 0;  // unless all goes well, nothing here fits together
+    sampled_.discard(SampledPicture::Change::everything);
     step_ = 0;
     tables_.upload(spheres, lists);
     frame_ = frame_of(lists, view.camera, view.size);
@@ -178,11 +177,12 @@ bool LivePicture::update(const Document& document, const View& view, int step) {
         rebuild(document, view, geometry);
     } else {
         for (const std::uint32_t number : changes.spheres) {
-            const std::optional<std::size_t> index = index_of(number);
+            const std::optional<std::size_t> index = drawn_.index_of(number);
             if (!index) continue;
             const Color& color = document.scene().spheres[number].color;
             colors_[*index] = {color.r, color.g, color.b, colors_[*index][3]};
             colors_uploaded_ = false;
+            sampled_.discard(SampledPicture::Change::colors);
         }
     }
     revision_ = document.revision();
@@ -198,44 +198,35 @@ bool LivePicture::update(const Document& document, const View& view, int step) {
 bool LivePicture::certify(const Document& document, double seconds) {
     assert(document.revision() == revision_);
     constexpr int strip = 64;
-    constexpr std::size_t batch = 256;  // pixels: some may take a millisecond each
-    const auto begin = std::chrono::steady_clock::now();
-    const auto time_is_up = [&] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() > seconds;
-    };
+    const Deadline deadline(seconds);
     if (!traced_ || step_ != 1) return false;
     const KeptFramebuffers kept;
     const Resolver resolver(document.scene(), drawn_, view_.camera, view_.size, &lists_);
-    const auto width = static_cast<std::size_t>(view_.size.width);
     std::vector<std::int32_t> visible;
     while (certified_rows_ < view_.size.height) {
         const Block block{0, certified_rows_, view_.size.width, std::min(strip, view_.size.height - certified_rows_)};
-        visible.resize(width * static_cast<std::size_t>(block.height));
+        visible.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
         visible_.read(block, visible);
-        std::vector<std::size_t> doubtful_places;
-        for (std::size_t i = 0; i < visible.size(); ++i) {
-            if (is_doubtful(visible[i])) doubtful_places.push_back(i);
-        }
-        std::size_t decided = 0;
-        while (decided < doubtful_places.size() && (decided == 0 || !time_is_up())) {
-            const std::size_t end = std::min(decided + batch, doubtful_places.size());
-            parallel_for(end - decided, [&](std::size_t i) {
-                std::int32_t& number = visible[doubtful_places[decided + i]];
-                const auto place = static_cast<int>(doubtful_places[decided + i]);
-                DecisionLevel level = DecisionLevel::in_float;
-                const Pixel pixel{place % block.width, block.y + place / block.width};
-                const std::int32_t seen = resolver.resolve(pixel, level);
-                number = seen < 0 ? visible_background : static_cast<std::int32_t>(*index_of(static_cast<std::uint32_t>(seen)));
-            });
-            decided = end;
-        }
-        if (decided > 0) visible_.write(block, visible);
-        if (decided < doubtful_places.size()) return false;
+        const Decided decided = decide_doubtful(
+            resolver, drawn_, visible,
+            [&](int place) {
+                return Pixel{place % block.width, block.y + place / block.width};
+            },
+            deadline);
+        if (decided.any) visible_.write(block, visible);
+        if (!decided.all) return false;
         certified_rows_ += block.height;
-        if (time_is_up()) break;
+        if (deadline.passed()) break;
     }
     check_gl("certifying the picture");
     return certified_rows_ == view_.size.height;
+}
+
+void LivePicture::refine(const Document& document, int samples, const Background& background, double seconds) {
+    assert(document.revision() == revision_);
+    const KeptFramebuffers kept;
+    draw_plainly();
+    sampled_.refine({document.scene(), drawn_, view_.camera, view_.size, colors_, shader_files_}, samples, background, seconds);
 }
 
 // Also finds out where they are, and uploads all colours if anything is another.
@@ -247,7 +238,7 @@ void LivePicture::mark_selected(const Selection* selection) {
     selected_range_ = numbers.size() > most_single_ranges ? lists_.covered : PixelRange{};
     const PixelPlanes planes(view_.camera, view_.size);
     for (const std::uint32_t number : numbers) {
-        const std::optional<std::size_t> index = index_of(number);
+        const std::optional<std::size_t> index = drawn_.index_of(number);
         if (!index) continue;
         colors_[*index][3] = 255;
         if (numbers.size() > most_single_ranges) continue;
@@ -258,7 +249,7 @@ void LivePicture::mark_selected(const Selection* selection) {
     colors_uploaded_ = true;
 }
 
-void LivePicture::show(const WindowArea& area, const Background& background, const Highlights& highlights) {
+void LivePicture::show(const WindowArea& area, const Background& background, const Highlights& highlights, int samples) {
     if (area.width <= 0 || area.height <= 0) return;
     const KeptFramebuffers kept;
     draw_plainly();
@@ -269,7 +260,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     mark_selected(highlights.selection);
     PixelRange outlined = selected_range_;
     FrameBlock frame = frame_;
-    if (const auto index = highlights.hovered ? index_of(*highlights.hovered) : std::nullopt) {
+    if (const auto index = highlights.hovered ? drawn_.index_of(*highlights.hovered) : std::nullopt) {
         frame.hovered = static_cast<std::int32_t>(*index);
         outlined = united(outlined, PixelPlanes(view_.camera, view_.size).range(drawn_.center_radius[*index]));
     }
@@ -279,9 +270,14 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     frame.outline = std::max(highlights.thickness, 1.0F);
     upload_frame(frame_buffer_, frame);
     tables_.bind();
-    visible_.bind(TextureUnit::visible_spheres);
-    glUseProgram(programs_.shade.name());
-    draw_block(no_vertices_, {area.x, area.y, area.width, area.height});
+    const Block whole{area.x, area.y, area.width, area.height};
+    if (is_averaged(samples, background)) {
+        sampled_.draw(programs_.average, no_vertices_, whole);
+    } else {
+        visible_.bind(TextureUnit::visible_spheres);
+        glUseProgram(programs_.shade.name());
+        draw_block(no_vertices_, whole);
+    }
     outlines_.draw(programs_.outlines, no_vertices_, visible_, frame, outlined, area, kept.draw());
     check_gl("showing the picture");
 }

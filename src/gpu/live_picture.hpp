@@ -11,6 +11,7 @@
 #include "gpu/layouts.hpp"
 #include "gpu/number_target.hpp"
 #include "gpu/outlines.hpp"
+#include "gpu/sampled_picture.hpp"
 #include "gpu/scene_tables.hpp"
 #include "gpu/shader_source.hpp"
 #include "scene/document.hpp"
@@ -51,6 +52,20 @@ public:
     // for the next call. Returns whether none is left. For the document of the last update().
     bool certify(const Document& document, double seconds);
 
+    // Anti-aliasing: goes on for about so many seconds with the picture that has `samples` (scene/samples.hpp) decided points in
+    // each pixel, of the document and view of the last update(); an update() that changes the picture discards it.
+    void refine(const Document& document, int samples, const Background& background, double seconds);
+    // Whether that has nothing more to do: the average is there, or this context cannot hold it.
+    bool is_refined(int samples, const Background& background) const {
+        return samples == 1 || sampled_.finished(samples, background);
+    }
+    // Whether show() would show the average.
+    bool is_averaged(int samples, const Background& background) const {
+        return samples > 1 && traced_ && step_ == 1 && sampled_.complete(samples, background);
+    }
+    // Whether refine() only waits for another thread.
+    bool refining_waits() const { return sampled_.waits(); }
+
     // How long the last update() that traced took, in seconds: the lists, the uploads, and drawing until it was done.
     double last_seconds() const { return last_seconds_; }
     // Of the picture that is there; 0 before the first.
@@ -58,7 +73,8 @@ public:
 
     // Colours the picture into the bound framebuffer and draws the outlines over it. A transparent background shows as a
     // checkerboard. What of the area is beyond the picture shows the picture's edge. Before the first picture: the background.
-    void show(const WindowArea& area, const Background& background, const Highlights& highlights);
+    // With samples: the average, where refine() is done with it; outlines are the plain picture's.
+    void show(const WindowArea& area, const Background& background, const Highlights& highlights, int samples = 1);
 
     // The number of the sphere that a pixel of the picture shows, or visible_background, also outside the picture. From the
     // visible-sphere buffer where that is sure; a pixel that is doubtful, or that was not traced itself, is decided on the CPU.
@@ -78,6 +94,7 @@ private:
     struct Programs {
         Program trace;
         Program shade;
+        Program average;
         OutlinePrograms outlines;
     };
     static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);
@@ -86,7 +103,6 @@ private:
     void rebuild(const Document& document, const View& view, bool geometry);
     void trace(int step);
     void mark_selected(const Selection* selection);
-    std::optional<std::size_t> index_of(std::uint32_t number) const;
     std::optional<std::int32_t> traced_number(Pixel pixel) const;
 
     std::string shader_folder_;
@@ -99,6 +115,7 @@ private:
     SceneTables tables_;
     NumberTarget visible_;
     Outlines outlines_;
+    SampledPicture sampled_;
 
     std::uint64_t revision_ = 0;  // that all below is made from; 0: none
     View view_;

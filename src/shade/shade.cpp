@@ -26,14 +26,14 @@ void fill(std::uint8_t* out, std::size_t count, const std::uint8_t* pixel, std::
 }  // namespace
 
 void shade_flat(const Scene& scene, const Background& background, const Block& block, std::span<const std::int32_t> visible,
-                Image& picture) {
+                Image& picture, Pixel origin) {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     const auto channels = static_cast<std::size_t>(picture.channels());
     const std::uint8_t background_alpha = background.transparent ? 0 : 255;
     parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
         const std::int32_t* numbers = visible.data() + row * static_cast<std::size_t>(block.width);
         const std::int32_t* const end = numbers + block.width;
-        std::uint8_t* out = picture.at(block.x, block.y + static_cast<int>(row));
+        std::uint8_t* out = picture.at(block.x - origin.x, block.y - origin.y + static_cast<int>(row));
         while (numbers != end) {
             const std::int32_t number = *numbers;
             const std::int32_t* const run_end = std::find_if(numbers, end, [=](std::int32_t other) { return other != number; });

@@ -13,9 +13,9 @@ namespace sphereview {
 // An image for a scene's picture: RGBA where the background is transparent, else RGB.
 Image make_picture(PictureSize size, const Background& background);
 
-// Colours one block of `picture` from its visible spheres (scene numbers or visible_background), row by row. Every colour
-// is what the scene says, byte for byte.
+// Colours one block of a picture from its visible spheres (scene numbers or visible_background), row by row. Every colour
+// is what the scene says, byte for byte. `picture` may be a part of the whole: its top left pixel is `origin` of that.
 void shade_flat(const Scene& scene, const Background& background, const Block& block, std::span<const std::int32_t> visible,
-                Image& picture);
+                Image& picture, Pixel origin = {});
 
 }  // namespace sphereview

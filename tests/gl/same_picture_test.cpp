@@ -115,6 +115,17 @@ TEST_P(SamePicture, OnEveryBackend) {
     }
 }
 
+TEST_P(SamePicture, WithSamplesOnEveryBackend) {
+    const auto& [name, scene, size] = GetParam();
+    for (const char* samples : {"4", "16"}) {
+        const Picture expected = picture_of(scene, "cpu", {"-s", size, "--samples", samples});
+        EXPECT_EQ(std::to_string(expected.width) + "x" + std::to_string(expected.height), size);
+        for (const char* backend : {"egl", "osmesa"}) {
+            EXPECT_TRUE(picture_of(scene, backend, {"-s", size, "--samples", samples}) == expected) << backend << " " << samples;
+        }
+    }
+}
+
 TEST(FittedPicture, IsTheSameOnEveryBackend) {
     for (const std::string& scene : {random_spheres(100, 3), three_spheres}) {
         const std::string view = "33,-12";

@@ -24,7 +24,7 @@ TEST_F(Quiet, AnIdleWindowDrawsNothing) {
     EXPECT_LT(window_.processor_seconds() - before, 0.03 * seconds);
 }
 
-TEST(LargeScreen, HasLargeText) {
+TEST(LargeScreen, HasLargeTextAroundTheWholePicture) {
     const TemporaryFolder folder;
     const std::string scene = folder.write("scene.txt", two_spheres);
     const auto height_of_add = [&](ViewerWindow& window) {
@@ -38,6 +38,10 @@ TEST(LargeScreen, HasLargeText) {
     }
     ViewerWindow window(folder, {scene}, {2400, 1600, 192});
     EXPECT_NEAR(height_of_add(window) / usual, 2.0, 0.15);
+    window.key("m");
+    window.move_to({5, 5});
+    window.wait_until("the picture alone", [](const Json& f) { return f.at("hovered").is_null() && f.at("exact") == true; });
+    EXPECT_TRUE(same_picture(window.picture(), rendered(folder, scene, window.frame()))) << "no panel reaches into the picture";
 }
 
 }  // namespace sphereview::test

@@ -66,6 +66,25 @@ TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
 }
 
+TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
+    const auto marked = [&] {
+        std::vector<CommandId> found;
+        for (const CommandInfo& info : all_commands()) {
+            if (is_checked(state, info.id)) found.push_back(info.id);
+        }
+        return found;
+    };
+    EXPECT_EQ(marked(), std::vector{CommandId::no_anti_aliasing});
+    run_command(state, CommandId::anti_aliasing_16);
+    EXPECT_EQ(state.settings.samples, 16);
+    EXPECT_EQ(marked(), std::vector{CommandId::anti_aliasing_16});
+    run_command(state, CommandId::anti_aliasing_4);
+    EXPECT_EQ(state.settings.samples, 4);
+    EXPECT_EQ(marked(), std::vector{CommandId::anti_aliasing_4});
+    run_command(state, CommandId::no_anti_aliasing);
+    EXPECT_EQ(state.settings.samples, 1);
+}
+
 TEST_F(Commands, AHiddenOneAmongOthersIsHiddenWithThem) {
     state.selection.set_only(0);
     run_command(state, CommandId::hide);

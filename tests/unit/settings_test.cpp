@@ -31,6 +31,7 @@ std::string in_words(const ViewerSettings& s) {
     text += " " + std::to_string(s.place.width) + "x" + std::to_string(s.place.height) + (s.place.maximized ? " max" : "");
     text += " " + std::to_string(s.panel_width) + " " + std::to_string(s.text_scale);
     text += " " + std::to_string(s.export_width) + "x" + std::to_string(s.export_height);
+    text += " " + std::to_string(s.samples);
     for (const std::string& path : s.recent) text += " " + path;
     return text;
 }
@@ -46,6 +47,7 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     settings.text_scale = 1.25;
     settings.export_width = 1920;
     settings.export_height = 1080;
+    settings.samples = 4;
     settings.recent = {"/a/K\xC3\xBCgeln \"x\".toml", "/b"};
     EXPECT_TRUE(save_settings(settings));
     EXPECT_EQ(in_words(load_settings()), in_words(settings));
@@ -77,6 +79,7 @@ TEST_F(Settings, AreTheDefaultsWhereAFieldIsWrong) {
           R"({"window": {"width": 18446744073709551615}})", R"({"window": {"width": 800.5}})", R"({"panel_width": 1e9})",
           R"({"panel_width": null, "text_scale": 0})", R"({"text_scale": -1e308})", R"({"export_width": 0})",
           R"({"export_width": 65536})", R"({"export_width": 65535, "export_height": 65535})", R"({"recent": "x"})",
+          R"({"samples": 2})", R"({"samples": 64})", R"({"samples": "4"})", R"({"samples": 4.0})",
           R"({"recent": [1, null, "relative", ""]})"}) {
         EXPECT_EQ(in_words(loaded_from(wrong)), defaults) << wrong;
     }

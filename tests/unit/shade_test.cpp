@@ -55,4 +55,11 @@ TEST(ShadeFlat, WritesNothingOutsideItsBlock) {
     }
 }
 
+TEST(ShadeFlat, PutsABlockIntoAPartOfThePicture) {
+    Image part(2, 2, 3);
+    std::ranges::fill(part.bytes(), std::uint8_t{77});
+    shade_flat(red_and_blue(), {}, {11, 20, 1, 2}, std::vector<std::int32_t>{0, 1}, part, {10, 20});
+    EXPECT_EQ((Bytes{part.bytes().begin(), part.bytes().end()}), (Bytes{77, 77, 77, 255, 1, 2, 77, 77, 77, 3, 4, 254}));
+}
+
 }  // namespace sphereview

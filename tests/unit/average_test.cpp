@@ -1,0 +1,95 @@
+#include "image/average.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace sphereview {
+
+namespace {
+
+using Bytes = std::vector<int>;
+
+Image image(int width, int height, int channels, const Bytes& bytes) {
+    Image made(width, height, channels);
+    std::ranges::copy(bytes, made.bytes().begin());
+    return made;
+}
+
+// All of `points`, averaged.
+Bytes averaged(const Image& points, int side) {
+    Image picture(points.width() / side, points.height() / side, points.channels());
+    average_into(points, side, picture, 0, 0);
+    return {picture.bytes().begin(), picture.bytes().end()};
+}
+
+// The same in another way: fractions, compared without rounding them first. v is round(a / b), halves up.
+bool is_rounded(int v, long a, long b) { return (2 * v - 1) * b <= 2 * a && 2 * a < (2 * v + 1) * b; }
+
+}  // namespace
+
+TEST(Average, RoundsHalvesUp) {
+    EXPECT_EQ(averaged(image(2, 2, 3, {0, 1, 255, 0, 1, 255, 0, 0, 255, 1, 0, 255}), 2), (Bytes{0, 1, 255}));
+    EXPECT_EQ(averaged(image(2, 2, 3, {10, 0, 0, 11, 0, 0, 10, 0, 0, 11, 0, 1}), 2), (Bytes{11, 0, 0}));
+    Bytes sixteen(48, 0);
+    for (std::size_t i = 0; i < 8; ++i) sixteen[3 * i] = 1;      // 8 / 16
+    for (std::size_t i = 0; i < 7; ++i) sixteen[3 * i + 1] = 1;  // 7 / 16
+    for (std::size_t i = 0; i < 16; ++i) sixteen[3 * i + 2] = 255;
+    EXPECT_EQ(averaged(image(4, 4, 3, sixteen), 4), (Bytes{1, 0, 255}));
+}
+
+TEST(Average, OfOnePointIsThatPoint) {
+    const Bytes bytes = {1, 2, 3, 4, 250, 6, 7, 128};
+    EXPECT_EQ(averaged(image(2, 1, 4, bytes), 1), bytes);
+}
+
+TEST(Average, OfClearPointsIsAllZero) {
+    EXPECT_EQ(averaged(image(2, 2, 4, {9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0}), 2), (Bytes{0, 0, 0, 0}));
+    // An alpha that rounds to 0 takes its colour with it.
+    EXPECT_EQ(averaged(image(2, 2, 4, {9, 9, 9, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Bytes{0, 0, 0, 0}));
+}
+
+TEST(Average, ClearPointsDoNotDarkenAnEdge) {
+    EXPECT_EQ(averaged(image(2, 2, 4, {200, 100, 3, 255, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Bytes{200, 100, 3, 64}));
+    EXPECT_EQ(averaged(image(2, 2, 4, {200, 0, 0, 255, 101, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Bytes{151, 0, 0, 128}));
+}
+
+TEST(Average, IsTheRoundedFractionOfRandomPoints) {
+    std::mt19937 random(7);
+    for (const int side : {2, 4}) {
+        for (const int channels : {3, 4}) {
+            Image points(12, 8, channels);
+            for (std::uint8_t& byte : points.bytes()) byte = static_cast<std::uint8_t>(random() % 3 == 0 ? 255 : random());
+            const Bytes found = averaged(points, side);
+            for (int y = 0; y < 8 / side; ++y) {
+                for (int x = 0; x < 12 / side; ++x) {
+                    std::array<long, 4> sums{};
+                    for (int i = 0; i < side * side; ++i) {
+                        const std::uint8_t* p = points.at(x * side + i % side, y * side + i / side);
+                        const long alpha = channels == 4 ? p[3] : 1;
+                        for (std::size_t c = 0; c < 3; ++c) sums[c] += alpha * p[c];
+                        sums[3] += alpha;
+                    }
+                    const auto pixel = static_cast<std::size_t>((y * (12 / side) + x) * channels);
+                    for (std::size_t c = 0; c < 3; ++c) EXPECT_TRUE(is_rounded(found[pixel + c], sums[c], sums[3]));
+                    EXPECT_TRUE(channels == 3 || is_rounded(found[pixel + 3], sums[3], side * side));
+                }
+            }
+        }
+    }
+}
+
+TEST(Average, WritesNothingBesideItsPart) {
+    Image picture(4, 3, 3);
+    std::ranges::fill(picture.bytes(), std::uint8_t{77});
+    Image points(4, 2, 3);
+    std::ranges::fill(points.bytes(), std::uint8_t{9});
+    average_into(points, 2, picture, 1, 2);
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 4; ++x) EXPECT_EQ(*picture.at(x, y), y == 2 && (x == 1 || x == 2) ? 9 : 77) << x << "," << y;
+    }
+}
+
+}  // namespace sphereview
