@@ -13,4 +13,7 @@ std::string fuzz_scene(std::string_view bytes);
 // Reads the bytes as a PNG; what can be read must survive being written and read again.
 std::string fuzz_png(std::string_view bytes);
 
+// Unpacks the bytes as gzip, all at once and piece by piece, which must give the same text or the same fault.
+std::string fuzz_gunzip(std::string_view bytes);
+
 }  // namespace sphereview

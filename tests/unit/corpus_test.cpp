@@ -15,7 +15,7 @@ void replay(const std::string& kind, std::string (*target)(std::string_view)) {
     int replayed = 0;
     for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/tests/fuzz/corpus/" + kind)) {
         SCOPED_TRACE(entry.path().filename());
-        EXPECT_EQ(target(InputFile(entry.path().string()).bytes()), "");
+        EXPECT_EQ(target(InputFile(entry.path().string(), Content::binary).bytes()), "");
         ++replayed;
     }
     EXPECT_GT(replayed, 0);
@@ -24,6 +24,8 @@ void replay(const std::string& kind, std::string (*target)(std::string_view)) {
 }  // namespace
 
 TEST(Corpus, OfScenesIsReadAndWrittenWell) { replay("scene", fuzz_scene); }
+
+TEST(Corpus, OfGzipIsUnpackedWell) { replay("gunzip", fuzz_gunzip); }
 
 TEST(Corpus, OfPngsIsReadAndWrittenWell) { replay("png", fuzz_png); }
 

@@ -12,7 +12,7 @@ using Names = std::vector<std::string_view>;
 
 // What a room may include beside itself and the C++ standard library: rooms, libraries, and "system".
 const std::map<std::string_view, Names> allowed = {
-    {"base", {"system"}},
+    {"base", {"system", "zlib"}},
     {"scene", {"base", "glm", "toml++"}},
     {"formats", {"base", "scene", "glm"}},
     {"image", {"base", "stb", "libdeflate"}},
@@ -36,6 +36,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"toml++", {"toml++/"}},
     {"stb", {"stb_", "stb/"}},
     {"libdeflate", {"libdeflate.h"}},
+    {"zlib", {"zlib.h"}},
     {"boost", {"boost/"}},
     {"glad", {"glad/"}},
     {"EGL", {"EGL/"}},
