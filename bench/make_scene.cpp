@@ -1,20 +1,59 @@
-// Writes a random scene in the text format to standard output. usage: make_scene volume|half COUNT [SEED]
+// Writes a random scene to standard output: in the text format, or its spheres as data.
+// usage: make_scene volume|half COUNT [SEED [text|xyz|extxyz|csv]]
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
+#include "base/text.hpp"
 #include "random_scene.hpp"
 #include "scene/text_format.hpp"
 
+namespace sphereview {
+namespace {
+
+std::string joined(std::initializer_list<double> values, char separator) {
+    std::string text;
+    for (const double value : values) text += (text.empty() ? "" : std::string(1, separator)) + shortest(value);
+    return text;
+}
+
+std::string lines_of(const Scene& scene, const std::string& head, const std::string& first, char separator, bool whole) {
+    std::string text = head;
+    for (const Sphere& sphere : scene.spheres) {
+        const auto& [center, radius, color, hidden] = sphere;
+        text += first + joined({center.x, center.y, center.z}, separator);
+        if (whole) text += separator + joined({radius, double(color.r), double(color.g), double(color.b)}, separator);
+        text += '\n';
+    }
+    return text;
+}
+
+// Nothing for a format that it does not know.
+std::optional<std::string> written(const Scene& scene, std::string_view format) {
+    const std::string count = std::to_string(scene.spheres.size());
+    if (format == "text") return write_text_spheres(scene.spheres);
+    if (format == "xyz") return lines_of(scene, count + "\nrandom\n", "C ", ' ', false);
+    const std::string properties = "\nProperties=species:S:1:pos:R:3:radius:R:1:color:I:3\n";
+    if (format == "extxyz") return lines_of(scene, count + properties, "C ", ' ', true);
+    if (format == "csv") return lines_of(scene, "x,y,z,radius,r,g,b\n", "", ',', true);
+    return std::nullopt;
+}
+
+}  // namespace
+}  // namespace sphereview
+
 int main(int argc, char** argv) {
     using namespace sphereview;
-    const auto set = argc == 3 || argc == 4 ? scene_set_named(argv[1]) : std::nullopt;
-    if (!set) {
-        std::fprintf(stderr, "usage: make_scene volume|half COUNT [SEED]\n");
+    const auto set = argc >= 3 && argc <= 5 ? scene_set_named(argv[1]) : std::nullopt;
+    std::optional<std::string> text;
+    if (set) {
+        const std::uint64_t seed = argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1;
+        text = written(random_scene(*set, std::strtoull(argv[2], nullptr, 10), seed), argc > 4 ? argv[4] : "text");
+    }
+    if (!text) {
+        std::fprintf(stderr, "usage: make_scene volume|half COUNT [SEED [text|xyz|extxyz|csv]]\n");
         return 2;
     }
-    const std::uint64_t seed = argc == 4 ? std::strtoull(argv[3], nullptr, 10) : 1;
-    const Scene scene = random_scene(*set, std::strtoull(argv[2], nullptr, 10), seed);
-    const std::string text = write_text_spheres(scene.spheres);
-    const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    return written ? 0 : 4;
+    const bool good = std::fwrite(text->data(), 1, text->size(), stdout) == text->size() && std::fflush(stdout) == 0;
+    return good ? 0 : 4;
 }

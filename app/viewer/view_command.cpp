@@ -56,7 +56,8 @@ void recover(ViewerState& state, const Recovery& recovery) {
         loaded.framed = !is_data(loaded.format);
         adopt(state, std::move(loaded), path);
         state.document.mark_unsaved();
-        remove_recovery(recovery.file);
+        // Now they are this process's to keep: until they are, their file stays.
+        if (state.autosave.keep(state.document, state.path)) remove_recovery(recovery.file);
         announce(state, "Recovered the unsaved changes of " + state.name());
     } catch (const std::exception& error) {
         report_error(state, "The changes cannot be recovered", error.what());
@@ -124,6 +125,7 @@ ExitCode run_view(const ViewOptions& options) {
             save_settings(state.settings);
             return static_cast<ExitCode>(128 + interrupted.load());
         }
+        remove_own_recovery();  // saved, or not wanted
         state.settings.place = window.place();
     } catch (const RenderError& error) {
         throw RenderError(std::string("sphereview: ") + error.what() + way_out);

@@ -60,6 +60,7 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
+        if (pacing_.rests() && input_.empty()) state_.autosave.look(state_.document, state_.path, Clock::now());
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) draw_frame();
     }
@@ -68,8 +69,12 @@ void Viewer::run(const std::function<bool()>& interrupted) {
 void Viewer::wait_for_work() {
     files_.follow_scene(state_.path);
     std::optional<double> patience = input_.empty() ? pacing_.patience() : 0.0;
-    if (!patience && state_.announcement_ends) {
-        patience = std::max(seconds_between(Clock::now(), *state_.announcement_ends), 0.0);
+    if (!patience) {
+        for (const auto& time : {state_.announcement_ends, state_.autosave.due()}) {
+            if (!time) continue;
+            const double seconds = std::max(seconds_between(Clock::now(), *time), 0.0);
+            patience = std::min(patience.value_or(seconds), seconds);
+        }
     }
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();

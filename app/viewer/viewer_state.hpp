@@ -18,6 +18,7 @@
 #include "panels/side_panel.hpp"
 #include "panels/status_bar.hpp"
 #include "platform/file_dialog.hpp"
+#include "viewer/autosave.hpp"
 #include "viewer/settings.hpp"
 
 namespace sphereview {
@@ -56,6 +57,7 @@ struct ViewerState {
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
+    Autosave autosave;
 
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;

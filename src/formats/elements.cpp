@@ -64,16 +64,18 @@ constexpr Element unknown{"", {0xFF, 0x14, 0x93}, 1.0};  // Jmol's colour for it
 
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
+constexpr std::size_t slots = 27;
+
 // Of the letters' place in the alphabet, from 1; 0 where there is no letter.
 constexpr std::size_t slot(std::string_view symbol) {
     std::size_t place = 0;
-    for (std::size_t i = 0; i < 2; ++i) place = 27 * place + (i < symbol.size() ? static_cast<std::size_t>(symbol[i] & 31) : 0);
+    for (std::size_t i = 0; i < 2; ++i) place = slots * place + (i < symbol.size() ? static_cast<std::size_t>(symbol[i] & 31) : 0);
     return place;
 }
 
 // Atomic numbers by symbol, 0 for none.
 constexpr auto numbers = [] {
-    std::array<std::uint8_t, 27 * 27> table{};
+    std::array<std::uint8_t, slots * slots> table{};
     for (std::size_t i = 0; i < elements.size(); ++i) table[slot(elements[i].symbol)] = static_cast<std::uint8_t>(i + 1);
     table[slot("D")] = table[slot("T")] = 1;  // deuterium, tritium
     return table;

@@ -190,14 +190,17 @@ SphereData read_xyz(std::string_view content, const std::string& name, const Dat
     const TextSource source{name, without_byte_order_mark(content)};
     FrameFinder finder(source);
     Frame wanted;
-    Frame frame;
-    while (finder.next(frame, frame.number == options.frame)) {
-        if (frame.number == options.frame) wanted = std::move(frame);
-        frame = {frame.number + 1};
+    std::int64_t frames = 0;
+    while (true) {
+        Frame frame;
+        frame.number = frames;
+        if (!finder.next(frame, frames == options.frame)) break;
+        if (frames == options.frame) wanted = std::move(frame);
+        ++frames;
     }
-    if (frame.number == 0) TokenReader(source, 0).fail_at_end("the text is empty", "the number of atoms of frame 0");
-    require_frame(name, options.frame, frame.number);
-    return {read_frame(source, wanted, finder.line_end(), options), frame.number};
+    if (frames == 0) TokenReader(source, 0).fail_at_end("the text is empty", "the number of atoms of frame 0");
+    require_frame(name, options.frame, frames);
+    return {read_frame(source, wanted, finder.line_end(), options), frames};
 }
 
 }  // namespace sphereview

@@ -91,7 +91,7 @@ bool shows_xyz(std::string_view words) {
     if (count.size() != 1 || !is_whole_number(count[0]) || atom.empty()) return false;
     if (comment.size() == 3 && std::ranges::all_of(comment, is_whole_number)) return false;
     if (lower_case(comment_line).find("properties=") != std::string::npos || is_letter(atom[0][0])) return true;
-    return atom.size() > 3 && !std::ranges::all_of(comment, is_number);
+    return atom.size() > 3 && is_whole_number(atom[0]) && !comment.empty() && !is_number(comment[0]);
 }
 
 bool shows_csv(std::string_view words) {
@@ -108,6 +108,7 @@ bool shows_pdb(std::string_view words) {
 }
 
 std::optional<SceneFormat> data_shown_by(std::string_view content) {
+    content = content.substr(0, std::size_t{1} << 16);
     std::string_view words = first_words(content);
     if (shows_xyz(words)) return SceneFormat::xyz;
     if (shows_csv(words)) return SceneFormat::csv;

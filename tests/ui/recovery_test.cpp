@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
 
 #include "support/text_match.hpp"
 #include "ui/file_steps.hpp"
@@ -64,6 +65,43 @@ TEST(Recovery, OffersTheChangesOfATerminatedWindowUntilTheyAreDiscarded) {
     }
     ViewerWindow window(folder, {});
     EXPECT_EQ(window.frame().at("dialogs"), Json::array());
+}
+
+// Waits until the running window has kept its changes, or has forgotten them.
+void wait_for_kept(ViewerWindow& window, const TemporaryFolder& folder, bool kept) {
+    window.wait_until(kept ? "changes that are kept" : "no changes that are kept", [&](const Json&) {
+        const std::string state = folder.path("home/state/sphereview");
+        return kept == (std::filesystem::exists(state) && !std::filesystem::is_empty(state));
+    });
+}
+
+TEST(Recovery, OffersTheChangesOfAKilledWindow) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.txt", one_sphere);
+    {
+        ViewerWindow window(folder, {scene});
+        edit(window);
+        wait_for_kept(window, folder, true);
+        window.send(SIGKILL);
+        window.wait_for_end();
+    }
+    for (int i = 0; i < 2; ++i) {  // what was recovered is not lost either
+        ViewerWindow window(folder, {});
+        answer(window, "recover", "Recover");
+        window.wait_for("spheres", 2);
+        window.send(SIGKILL);
+        window.wait_for_end();
+    }
+    ViewerWindow window(folder, {});
+    answer(window, "recover", "Recover");
+    window.wait_for("spheres", 2);
+    window.key("ctrl+s");
+    announced(window, "Saved " + scene);
+    wait_for_kept(window, folder, false);
+    window.send(SIGKILL);
+    window.wait_for_end();
+    ViewerWindow last(folder, {});
+    EXPECT_EQ(last.frame().at("dialogs"), Json::array());
 }
 
 }  // namespace sphereview::test

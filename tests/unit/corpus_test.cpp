@@ -25,6 +25,10 @@ void replay(const std::string& kind, std::string (*target)(std::string_view)) {
 
 TEST(Corpus, OfScenesIsReadAndWrittenWell) { replay("scene", fuzz_scene); }
 
+TEST(Corpus, OfXyzFilesIsReadWell) { replay("xyz", fuzz_xyz); }
+
+TEST(Corpus, OfCsvFilesIsReadWell) { replay("csv", fuzz_csv); }
+
 TEST(Corpus, OfGzipIsUnpackedWell) { replay("gunzip", fuzz_gunzip); }
 
 TEST(Corpus, OfPngsIsReadAndWrittenWell) { replay("png", fuzz_png); }

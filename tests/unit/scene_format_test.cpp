@@ -79,8 +79,9 @@ TEST(DetectFormat, KnowsDataOfAnotherNameByItsContent) {
     EXPECT_EQ(detect_format("3\nwater\nO 0 0 0\n", "s.txt"), SceneFormat::text);
     EXPECT_EQ(detect_format("x,y,z\n", "s.toml"), SceneFormat::toml);
     // Scenes that look a little like data.
-    for (const char* content : {"1\n255 0 0\n1 2 3 4\n", "2\n255 0 0\nhello 2 3 4\n", "1\n255 0 0 1 2 3 4\n",
-                                "1\n\n255 0 0 1 2 3 4\n", "3\n", "2 3\na\nH 0 0 0\n", "-1\na\nH 0 0 0\n"}) {
+    for (const char* content :
+         {"1\n255 0 0\n1 2 3 4\n", "2\n255 0 0\nhello 2 3 4\n", "1\n255 0 0 1 2 3 4\n", "1\n\n255 0 0 1 2 3 4\n",
+          "1\n255 0 zero\n1 2 3 4\n", "1\nred\n0.5 2 3 4\n", "3\n", "2 3\na\nH 0 0 0\n", "-1\na\nH 0 0 0\n"}) {
         EXPECT_EQ(detect_format(content, "stdin"), SceneFormat::text) << content;
     }
     for (const char* content : {"x = 1", "data_x = 1", "TITLE = 'x'", "# x, y", "[x.y.z]"}) {

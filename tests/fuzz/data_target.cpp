@@ -1,0 +1,45 @@
+#include <cmath>
+
+#include "base/error.hpp"
+#include "formats/sphere_data.hpp"
+#include "fuzz/targets.hpp"
+#include "unit/scene_difference.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// What goes wrong when the bytes are read, and what was read is written and read again; or "".
+std::string wrong_with(std::string_view bytes, SceneFormat format) {
+    for (std::int64_t frame = 0; frame < 3; ++frame) {
+        SphereData data;
+        try {
+            data = read_data(bytes, "data", format, {frame, {}});
+        } catch (const InputError&) {
+            continue;
+        }
+        if (frame >= data.frames) return "a frame beyond the last was read";
+        for (const Sphere& sphere : data.scene.spheres) {
+            const glm::dvec3& c = sphere.center;
+            const bool finite = std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(sphere.radius);
+            if (!finite || !(sphere.radius > 0.0)) return "a sphere that none can be";
+        }
+        const std::string written = write_scene(data.scene, SceneFormat::toml);
+        if (data.scene == Scene{}) continue;  // nothing to write
+        try {
+            const std::string different = difference(parse_scene(written, "again.toml"), data.scene);
+            if (!different.empty()) return different + " in:\n" + written;
+        } catch (const InputError& error) {
+            return std::string(error.what()) + " in:\n" + written;
+        }
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string fuzz_xyz(std::string_view bytes) { return wrong_with(bytes, SceneFormat::xyz); }
+
+std::string fuzz_csv(std::string_view bytes) { return wrong_with(bytes, SceneFormat::csv); }
+
+}  // namespace sphereview
