@@ -14,7 +14,7 @@ using Names = std::vector<std::string_view>;
 const std::map<std::string_view, Names> allowed = {
     {"base", {"system", "zlib"}},
     {"scene", {"base", "glm", "toml++"}},
-    {"formats", {"base", "scene", "glm"}},
+    {"formats", {"base", "scene", "glm", "gemmi"}},
     {"image", {"base", "stb", "libdeflate"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact"}},
@@ -37,6 +37,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"stb", {"stb_", "stb/"}},
     {"libdeflate", {"libdeflate.h"}},
     {"zlib", {"zlib.h"}},
+    {"gemmi", {"gemmi/"}},
     {"boost", {"boost/"}},
     {"glad", {"glad/"}},
     {"EGL", {"EGL/"}},
