@@ -51,6 +51,7 @@ std::string_view text_of(std::string_view value) {
 
 // A number, perhaps with its standard uncertainty behind it: "1.234(5)".
 NumberFault number_of(std::string_view value, double& number) {
+    value = text_of(value);
     if (value.ends_with(')')) value = value.substr(0, value.find('('));
     return parse_double(value, number);
 }
@@ -77,8 +78,8 @@ public:
     void take_loop_value(std::string_view value) {
         if (is_table_) {
             if (const Column column = tags_[next_value_]; column != column_count) row_[column] = value;
-            last_value_ = value;
         }
+        last_value_ = value;
         if (++next_value_ < tags_.size()) return;
         next_value_ = 0;
         if (is_table_) take_row();
@@ -86,8 +87,9 @@ public:
 
     void end_loop() {
         if (next_value_ != 0) {
-            fail(is_table_ ? last_value_ : content_.substr(content_.size()),
-                 std::to_string(next_value_) + " values in the last row of a table", std::to_string(tags_.size()));
+            const std::string values = next_value_ == 1 ? " value" : " values";
+            const std::string found = std::to_string(next_value_) + values + " in the last row of a table";
+            fail(last_value_, found, std::to_string(tags_.size()));
         }
         is_table_ = false;
     }

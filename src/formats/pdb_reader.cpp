@@ -74,7 +74,7 @@ private:
             const std::string_view text = line.substr(field.begin, field.end - field.begin);
             const std::string_view word = trimmed(text);
             double ignored = 0.0;
-            if (parse_double(word, ignored) == NumberFault::none && word[0] != '+') continue;
+            if (parse_double(word, ignored) == NumberFault::none) continue;
             const std::size_t place = word.empty() ? field.begin : static_cast<std::size_t>(word.data() - line.data());
             fail_at(content_, name_, begin + place, "found " + in_quotes(word.empty() ? text : word) + expected + ", a number");
         }

@@ -31,6 +31,10 @@ TEST(Corpus, OfCsvFilesIsReadWell) { replay("csv", fuzz_csv); }
 
 TEST(Corpus, OfGzipIsUnpackedWell) { replay("gunzip", fuzz_gunzip); }
 
+TEST(Corpus, OfPdbFilesIsReadWell) { replay("pdb", fuzz_pdb); }
+
+TEST(Corpus, OfMmcifFilesIsReadWell) { replay("mmcif", fuzz_mmcif); }
+
 TEST(Corpus, OfPngsIsReadAndWrittenWell) { replay("png", fuzz_png); }
 
 }  // namespace sphereview
