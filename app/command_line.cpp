@@ -29,6 +29,7 @@ constexpr const char* render_examples =
     "  sphereview render scene.toml -o - > picture.png\n"
     "  sphereview render *.txt -o 'out/{name}.png'\n"
     "  sphereview render scene.txt --expect golden.png    compares; writes nothing\n"
+    "  sphereview render data.xyz --view iso              everything, seen from a corner\n"
     "  generate | sphereview render - -s 640x480 -o picture.png\n";
 
 constexpr const char* convert_examples =
@@ -56,10 +57,18 @@ void add_data_options(CLI::App& command, TypedOptions& typed) {
         ->type_name("R");
 }
 
+void add_framing_options(CLI::App& command, TypedOptions& typed) {
+    command.add_flag("--fit", typed.fit,
+                     "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
+    command.add_flag("--no-fit", typed.no_fit, "Look at data, too, from (0, 0, 0) along z");
+    command.add_option("--view", typed.view_from, "Fit, from another side: " + std::string(view_syntax))->type_name("SIDE");
+}
+
 CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     CLI::App* view = app.add_subcommand("view", "Open a scene in a window (what is done when no command is named)");
     view->add_option("SCENE", typed.view.scene, std::string(scene_files) + "; none: an empty scene");
     add_data_options(*view, typed);
+    add_framing_options(*view, typed);
     view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
         ->type_name("WxH");
     view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
@@ -80,6 +89,7 @@ void add_render(CLI::App& app, TypedOptions& typed) {
         ->type_name("FILE");
     render->add_option("-s,--size", typed.size, "Width and height in pixels [1000x1000]")->type_name("WxH");
     add_data_options(*render, typed);
+    add_framing_options(*render, typed);
     render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     render->add_option("--backend", typed.backend, std::string(backend_names) + " [auto, or SPHEREVIEW_BACKEND]")
@@ -104,6 +114,7 @@ void add_convert(CLI::App& app, TypedOptions& typed) {
     convert->add_option("OUT", typed.convert.output, "Scene file: .toml is TOML, all else text; - is standard output")->required();
     convert->add_option("--to", typed.to, "text or toml, whatever OUT is called")->type_name("FORMAT");
     add_data_options(*convert, typed);
+    add_framing_options(*convert, typed);
     convert->footer(std::string(convert_examples) + exit_codes);
 }
 
@@ -116,6 +127,7 @@ void add_explain(CLI::App& app, TypedOptions& typed) {
         ->type_name("X,Y");
     explain->add_option("-s,--size", typed.size, "Width and height of the picture in pixels [1000x1000]")->type_name("WxH");
     add_data_options(*explain, typed);
+    add_framing_options(*explain, typed);
     explain->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     explain->add_flag("--json", typed.explain.json, "The same as one JSON line");

@@ -25,9 +25,7 @@ std::vector<Sphere> read_text(InputStream& stream, const LoadOptions& options) {
     }
 }
 
-}  // namespace
-
-LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     InputStream stream(path);
     Progress* progress = options.progress;
     if (progress != nullptr) progress->start(stream.name(), 1e-6 * static_cast<double>(stream.size().value_or(0)), "MB");
@@ -51,6 +49,17 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
+    return loaded;
+}
+
+}  // namespace
+
+LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
+    LoadedScene loaded = read_scene(path, options);
+    const FramingOptions& framing = options.framing;
+    if (!framing.fit.value_or(!loaded.framed)) return loaded;
+    Camera& camera = loaded.scene.camera;
+    camera = fitted(loaded.scene, framing.view ? *framing.view : axes_of(camera)).value_or(camera);
     return loaded;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "app/framing_options.hpp"
 #include "base/progress.hpp"
 #include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
@@ -17,7 +18,7 @@ struct LoadedScene {
     Scene scene{};
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    bool framed = true;       // its camera is its own; else nobody has chosen one
+    bool framed = true;       // its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden
     std::int64_t frames = 1;  // in the file
 };
 
@@ -25,6 +26,7 @@ struct LoadOptions {
     Progress* progress = nullptr;
     std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
     DataOptions data{};
+    FramingOptions framing{};
 };
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws

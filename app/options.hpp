@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/backend.hpp"
+#include "app/framing_options.hpp"
 #include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_format.hpp"
@@ -18,6 +19,7 @@ struct RenderOptions {
     std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
     PictureSize size;
     DataOptions data;
+    FramingOptions framing;
     std::optional<Background> background;  // instead of the scene's own
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
@@ -34,6 +36,7 @@ struct ConvertOptions {
     std::string output;
     std::optional<SceneFormat> to;  // by the output's name when not given
     DataOptions data;
+    FramingOptions framing;  // of the camera that is written
 };
 
 struct ExplainOptions {
@@ -41,6 +44,7 @@ struct ExplainOptions {
     Pixel pixel;        // inside the picture
     PictureSize size;
     DataOptions data;
+    FramingOptions framing;
     std::optional<Background> background;  // instead of the scene's own
     bool json = false;
 };
@@ -54,6 +58,7 @@ struct DoctorOptions {
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     DataOptions data;                  // of the scene; its radius of every one that is opened
+    FramingOptions framing;            // of the scene; of later ones, if nobody has chosen their camera
     std::optional<Background> background;
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::string shader_folder;        // instead of the shaders in the program; "" for those

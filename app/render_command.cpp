@@ -85,7 +85,7 @@ private:
 
     Scene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data}).scene;
+        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.framing}).scene;
     }
 
     Image render_by_what_holds_it(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,

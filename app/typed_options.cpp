@@ -109,11 +109,24 @@ DataOptions checked_data(const TypedOptions& typed) {
     return data;
 }
 
+FramingOptions checked_framing(const TypedOptions& typed) {
+    FramingOptions framing;
+    if (typed.view_from) {
+        framing.view = parse_view(*typed.view_from);
+        if (!framing.view) wrong("--view", *typed.view_from, std::string(view_syntax));
+    }
+    const bool fits = typed.fit || typed.view_from;
+    if (fits && typed.no_fit) throw WrongUsage(std::string(typed.fit ? "--fit" : "--view") + " and --no-fit contradict each other");
+    if (fits || typed.no_fit) framing.fit = fits;
+    return framing;
+}
+
 }  // namespace
 
 ViewOptions checked_view(const TypedOptions& typed) {
     ViewOptions options = typed.view;
     options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     check_file_name("SCENE", options.scene);
     std::error_code ignored;
     if (!options.shader_folder.empty() && !std::filesystem::is_directory(options.shader_folder, ignored)) {
@@ -127,6 +140,7 @@ ViewOptions checked_view(const TypedOptions& typed) {
 RenderOptions checked_render(const TypedOptions& typed) {
     RenderOptions options = typed.render;
     options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     for (const std::string& scene : options.scenes) check_file_name("SCENE", scene);
     check_file_name("--output", options.output);
     check_file_name("--expect", options.expect);
@@ -150,6 +164,7 @@ RenderOptions checked_render(const TypedOptions& typed) {
 ConvertOptions checked_convert(const TypedOptions& typed) {
     ConvertOptions options = typed.convert;
     options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     check_file_name("IN", options.input);
     check_file_name("OUT", options.output);
     if (typed.to == "text") {
@@ -167,6 +182,7 @@ ConvertOptions checked_convert(const TypedOptions& typed) {
 ExplainOptions checked_explain(const TypedOptions& typed) {
     ExplainOptions options = typed.explain;
     options.data = checked_data(typed);
+    options.framing = checked_framing(typed);
     check_file_name("SCENE", options.scene);
     options.size = checked_size(typed.size);
     options.background = checked_background(typed.background);

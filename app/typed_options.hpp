@@ -31,6 +31,9 @@ struct TypedOptions {
     std::optional<std::string> to;
     std::optional<std::string> frame;
     std::optional<std::string> radius;
+    bool fit = false;
+    bool no_fit = false;
+    std::optional<std::string> view_from;
     std::optional<std::string> timeout;
 };
 

@@ -29,6 +29,11 @@ enum class CommandId {
     move_down,
     go_home,  // the scene's own camera
     center_on_selection,
+    fit_all,  // the way the view looks
+    view_front,
+    view_right,
+    view_top,
+    view_iso,
     use_view_as_camera,
     next_frame,  // of a file of several
     previous_frame,

@@ -93,6 +93,11 @@ void run_command(ViewerState& state, CommandId command) {
         case CommandId::select_none: return state.selection.clear();
         case CommandId::go_home: return go_home(state);
         case CommandId::center_on_selection: return center_on_selection(state);
+        case CommandId::fit_all: return fly_to_fit(state, axes_of(state.camera));
+        case CommandId::view_front: return fly_to_fit(state, axes_from(0.0, 0.0));
+        case CommandId::view_right: return fly_to_fit(state, axes_from(90.0, 0.0));
+        case CommandId::view_top: return fly_to_fit(state, axes_from(0.0, 90.0));
+        case CommandId::view_iso: return fly_to_fit(state, isometric_axes());
         case CommandId::use_view_as_camera:
             return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
         case CommandId::next_frame: return show_frame(state, state.frame + 1);

@@ -22,13 +22,6 @@ std::string absolute_path(const std::string& path) {
     return error ? path : absolute.lexically_normal().string();
 }
 
-// How to read that frame of a file.
-LoadOptions data_options(const ViewerState& state, std::int64_t frame) {
-    LoadOptions options;
-    options.data = {frame, state.options.data.radius};
-    return options;
-}
-
 // A question of its kind that waits already is asked for the latest purpose instead of twice.
 void ask(ViewerState& state, Question question) {
     for (Dialog& dialog : state.dialogs) {
@@ -44,7 +37,7 @@ void read_scene(ViewerState& state, const std::string& path) {
     try {
         // Before it is read: what is written meanwhile shows as a change.
         FileStates stamp = file_states(path);
-        adopt(state, load_scene(path, data_options(state, 0)), path);
+        adopt(state, load_scene(path, load_options(state, 0)), path);
         state.stamp = std::move(stamp);
     } catch (...) {
         // A broken file can be repaired, and is then looked for where it was.
@@ -115,7 +108,7 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
 void read_frame(ViewerState& state, std::int64_t frame) {
     try {
         FileStates stamp = file_states(state.path);
-        LoadedScene loaded = load_scene(state.path, data_options(state, frame));
+        LoadedScene loaded = load_scene(state.path, load_options(state, frame));
         const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
         state.document = Document(std::move(loaded.scene));
         state.bounds_revision = 0;
@@ -143,6 +136,14 @@ void reload(ViewerState& state, LoadedScene loaded) {
 }
 
 }  // namespace
+
+LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
+    LoadOptions options;
+    options.data = {frame, state.options.data.radius};
+    options.framing = state.options.framing;
+    if (options.framing.fit.value_or(false)) options.framing.fit.reset();
+    return options;
+}
 
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.document = Document(std::move(loaded.scene));
@@ -223,7 +224,7 @@ void look_at_file(ViewerState& state) {
     state.stamp = std::move(stamp);
     LoadedScene loaded;
     try {
-        loaded = load_scene(state.path, data_options(state, state.frame));
+        loaded = load_scene(state.path, load_options(state, state.frame));
     } catch (...) {
         state.messages.scene_error = describe_current_exception(state.path).message;
         return;

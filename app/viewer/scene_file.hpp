@@ -9,6 +9,9 @@
 
 namespace sphereview {
 
+// How to read that frame of a file. A scene that has a camera keeps it: of such a one only the view may be fitted.
+LoadOptions load_options(const ViewerState& state, std::int64_t frame);
+
 // Takes over a scene that was read from `path` ("-" and "" have no file).
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);
 

@@ -86,8 +86,14 @@ void offer_recovery(ViewerState& state) {
 
 void load_first_scene(ViewerState& state) {
     if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
-    adopt(state, load_scene(*state.options.scene, {.data = state.options.data}), *state.options.scene);
+    LoadedScene loaded = load_scene(*state.options.scene, load_options(state, state.options.data.frame));
+    const bool fits_view = loaded.framed && state.options.framing.fit.value_or(false);
+    adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
+    if (fits_view) {
+        const ViewAxes axes = state.options.framing.view.value_or(axes_of(state.camera));
+        state.camera = fitted(state.scene(), axes).value_or(state.camera);
+    }
 }
 
 }  // namespace

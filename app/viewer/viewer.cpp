@@ -39,6 +39,13 @@ void note_dialog_key(const KeyChanged& key, bool typing, DialogKeys& keys) {
     if (key.name == "left" || (key.name == "tab" && key.modifiers.shift)) keys.step = -1;
 }
 
+// Whether the person begins something: then the view moves by itself no longer.
+bool takes_over(const InputEvent& event) {
+    if (const auto* key = std::get_if<KeyChanged>(&event)) return key->pressed;
+    if (const auto* button = std::get_if<ButtonChanged>(&event)) return button->pressed;
+    return std::holds_alternative<WheelTurned>(event);
+}
+
 std::string title_for(const ViewerState& state) {
     return state.name() + (state.document.is_changed() ? " *" : "") + " - sphereview";
 }
@@ -112,6 +119,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
     if (!events.empty()) pacing_.touch();
     const bool typing = ImGui::GetIO().WantTextInput;
     for (const InputEvent& event : events) {
+        if (takes_over(event)) state_.flight.reset();
         if (std::holds_alternative<CloseRequested>(event)) {
             actions.push_back(RunCommand{CommandId::quit});
         } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
@@ -205,6 +213,7 @@ void Viewer::draw_frame() {
     imgui_.end_frame();
 
     perform(state_, std::move(actions));
+    if (fly_on(state_, begin)) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));
 

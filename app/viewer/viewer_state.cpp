@@ -31,6 +31,25 @@ void go_home(ViewerState& state) {
     state.pivot = state.bounds.middle();
 }
 
+void fly_to_fit(ViewerState& state, const ViewAxes& axes) {
+    const std::optional<Camera> camera = fitted(state.scene(), axes);
+    if (!camera) return;
+    update_bounds(state);
+    state.pivot = state.bounds.middle();
+    state.flight.emplace(state.camera, *camera, state.pivot);
+}
+
+bool fly_on(ViewerState& state, Clock::time_point now) {
+    if (!state.flight) return false;
+    if (state.camera != state.flight->last()) {
+        state.flight.reset();
+        return false;
+    }
+    state.camera = state.flight->advance(now);
+    if (state.flight->has_arrived()) state.flight.reset();
+    return true;
+}
+
 void update_bounds(ViewerState& state) {
     if (state.bounds_revision == state.document.revision()) return;
     state.bounds_revision = state.document.revision();

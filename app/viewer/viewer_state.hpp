@@ -18,7 +18,9 @@
 #include "panels/side_panel.hpp"
 #include "panels/status_bar.hpp"
 #include "platform/file_dialog.hpp"
+#include "scene/framing.hpp"
 #include "viewer/autosave.hpp"
+#include "viewer/camera_flight.hpp"
 #include "viewer/settings.hpp"
 
 namespace sphereview {
@@ -62,6 +64,7 @@ struct ViewerState {
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;
     glm::dvec3 pivot{0.0};
+    std::optional<CameraFlight> flight;    // where the view moves by itself
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
 
@@ -92,6 +95,12 @@ void report_error(ViewerState& state, const std::string& title, const std::strin
 
 // The view becomes the scene's own camera.
 void go_home(ViewerState& state);
+
+// Begins to move the view to where it sees everything that way; not if there is nothing to see.
+void fly_to_fit(ViewerState& state, const ViewAxes& axes);
+
+// Moves the view on, and ends the flight if it has arrived or something else has moved the view. Returns whether it moved.
+bool fly_on(ViewerState& state, Clock::time_point now);
 
 // Brings bounds up to date; they are left as they are while something is dragged, so that no slider's range moves under the
 // pointer.

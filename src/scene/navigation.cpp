@@ -48,16 +48,8 @@ glm::dvec2 on_screen(PictureSize size, const glm::dvec2& pixels) {
 glm::dvec2 middle_of(PictureSize size) { return {0.5 * size.width, 0.5 * size.height}; }
 
 // The camera with these vectors; the one before where they are none.
-Camera settled(const Camera& before, const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up) {
-    // The same picture, with a larger screen: added to the eye's numbers, a small one would be rounded away. A power of two: exact.
-    const double ratio = largest_of(eye) / std::min(largest_of(axis), largest_of(right)) / farthest_screen;
-    if (ratio > 1.0 && std::isfinite(ratio)) {
-        const double scale = std::ldexp(1.0, std::ilogb(ratio) + 1);
-        axis *= scale;
-        right *= scale;
-        up *= scale;
-    }
-    const Camera camera{eye, eye + axis, right, up};
+Camera settled(const Camera& before, const glm::dvec3& eye, const glm::dvec3& axis, const glm::dvec3& right, const glm::dvec3& up) {
+    const Camera camera = camera_with(eye, axis, right, up);
     return camera_fault(camera) ? before : camera;
 }
 
@@ -99,6 +91,18 @@ double allowed_tilt(const Attitude& attitude, double tilt) {
 }
 
 }  // namespace
+
+Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up) {
+    // The same picture, with a larger screen: added to the eye's numbers, a small one would be rounded away. A power of two: exact.
+    const double ratio = largest_of(eye) / std::min(largest_of(axis), largest_of(right)) / farthest_screen;
+    if (ratio > 1.0 && std::isfinite(ratio)) {
+        const double scale = std::ldexp(1.0, std::ilogb(ratio) + 1);
+        axis *= scale;
+        right *= scale;
+        up *= scale;
+    }
+    return {eye, eye + axis, right, up};
+}
 
 std::optional<glm::dvec2> project(const Camera& camera, PictureSize size, const glm::dvec3& point) {
     const Directions directions(camera);

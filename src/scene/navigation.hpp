@@ -12,6 +12,10 @@
 
 namespace sphereview {
 
+// The camera of these vectors, `axis` from the eye to the screen's centre; far from the origin with a larger screen, as above.
+// Unlike the others it may have a fault.
+Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up);
+
 // Where a picture of that size shows a point: pixels from the top left corner, pixel (0, 0)'s centre is (0.5, 0.5). Nothing
 // for a point that is not in front of the eye.
 std::optional<glm::dvec2> project(const Camera& camera, PictureSize size, const glm::dvec3& point);

@@ -47,7 +47,7 @@ TEST_F(Data, IsConvertedToTextAndToml) {
     EXPECT_EQ(as_text({"-"}, two_frames), as_text({"a.xyz"}));
 
     folder_.write("A.CSV", "Name,X,Y,Z,R,G,B\nsun,1,2,3,255,220,0\n\"the moon\",4,5,6,,,\n");
-    const Outcome outcome = sphereview({"convert", "A.CSV", "a.toml", "--radius", "3"});
+    const Outcome outcome = sphereview({"convert", "A.CSV", "a.toml", "--radius", "3", "--no-fit"});
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.output + outcome.errors, "");
     EXPECT_EQ(folder_.read("a.toml"),
@@ -75,7 +75,7 @@ TEST_F(Data, IsRenderedAndExplainedByFrame) {
     folder_.write("a.xyz", two_frames);
     folder_.write("0.txt", "1\n255 13 13\n0 0 100\n0.66\n");
     folder_.write("1.txt", "2\n48 80 248\n0 0 100\n20\n255 255 255\n1 0 100\n20\n");
-    const std::vector<std::string> small = {"--size", "64x48", "--backend", "cpu"};
+    const std::vector<std::string> small = {"--size", "64x48", "--backend", "cpu", "--no-fit"};
     const auto render = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), "render");
         arguments.insert(arguments.end(), small.begin(), small.end());
@@ -88,7 +88,8 @@ TEST_F(Data, IsRenderedAndExplainedByFrame) {
     EXPECT_EQ(render({"a.xyz", "--frame", "1", "--radius", "20", "--expect", "1.png"}).status, 0);
     EXPECT_EQ(render({"a.xyz", "--frame", "0", "--radius", "20", "--expect", "1.png"}).status, 1);
 
-    const Outcome outcome = sphereview({"explain", "a.xyz", "--pixel", "500,500", "--frame", "1", "--radius", "20", "--json"});
+    const Outcome outcome =
+        sphereview({"explain", "a.xyz", "--pixel", "500,500", "--frame", "1", "--radius", "20", "--no-fit", "--json"});
     const auto report = nlohmann::json::parse(outcome.output);
     EXPECT_EQ(report["visible"], 0);
     EXPECT_EQ(report["color"], (nlohmann::json{48, 80, 248}));

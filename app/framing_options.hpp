@@ -1,0 +1,15 @@
+// From where a scene is seen, if not by its own camera.
+#pragma once
+
+#include <optional>
+
+#include "scene/framing.hpp"
+
+namespace sphereview {
+
+struct FramingOptions {
+    std::optional<bool> fit{};       // to everything; none: only if nobody has chosen the scene's camera
+    std::optional<ViewAxes> view{};  // none: the way that the scene's camera looks
+};
+
+}  // namespace sphereview

@@ -1,0 +1,37 @@
+// A view that moves to another one by itself.
+#pragma once
+
+#include <chrono>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "scene/camera.hpp"
+
+namespace sphereview {
+
+// From one camera to another in `duration`, turning about the pivot. Times are the caller's.
+class CameraFlight {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+    static constexpr std::chrono::milliseconds duration{300};
+
+    CameraFlight(const Camera& from, const Camera& to, const glm::dvec3& pivot)
+        : from_(from), to_(to), last_(from), pivot_(pivot) {}
+
+    // The camera at that time; the flight begins with the first call. From `duration` on it is the one to arrive at, to the bit.
+    const Camera& advance(Time now);
+    bool has_arrived() const { return last_ == to_; }
+    // What advance() gave last: if the view is another, something else has moved it.
+    const Camera& last() const { return last_; }
+
+private:
+    Camera at(double part) const;
+
+    Camera from_;
+    Camera to_;
+    Camera last_;
+    glm::dvec3 pivot_;
+    std::optional<Time> begin_;
+};
+
+}  // namespace sphereview

@@ -1,0 +1,200 @@
+#include "scene/framing.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <mutex>
+#include <numbers>
+
+#include "base/parallel.hpp"
+#include "scene/bounds.hpp"
+#include "scene/navigation.hpp"
+#include "scene/number.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t spheres_at_once = 16384;
+
+// Of the default camera: its screen's distance and half its side.
+constexpr double distance = 100.0;
+constexpr double half_side = 50.0;
+// Of the planes that everything lies between: the screen's edges, less the margin.
+constexpr double slope = half_side / distance * (31.0 / 32.0);
+
+// What is smaller than this part of its distance from the origin counts as larger: an eye's numbers could not place it well enough.
+constexpr double smallest_part = 0x1p-46;
+// Below it squares and reciprocals leave the range of doubles.
+constexpr double smallest_radius = 0x1p-900;
+// For an eye: its screen's numbers must be finite as well.
+constexpr double farthest = 0x1p1023;
+
+// Taylor's, for |x| <= pi/4: the first term left out is below 1e-19 for the sine, below 1e-17 for the cosine.
+double sine_series(double x) {
+    const double s = x * x;
+    double sum = 1.0 / 355687428096000.0;
+    for (const double factorial : {-1307674368000.0, 6227020800.0, -39916800.0, 362880.0, -5040.0, 120.0, -6.0}) {
+        sum = sum * s + 1.0 / factorial;
+    }
+    return x + x * (s * sum);
+}
+
+double cosine_series(double x) {
+    const double s = x * x;
+    double sum = 1.0 / 20922789888000.0;
+    for (const double factorial : {-87178291200.0, 479001600.0, -3628800.0, 40320.0, -720.0, 24.0}) {
+        sum = sum * s + 1.0 / factorial;
+    }
+    return 1.0 + (-0.5 * s + s * (s * sum));
+}
+
+// Written out, so that the order of the sums is ours.
+double dot(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+// Divided first, so that no square leaves the range of doubles.
+glm::dvec3 unit(glm::dvec3 v) {
+    v /= largest_of(v);
+    return v / std::sqrt(dot(v, v));
+}
+
+// -0 becomes 0: which of them a sum of nothing gives depends on the order of the spheres.
+glm::dvec3 without_negative_zero(const glm::dvec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
+
+ViewAxes axes_from(const SineCosine& azimuth, const SineCosine& elevation) {
+    const auto [sa, ca] = azimuth;
+    const auto [se, ce] = elevation;
+    return {without_negative_zero({ca, 0.0, sa}), without_negative_zero({-sa * se, ce, ca * se}),
+            without_negative_zero({-sa * ce, -se, ca * ce})};
+}
+
+// The planes of slope `slope` that bound the spheres: to the right, the left, up and down. With X, Y and Z along the view's axes,
+// a plane's number is the greatest X - slope Z of a point of a sphere, and so for the others.
+using Planes = std::array<double, 4>;
+
+constexpr double least = -std::numeric_limits<double>::max();
+
+void include(Planes& planes, const Planes& others) {
+    for (std::size_t i = 0; i < planes.size(); ++i) planes[i] = std::max(planes[i], others[i]);
+}
+
+// Lengths relative to a place near the spheres, in a unit near their size: a power of two, so nothing is rounded.
+struct Frame {
+    explicit Frame(const SceneBounds& bounds) : origin(bounds.middle()) {
+        smallest = std::max(smallest_part * largest_of(origin), smallest_radius);
+        exponent = std::ilogb(std::max(bounds.extent(), smallest));
+        scale = std::ldexp(1.0, -exponent);
+    }
+
+    // The differences of numbers near the largest double must not overflow.
+    glm::dvec3 place(const glm::dvec3& point) const {
+        return {point.x * scale - origin.x * scale, point.y * scale - origin.y * scale, point.z * scale - origin.z * scale};
+    }
+
+    glm::dvec3 origin;
+    double smallest = 0.0;  // what radii count as, at least
+    int exponent = 0;
+    double scale = 1.0;
+};
+
+Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& frame) {
+    // A plane at a sphere's side is this much of its radius beyond its centre.
+    const double reach = std::sqrt(1.0 + slope * slope);
+    Planes all{least, least, least, least};
+    std::mutex mutex;
+    parallel_pieces(scene.spheres.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+        Planes part{least, least, least, least};
+        for (std::size_t i = begin; i < end; ++i) {
+            const Sphere& sphere = scene.spheres[i];
+            if (sphere.hidden) continue;
+            const glm::dvec3 place = frame.place(sphere.center);
+            const double x = dot(place, axes.right);
+            const double y = dot(place, axes.up);
+            const double size = reach * (std::max(sphere.radius, frame.smallest) * frame.scale) - slope * dot(place, axes.ahead);
+            include(part, {size + x, size - x, size + y, size - y});
+        }
+        const std::lock_guard lock(mutex);
+        include(all, part);
+    });
+    return all;
+}
+
+}  // namespace
+
+SineCosine sine_cosine(double degrees) {
+    // Exact: fmod is, and so is a difference from a near multiple of 90.
+    const double turn = std::fmod(degrees, 360.0);
+    const double quarters = std::round(turn / 90.0);
+    const double x = (turn - 90.0 * quarters) * (std::numbers::pi / 180.0);
+    const double sine = sine_series(x);
+    const double cosine = cosine_series(x);
+    switch ((static_cast<int>(quarters) + 4) % 4) {
+        case 0: return {sine, cosine};
+        case 1: return {cosine, -sine};
+        case 2: return {-sine, -cosine};
+        default: return {-cosine, sine};
+    }
+}
+
+ViewAxes axes_from(double azimuth, double elevation) { return axes_from(sine_cosine(azimuth), sine_cosine(elevation)); }
+
+ViewAxes isometric_axes() {
+    const double half = std::sqrt(0.5);
+    return axes_from({half, half}, {std::sqrt(1.0 / 3.0), std::sqrt(2.0 / 3.0)});
+}
+
+ViewAxes axes_of(const Camera& camera) {
+    // Halved only where the difference overflows, as camera_fault() does.
+    glm::dvec3 axis = camera.center - camera.eye;
+    if (!std::isfinite(largest_of(axis))) axis = camera.center * 0.5 - camera.eye * 0.5;
+    ViewAxes axes;
+    axes.right = unit(camera.right);
+    axes.ahead = unit(cross(axes.right, unit(camera.up)));
+    // Anew: a camera's own may be not quite perpendicular.
+    axes.up = cross(axes.ahead, axes.right);
+    if (dot(axes.ahead, axis / largest_of(axis)) < 0.0) axes.ahead = -axes.ahead;
+    return {without_negative_zero(axes.right), without_negative_zero(axes.up), without_negative_zero(axes.ahead)};
+}
+
+std::optional<ViewAxes> parse_view(std::string_view text) {
+    if (text == "front") return axes_from(0.0, 0.0);
+    if (text == "right") return axes_from(90.0, 0.0);
+    if (text == "back") return axes_from(180.0, 0.0);
+    if (text == "left") return axes_from(270.0, 0.0);
+    if (text == "top") return axes_from(0.0, 90.0);
+    if (text == "bottom") return axes_from(0.0, -90.0);
+    if (text == "iso") return isometric_axes();
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) return std::nullopt;
+    double azimuth = 0.0;
+    double elevation = 0.0;
+    if (parse_double(text.substr(0, comma), azimuth) != NumberFault::none) return std::nullopt;
+    if (parse_double(text.substr(comma + 1), elevation) != NumberFault::none) return std::nullopt;
+    if (!(elevation >= -90.0 && elevation <= 90.0)) return std::nullopt;
+    return axes_from(azimuth, elevation);
+}
+
+std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes) {
+    if (std::ranges::all_of(scene.spheres, &Sphere::hidden)) return std::nullopt;
+    const Frame frame(bounds_of(scene));
+    const auto [right, left, up, down] = planes_around(scene, axes, frame);
+    // Everything is before an eye at (X, Y, Z) if its own planes lie outside: X - slope Z >= right, -X - slope Z >= left, and so
+    // for Y. So Z is at most what the two sums leave; X and Y then leave the same margin on either side.
+    const double x = 0.5 * (right - left);
+    const double y = 0.5 * (up - down);
+    const double z = std::min(-0.5 * (right + left), -0.5 * (up + down)) / slope;
+    glm::dvec3 eye{0.0};
+    for (int i = 0; i < 3; ++i) {
+        const double scaled = frame.origin[i] * frame.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
+        eye[i] = std::clamp(std::ldexp(scaled, frame.exponent), -farthest, farthest);
+    }
+    return camera_with(without_negative_zero(eye), distance * axes.ahead, half_side * axes.right, half_side * axes.up);
+}
+
+}  // namespace sphereview

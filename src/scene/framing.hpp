@@ -1,0 +1,50 @@
+// A camera that sees everything. Made of + - * / and square roots alone, which IEEE 754 defines to the bit, and of sines and
+// cosines of our own: the same twelve doubles on every machine, so that the picture is.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string_view>
+
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+// Which way a camera looks: three perpendicular directions of length 1. The default is the default camera's.
+struct ViewAxes {
+    glm::dvec3 right{1.0, 0.0, 0.0};
+    glm::dvec3 up{0.0, 1.0, 0.0};
+    glm::dvec3 ahead{0.0, 0.0, 1.0};  // into the picture
+};
+
+// The sine and the cosine of a finite angle in degrees, each within 2^-51 of its size or 2^-52. Exact at multiples of 90.
+struct SineCosine {
+    double sine = 0.0;
+    double cosine = 1.0;
+};
+SineCosine sine_cosine(double degrees);
+
+// From an eye at `azimuth` and `elevation`, in degrees: at 0, 0 (the front) it stands on the side of -z and looks along +z, as the
+// default camera does; azimuth takes it round y, 90 to the side of +x; elevation, from -90 to 90, lifts it towards +y.
+ViewAxes axes_from(double azimuth, double elevation);
+
+// From the direction (1, 1, -1), which sees all three axes equally long.
+ViewAxes isometric_axes();
+
+// The way a camera without a fault looks; a mirrored one's axes are mirrored.
+ViewAxes axes_of(const Camera& camera);
+
+// How a view is written, for messages and help.
+inline constexpr std::string_view view_syntax = "front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in degrees";
+
+// Reads what view_syntax says: a finite azimuth, an elevation from -90 to 90. Nothing for anything else.
+std::optional<ViewAxes> parse_view(std::string_view text);
+
+// The nearest eye that looks this way, with the default camera's angle of view, and has every sphere that is not hidden wholly
+// within 31/32 of the screen's square: at two opposite sides something touches that. It does not depend on a picture's size, since
+// every picture shows the whole screen. Nothing if there is nothing to see. Never a faulty camera: radii so small that doubles
+// cannot place an eye accordingly count as larger, and an eye beyond the largest double stays there.
+std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes);
+
+}  // namespace sphereview

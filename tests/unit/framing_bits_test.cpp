@@ -1,0 +1,86 @@
+// The bits of fitted cameras: a machine, a compiler or a library on which they differ renders other pictures. Compiled with several
+// sets of flags as well.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cinttypes>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "oracle/random.hpp"
+#include "scene/framing.hpp"
+
+namespace sphereview {
+namespace {
+
+// FNV-1a over the numbers' bytes, the lowest first.
+std::string digest(std::uint64_t hash) {
+    std::array<char, 17> text{};
+    std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
+    return text.data();
+}
+
+class Digest {
+public:
+    void add(double number) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &number, sizeof bits);
+        for (int i = 0; i < 8; ++i, bits >>= 8) hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3;
+    }
+    void add(const glm::dvec3& v) {
+        for (int i = 0; i < 3; ++i) add(v[i]);
+    }
+    std::string text() const { return digest(hash_); }
+
+private:
+    std::uint64_t hash_ = 0xcbf29ce484222325;
+};
+
+Scene some_scene() {
+    oracle::Random random(17);
+    Scene scene;
+    for (int i = 0; i < 50; ++i) scene.spheres.push_back({random.in_cube(10.0), random.between(0.1, 2.0), {}, i % 7 == 3});
+    return scene;
+}
+
+}  // namespace
+
+TEST(FramingBits, OfSinesAndCosines) {
+    Digest digest;
+    for (int i = -4000; i <= 4000; ++i) {
+        const auto [sine, cosine] = sine_cosine(0.1 * i);
+        digest.add(sine + 0.0);
+        digest.add(cosine + 0.0);
+    }
+    EXPECT_EQ(digest.text(), "1d4f8eb630a94618");
+    EXPECT_EQ(sine_cosine(30.0).sine, 0x1.fffffffffffffp-2);
+    EXPECT_EQ(sine_cosine(30.0).cosine, 0x1.bb67ae8584cabp-1);
+    EXPECT_EQ(sine_cosine(-123.456).sine, -0x1.ab2a9b25a9ab9p-1);
+    EXPECT_EQ(sine_cosine(-123.456).cosine, -0x1.1a43870d371f9p-1);
+}
+
+TEST(FramingBits, OfOneCamera) {
+    const Camera camera = fitted(some_scene(), parse_view("30,20").value()).value();
+    EXPECT_EQ(camera.eye, glm::dvec3(0x1.cc527e878af41p+3, 0x1.0adbc54878626p+3, -0x1.8887cda5ffc7bp+4));
+    EXPECT_EQ(camera.center, glm::dvec3(-0x1.04cbe69b2076dp+5, -0x1.9dcd90bd3ef9bp+4, 0x1.c6c5dd0d3d0fcp+5));
+    EXPECT_EQ(camera.right, glm::dvec3(0x1.5a6900584fbe6p+5, 0x0p+0, 0x1.8ffffffffffffp+4));
+    EXPECT_EQ(camera.up, glm::dvec3(-0x1.119db9b0bd957p+3, 0x1.77e0863d0333ep+5, 0x1.d9eac15277438p+3));
+}
+
+TEST(FramingBits, OfManyCameras) {
+    Digest digest;
+    oracle::Random random(18);
+    const Scene scene = some_scene();
+    for (int i = 0; i < 1000; ++i) {
+        const ViewAxes axes = axes_from(random.between(-400.0, 400.0), random.between(-90.0, 90.0));
+        const Camera camera = fitted(scene, axes).value();
+        const Camera again = fitted(scene, axes_of(camera)).value();
+        for (const Camera& one : {camera, again}) {
+            for (const glm::dvec3& v : {one.eye, one.center, one.right, one.up}) digest.add(v);
+        }
+    }
+    EXPECT_EQ(digest.text(), "81f29acfb0d79470");
+}
+
+}  // namespace sphereview
