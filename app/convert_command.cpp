@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 #include "app/load_scene.hpp"
 #include "base/error.hpp"
+#include "base/gunzip.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 
@@ -18,6 +19,9 @@ ExitCode run_convert(const ConvertOptions& options) {
     if (is_data(format)) {
         throw InputError(options.output + ": found a name for " + std::string(words_for(format)) +
                          ", which is only read; expected one for text or TOML (.txt, .toml), or --to");
+    }
+    if (without_gzip_ending(options.output) != options.output) {
+        throw InputError(options.output + ": found a name for gzip, which is only read; expected one that ends with .txt or .toml");
     }
     check_output(options.output);
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/gunzip.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
@@ -19,6 +20,12 @@ std::string fill_in(std::string pattern, const std::string& name) {
         pattern.replace(at, placeholder.size(), name);
     }
     return pattern;
+}
+
+// What {name} stands for: the scene's file without its folder, .gz and the ending before that.
+std::string name_of(const std::string& scene) {
+    if (scene == standard_stream) return "stdin";
+    return std::filesystem::path(without_gzip_ending(scene)).stem().string();
 }
 
 std::optional<std::string> fill_in(const std::optional<std::string>& pattern, const std::string& name) {
@@ -85,7 +92,7 @@ std::vector<RenderJob> plan_render(const RenderOptions& options) {
         RenderJob job;
         job.scene = scene;
         job.label = scene == standard_stream ? "stdin" : scene;
-        job.name = scene == standard_stream ? "stdin" : std::filesystem::path(scene).stem().string();
+        job.name = name_of(scene);
         if (options.output || !options.expect) job.output = fill_in(output, job.name);
         job.expect = fill_in(options.expect, job.name);
         job.diff = fill_in(options.diff, job.name);

@@ -6,6 +6,7 @@
 #include "app/failure.hpp"
 #include "app/render_picture.hpp"
 #include "base/error.hpp"
+#include "base/gunzip.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "base/user_folders.hpp"
@@ -20,7 +21,7 @@ namespace {
 // NAME.png, NAME-1.png, NAME-2.png, ...: the first that is not there.
 fs::path next_free_name(const ViewerState& state) {
     const fs::path folder = state.path.empty() ? pictures_folder() : fs::path(state.path).parent_path();
-    const std::string stem = state.path.empty() ? "untitled" : fs::path(state.path).stem().string();
+    const std::string stem = state.path.empty() ? "untitled" : fs::path(without_gzip_ending(state.path)).stem().string();
     std::error_code error;
     fs::path name = folder / (stem + ".png");
     for (int i = 1; fs::exists(fs::symlink_status(name, error)); ++i) name = folder / (stem + "-" + std::to_string(i) + ".png");

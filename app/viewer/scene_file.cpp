@@ -4,6 +4,7 @@
 
 #include "app/failure.hpp"
 #include "base/error.hpp"
+#include "base/gunzip.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
@@ -65,6 +66,8 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
 
+bool is_packed(const std::string& path) { return without_gzip_ending(path) != path; }
+
 void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
     const std::string lost = lost_in(state.scene(), format);
     if (lost.empty()) return write(state, path, format, then);
@@ -83,8 +86,7 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
     const std::string ending = format == SceneFormat::text ? ".txt" : ".toml";
-    fs::path stem = state.path.empty() ? "scene" : fs::path(state.path).stem();
-    if (is_data(state.format) && is_data(format_of_name(stem.string()))) stem = stem.stem();  // .xyz.gz
+    const fs::path stem = state.path.empty() ? "scene" : fs::path(without_gzip_ending(state.path)).stem();
     const FileQuestion question{true, "Save the scene", usual_folder(state), stem.string() + ending, {".txt", ".toml"}};
     ask_for_file(state, question, [&state, then](const std::string& path) {
         const std::string absolute = absolute_path(path);
@@ -93,6 +95,11 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
             return report_error(state, "The scene cannot be saved",
                                 in_quotes(fs::path(absolute).filename().string()) + " is a name for " +
                                     std::string(words_for(named)) + ", which is only read. Take one that ends with .toml or .txt.");
+        }
+        if (is_packed(absolute)) {
+            return report_error(state, "The scene cannot be saved",
+                                in_quotes(fs::path(absolute).filename().string()) +
+                                    " is a name for gzip, which is only read. Take one that ends with .toml or .txt.");
         }
         write_unless_lost(state, absolute, named, then);
     });
@@ -182,12 +189,16 @@ void open_scene(ViewerState& state, const std::string& path) {
 }
 
 void ask_for_scene(ViewerState& state) {
-    const FileQuestion question{false, "Open a scene", usual_folder(state), "", {".txt", ".toml", ".xyz", ".extxyz", ".csv"}};
+    const FileQuestion question{false,
+                                "Open a scene",
+                                usual_folder(state),
+                                "",
+                                {".txt", ".toml", ".xyz", ".extxyz", ".csv", ".pdb", ".ent", ".cif", ".mmcif", ".gz"}};
     ask_for_file(state, question, [&state](const std::string& path) { open_scene(state, path); });
 }
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
-    if (state.path.empty() || is_data(state.format)) return save_scene_as(state, then);
+    if (state.path.empty() || is_data(state.format) || is_packed(state.path)) return save_scene_as(state, then);
     write_unless_lost(state, state.path, state.format, then);
 }
 

@@ -1,6 +1,7 @@
 #include "base/input_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cerrno>
 #include <cstring>
@@ -21,10 +22,22 @@ constexpr std::size_t most_streamed = std::size_t{1} << 31;
 
 int leave_open(std::FILE*) { return 0; }
 
+[[noreturn]] void fail_to_read(const std::string& name, const std::string& why) {
+    throw InputError(name + ": cannot be read: " + why);
+}
+
+// Up to `most` bytes; 0 only at the file's end.
+std::size_t read_bytes(std::FILE* file, const std::string& name, char* to, std::size_t most) {
+    errno = 0;
+    const std::size_t count = std::fread(to, 1, most, file);
+    if (count == 0 && std::ferror(file) != 0) fail_to_read(name, errno != 0 ? std::strerror(errno) : "a read error");
+    return count;
+}
+
 }  // namespace
 
 InputStream::InputStream(const std::string& path, Content content)
-    : name_(path == standard_stream ? "stdin" : path), file_(nullptr, &leave_open) {
+    : name_(path == standard_stream ? "stdin" : path), file_(nullptr, &leave_open), content_(content) {
     const bool from_stdin = path == standard_stream;
     std::error_code ignored;
     if (!from_stdin && fs::is_directory(path, ignored)) fail("it is a folder; expected a file");
@@ -36,10 +49,13 @@ InputStream::InputStream(const std::string& path, Content content)
     ends_at_zero_ = !regular && content == Content::text;
     if (!regular) return;
     const auto size = fs::file_size(path, ignored);
-    if (!ignored && size != 0) size_ = static_cast<std::size_t>(size);
+    if (ignored || size == 0) return;
+    may_be_endless_ = false;
+    look_for_gzip();
+    if (!gunzip_) size_ = static_cast<std::size_t>(size);
 }
 
-void InputStream::fail(const std::string& why) const { throw InputError(name_ + ": cannot be read: " + why); }
+void InputStream::fail(const std::string& why) const { fail_to_read(name_, why); }
 
 void InputStream::drop_first(std::size_t count) {
     assert(count <= end_ - begin_);
@@ -60,14 +76,38 @@ void InputStream::make_room(std::size_t capacity) {
     begin_ = 0;
 }
 
+// Reads the first bytes, once. Of a pipe only when they are wanted: opening it must not wait.
+void InputStream::look_for_gzip() {
+    looked_for_gzip_ = true;
+    if (content_ != Content::text) return;
+    std::array<char, gzip_magic.size()> head{};
+    head_.assign(head.data(), read_bytes(file_.get(), name_, head.data(), head.size()));
+    if (head_ != gzip_magic) return;
+    // Not by `this`: a stream can be moved.
+    const auto from_file = [file = file_.get(), name = name_](char* to, std::size_t most) {
+        return read_bytes(file, name, to, most);
+    };
+    gunzip_ = std::make_unique<Gunzip>(name_, head_, from_file);
+    head_.clear();
+}
+
+// Up to `most` bytes of the text; 0 only at its end.
+std::size_t InputStream::read_text(char* to, std::size_t most) {
+    if (!looked_for_gzip_) look_for_gzip();
+    if (gunzip_) return gunzip_->read(to, most);
+    if (head_.empty()) return read_bytes(file_.get(), name_, to, most);
+    const std::size_t count = std::min(most, head_.size());
+    std::copy_n(head_.data(), count, to);
+    head_.erase(0, count);
+    return count;
+}
+
 void InputStream::fill(std::size_t most) {
     if (ended_ || end_ - begin_ >= most) return;
     make_room(most);
     while (end_ < most) {
-        errno = 0;
-        const std::size_t count = std::fread(data_.get() + end_, 1, most - end_, file_.get());
+        const std::size_t count = read_text(data_.get() + end_, most - end_);
         if (count == 0) {
-            if (std::ferror(file_.get()) != 0) fail(errno != 0 ? std::strerror(errno) : "a read error");
             ended_ = true;
             return;
         }
@@ -85,7 +125,7 @@ void InputStream::fill() {
     // One more than the size, so that the end is met without growing.
     fill(size_ ? *size_ + 1 : std::size_t{1} << 16);
     while (!ended_) {
-        if (!size_ && bytes().size() > most_streamed) fail("it does not end within 2 GiB");
+        if (may_be_endless_ && bytes().size() > most_streamed) fail("it does not end within 2 GiB");
         fill(2 * bytes().size());
     }
 }

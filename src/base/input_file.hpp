@@ -8,16 +8,18 @@
 #include <string>
 #include <string_view>
 
+#include "base/gunzip.hpp"
+
 namespace sphereview {
 
 // The path that stands for standard input (as an input) and standard output (as an output).
 inline constexpr std::string_view standard_stream = "-";
 
-// What a file holds, which tells where a device or pipe without an end is left.
+// What a file holds, which tells where a device or pipe without an end is left, and whether gzip is unpacked.
 enum class Content { text, binary };
 
 // A file, device or pipe read front to back, of which only a window is in memory. It is read, not mapped: a mapped file that
-// its editor truncates kills the reader (SIGBUS).
+// its editor truncates kills the reader (SIGBUS). A text that is packed with gzip is unpacked on the way (base/gunzip.hpp).
 class InputStream {
 public:
     // Opens `path`, or standard input for "-". Throws InputError when it is missing, a folder or unreadable.
@@ -26,7 +28,7 @@ public:
 
     // How messages call it: the path as given, or "stdin".
     const std::string& name() const { return name_; }
-    // Of a regular file, when it was opened; some, as in /proc, hide it.
+    // Of a regular file, when it was opened; some, as in /proc, hide it, and that of a packed text is not known.
     std::optional<std::size_t> size() const { return size_; }
 
     // The window: what was read and not dropped.
@@ -35,8 +37,8 @@ public:
     bool ended() const { return ended_; }
 
     void drop_first(std::size_t count);
-    // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError, and
-    // MemoryError when the window cannot fit.
+    // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError,
+    // also when a packed text is damaged or expands too far, and MemoryError when the window cannot fit.
     void fill(std::size_t most);
     // Widens the window to all that is left. Throws as above, also when a device or pipe does not end within 2 GiB.
     void fill();
@@ -44,11 +46,18 @@ public:
 private:
     [[noreturn]] void fail(const std::string& why) const;
     void make_room(std::size_t capacity);
+    void look_for_gzip();
+    std::size_t read_text(char* to, std::size_t most);
 
     std::string name_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     std::optional<std::size_t> size_{};
+    bool may_be_endless_ = true;
+    Content content_;
     bool ends_at_zero_ = false;
+    bool looked_for_gzip_ = false;
+    std::string head_{};                // of the file; read to look at, and not taken yet
+    std::unique_ptr<Gunzip> gunzip_{};  // of a packed text
     bool ended_ = false;
     std::unique_ptr<char[]> data_{};  // not a vector: its bytes would be cleared before they are read
     std::size_t capacity_ = 0;

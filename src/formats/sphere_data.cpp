@@ -7,6 +7,8 @@ namespace sphereview {
 SphereData read_data(std::string_view content, const std::string& name, SceneFormat format, const DataOptions& options) {
     if (format == SceneFormat::xyz) return read_xyz(content, name, options);
     if (format == SceneFormat::csv) return read_csv(content, name, options);
+    if (format == SceneFormat::pdb) return read_pdb(content, name, options);
+    if (format == SceneFormat::mmcif) return read_mmcif(content, name, options);
     throw InputError(name + ": this build cannot read " + std::string(words_for(format)));
 }
 

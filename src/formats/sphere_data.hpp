@@ -44,4 +44,10 @@ SphereData read_xyz(std::string_view content, const std::string& name, const Dat
 // CSV (RFC 4180; ';' or tabs do as well) with a header: x, y, z and perhaps radius, r, g, b, name, in any order.
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options);
 
+// PDB: models are frames; of alternative places the fullest is kept. Builds without gemmi say that they cannot read it.
+SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options);
+
+// mmCIF (PDBx), likewise.
+SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options);
+
 }  // namespace sphereview

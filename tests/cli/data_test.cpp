@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/gzip.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -126,6 +127,35 @@ TEST_F(Data, ThatIsBadIsReportedInOneLine) {
     EXPECT_FALSE(folder_.has("a.txt"));
     EXPECT_FALSE(folder_.has("a.png"));
 }
+
+#ifndef WITHOUT_GEMMI
+TEST_F(Data, OfMoleculesIsConvertedAndRendered) {
+    folder_.write("a.pdb",
+                  "MODEL        1\nATOM      1  N   ALA A  12       0.000   0.000 200.000  1.00 13.79           N\nENDMDL\n"
+                  "MODEL        2\nHETATM    1  O   HOH A  12       1.000   0.000 200.000  1.00 13.79           O\nENDMDL\nEND\n");
+    folder_.write("a.cif",
+                  "data_a\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                  "_atom_site.pdbx_PDB_model_num\nN 0 0 200 1\nO 1 0 200 2\n");
+    EXPECT_EQ(as_text({"a.pdb"}), "1\n48 80 248\n0 0 200\n0.71\n");
+    EXPECT_EQ(as_text({"a.pdb", "--frame", "1", "--radius", "20"}), "1\n255 13 13\n1 0 200\n20\n");
+    EXPECT_EQ(as_text({"a.cif"}), as_text({"a.pdb"}));
+    EXPECT_EQ(as_text({"-"}, folder_.read("a.cif")), as_text({"a.pdb"}));
+    EXPECT_EQ(as_text({"-"}, folder_.read("a.pdb")), as_text({"a.pdb"}));
+    folder_.write("b.pdb.gz", gzipped(folder_.read("a.pdb")));
+    folder_.write("b.mmcif.gz", gzipped(folder_.read("a.cif")));
+    EXPECT_EQ(as_text({"b.pdb.gz"}), as_text({"a.pdb"}));
+    EXPECT_EQ(as_text({"b.mmcif.gz"}), as_text({"a.pdb"}));
+    EXPECT_EQ(sphereview({"render", "b.pdb.gz", "--backend", "cpu", "-s", "20x20"}).status, 0);
+    EXPECT_TRUE(folder_.has("b.png"));
+
+    folder_.write("bad.ent", "ATOM      1  N   ALA A  12       0.000   0.000 2oo.000\n");
+    expect_fault({"convert", "bad.ent", "b.txt"},
+                 "bad.ent:1:48: found '2oo.000', expected the atom's z in columns 47 to 54, a number");
+    folder_.write("bad.cif.gz", gzipped("data_a\n_atom_site.Cartn_x 1\n"));
+    expect_fault({"render", "bad.cif.gz"},
+                 "bad.cif.gz:2:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+}
+#endif
 
 TEST_F(Data, HasOnlyTheFramesItHas) {
     folder_.write("a.xyz", two_frames);

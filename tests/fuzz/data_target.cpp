@@ -42,4 +42,8 @@ std::string fuzz_xyz(std::string_view bytes) { return wrong_with(bytes, SceneFor
 
 std::string fuzz_csv(std::string_view bytes) { return wrong_with(bytes, SceneFormat::csv); }
 
+std::string fuzz_pdb(std::string_view bytes) { return wrong_with(bytes, SceneFormat::pdb); }
+
+std::string fuzz_mmcif(std::string_view bytes) { return wrong_with(bytes, SceneFormat::mmcif); }
+
 }  // namespace sphereview

@@ -15,7 +15,7 @@ void replay(const std::string& kind, std::string (*target)(std::string_view)) {
     int replayed = 0;
     for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/tests/fuzz/corpus/" + kind)) {
         SCOPED_TRACE(entry.path().filename());
-        EXPECT_EQ(target(InputFile(entry.path().string()).bytes()), "");
+        EXPECT_EQ(target(InputFile(entry.path().string(), Content::binary).bytes()), "");
         ++replayed;
     }
     EXPECT_GT(replayed, 0);
@@ -28,6 +28,12 @@ TEST(Corpus, OfScenesIsReadAndWrittenWell) { replay("scene", fuzz_scene); }
 TEST(Corpus, OfXyzFilesIsReadWell) { replay("xyz", fuzz_xyz); }
 
 TEST(Corpus, OfCsvFilesIsReadWell) { replay("csv", fuzz_csv); }
+
+TEST(Corpus, OfGzipIsUnpackedWell) { replay("gunzip", fuzz_gunzip); }
+
+TEST(Corpus, OfPdbFilesIsReadWell) { replay("pdb", fuzz_pdb); }
+
+TEST(Corpus, OfMmcifFilesIsReadWell) { replay("mmcif", fuzz_mmcif); }
 
 TEST(Corpus, OfPngsIsReadAndWrittenWell) { replay("png", fuzz_png); }
 

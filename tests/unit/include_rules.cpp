@@ -12,9 +12,9 @@ using Names = std::vector<std::string_view>;
 
 // What a room may include beside itself and the C++ standard library: rooms, libraries, and "system".
 const std::map<std::string_view, Names> allowed = {
-    {"base", {"system"}},
+    {"base", {"system", "zlib"}},
     {"scene", {"base", "glm", "toml++"}},
-    {"formats", {"base", "scene", "glm"}},
+    {"formats", {"base", "scene", "glm", "gemmi"}},
     {"image", {"base", "stb", "libdeflate"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact"}},
@@ -36,6 +36,8 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"toml++", {"toml++/"}},
     {"stb", {"stb_", "stb/"}},
     {"libdeflate", {"libdeflate.h"}},
+    {"zlib", {"zlib.h"}},
+    {"gemmi", {"gemmi/"}},
     {"boost", {"boost/"}},
     {"glad", {"glad/"}},
     {"EGL", {"EGL/"}},

@@ -1,0 +1,108 @@
+#include "base/gunzip.hpp"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <new>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t packed_capacity = std::size_t{1} << 17;
+constexpr std::size_t most_padding = std::size_t{1} << 20;  // far more than tape drives and archives pad with
+constexpr int gzip_windows = 15 + 16;                       // zlib: any window, gzip only
+
+}  // namespace
+
+std::string_view without_gzip_ending(std::string_view name) {
+    constexpr std::string_view ending = ".gz";
+    if (lower_case(name).ends_with(ending)) name.remove_suffix(ending.size());
+    return name;
+}
+
+void Gunzip::End::operator()(z_stream_s* stream) const {
+    inflateEnd(stream);
+    delete stream;
+}
+
+Gunzip::Gunzip(std::string name, std::string_view begin, Source source, ExpansionBounds bounds)
+    : name_(std::move(name)),
+      source_(std::move(source)),
+      bounds_(bounds),
+      packed_(std::make_unique_for_overwrite<char[]>(packed_capacity)),
+      stream_(new z_stream_s{}) {
+    if (inflateInit2(stream_.get(), gzip_windows) != Z_OK) throw std::bad_alloc();
+    assert(begin.size() <= packed_capacity);
+    std::copy_n(begin.data(), begin.size(), packed_.get());
+    stream_->next_in = reinterpret_cast<Bytef*>(packed_.get());
+    stream_->avail_in = static_cast<uInt>(begin.size());
+    packed_size_ = begin.size();
+}
+
+void Gunzip::fail(const std::string& why) const { throw InputError(name_ + ": cannot be unpacked: " + why); }
+
+// Makes sure that there are packed bytes; false at the end of the file.
+bool Gunzip::refill() {
+    if (stream_->avail_in != 0) return true;
+    const std::size_t count = source_(packed_.get(), packed_capacity);
+    packed_size_ += count;
+    stream_->next_in = reinterpret_cast<Bytef*>(packed_.get());
+    stream_->avail_in = static_cast<uInt>(count);
+    return count != 0;
+}
+
+// Steps to the next member; false when there is none.
+bool Gunzip::begin_next_member() {
+    for (std::size_t padding = 0; refill(); ++padding) {
+        if (*stream_->next_in != 0 || padding == most_padding) {
+            if (*stream_->next_in != static_cast<Bytef>(gzip_magic[0])) {
+                fail("found other bytes behind its gzip data, expected its end");
+            }
+            inflateReset(stream_.get());
+            in_member_ = true;
+            return true;
+        }
+        ++stream_->next_in;
+        --stream_->avail_in;
+    }
+    return false;
+}
+
+void Gunzip::check_bounds() const {
+    if (unpacked_size_ > bounds_.most) {
+        fail("its text is longer than " + in_groups(bounds_.most) + " bytes, more than is ever unpacked");
+    }
+    if (unpacked_size_ > bounds_.small && unpacked_size_ / bounds_.ratio > packed_size_) {
+        fail("its text is longer than " + in_groups(bounds_.ratio) + " times the file, as no scene's is");
+    }
+}
+
+std::size_t Gunzip::read(char* to, std::size_t most) {
+    assert(most > 0);
+    const std::size_t room = std::min<std::size_t>(most, std::numeric_limits<uInt>::max());
+    stream_->next_out = reinterpret_cast<Bytef*>(to);
+    stream_->avail_out = static_cast<uInt>(room);
+    while (stream_->avail_out == room) {
+        if (!in_member_ && !begin_next_member()) return 0;
+        if (!refill()) fail("its gzip data end too early");
+        const int result = inflate(stream_.get(), Z_NO_FLUSH);
+        if (result == Z_MEM_ERROR) throw std::bad_alloc();
+        if (result == Z_STREAM_END) {
+            in_member_ = false;
+        } else if (result != Z_OK && result != Z_BUF_ERROR) {
+            fail("its gzip data are damaged" + (stream_->msg != nullptr ? " (" + std::string(stream_->msg) + ")" : ""));
+        }
+    }
+    const std::size_t count = room - stream_->avail_out;
+    unpacked_size_ += count;
+    check_bounds();
+    return count;
+}
+
+}  // namespace sphereview

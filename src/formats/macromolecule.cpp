@@ -1,0 +1,67 @@
+#include "formats/macromolecule.hpp"
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "formats/names.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// The part of `atoms` that begins at `begin` and is of one residue.
+std::span<const MoleculeAtom> residue_at(std::span<const MoleculeAtom> atoms, std::size_t begin) {
+    const MoleculeAtom& first = atoms[begin];
+    std::size_t end = begin + 1;
+    while (end < atoms.size() && atoms[end].chain == first.chain && atoms[end].residue_number == first.residue_number) ++end;
+    return atoms.subspan(begin, end - begin);
+}
+
+std::string_view fullest_alternative(std::span<const MoleculeAtom> residue) {
+    const MoleculeAtom* fullest = nullptr;
+    for (const MoleculeAtom& atom : residue) {
+        if (atom.alternative.empty()) continue;
+        if (fullest == nullptr || atom.occupancy > fullest->occupancy) fullest = &atom;
+    }
+    return fullest == nullptr ? std::string_view() : fullest->alternative;
+}
+
+std::string name_of(const MoleculeAtom& atom) {
+    std::string name;
+    if (!atom.chain.empty()) name.append(atom.chain) += '/';
+    name.append(atom.residue);
+    if (!atom.residue_number.empty()) (name += ' ') += atom.residue_number;
+    (name += '/').append(atom.atom);
+    return as_utf8(name);
+}
+
+}  // namespace
+
+Scene scene_of(std::span<const MoleculeAtom> atoms, const DataOptions& options) {
+    Scene scene;
+    scene.spheres.reserve(atoms.size());
+    const bool named = atoms.size() <= most_named_atoms;
+    for (std::size_t begin = 0; begin < atoms.size();) {
+        const auto residue = residue_at(atoms, begin);
+        begin += residue.size();
+        const std::string_view kept = fullest_alternative(residue);
+        for (const MoleculeAtom& atom : residue) {
+            if (!atom.alternative.empty() && atom.alternative != kept) continue;
+            if (named) scene.names[static_cast<std::uint32_t>(scene.spheres.size())] = name_of(atom);
+            scene.spheres.push_back(
+                {.center = atom.position, .radius = options.radius.value_or(atom.element->radius), .color = atom.element->color});
+        }
+    }
+    return scene;
+}
+
+void fail_at(std::string_view content, const std::string& name, std::size_t offset, const std::string& message) {
+    const TextPosition place = position_at(content, offset);
+    throw InputError(name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + message);
+}
+
+void fail_without_atoms(std::string_view content, const std::string& name, const std::string& expected) {
+    const bool empty = content.find_first_not_of(" \t\r\n") == std::string_view::npos;
+    fail_at(content, name, content.size(), (empty ? "the text is empty, expected " : "the text ends, expected ") + expected);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,219 @@
+// PDB and mmCIF.
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "formats/elements.hpp"
+#include "formats/sphere_data.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+namespace {
+
+#ifdef WITHOUT_GEMMI
+TEST(Macromolecule, SaysThatThisBuildCannotReadIt) {
+    EXPECT_EQ(message_of<InputError>([] { read_pdb("", "a.pdb", {}); }),
+              "a.pdb: this program was built without gemmi, and cannot read PDB");
+    EXPECT_EQ(message_of<InputError>([] { read_mmcif("", "a.cif", {}); }),
+              "a.cif: this program was built without gemmi, and cannot read mmCIF");
+}
+#else
+
+// Columns:                          1         2         3         4         5         6         7         8
+//                          12345678901234567890123456789012345678901234567890123456789012345678901234567890
+const std::string nitrogen = "ATOM      1  N   ALA A  12      17.047  14.099   3.625  1.00 13.79           N\n";
+const std::string carbon_a = "ATOM      2  CA AALA A  12      16.967  12.784   4.338  0.40 10.80           C\n";
+const std::string carbon_b = "ATOM      3  CA BALA A  12      16.900  12.700   4.400  0.60 10.80           C\n";
+const std::string oxygen = "ATOM      4  O   SER A  52A     -1.000  -2.500   0.000  1.00 10.00           O1-\n";
+const std::string iron = "HETATM    5 FE   HEM A 154      14.000   1.000   2.000  1.00 10.00          FE\n";
+const std::string water = "HETATM    6  O   HOH B 201       1.000   2.000   3.000  1.00 10.00           O\n";
+
+SphereData pdb(std::string_view content, const DataOptions& options = {}) { return read_pdb(content, "a.pdb", options); }
+SphereData mmcif(std::string_view content, const DataOptions& options = {}) { return read_mmcif(content, "a.cif", options); }
+
+std::vector<std::string> names_of(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const auto& [index, name] : scene.names) names.push_back(name);
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+std::string pdb_fault(std::string_view content, const DataOptions& options = {}) {
+    return message_of<InputError>([&] { pdb(content, options); });
+}
+
+std::string mmcif_fault(std::string_view content, const DataOptions& options = {}) {
+    return message_of<InputError>([&] { mmcif(content, options); });
+}
+
+TEST(Pdb, GivesAtomsWithTheirElementsAndNames) {
+    const std::string content = "HEADER    PLANT PROTEIN                           30-APR-81   1CRN\n" + nitrogen + oxygen +
+                                "TER       4      SER A  52A\n" + iron + water + "CONECT    1    2\nEND\n";
+    const SphereData data = pdb(content);
+    EXPECT_EQ(data.frames, 1);
+    ASSERT_EQ(data.scene.spheres.size(), 4U);
+    EXPECT_EQ(names_of(data.scene), (Names{"A/ALA 12/N", "A/SER 52A/O", "A/HEM 154/FE", "B/HOH 201/O"}));
+    EXPECT_EQ(data.scene.spheres[0].center, glm::dvec3(17.047, 14.099, 3.625));
+    EXPECT_EQ(data.scene.spheres[1].center, glm::dvec3(-1.0, -2.5, 0.0));
+    const std::vector<const char*> symbols = {"N", "O", "Fe", "O"};
+    for (std::size_t i = 0; i < symbols.size(); ++i) {
+        EXPECT_EQ(data.scene.spheres[i].color, find_element(symbols[i])->color) << i;
+        EXPECT_EQ(data.scene.spheres[i].radius, find_element(symbols[i])->radius) << i;
+    }
+}
+
+TEST(Pdb, TakesTheElementFromTheNameWhereThereIsNone) {
+    const auto color = [](const std::string& line) { return pdb(line).scene.spheres.at(0).color; };
+    EXPECT_EQ(color("ATOM      2  CA  ALA A  12      16.967  12.784   4.338\n"), find_element("C")->color);
+    EXPECT_EQ(color("HETATM    2 CA    CA A  12      16.967  12.784   4.338\n"), find_element("Ca")->color);
+    EXPECT_EQ(color("ATOM      2 HG11 VAL A  12      16.967  12.784   4.338\n"), find_element("H")->color);
+    EXPECT_EQ(color("HETATM    2  ?   UNX A  12      16.967  12.784   4.338\n"), unknown_element().color);
+}
+
+TEST(Pdb, TakesTheRadiusThatIsGiven) {
+    for (const Sphere& sphere : pdb(nitrogen + oxygen, {.radius = 2.5}).scene.spheres) EXPECT_EQ(sphere.radius, 2.5);
+}
+
+TEST(Pdb, KeepsTheFullestAlternative) {
+    const SphereData data = pdb(nitrogen + carbon_a + carbon_b + oxygen);
+    ASSERT_EQ(data.scene.spheres.size(), 3U);
+    EXPECT_EQ(data.scene.spheres[1].center, glm::dvec3(16.9, 12.7, 4.4));
+    std::string equal = carbon_b;
+    equal.replace(56, 4, "0.40");
+    EXPECT_EQ(pdb(carbon_a + equal).scene.spheres.at(0).center, glm::dvec3(16.967, 12.784, 4.338));
+    EXPECT_EQ(pdb(carbon_a + equal).scene.spheres.size(), 1U);
+}
+
+TEST(Pdb, HasAFrameForEachModel) {
+    const std::string models = "MODEL        1\n" + nitrogen + "ENDMDL\nMODEL        2\n" + oxygen + iron + "ENDMDL\nEND\n";
+    EXPECT_EQ(pdb(models).frames, 2);
+    EXPECT_EQ(pdb(models).scene.spheres.size(), 1U);
+    EXPECT_EQ(names_of(pdb(models, {.frame = 1}).scene), (Names{"A/SER 52A/O", "A/HEM 154/FE"}));
+    EXPECT_EQ(pdb_fault(models, {.frame = 2}), "a.pdb: found 2 frames, 0 to 1, expected frame 2");
+    // What programs for trajectories write.
+    for (const std::string end : {"END\n", "ENDMDL\n", "END   \r\n"}) {
+        const std::string content = nitrogen + end + water + end;
+        EXPECT_EQ(pdb(content).frames, 2) << end;
+        EXPECT_EQ(names_of(pdb(content, {.frame = 1}).scene), (Names{"B/HOH 201/O"})) << end;
+    }
+}
+
+TEST(Pdb, LinesEndInAnyWay) {
+    const Scene expected = pdb(nitrogen + oxygen).scene;
+    for (const std::string end : {"\r\n", "\r"}) {
+        std::string content;
+        for (const char c : nitrogen + oxygen) {
+            if (c == '\n') {
+                content += end;
+            } else {
+                content += c;
+            }
+        }
+        EXPECT_EQ(pdb(content).scene, expected);
+    }
+}
+
+TEST(Pdb, BadPlacesAreReported) {
+    const auto with = [](std::size_t column, const std::string& text) {
+        std::string line = nitrogen;
+        line.replace(column - 1, text.size(), text);
+        return pdb_fault("TITLE\n" + line);
+    };
+    EXPECT_EQ(with(31, "  17.0x7"), "a.pdb:2:33: found '17.0x7', expected the atom's x in columns 31 to 38, a number");
+    EXPECT_EQ(with(39, "     nan"), "a.pdb:2:44: found 'nan', expected the atom's y in columns 39 to 46, a number");
+    EXPECT_EQ(with(39, "   1e999"), "a.pdb:2:42: found '1e999', expected the atom's y in columns 39 to 46, a number");
+    EXPECT_EQ(with(47, "        "), "a.pdb:2:47: found '        ', expected the atom's z in columns 47 to 54, a number");
+    EXPECT_EQ(with(47, "  3.62 5"), "a.pdb:2:49: found '3.62 5', expected the atom's z in columns 47 to 54, a number");
+    EXPECT_EQ(pdb_fault(nitrogen.substr(0, 46)), "a.pdb:1:47: the line ends, expected the atom's z in columns 47 to 54");
+    EXPECT_EQ(pdb_fault(""), "a.pdb:1:1: the text is empty, expected a record ATOM or HETATM");
+    EXPECT_EQ(pdb_fault("HEADER\nMODEL 1\nENDMDL\n"), "a.pdb:4:1: the text ends, expected a record ATOM or HETATM");
+}
+
+TEST(Pdb, EveryNumberIsReadAsItIs) {
+    const auto x = [](const std::string& text) {
+        std::string line = nitrogen;
+        line.replace(30, text.size(), text);
+        return pdb(line).scene.spheres.at(0).center.x;
+    };
+    EXPECT_EQ(x("  +1.047"), 1.047);
+    EXPECT_EQ(x("-999.999"), -999.999);
+    EXPECT_EQ(x("12345678"), 12345678.0);
+    EXPECT_EQ(x("-.5     "), -0.5);
+    EXPECT_EQ(x("     1e3"), 1000.0);
+    EXPECT_EQ(x("      5."), 5.0);
+}
+
+TEST(Pdb, ManyAtomsHaveNoNames) {
+    std::string content;
+    for (std::size_t i = 0; i <= most_named_atoms; ++i) content += nitrogen;
+    const SphereData data = pdb(content);
+    EXPECT_EQ(data.scene.spheres.size(), most_named_atoms + 1);
+    EXPECT_TRUE(data.scene.names.empty());
+}
+
+const std::string cif_columns =
+    "data_1CRN\n#\n_struct.title 'It''s # a title'\nloop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n"
+    "_atom_site.label_atom_id\n_atom_site.label_alt_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n"
+    "_atom_site.label_seq_id\n_atom_site.pdbx_PDB_ins_code\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+    "_atom_site.occupancy\n_atom_site.auth_seq_id\n_atom_site.auth_asym_id\n_atom_site.pdbx_PDB_model_num\n";
+const std::string cif_atoms =
+    "ATOM 1 N N . ALA A 1 ? 17.047 14.099 3.625 1.0 12 X 1\n"
+    "ATOM 2 C CA A ALA A 1 ? 16.967 12.784 4.338 0.4 12 X 1\n"
+    "ATOM 3 C CA B ALA A 1 ? 16.9 12.7 4.4(2) 0.6 12 X 1\n"
+    "ATOM 4 C \"C5'\" . G A 2 B 1 -2.5e0 3 1.0 13 X 1\n"
+    "HETATM 5 FE FE . HEM B . ? 14 1 2 1.0 154 X 1\n"
+    "ATOM 6 H H . ALA A 1 ? 1 1 1 1.0 12 X 2\n#\n";
+const std::string cif_places = "data_x\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+
+TEST(Mmcif, GivesAtomsWithTheirElementsAndNames) {
+    const SphereData data = mmcif(cif_columns + cif_atoms);
+    EXPECT_EQ(data.frames, 2);
+    EXPECT_EQ(names_of(data.scene), (Names{"X/ALA 12/N", "X/ALA 12/CA", "X/G 13B/C5'", "X/HEM 154/FE"}));
+    ASSERT_EQ(data.scene.spheres.size(), 4U);
+    EXPECT_EQ(data.scene.spheres[1].center, glm::dvec3(16.9, 12.7, 4.4));
+    EXPECT_EQ(data.scene.spheres[2].center, glm::dvec3(1.0, -2.5, 3.0));
+    EXPECT_EQ(data.scene.spheres[2].color, find_element("C")->color);
+    EXPECT_EQ(data.scene.spheres[3].radius, find_element("Fe")->radius);
+    EXPECT_EQ(mmcif(cif_columns + cif_atoms, {.radius = 2.0}).scene.spheres[3].radius, 2.0);
+}
+
+TEST(Mmcif, HasAFrameForEachModel) {
+    const std::string content = cif_columns + cif_atoms;
+    EXPECT_EQ(names_of(mmcif(content, {.frame = 1}).scene), (Names{"X/ALA 12/H"}));
+    EXPECT_EQ(mmcif_fault(content, {.frame = 2}), "a.cif: found 2 frames, 0 to 1, expected frame 2");
+}
+
+TEST(Mmcif, NeedsOnlyPlaces) {
+    EXPECT_EQ(mmcif(cif_places + "1 2 3\n4 5 6").scene.spheres.size(), 2U);
+    const Scene pairs = mmcif("data_x\n_ATOM_SITE.CARTN_X 1\n_atom_site.Cartn_y '2'\n_atom_site.Cartn_z 3\n").scene;
+    EXPECT_EQ(pairs, mmcif(cif_places + "1 2 3\n").scene);
+    EXPECT_EQ(mmcif("\xEF\xBB\xBF" + cif_places + "1 2 3\n").scene, pairs);
+}
+
+TEST(Mmcif, FaultsAreReported) {
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n1 two 3\n"), "a.cif:7:3: found 'two', expected the atom's y, a number");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 ?\n"), "a.cif:6:5: found '?', expected the atom's z, a number");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 nan\n"), "a.cif:6:5: found 'nan', expected the atom's z, a number");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 3 4\n"), "a.cif:6:7: found 1 value in the last row of a table, expected 3");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 'three\n"), "a.cif:6:11: found an unterminated 'string', expected its end");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n$ 1 2\n"), "a.cif:7:1: found '$', expected CIF: a tag, a value or loop_");
+    EXPECT_EQ(mmcif_fault("hello"), "a.cif:1:1: found 'hello', expected a data block, data_NAME");
+    EXPECT_EQ(mmcif_fault("data_x loop_ _atom_site.id 1"),
+              "a.cif:1:14: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\ndata_y\n_atom_site.Cartn_x 1\n"),
+              "a.cif:8:1: found a second table of atoms, expected one");
+    EXPECT_EQ(
+        mmcif_fault("data_x\nloop_\n_atom_site_fract_x\n0.5\n"),
+        "a.cif:3:1: found '_atom_site_fract_x', of a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
+    const std::string table = "expected the table _atom_site with Cartn_x, Cartn_y and Cartn_z";
+    EXPECT_EQ(mmcif_fault(""), "a.cif:1:1: the text is empty, " + table);
+    EXPECT_EQ(mmcif_fault("data_x\n_a.b 1\n"), "a.cif:3:1: the text ends, " + table);
+    EXPECT_EQ(mmcif_fault(cif_places), "a.cif:6:1: the text ends, " + table);
+}
+
+#endif
+
+}  // namespace
+
+}  // namespace sphereview
