@@ -116,7 +116,7 @@ TEST(Files, HaveAtMostFourHundredLines) {
     int checked = 0;
     for (const char* folder : {"src", "app", "shaders", "tests", "bench"}) {
         for (const fs::path& file : files_below(folder)) {
-            const InputFile content(file.string());
+            const InputFile content(file.string(), Content::binary);
             if (content.bytes().find('\0') != std::string_view::npos) continue;  // a picture
             EXPECT_LE(std::ranges::count(content.bytes(), '\n'), 400) << file;
             ++checked;
