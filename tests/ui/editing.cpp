@@ -29,6 +29,11 @@ void Editing::select_red() {
     window_.wait_for("selection", {0});
 }
 
+void Editing::select(int number) {
+    window_.click_widget("row " + std::to_string(number));
+    window_.wait_for("selection", {number});
+}
+
 const Json& Editing::take_marks_away() {
     window_.key("ctrl+shift+a");
     window_.key("Escape");

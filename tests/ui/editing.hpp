@@ -5,12 +5,9 @@
 
 #include <string>
 
-#include "ui/viewer_window.hpp"
+#include "ui/file_steps.hpp"
 
 namespace sphereview::test {
-
-// A large red sphere straight ahead, a green one to the right of it.
-inline constexpr const char* two_spheres = "2\n255 0 0\n0 0 300\n60\n0 255 0\n100 0 300\n30\n";
 
 class Editing : public testing::Test {
 protected:
@@ -20,6 +17,7 @@ protected:
     // Where the window shows the middle of the picture, and so of the red sphere; so many pixels beside it.
     Place red(double right = 0.0, double down = 0.0);
     void select_red();
+    void select(int number);
     // Nothing is selected or hovered, and no message shown: the picture is the scene's alone.
     const Json& take_marks_away();
     // Saves the scene, and expects that the window shows it as `render` does.

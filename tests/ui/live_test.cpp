@@ -4,48 +4,15 @@
 #include <fstream>
 
 #include "support/text_match.hpp"
-#include "ui/viewer_window.hpp"
+#include "ui/editing.hpp"
 
 namespace sphereview::test {
 
 namespace {
 
-constexpr const char* red_and_green = "2\n255 0 0\n0 0 300\n60\n0 255 0\n100 0 300\n30\n";
-
-class Live : public testing::Test {
+class Live : public Editing {
 protected:
-    Live() : scene_(folder_.write("scene.txt", red_and_green)), window_(folder_, {scene_}) {
-        window_.key("m");  // the frame of the export is drawn over the picture
-        unmark();
-    }
-
-    // An outline and messages are the window's alone: takes them off the picture.
-    const Json& unmark() {
-        window_.key("Escape");
-        window_.key("ctrl+shift+a");
-        window_.move_to({2, 2});
-        return window_.wait_until("no marks", [](const Json& frame) {
-            return frame.at("selection").empty() && frame.at("hovered").is_null() && frame.at("announcement") == "" &&
-                   frame.at("exact") == true;
-        });
-    }
-
-    void select(int number) {
-        window_.click_widget("row " + std::to_string(number));
-        window_.wait_for("selection", {number});
-    }
-
-    // Saves, and expects that the window shows what `render` makes of the file.
-    void expect_as_rendered() {
-        window_.key("ctrl+s");
-        window_.wait_for("changed", false);
-        const Json& frame = unmark();
-        EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, scene_, frame)));
-    }
-
-    TemporaryFolder folder_;
-    std::string scene_;
-    ViewerWindow window_;
+    Live() { take_marks_away(); }
 };
 
 }  // namespace
@@ -58,21 +25,41 @@ TEST_F(Live, ASliderThatIsDraggedChangesThePictureAsOneStep) {
         const Place from = window_.widget(slider);
         window_.drag(from, {from.x - 25, from.y});
         window_.wait_until("a step", [](const Json& frame) { return frame.at("undo") != ""; });
-        unmark();
+        take_marks_away();
         EXPECT_FALSE(same_picture(window_.picture(), before));
         window_.key("ctrl+z");
         window_.wait_for("undo", "");
-        unmark();
+        take_marks_away();
         EXPECT_TRUE(same_picture(window_.picture(), before));
         window_.key("ctrl+shift+z");
         window_.wait_for("redo", "");
-        expect_as_rendered();
+        expect_rendered();
         window_.key("ctrl+z");
         window_.wait_for("undo", "");
     }
     window_.key("ctrl+s");
     window_.wait_for("changed", false);
-    EXPECT_EQ(folder_.read("scene.txt"), red_and_green);
+    EXPECT_EQ(folder_.read("scene.txt"), two_spheres);
+}
+
+TEST_F(Live, AClickSelectsWhatIsSeen) {
+    select_red();
+    window_.click({window_.pixel(20, 20)});
+    window_.wait_for("selection", Json::array());
+}
+
+TEST_F(Live, ASphereThatIsDraggedIsDrawnWhereItWasDropped) {
+    select_red();
+    const Place from = red();
+    window_.drag(from, {from.x - 150, from.y + 90});
+    window_.wait_for("undo", "Move sphere 0");
+    EXPECT_EQ(window_.frame().at("changed"), true);
+    EXPECT_TRUE(contains(window_.frame().at("title").get<std::string>(), "*"));
+    expect_rendered();
+    window_.key("ctrl+z");
+    window_.wait_for("undo", "");
+    expect_rendered();
+    EXPECT_EQ(folder_.read("scene.txt"), two_spheres);
 }
 
 TEST_F(Live, TypedValuesAndColoursAreInThePicture) {
@@ -85,7 +72,7 @@ TEST_F(Live, TypedValuesAndColoursAreInThePicture) {
     window_.type("-40.125");
     window_.key("Return");
     window_.wait_until("a step", [](const Json& frame) { return frame.at("undo") != ""; });
-    expect_as_rendered();
+    expect_rendered();
     EXPECT_TRUE(contains(folder_.read("scene.txt"), "-40.125 0 300"));
 }
 
@@ -103,11 +90,7 @@ TEST_F(Live, F12WritesTheVeryBytesOfRender) {
     EXPECT_EQ(folder_.read("scene.png"), folder_.read("scene-1.png"));
 
     window_.key("ctrl+shift+s");
-    window_.wait_for("dialogs", {"browser"});
-    window_.click_widget("browser name");
-    window_.key("ctrl+a");
-    window_.type("seen.toml");
-    window_.click_widget("browser ok");
+    choose_file(window_, "seen.toml");
     window_.wait_for("path", folder_.path("seen.toml"));
     for (const char* backend : {"cpu", "egl"}) {
         Command render;
@@ -115,16 +98,15 @@ TEST_F(Live, F12WritesTheVeryBytesOfRender) {
         ASSERT_EQ(run(render).status, 0);
         EXPECT_EQ(folder_.read("rendered.png"), folder_.read("scene.png")) << backend;
     }
-    const Json& frame = unmark();
+    const Json& frame = take_marks_away();
     EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, folder_.path("seen.toml"), frame)));
 }
 
 TEST_F(Live, AFileThatAnotherProgramWritesAppearsAndABrokenOneDoesNotTakeTheWindowDown) {
     const Json camera = window_.frame().at("camera");
-    folder_.write("next.txt", "1\n0 0 255\n0 0 300\n50\n");
-    std::filesystem::rename(folder_.path("next.txt"), scene_);  // as editors do
+    replace_by_rename(folder_, "scene.txt", "1\n0 0 255\n0 0 300\n50\n");
     window_.wait_for("spheres", 1);
-    EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, scene_, unmark())));
+    EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, scene_, take_marks_away())));
 
     std::ofstream(scene_) << "1\n0 0 255\n0 0 300\n-50\n";  // in place, and broken
     window_.wait_until("an error", [](const Json& frame) { return frame.at("scene_error") != ""; });
@@ -133,11 +115,11 @@ TEST_F(Live, AFileThatAnotherProgramWritesAppearsAndABrokenOneDoesNotTakeTheWind
     EXPECT_EQ(window_.frame().at("spheres"), 1);
     EXPECT_EQ(window_.frame().at("changed"), false);
 
-    std::ofstream(scene_) << red_and_green;
+    std::ofstream(scene_) << two_spheres;
     window_.wait_for("spheres", 2);
     EXPECT_EQ(window_.frame().at("scene_error"), "");
     EXPECT_EQ(window_.frame().at("camera"), camera);
-    EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, scene_, unmark())));
+    EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, scene_, take_marks_away())));
     window_.key("ctrl+z");  // a reload is a step like any other
     window_.wait_for("spheres", 1);
 }
