@@ -47,6 +47,10 @@ constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
+void add_shade(CLI::App* command, TypedOptions& typed, const std::string& otherwise) {
+    command->add_option("--shade", typed.shading, std::string(shading_syntax) + " [" + otherwise + "]")->type_name("MODE");
+}
+
 CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     CLI::App* view = app.add_subcommand("view", "Open a scene in a window (what is done when no command is named)");
     view->add_option("SCENE", typed.view.scene, "Scene file, text or TOML; - is standard input; none: an empty scene");
@@ -54,6 +58,7 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
         ->type_name("WxH");
     view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
+    add_shade(view, typed, "as last time, at first flat");
     view->add_option("--shader-dir", typed.view.shader_folder,
                      "Use the shaders in this folder, and each that is saved there at once")
         ->type_name("FOLDER");
@@ -71,6 +76,7 @@ void add_render(CLI::App& app, TypedOptions& typed) {
     render->add_option("-s,--size", typed.size, "Width and height in pixels [1000x1000]")->type_name("WxH");
     render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
+    add_shade(render, typed, "flat");
     render->add_option("--backend", typed.backend, std::string(backend_names) + " [auto, or SPHEREVIEW_BACKEND]")
         ->type_name("NAME");
     render->add_option("--device", typed.device, "Number of an EGL device, as 'doctor' lists them")->type_name("N");
@@ -105,6 +111,7 @@ void add_explain(CLI::App& app, TypedOptions& typed) {
     explain->add_option("-s,--size", typed.size, "Width and height of the picture in pixels [1000x1000]")->type_name("WxH");
     explain->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
+    add_shade(explain, typed, "flat");
     explain->add_flag("--json", typed.explain.json, "The same as one JSON line");
     explain->footer(std::string(explain_examples) + exit_codes);
 }

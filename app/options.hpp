@@ -9,6 +9,7 @@
 #include "app/backend.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_format.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 
@@ -17,6 +18,7 @@ struct RenderOptions {
     std::optional<std::string> output;  // a path, a pattern with {name}, or "-"
     PictureSize size;
     std::optional<Background> background;  // instead of the scene's own
+    Shading shading = Shading::flat;
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
     std::optional<std::string> expect;  // a golden image, may hold {name}
@@ -38,6 +40,7 @@ struct ExplainOptions {
     Pixel pixel;        // inside the picture
     PictureSize size;
     std::optional<Background> background;  // instead of the scene's own
+    Shading shading = Shading::flat;
     bool json = false;
 };
 
@@ -50,6 +53,7 @@ struct DoctorOptions {
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     std::optional<Background> background;
+    std::optional<Shading> shading;   // instead of the last one
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::string shader_folder;        // instead of the shaders in the program; "" for those
     std::string frame_log;            // hidden: a JSON line for each frame goes there

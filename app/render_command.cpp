@@ -31,6 +31,7 @@ public:
         RenderReport report;
         report.job = job;
         report.size = options_.size;
+        report.shading = options_.shading;
         try {
             work(job, report);
         } catch (...) {
@@ -71,7 +72,8 @@ private:
             const PhaseTimer timer(report.timings, Phase::upload);
             return drawn_spheres(scene);
         }();
-        const PictureOptions options{options_.size, options_.background.value_or(scene.background), options_.certify};
+        const PictureOptions options{options_.size, options_.background.value_or(scene.background), options_.certify,
+                                     options_.shading};
         const Image picture = render_by_what_holds_it(scene, drawn, options, report);
 
         if (job.output) write_png(picture, *job.output, report.timings);

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
+#include "shade/picture_shader.hpp"
 #include "shade/shade.hpp"
 #include "tiles/build_lists.hpp"
 
@@ -20,9 +21,9 @@ class PictureInProgress {
 public:
     PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
                       Timings& timings, DecisionCounts& counts, Progress& progress)
-        : scene_(scene),
-          options_(options),
+        : options_(options),
           resolver_(scene, drawn, options.size, &lists),
+          shader_(scene, options.size, options.shading, options.background),
           picture_(make_picture(options.size, options.background)),
           timings_(timings),
           counts_(counts),
@@ -73,14 +74,14 @@ private:
         } else {
             resolver_.accept_guesses(visible);
         }
-        shade_flat(scene_, options_.background, strip, visible, picture_);
+        shader_.shade(strip, visible, picture_);
     }
 
     static constexpr int first_strip = 64;
 
-    const Scene& scene_;
     const PictureOptions& options_;
     Resolver resolver_;
+    PictureShader shader_;
     Image picture_;
     Timings& timings_;
     DecisionCounts& counts_;

@@ -8,6 +8,7 @@
 #include "exact/resolve.hpp"
 #include "image/image.hpp"
 #include "scene/scene.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 
@@ -15,6 +16,7 @@ struct PictureOptions {
     PictureSize size;
     Background background;
     bool certify = true;  // false: best guesses stay as they are
+    Shading shading = Shading::flat;
 };
 
 // How a picture came about.

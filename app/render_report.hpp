@@ -17,6 +17,7 @@ namespace sphereview {
 struct RenderReport {
     RenderJob job;
     PictureSize size;
+    Shading shading = Shading::flat;
     std::size_t spheres = 0;
     std::string backend;                   // "" while none was opened
     std::string renderer;                  // OpenBackend::description

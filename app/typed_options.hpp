@@ -26,6 +26,7 @@ struct TypedOptions {
     bool no_certify = false;
     std::string size = "1000x1000";
     std::optional<std::string> background;
+    std::optional<std::string> shading;
     std::optional<std::string> backend;
     std::optional<std::string> device;
     std::optional<std::string> to;

@@ -45,13 +45,14 @@ using WidgetRectangles = std::map<std::string, WidgetRectangle>;
 struct PanelContext {
     const Document& document;
     const Selection& selection;
-    const SceneBounds& bounds;               // what the sliders' ranges come from: of the scene, but still during a drag
-    std::function<bool(CommandId)> enabled;  // whether a command has something to do now
-    float scale = 1.0F;                      // sizes that are not text are times this
-    std::uint64_t& gesture;                  // the number of the current drag; whoever begins one adds 1
-    std::optional<std::uint32_t>& hovered;   // the sphere under the pointer, in the picture or in the list
-    std::vector<Action>& actions;            // what is to be done after all panels are drawn, in order
-    WidgetRectangles* rectangles = nullptr;  // collected when not null
+    const SceneBounds& bounds;                    // what the sliders' ranges come from: of the scene, but still during a drag
+    std::function<bool(CommandId)> enabled;       // whether a command has something to do now
+    float scale = 1.0F;                           // sizes that are not text are times this
+    std::uint64_t& gesture;                       // the number of the current drag; whoever begins one adds 1
+    std::optional<std::uint32_t>& hovered;        // the sphere under the pointer, in the picture or in the list
+    std::vector<Action>& actions;                 // what is to be done after all panels are drawn, in order
+    WidgetRectangles* rectangles = nullptr;       // collected when not null
+    std::function<bool(CommandId)> checked = {};  // whether a command's item shows a check mark
 };
 
 // Notes the last widget's rectangle, if anyone wants to know.

@@ -64,8 +64,8 @@ void export_view(const ViewerState& state, const std::string& path, PictureSize 
     Timings timings;
     PictureFacts facts;
     Progress progress{false};
-    const Image picture =
-        render_picture(cpu, scene, drawn_spheres(scene), {size, state.shown_background(), true}, timings, facts, progress);
+    const Image picture = render_picture(cpu, scene, drawn_spheres(scene),
+                                         {size, state.shown_background(), true, state.settings.shading}, timings, facts, progress);
     write_output(path, encode_png(picture));
 }
 

@@ -36,6 +36,17 @@ void select_all(ViewerState& state) {
     state.selection.set(std::move(all));
 }
 
+std::optional<Shading> shading_of(CommandId command) {
+    switch (command) {
+        case CommandId::shade_flat: return Shading::flat;
+        case CommandId::shade_headlight: return Shading::headlight;
+        case CommandId::shade_normal: return Shading::normal;
+        case CommandId::shade_depth: return Shading::depth;
+        case CommandId::shade_id: return Shading::id;
+        default: return std::nullopt;
+    }
+}
+
 void apply(ViewerState& state, EditScene& action) {
     const bool adds_or_removes =
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
@@ -47,6 +58,8 @@ void apply(ViewerState& state, EditScene& action) {
 }
 
 }  // namespace
+
+bool is_checked(const ViewerState& state, CommandId command) { return shading_of(command) == state.settings.shading; }
 
 bool is_enabled(const ViewerState& state, CommandId command) {
     const std::size_t count = state.scene().spheres.size();
@@ -93,6 +106,11 @@ void run_command(ViewerState& state, CommandId command) {
         case CommandId::center_on_selection: return center_on_selection(state);
         case CommandId::use_view_as_camera:
             return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
+        case CommandId::shade_flat:
+        case CommandId::shade_headlight:
+        case CommandId::shade_normal:
+        case CommandId::shade_depth:
+        case CommandId::shade_id: state.settings.shading = *shading_of(command); return;
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
         case CommandId::toggle_export_frame: state.export_frame_shown = !state.export_frame_shown; return;

@@ -11,6 +11,9 @@ void perform(ViewerState& state, std::vector<Action> actions);
 
 void run_command(ViewerState& state, CommandId command);
 
+// Whether its menu item shows a check mark.
+bool is_checked(const ViewerState& state, CommandId command);
+
 // Whether the command has something to do now.
 bool is_enabled(const ViewerState& state, CommandId command);
 

@@ -109,6 +109,7 @@ void update(Json& json, const ViewerSettings& settings) {
     json["text_scale"] = settings.text_scale;
     json["export_width"] = settings.export_width;
     json["export_height"] = settings.export_height;
+    json["shading"] = name_of(settings.shading);
     Json recent = Json::array();
     std::ranges::copy_if(settings.recent, std::back_inserter(recent), is_utf8);
     json["recent"] = recent;
@@ -142,6 +143,10 @@ ViewerSettings load_settings() {
     if (std::int64_t{settings.export_width} * settings.export_height > most_pixels) {
         settings.export_width = ViewerSettings{}.export_width;
         settings.export_height = ViewerSettings{}.export_height;
+    }
+    const auto shading = json.find("shading");
+    if (shading != json.end() && shading->is_string()) {
+        settings.shading = shading_named(shading->get<std::string>()).value_or(settings.shading);
     }
     read_recent(json, settings.recent);
     return settings;

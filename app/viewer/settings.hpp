@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "platform/window.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 
@@ -28,6 +29,7 @@ struct ViewerSettings {
     std::vector<std::string> recent;  // absolute paths, the latest first, each once, at most `most_recent`
     int export_width = 1000;
     int export_height = 1000;
+    Shading shading = Shading::flat;
 };
 
 // The path, made absolute, becomes the latest.

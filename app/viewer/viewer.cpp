@@ -187,7 +187,8 @@ void Viewer::draw_frame() {
                                state_.gesture,
                                state_.hovered,
                                actions,
-                               log_.wanted() ? &widgets_ : nullptr};
+                               log_.wanted() ? &widgets_ : nullptr,
+                               [this](CommandId command) { return is_checked(state_, command); }};
     area_ = draw_panels(state_, context, facts_);
     draw_export_frame(state_, area_);
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
@@ -202,7 +203,7 @@ void Viewer::draw_frame() {
     window_.set_title(title_for(state_));
 
     const View view{state_.camera, state_.picture_size};
-    if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step())) {
+    if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step(), state_.settings.shading)) {
         pacing_.traced(picture_.step(), picture_.last_seconds());
         exact_ = false;
         certify_seconds_ = Pacing::certify_in_all;
