@@ -77,4 +77,14 @@ TEST_F(Commands, AHiddenOneAmongOthersIsHiddenWithThem) {
     EXPECT_FALSE(state.scene().spheres[0].hidden || state.scene().spheres[1].hidden);
 }
 
+TEST_F(Commands, AShadingIsChosenAndChecked) {
+    EXPECT_TRUE(is_checked(state, CommandId::shade_flat));
+    run_command(state, CommandId::shade_depth);
+    EXPECT_EQ(state.settings.shading, Shading::depth);
+    EXPECT_TRUE(is_checked(state, CommandId::shade_depth));
+    EXPECT_FALSE(is_checked(state, CommandId::shade_flat));
+    EXPECT_FALSE(is_checked(state, CommandId::help));
+    EXPECT_FALSE(state.document.is_changed());
+}
+
 }  // namespace sphereview
