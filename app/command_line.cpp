@@ -64,6 +64,10 @@ void add_framing_options(CLI::App& command, TypedOptions& typed) {
     command.add_option("--view", typed.view_from, "Fit, from another side: " + std::string(view_syntax))->type_name("SIDE");
 }
 
+void add_shade(CLI::App* command, TypedOptions& typed, const std::string& otherwise) {
+    command->add_option("--shade", typed.shading, std::string(shading_syntax) + " [" + otherwise + "]")->type_name("MODE");
+}
+
 CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     CLI::App* view = app.add_subcommand("view", "Open a scene in a window (what is done when no command is named)");
     view->add_option("SCENE", typed.view.scene, std::string(scene_files) + "; none: an empty scene");
@@ -76,6 +80,7 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
         ->type_name("N");
     view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
+    add_shade(view, typed, "as last time, at first flat");
     view->add_option("--shader-dir", typed.view.shader_folder,
                      "Use the shaders in this folder, and each that is saved there at once")
         ->type_name("FOLDER");
@@ -97,6 +102,7 @@ void add_render(CLI::App& app, TypedOptions& typed) {
     add_framing_options(*render, typed);
     render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
+    add_shade(render, typed, "flat");
     render->add_option("--backend", typed.backend, std::string(backend_names) + " [auto, or SPHEREVIEW_BACKEND]")
         ->type_name("NAME");
     render->add_option("--device", typed.device, "Number of an EGL device, as 'doctor' lists them")->type_name("N");
@@ -135,6 +141,7 @@ void add_explain(CLI::App& app, TypedOptions& typed) {
     add_framing_options(*explain, typed);
     explain->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
+    add_shade(explain, typed, "flat");
     explain->add_flag("--json", typed.explain.json, "The same as one JSON line");
     explain->footer(std::string(explain_examples) + exit_codes);
 }

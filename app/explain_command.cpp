@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "exact/explain.hpp"
 #include "exact/explain_words.hpp"
+#include "shade/picture_shader.hpp"
 
 namespace sphereview {
 
@@ -47,7 +48,7 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
 }
 
 std::string in_words(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
-                     const Background& background) {
+                     const Background& background, const Color& color) {
     const PictureSize size = options.size;
     std::string text = "pixel " + std::to_string(options.pixel.x) + "," + std::to_string(options.pixel.y) + " of " + name + " at " +
                        std::to_string(size.width) + "x" + std::to_string(size.height) + " (0,0 is the top left)\n\n";
@@ -66,7 +67,9 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
         const bool tie = e.hits.size() > 1 && e.hits[1].as_near_as_last;
         text += "visible: " + title(scene, visible) + ", which has the smallest t" +
                 (tie ? " and comes first in the file of those that have it" : "") + "\n";
-        text += "colour: " + in_words(scene.spheres[static_cast<std::size_t>(visible)].color) + "\n";
+        const std::string shaded =
+            options.shading == Shading::flat ? "" : " (--shade " + std::string(name_of(options.shading)) + ")";
+        text += "colour: " + in_words(color) + shaded + "\n";
     }
     return text + "decided: " + level_in_words(e.level) + "\n";
 }
@@ -103,11 +106,10 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
 }
 
 Json to_json(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
-             const Background& background) {
+             const Color& color) {
     Json hits = Json::array();
     for (const ExplainedHit& hit : e.hits) hits.push_back(to_json(scene, hit));
     const std::int32_t visible = e.visible();
-    const Color color = visible < 0 ? background.color : scene.spheres[static_cast<std::size_t>(visible)].color;
     const char* level = e.level == DecisionLevel::in_float ? "float" : e.level == DecisionLevel::in_double ? "double" : "exact";
     return {{"scene", name},
             {"pixel", {options.pixel.x, options.pixel.y}},
@@ -119,6 +121,7 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
             {"behind", e.behind},
             {"hidden", e.hidden},
             {"visible", visible < 0 ? Json(nullptr) : Json(visible)},
+            {"shade", name_of(options.shading)},
             {"color", rgb(color)},
             {"decided_in", level}};
 }
@@ -131,10 +134,11 @@ ExitCode run_explain(const ExplainOptions& options) {
     const std::string& name = loaded.name;
     const PixelExplanation explanation = explain_pixel(scene, scene.camera, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
+    const PictureShader shader(scene, options.size, options.shading, background);
+    const Color color = shader.color(options.pixel, explanation.visible());
     const std::string text =
-        options.json
-            ? to_json(options, name, scene, explanation, background).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
-            : in_words(options, name, scene, explanation, background);
+        options.json ? to_json(options, name, scene, explanation, color).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
+                     : in_words(options, name, scene, explanation, background, color);
     write_output(std::string(standard_stream), text);
     return ExitCode::done;
 }

@@ -11,6 +11,7 @@
 #include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_format.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 
@@ -22,6 +23,7 @@ struct RenderOptions {
     DataOptions data;
     FramingOptions framing;
     std::optional<Background> background;  // instead of the scene's own
+    Shading shading = Shading::flat;
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
     std::optional<std::string> expect;  // a golden image, may hold {name}
@@ -47,6 +49,7 @@ struct ExplainOptions {
     DataOptions data;
     FramingOptions framing;
     std::optional<Background> background;  // instead of the scene's own
+    Shading shading = Shading::flat;
     bool json = false;
 };
 
@@ -61,6 +64,7 @@ struct ViewOptions {
     DataOptions data;                  // of the scene; its radius of every one that is opened
     FramingOptions framing;            // of the scene; of later ones, if nobody has chosen their camera
     std::optional<Background> background;
+    std::optional<Shading> shading;   // instead of the last one
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those

@@ -32,6 +32,7 @@ public:
         report.job = job;
         report.size = options_.size;
         report.samples = options_.samples;
+        report.shading = options_.shading;
         try {
             work(job, report);
         } catch (...) {
@@ -73,7 +74,7 @@ private:
             return drawn_spheres(scene);
         }();
         const PictureOptions options{options_.size, options_.background.value_or(scene.background), options_.certify,
-                                     options_.samples};
+                                     options_.samples, options_.shading};
         const Image picture = render_by_what_holds_it(scene, drawn, options, report);
 
         if (job.output) write_png(picture, *job.output, report.timings);

@@ -10,6 +10,7 @@
 #include "cpu/cpu_renderer.hpp"
 #include "image/average.hpp"
 #include "scene/samples.hpp"
+#include "shade/picture_shader.hpp"
 #include "shade/shade.hpp"
 #include "tiles/build_lists.hpp"
 
@@ -23,11 +24,11 @@ class PictureInProgress {
 public:
     PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
                       Timings& timings, DecisionCounts& counts, Progress& progress)
-        : scene_(scene),
-          options_(options),
+        : options_(options),
           side_(sample_side(options.samples)),
           size_(sampled_size(options.size, side_)),
           resolver_(scene, drawn, size_, &lists),
+          shader_(scene, size_, options.shading, options.background),
           picture_(make_picture(options.size, options.background)),
           timings_(timings),
           counts_(counts),
@@ -80,14 +81,10 @@ private:
             resolver_.accept_guesses(visible);
         }
         if (side_ == 1) {
-            shade(strip, visible, picture_, {});
+            shader_.shade(strip, visible, picture_);
         } else {
             average(strip, visible);
         }
-    }
-
-    void shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin) const {
-        shade_flat(scene_, options_.background, block, visible, picture, origin);
     }
 
     // Some rows at a time: their colours stay in the processor's cache.
@@ -100,19 +97,19 @@ private:
             if (points_.width() != rows.width || points_.height() != rows.height) {
                 points_ = make_picture({rows.width, rows.height}, options_.background);
             }
-            shade(rows, visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(rows.height) * width),
-                  points_, {rows.x, rows.y});
+            shader_.shade(rows, visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(rows.height) * width),
+                          points_, {rows.x, rows.y});
             average_into(points_, side_, picture_, rows.x / side_, rows.y / side_);
         }
     }
 
     static constexpr int first_strip = 64;
 
-    const Scene& scene_;
     const PictureOptions& options_;
     int side_;          // points along a side of a pixel
     PictureSize size_;  // in points
     Resolver resolver_;
+    PictureShader shader_;
     Image picture_;
     Image points_;  // colours that are not averaged yet
     Timings& timings_;

@@ -9,6 +9,7 @@
 #include "image/image.hpp"
 #include "scene/samples.hpp"
 #include "scene/scene.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 
@@ -17,6 +18,7 @@ struct PictureOptions {
     Background background;
     bool certify = true;  // false: best guesses stay as they are
     int samples = 1;      // points a pixel: one of sample_counts
+    Shading shading = Shading::flat;
 };
 
 // The widest and highest a picture with so many samples may be: that of all points is no longer than any picture.

@@ -25,6 +25,7 @@ Json to_json(const RenderReport& report) {
         {"output", optional_path(report.job.output)},
         {"size", {report.size.width, report.size.height}},
         {"samples", report.samples},
+        {"shade", name_of(report.shading)},
         {"spheres", report.spheres},
         {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
         {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
@@ -56,6 +57,7 @@ Json to_json(const RenderReport& report) {
 void print_backend(const RenderReport& report) {
     std::string line = report.job.label + ": backend: " + report.renderer;
     for (std::size_t i = 0; i < report.passed_over.size(); ++i) line += (i == 0 ? "; passed over: " : "; ") + report.passed_over[i];
+    if (report.shading != Shading::flat) line += "; shaded: " + std::string(name_of(report.shading));
     std::fprintf(stderr, "%s\n", line.c_str());
 }
 

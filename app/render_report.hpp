@@ -18,6 +18,7 @@ struct RenderReport {
     RenderJob job;
     PictureSize size;
     int samples = 1;  // points a pixel
+    Shading shading = Shading::flat;
     std::size_t spheres = 0;
     std::string backend;                   // "" while none was opened
     std::string renderer;                  // OpenBackend::description

@@ -55,6 +55,13 @@ std::optional<Background> checked_background(const std::optional<std::string>& t
     return background;
 }
 
+std::optional<Shading> checked_shading(const std::optional<std::string>& text) {
+    if (!text) return std::nullopt;
+    const std::optional<Shading> shading = shading_named(*text);
+    if (!shading) wrong("--shade", *text, std::string(shading_syntax));
+    return shading;
+}
+
 // Two whole numbers with one of the separators between them.
 struct NumberPair {
     bool well_formed = false;
@@ -152,6 +159,7 @@ ViewOptions checked_view(const TypedOptions& typed) {
     if (typed.view_size) options.size = checked_size(*typed.view_size);
     options.samples = checked_samples(typed.samples);
     options.background = checked_background(typed.background);
+    options.shading = checked_shading(typed.shading);
     return options;
 }
 
@@ -168,6 +176,7 @@ RenderOptions checked_render(const TypedOptions& typed) {
     check_sampled_size(typed.size, options.size, options.samples);
     options.certify = !typed.no_certify;
     options.background = checked_background(typed.background);
+    options.shading = checked_shading(typed.shading).value_or(Shading::flat);
     options.backend = chosen_backend(typed);
     options.device = checked_device(typed.device);
     if (options.device) {
@@ -206,6 +215,7 @@ ExplainOptions checked_explain(const TypedOptions& typed) {
     check_file_name("SCENE", options.scene);
     options.size = checked_size(typed.size);
     options.background = checked_background(typed.background);
+    options.shading = checked_shading(typed.shading).value_or(Shading::flat);
     options.pixel = checked_pixel(typed.pixel, options.size);
     return options;
 }

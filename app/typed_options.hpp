@@ -27,6 +27,7 @@ struct TypedOptions {
     std::string size = "1000x1000";
     std::optional<std::string> samples;
     std::optional<std::string> background;
+    std::optional<std::string> shading;
     std::optional<std::string> backend;
     std::optional<std::string> device;
     std::optional<std::string> to;

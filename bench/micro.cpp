@@ -8,6 +8,7 @@
 #include "image/png.hpp"
 #include "random_scene.hpp"
 #include "scene/scene_format.hpp"
+#include "shade/picture_shader.hpp"
 #include "shade/shade.hpp"
 #include "stb_default.hpp"
 
@@ -69,6 +70,17 @@ void trace_on_cpu(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(trace(drawn, scene.camera).data());
 }
 
+// Of a million pixels that show 10,000 spheres.
+void shade(benchmark::State& state, Shading shading) {
+    const Scene scene = random_scene(SceneSet::half, 10'000);
+    const std::vector<std::int32_t> visible = trace(drawn_spheres(scene), scene.camera);
+    Image picture = make_picture(size, scene.background);
+    for (auto _ : state) {
+        PictureShader(scene, size, shading, scene.background).shade(whole_picture, visible, picture);
+        benchmark::DoNotOptimize(picture.bytes().data());
+    }
+}
+
 // Real time: some of the work is done by several threads.
 void timed(benchmark::internal::Benchmark* one) { one->Unit(benchmark::kMillisecond)->UseRealTime(); }
 
@@ -78,6 +90,11 @@ BENCHMARK_CAPTURE(encode, ours / input4, encode_png, input4_picture)->Apply(time
 BENCHMARK_CAPTURE(encode, stb / input4, encode_png_stb, input4_picture)->Apply(timed);
 BENCHMARK_CAPTURE(encode, ours / 10000_half, encode_png, busy_picture)->Apply(timed);
 BENCHMARK_CAPTURE(encode, stb / 10000_half, encode_png_stb, busy_picture)->Apply(timed);
+BENCHMARK_CAPTURE(shade, flat, Shading::flat)->Apply(timed);
+BENCHMARK_CAPTURE(shade, headlight, Shading::headlight)->Apply(timed);
+BENCHMARK_CAPTURE(shade, normal, Shading::normal)->Apply(timed);
+BENCHMARK_CAPTURE(shade, depth, Shading::depth)->Apply(timed);
+BENCHMARK_CAPTURE(shade, id, Shading::id)->Apply(timed);
 BENCHMARK(trace_on_cpu)->Arg(4)->Arg(100)->Arg(1000)->Apply(timed);
 
 }  // namespace

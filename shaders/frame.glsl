@@ -14,5 +14,13 @@ layout(std140) uniform Frame {
     int hovered;         // the index of the sphere under the pointer; -1: none
     float outline;       // width of the selected spheres' outlines, in pixels
     int checkerboard;    // not 0: where nothing is, a window shows squares of 2^this pixels instead of transparency
+    int shading;         // a mode of surface.frag
+    float nearest_depth; // of the scene's hits, as far from the eye as spheres.glsl has it; and the inverse of the range from there
+    float inverse_depth_range;
+    vec4 axis_right;     // the camera's axes, each of length 1 (xyz): right, up, to the eye's side of the screen
+    vec4 axis_up;
+    vec4 axis_toward;
+    ivec2 point_offset;  // what is coloured is one point of 2^point_shift by 2^point_shift in each pixel, this one of them
+    int point_shift;
     ivec4 levels[8];     // x: a tile's side is 2^x pixels; y: tiles in a row; z: the number of the first
 };

@@ -1,5 +1,6 @@
 #version 330 core
-// Turns the visible-sphere buffer into flat colours, for a window.
+// Turns the visible-sphere buffer into flat colours, or false ones for each sphere, for a window.
+#include "background.glsl"
 #include "colors.glsl"
 #include "visible.glsl"
 #include "window.glsl"
@@ -7,12 +8,6 @@
 uniform isampler2D visible_spheres;
 
 out vec4 color;
-
-vec4 background_at(ivec2 pixel) {
-    if (background.a > 0.0 || checkerboard == 0) return background;
-    ivec2 square = pixel >> checkerboard;
-    return ((square.x + square.y) & 1) == 0 ? vec4(0.6, 0.6, 0.6, 1.0) : vec4(0.4, 0.4, 0.4, 1.0);
-}
 
 void main() {
     ivec2 pixel = window_pixel();

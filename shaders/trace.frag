@@ -1,25 +1,17 @@
 #version 330 core
 // Solves the ray's quadratic for every sphere that the pixel can show and writes the number of the visible one, or that it is doubtful.
 #include "candidates.glsl"
-#include "frame.glsl"
+#include "rays.glsl"
 #include "spheres.glsl"
 #include "visible.glsl"
 #include "filter.glsl"
 
 out int visible;
 
-// The direction of the ray through the centre of a pixel, (0, 0) at the top left; of length 1.
-vec3 ray_direction(ivec2 pixel) {
-    float across = float(2 * pixel.x + 1 - picture_size.x);
-    float upward = float(picture_size.y - 1 - 2 * pixel.y);
-    vec3 direction = (forward.xyz + upward * up.xyz) + across * right.xyz;
-    return direction * inversesqrt(dot(direction, direction));
-}
-
 void main() {
     // Row 0 of the attachment is the top row of the block. In a coarse grid a texel stands for the pixels around this one.
     ivec2 pixel = min(block_origin + (ivec2(gl_FragCoord.xy) << grid_shift), picture_size - 1);
-    vec3 ray = ray_direction(pixel);
+    vec3 ray = ray_direction(pixel, picture_size);
     float smallest_high = never;  // over the sure hits
     int sure = -1;
     float low = never;            // the smallest lower bound over all candidates

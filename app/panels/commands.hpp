@@ -37,6 +37,11 @@ enum class CommandId {
     use_view_as_camera,
     next_frame,  // of a file of several
     previous_frame,
+    shade_flat,  // the five in the order of Shading
+    shade_headlight,
+    shade_normal,
+    shade_depth,
+    shade_id,
     toggle_panel,
     toggle_inspector,
     toggle_export_frame,
@@ -55,6 +60,7 @@ struct CommandInfo {
     std::string_view shortcut;  // "Ctrl+Shift+S"; "" for none; with several keys the first is shown: "Ctrl+Shift+Z|Ctrl+Y"
     std::string_view help;      // one sentence
     bool separator_before = false;
+    std::string_view submenu = {};  // within the menu; "": in the menu itself
 };
 
 // In the order of the menus.

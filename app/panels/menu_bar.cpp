@@ -52,14 +52,30 @@ void draw_recent(const PanelContext& context, const std::vector<std::string>& re
     ImGui::EndMenu();
 }
 
+void draw_submenu(const PanelContext& context, const CommandInfo& first) {
+    const std::string name(first.submenu);
+    note_menu(context, name);
+    if (!ImGui::BeginMenu(name.c_str())) return;
+    for (const CommandInfo& info : all_commands()) {
+        if (info.menu == first.menu && info.submenu == first.submenu) draw_item(context, info);
+    }
+    ImGui::EndMenu();
+}
+
 void draw_menu(const PanelContext& context, const std::string& menu, const std::vector<std::string>& recent) {
     note_menu(context, menu);
     if (!ImGui::BeginMenu(menu.c_str())) return;
     bool first = true;
+    std::string_view submenu;
     for (const CommandInfo& info : all_commands()) {
         if (info.menu != menu) continue;
         if (info.separator_before && !first) ImGui::Separator();
-        draw_item(context, info);
+        if (info.submenu.empty()) {
+            draw_item(context, info);
+        } else if (info.submenu != submenu) {
+            draw_submenu(context, info);
+        }
+        submenu = info.submenu;
         if (info.id == CommandId::file_open) draw_recent(context, recent);
         first = false;
     }

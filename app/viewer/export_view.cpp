@@ -76,7 +76,8 @@ void export_view(const ViewerState& state, const std::string& path, PictureSize 
     PictureFacts facts;
     Progress progress{false};
     const Image picture =
-        render_picture(cpu, scene, drawn_spheres(scene), {size, state.shown_background(), true, samples}, timings, facts, progress);
+        render_picture(cpu, scene, drawn_spheres(scene), {size, state.shown_background(), true, samples, state.settings.shading},
+                       timings, facts, progress);
     write_output(path, encode_png(picture));
 }
 

@@ -33,6 +33,7 @@ void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const Wid
                        {"step", frame.step},
                        {"exact", frame.exact},
                        {"samples", frame.samples},
+                       {"shading", name_of(state.settings.shading)},
                        {"resting", frame.resting},
                        {"seconds", frame.seconds},
                        {"title", frame.title},

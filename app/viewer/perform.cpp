@@ -46,6 +46,17 @@ int samples_of(CommandId command) {
     }
 }
 
+std::optional<Shading> shading_of(CommandId command) {
+    switch (command) {
+        case CommandId::shade_flat: return Shading::flat;
+        case CommandId::shade_headlight: return Shading::headlight;
+        case CommandId::shade_normal: return Shading::normal;
+        case CommandId::shade_depth: return Shading::depth;
+        case CommandId::shade_id: return Shading::id;
+        default: return std::nullopt;
+    }
+}
+
 void apply(ViewerState& state, EditScene& action) {
     const bool adds_or_removes =
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
@@ -81,7 +92,12 @@ bool is_enabled(const ViewerState& state, CommandId command) {
 }
 
 bool is_checked(const ViewerState& state, CommandId command) {
-    return samples_of(command) != 0 && samples_of(command) == state.settings.samples;
+    switch (command) {
+        case CommandId::toggle_panel: return state.panel_shown;
+        case CommandId::toggle_inspector: return state.inspector_shown;
+        case CommandId::toggle_export_frame: return state.export_frame_shown;
+        default: return samples_of(command) == state.settings.samples || shading_of(command) == state.settings.shading;
+    }
 }
 
 void run_command(ViewerState& state, CommandId command) {
@@ -116,6 +132,11 @@ void run_command(ViewerState& state, CommandId command) {
             return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
         case CommandId::next_frame: return show_frame(state, state.frame + 1);
         case CommandId::previous_frame: return show_frame(state, state.frame - 1);
+        case CommandId::shade_flat:
+        case CommandId::shade_headlight:
+        case CommandId::shade_normal:
+        case CommandId::shade_depth:
+        case CommandId::shade_id: state.settings.shading = *shading_of(command); return;
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
         case CommandId::toggle_export_frame: state.export_frame_shown = !state.export_frame_shown; return;

@@ -110,6 +110,7 @@ void update(Json& json, const ViewerSettings& settings) {
     json["export_width"] = settings.export_width;
     json["export_height"] = settings.export_height;
     json["samples"] = settings.samples;
+    json["shading"] = name_of(settings.shading);
     Json recent = Json::array();
     std::ranges::copy_if(settings.recent, std::back_inserter(recent), is_utf8);
     json["recent"] = recent;
@@ -146,6 +147,10 @@ ViewerSettings load_settings() {
     }
     read(json, "samples", {sample_counts.front(), sample_counts.back()}, settings.samples);
     if (std::ranges::find(sample_counts, settings.samples) == sample_counts.end()) settings.samples = ViewerSettings{}.samples;
+    const auto shading = json.find("shading");
+    if (shading != json.end() && shading->is_string()) {
+        settings.shading = shading_named(shading->get<std::string>()).value_or(settings.shading);
+    }
     read_recent(json, settings.recent);
     return settings;
 }

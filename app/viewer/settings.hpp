@@ -6,6 +6,7 @@
 
 #include "platform/window.hpp"
 #include "scene/samples.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 
@@ -30,6 +31,7 @@ struct ViewerSettings {
     int export_width = 1000;
     int export_height = 1000;
     int samples = sample_counts.front();  // points a pixel, of the window at rest and of exports: one of sample_counts
+    Shading shading = Shading::flat;
 };
 
 // The path, made absolute, becomes the latest.

@@ -102,6 +102,7 @@ void load_first_scene(ViewerState& state) {
 ExitCode run_view(const ViewOptions& options) {
     ViewerState state(options, load_settings());
     state.background = options.background;
+    if (options.shading) state.settings.shading = *options.shading;
     if (options.size) {
         state.settings.export_width = options.size->width;
         state.settings.export_height = options.size->height;

@@ -224,7 +224,7 @@ void Viewer::draw_frame() {
     window_.set_title(title_for(state_));
 
     const View view{state_.camera, state_.picture_size};
-    if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step())) {
+    if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step(), state_.settings.shading)) {
         pacing_.traced(picture_.step(), picture_.last_seconds());
         exact_ = false;
         certify_seconds_ = Pacing::certify_in_all;

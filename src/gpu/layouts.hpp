@@ -28,7 +28,15 @@ struct FrameBlock {
     std::int32_t hovered = -1;
     float outline = 0.0F;
     std::int32_t checkerboard = 0;
-    std::array<std::int32_t, 3> padding{};  // std140 begins an array at a multiple of 16 bytes
+    std::int32_t shading = 0;
+    float nearest_depth = 0.0F;
+    float inverse_depth_range = 1.0F;
+    glm::vec4 axis_right{0.0F};
+    glm::vec4 axis_up{0.0F};
+    glm::vec4 axis_toward{0.0F};
+    glm::ivec2 point_offset{0};
+    std::int32_t point_shift = 0;
+    std::int32_t padding = 0;  // std140 begins an array at a multiple of 16 bytes
     std::array<glm::ivec4, most_tile_levels> levels{};
 };
 
@@ -37,7 +45,7 @@ struct BlockMember {
     std::size_t offset;
 };
 
-inline constexpr std::array<BlockMember, 15> frame_members = {{
+inline constexpr std::array<BlockMember, 23> frame_members = {{
     {"forward", offsetof(FrameBlock, forward)},
     {"right", offsetof(FrameBlock, right)},
     {"up", offsetof(FrameBlock, up)},
@@ -52,10 +60,18 @@ inline constexpr std::array<BlockMember, 15> frame_members = {{
     {"hovered", offsetof(FrameBlock, hovered)},
     {"outline", offsetof(FrameBlock, outline)},
     {"checkerboard", offsetof(FrameBlock, checkerboard)},
+    {"shading", offsetof(FrameBlock, shading)},
+    {"nearest_depth", offsetof(FrameBlock, nearest_depth)},
+    {"inverse_depth_range", offsetof(FrameBlock, inverse_depth_range)},
+    {"axis_right", offsetof(FrameBlock, axis_right)},
+    {"axis_up", offsetof(FrameBlock, axis_up)},
+    {"axis_toward", offsetof(FrameBlock, axis_toward)},
+    {"point_offset", offsetof(FrameBlock, point_offset)},
+    {"point_shift", offsetof(FrameBlock, point_shift)},
     {"levels", offsetof(FrameBlock, levels)},
 }};
 
-static_assert(sizeof(FrameBlock) == 256);
+static_assert(sizeof(FrameBlock) == 320);
 static_assert(sizeof(glm::vec4) == 16, "an element of the arrays in the blocks Spheres and Colors");
 
 static_assert(most_tile_levels == 8, "levels in frame.glsl");

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
@@ -67,6 +68,7 @@ LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const
     return {make_program("trace.frag", defines, files),
             make_program("shade.frag", defines, files),
             make_program("average.frag", defines, files),
+            make_program("surface.frag", defines, files),
             {make_program("mark.frag", defines, files), make_program("busy.frag", defines, files),
              make_program("outline.frag", defines, files)}};
 }
@@ -128,7 +130,8 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     lists_ = std::move(lists);
     view_ = view;
     if (drawn) drawn_ = std::move(*drawn);
-    colors_ = shown_colors(scene, drawn_);
+    range_.reset();
+    colors_ = shown_colors(scene, drawn_, shading_);
     colors_uploaded_ = false;
     traced_ = false;
 }
@@ -164,7 +167,30 @@ void LivePicture::trace(int step) {
     certified_rows_ = 0;
 }
 
-bool LivePicture::update(const Document& document, const View& view, int step) {
+// For show(), which is not given the scene.
+void LivePicture::prepare_shading(const Document& document, Shading shading) {
+    const Scene& scene = document.scene();
+    if ((shading == Shading::id) != (shading_ == Shading::id)) {
+        colors_ = shown_colors(scene, drawn_, shading);
+        colors_uploaded_ = false;
+    }
+    if (shading != shading_) sampled_.discard(SampledPicture::Change::shaders);
+    shading_ = shading;
+    if (!depends_on_hit(shading)) return;
+    if (!range_) range_ = depth_range(scene, view_.camera.eye);
+    // Distances as sphere_at() has them. A float holds none beyond 2^100: where the scene has such, all that it holds is as near.
+    const auto scaled = [&](double distance) { return std::ldexp(distance / shading_scale, drawn_.scale); };
+    const double range = std::max(scaled(range_->farthest - range_->nearest), 0x1p-100);
+    const CameraAxes axes = camera_axes(view_.camera);
+    frame_.shading = static_cast<std::int32_t>(shading);
+    frame_.nearest_depth = static_cast<float>(std::min(scaled(range_->nearest), 0x1p100));
+    frame_.inverse_depth_range = static_cast<float>(1.0 / std::min(range, 0x1p120));
+    frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
+    frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
+    frame_.axis_toward = glm::vec4(glm::vec3(axes.toward), 0.0F);
+}
+
+bool LivePicture::update(const Document& document, const View& view, int step, Shading shading) {
     assert(std::has_single_bit(static_cast<unsigned>(step)) && view.size.width >= 1 && view.size.height >= 1);
     const auto begin = std::chrono::steady_clock::now();
     if (view.size.width > visible_.largest_side() || view.size.height > visible_.largest_side()) {
@@ -179,13 +205,15 @@ bool LivePicture::update(const Document& document, const View& view, int step) {
         for (const std::uint32_t number : changes.spheres) {
             const std::optional<std::size_t> index = drawn_.index_of(number);
             if (!index) continue;
-            const Color& color = document.scene().spheres[number].color;
-            colors_[*index] = {color.r, color.g, color.b, colors_[*index][3]};
+            const std::uint8_t mark = colors_[*index][3];
+            colors_[*index] = shown_color(document.scene(), static_cast<std::int32_t>(number), shading_);
+            colors_[*index][3] = mark;
             colors_uploaded_ = false;
             sampled_.discard(SampledPicture::Change::colors);
         }
     }
     revision_ = document.revision();
+    prepare_shading(document, shading);
     if (traced_ && step >= step_) return false;
 
     const KeptFramebuffers kept;
@@ -226,7 +254,8 @@ void LivePicture::refine(const Document& document, int samples, const Background
     assert(document.revision() == revision_);
     const KeptFramebuffers kept;
     draw_plainly();
-    sampled_.refine({document.scene(), drawn_, view_.camera, view_.size, colors_, shader_files_}, samples, background, seconds);
+    sampled_.refine({document.scene(), drawn_, view_.camera, view_.size, colors_, shader_files_, shading_, frame_}, samples,
+                    background, seconds);
 }
 
 // Also finds out where they are, and uploads all colours if anything is another.
@@ -275,7 +304,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
         sampled_.draw(programs_.average, no_vertices_, whole);
     } else {
         visible_.bind(TextureUnit::visible_spheres);
-        glUseProgram(programs_.shade.name());
+        glUseProgram(depends_on_hit(shading_) ? programs_.surface.name() : programs_.shade.name());
         draw_block(no_vertices_, whole);
     }
     outlines_.draw(programs_.outlines, no_vertices_, visible_, frame, outlined, area, kept.draw());

@@ -16,6 +16,8 @@
 #include "gpu/shader_source.hpp"
 #include "scene/document.hpp"
 #include "scene/selection.hpp"
+#include "shade/shading.hpp"
+#include "shade/surface.hpp"
 
 namespace sphereview {
 
@@ -45,8 +47,9 @@ public:
 
     // Brings the picture up to date: traces every step-th pixel of each row and column (each for the step x step pixels around
     // it; a power of two), if what is there is coarser than that or of another scene or view. With step 1 all pixels. Returns
-    // whether it traced. Throws TooLarge, RenderError; the picture is then what it was.
-    bool update(const Document& document, const View& view, int step);
+    // whether it traced. Throws TooLarge, RenderError; the picture is then what it was. `shading` is what show() will colour it by;
+    // another one needs no tracing.
+    bool update(const Document& document, const View& view, int step, Shading shading = Shading::flat);
 
     // Decides the doubtful pixels of a picture without a grid as an export has them, for about so many seconds; what is left is
     // for the next call. Returns whether none is left. For the document of the last update().
@@ -95,6 +98,7 @@ private:
         Program trace;
         Program shade;
         Program average;
+        Program surface;
         OutlinePrograms outlines;
     };
     static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);
@@ -102,6 +106,7 @@ private:
     void compile(const std::vector<std::string>& defines);
     void rebuild(const Document& document, const View& view, bool geometry);
     void trace(int step);
+    void prepare_shading(const Document& document, Shading shading);
     void mark_selected(const Selection* selection);
     std::optional<std::int32_t> traced_number(Pixel pixel) const;
 
@@ -123,6 +128,8 @@ private:
     CandidateLists lists_;
     FrameBlock frame_;
 
+    Shading shading_ = Shading::flat;
+    std::optional<DepthRange> range_;      // of this scene and eye, once it was needed
     std::vector<ShownColor> colors_;       // of the drawn spheres
     bool colors_uploaded_ = false;         // as they are
     std::vector<std::uint32_t> selected_;  // the numbers that are marked in them

@@ -69,7 +69,7 @@ void SampledPicture::compile(const Source& source) {
     std::vector<std::string> defines = tables_.defines_for(source.drawn, lists_);
     if (!defines_.empty() && defines == defines_) return;
     trace_ = make_program("trace.frag", defines, source.shaders);
-    shade_ = make_program("shade.frag", defines, source.shaders);
+    shade_ = make_program(depends_on_hit(source.shading) ? "surface.frag" : "shade.frag", defines, source.shaders);
     defines_ = std::move(defines);
 }
 
@@ -148,12 +148,20 @@ bool SampledPicture::decide_strip(const Source& source, const Block& strip, cons
     return decided.all;
 }
 
-void SampledPicture::add_strip(const Block& strip) {
+void SampledPicture::add_strip(const Source& source, const Block& strip) {
     FrameBlock frame = frame_;
     frame.background = shown_background(background_);
     frame.checkerboard = checkerboard_shift;
     frame.picture_size = {sums_size_.width, sums_size_.height};
     frame.window_corner = {0, sums_size_.height - 1};
+    frame.shading = source.shown.shading;
+    frame.nearest_depth = source.shown.nearest_depth;
+    frame.inverse_depth_range = source.shown.inverse_depth_range;
+    frame.axis_right = source.shown.axis_right;
+    frame.axis_up = source.shown.axis_up;
+    frame.axis_toward = source.shown.axis_toward;
+    frame.point_offset = {offset().x, offset().y};
+    frame.point_shift = std::countr_zero(static_cast<unsigned>(sample_side(samples_)));
     upload_frame(frame_buffer_, frame);
     tables_.bind();
     visible_.bind(TextureUnit::visible_spheres);
@@ -189,7 +197,7 @@ void SampledPicture::refine(const Source& source, int samples, const Background&
             if (!strip_traced_) trace_strip(source, strip);
             strip_traced_ = true;
             if (!decide_strip(source, strip, deadline)) return;
-            add_strip(strip);
+            add_strip(source, strip);
             strip_traced_ = false;
             row_ += strip.height;
             const double taken = std::chrono::duration<double>(std::chrono::steady_clock::now() - strip_begin).count();

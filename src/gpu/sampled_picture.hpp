@@ -16,6 +16,7 @@
 #include "gpu/scene_tables.hpp"
 #include "gpu/shader_source.hpp"
 #include "scene/scene.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 
@@ -32,6 +33,8 @@ public:
         PictureSize size;
         std::span<const ShownColor> colors;
         const ShaderFiles& shaders;
+        Shading shading;
+        const FrameBlock& shown;  // the window's: how it is shaded
     };
 
     explicit SampledPicture(const TextureBounds& bounds = {});
@@ -63,7 +66,7 @@ private:
     void compile(const Source& source);
     void trace_strip(const Source& source, const Block& strip);
     bool decide_strip(const Source& source, const Block& strip, const Deadline& deadline);
-    void add_strip(const Block& strip);
+    void add_strip(const Source& source, const Block& strip);
     Pixel offset() const;  // of the current points in their pixels
 
     int samples_ = 0;  // that it is made for; 0: none yet

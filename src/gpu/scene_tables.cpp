@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "shade/id_color.hpp"
 
 namespace sphereview {
 
@@ -23,12 +24,17 @@ float channel(std::uint8_t value) { return static_cast<float>(value) / 255.0F; }
 
 }  // namespace
 
-std::vector<ShownColor> shown_colors(const Scene& scene, const DrawnSpheres& drawn) {
+ShownColor shown_color(const Scene& scene, std::int32_t number, Shading shading) {
+    const Color color = shading == Shading::id ? id_color(static_cast<std::uint32_t>(number))
+                                               : scene.spheres[static_cast<std::size_t>(number)].color;
+    return {color.r, color.g, color.b, 0};
+}
+
+std::vector<ShownColor> shown_colors(const Scene& scene, const DrawnSpheres& drawn, Shading shading) {
     std::vector<ShownColor> colors;
     colors.reserve(drawn.size());
     for (std::size_t i = 0; i < drawn.size(); ++i) {
-        const Color& color = scene.spheres[static_cast<std::size_t>(drawn.number(i))].color;
-        colors.push_back({color.r, color.g, color.b, 0});
+        colors.push_back(shown_color(scene, drawn.number(i), shading));
     }
     return colors;
 }

@@ -14,6 +14,7 @@
 #include "gpu/layouts.hpp"
 #include "gpu/table.hpp"
 #include "scene/scene.hpp"
+#include "shade/shading.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {
@@ -29,8 +30,10 @@ public:
 // What a window knows of a drawn sphere: its colour, and in the last byte whether it is selected (255) or not (0).
 using ShownColor = std::array<std::uint8_t, 4>;
 
-// Of all drawn spheres, none selected.
-std::vector<ShownColor> shown_colors(const Scene& scene, const DrawnSpheres& drawn);
+// Of all drawn spheres, none selected: the scene's colours, or under Shading::id false ones.
+std::vector<ShownColor> shown_colors(const Scene& scene, const DrawnSpheres& drawn, Shading shading = Shading::flat);
+// Of the sphere of that number, not selected.
+ShownColor shown_color(const Scene& scene, std::int32_t number, Shading shading);
 
 // What a background is to shaders: 0..1, with alpha.
 glm::vec4 shown_background(const Background& background);

@@ -11,6 +11,7 @@
 #include "gl/live.hpp"
 #include "image/average.hpp"
 #include "scene/samples.hpp"
+#include "shade/picture_shader.hpp"
 #include "shade/shade.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_match.hpp"
@@ -33,7 +34,7 @@ Scene random_spheres(int count) {
 }
 
 // An export with samples, on this background; RGB, or RGBA if that is transparent.
-Image exported(const Scene& scene, const View& view, int samples, const Background& background) {
+Image exported(const Scene& scene, const View& view, int samples, const Background& background, Shading shading = Shading::flat) {
     const int side = sample_side(samples);
     const PictureSize size = sampled_size(view.size, side);
     const DrawnSpheres drawn = drawn_spheres(scene, view.camera);
@@ -43,7 +44,9 @@ Image exported(const Scene& scene, const View& view, int samples, const Backgrou
     CpuRenderer(drawn, lists, view.camera, size).trace(whole, visible);
     Resolver(scene, drawn, view.camera, size, &lists).certify(whole, visible);
     Image points = make_picture(size, background);
-    shade_flat(scene, background, whole, visible, points);
+    Scene seen = scene;
+    seen.camera = view.camera;
+    PictureShader(seen, size, shading, background).shade(whole, visible, points);
     Image picture = make_picture(view.size, background);
     average_into(points, side, picture, 0, 0);
     return picture;
@@ -101,6 +104,27 @@ TEST_P(SampledPictureTest, IsTheExportsAverageAtEverySize) {
     LivePicture picture;
     for (const PictureSize size : {PictureSize{320, 240}, {99, 201}, {1, 1}, {2500, 7}, {33, 34}}) {
         for (const int samples : {4, 16}) expect_average(picture, document, {scene.camera, size}, samples);
+    }
+}
+
+TEST_P(SampledPictureTest, IsShadedAsTheExportIs) {
+    const Document document(random_spheres(200));
+    const View view{document.scene().camera, {200, 150}};
+    LivePicture picture;
+    for (const int samples : {4, 16}) {
+        for (const Shading shading : {Shading::headlight, Shading::id, Shading::normal, Shading::depth, Shading::flat}) {
+            picture.update(document, view, 1, shading);
+            refine(picture, document, samples);
+            const Image expected = opaque(exported(document.scene(), view, samples, {}, shading));
+            const Image found = window(picture, document, view, samples);
+            int worst = 0;
+            for (int y = 0; y < view.size.height; ++y) {
+                for (int i = 0; i < 4 * view.size.width; ++i)
+                    worst = std::max(worst, std::abs(found.at(0, y)[i] - expected.at(0, y)[i]));
+            }
+            EXPECT_LE(worst, depends_on_hit(shading) ? 1 : 0) << samples << ", " << name_of(shading);
+            EXPECT_FALSE(same(found, window(picture, document, view, 1))) << "anti-aliased";
+        }
     }
 }
 

@@ -124,12 +124,12 @@ TEST_F(ShaderTest, IncludesAreTakenOnceAndLinesKeepTheirNumbers) {
 }
 
 TEST_F(ShaderTest, AMissingFileIsNamed) {
-    replace("trace.frag", "\"frame.glsl\"", "\"fram.glsl\"");
+    replace("trace.frag", "\"rays.glsl\"", "\"ray.glsl\"");
     try {
         assemble_shader("trace.frag", {});
         ADD_FAILURE() << "no error";
     } catch (const RenderError& error) {
-        EXPECT_STREQ(error.what(), "the shader file 'fram.glsl' is missing");
+        EXPECT_STREQ(error.what(), "the shader file 'ray.glsl' is missing");
     }
 }
 

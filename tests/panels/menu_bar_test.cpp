@@ -18,6 +18,9 @@ protected:
     std::vector<CommandId> choose(const std::string& menu, const std::string& item) {
         harness.take_actions();
         harness.click("menu " + menu);
+        for (const CommandInfo& info : all_commands()) {
+            if (info.label == item && !info.submenu.empty()) harness.click("menu " + std::string(info.submenu));
+        }
         harness.click("item " + item);
         std::vector<CommandId> commands;
         for (const RunCommand& run : harness.taken<RunCommand>()) commands.push_back(run.command);

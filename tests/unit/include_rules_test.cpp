@@ -87,7 +87,7 @@ TEST(IncludeRules, ForbidAllElse) {
         {"scene", "#  include <sys/stat.h> // why", "scene may not include system"},
         {"image", "#include \"scene/scene.hpp\"", "image may not include scene"},
         {"exact", "#include \"cpu/cpu_renderer.hpp\"", "exact may not include cpu"},
-        {"shade", "#include <glm/vec3.hpp>", "shade may not include glm"},
+        {"image", "#include <glm/vec3.hpp>", "image may not include glm"},
         {"cpu", "#include \"gpu/gl_object.hpp\"", "cpu may not include gpu"},
         {"gpu", "#include \"platform/gl_context.hpp\"", "gpu may not include platform"},
         {"gpu", "#include <EGL/egl.h>", "gpu may not include EGL"},

@@ -66,11 +66,21 @@ TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
 }
 
+TEST_F(Commands, WhatIsShownIsMarked) {
+    for (const CommandId toggle : {CommandId::toggle_panel, CommandId::toggle_inspector, CommandId::toggle_export_frame}) {
+        const bool was = is_checked(state, toggle);
+        run_command(state, toggle);
+        EXPECT_NE(is_checked(state, toggle), was);
+    }
+}
+
 TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
     const auto marked = [&] {
         std::vector<CommandId> found;
         for (const CommandInfo& info : all_commands()) {
-            if (is_checked(state, info.id)) found.push_back(info.id);
+            const bool is_choice =
+                info.label.find("nti-aliasing") != std::string_view::npos || info.label.find("samples") != std::string_view::npos;
+            if (is_choice && is_checked(state, info.id)) found.push_back(info.id);
         }
         return found;
     };
@@ -94,6 +104,16 @@ TEST_F(Commands, AHiddenOneAmongOthersIsHiddenWithThem) {
     EXPECT_TRUE(state.scene().spheres[0].hidden && state.scene().spheres[1].hidden);
     run_command(state, CommandId::hide);
     EXPECT_FALSE(state.scene().spheres[0].hidden || state.scene().spheres[1].hidden);
+}
+
+TEST_F(Commands, AShadingIsChosenAndChecked) {
+    EXPECT_TRUE(is_checked(state, CommandId::shade_flat));
+    run_command(state, CommandId::shade_depth);
+    EXPECT_EQ(state.settings.shading, Shading::depth);
+    EXPECT_TRUE(is_checked(state, CommandId::shade_depth));
+    EXPECT_FALSE(is_checked(state, CommandId::shade_flat));
+    EXPECT_FALSE(is_checked(state, CommandId::help));
+    EXPECT_FALSE(state.document.is_changed());
 }
 
 }  // namespace sphereview

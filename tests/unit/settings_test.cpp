@@ -45,12 +45,14 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     settings.place = {-20, 30, 800, 600, true};
     settings.panel_width = 412.5;
     settings.text_scale = 1.25;
+    settings.shading = Shading::id;
     settings.export_width = 1920;
     settings.export_height = 1080;
     settings.samples = 4;
     settings.recent = {"/a/K\xC3\xBCgeln \"x\".toml", "/b"};
     EXPECT_TRUE(save_settings(settings));
     EXPECT_EQ(in_words(load_settings()), in_words(settings));
+    EXPECT_EQ(load_settings().shading, Shading::id);
     EXPECT_EQ(fs::status(folder.path("config/sphereview")).permissions(), fs::perms::owner_all);
     settings.place.x = settings.place.y = std::nullopt;
     EXPECT_TRUE(save_settings(settings));

@@ -1,0 +1,56 @@
+#version 330 core
+// Turns the visible-sphere buffer into colours that show the spheres' shape, for a window. Formulae: docs/shading.md.
+// Twin: src/shade/picture_shader.cpp.
+#include "background.glsl"
+#include "colors.glsl"
+#include "rays.glsl"
+#include "spheres.glsl"
+#include "visible.glsl"
+#include "window.glsl"
+
+uniform isampler2D visible_spheres;
+
+out vec4 color;
+
+// The modes. Twin: Shading in src/shade/shading.hpp.
+const int headlight = 1;
+const int normals = 2;
+
+float between_0_and_1(float value) { return clamp(value, 0.0, 1.0); }
+
+void main() {
+    ivec2 pixel = window_pixel();
+    ivec2 texel = texel_of(pixel);
+    int index = best_guess(texelFetch(visible_spheres, texel, 0).r);  // a window has no holes
+    if (index <= visible_background) {
+        color = background_at(pixel);
+        return;
+    }
+    // In a coarse grid a texel stands for the pixels around the one that was traced.
+    ivec2 traced = min((texel << grid_shift) + ((1 << grid_shift) >> 1), picture_size - 1);
+    vec3 ray = ray_direction((traced << point_shift) + point_offset, picture_size << point_shift);
+    vec4 sphere = sphere_at(index);
+    vec3 center = sphere.xyz;
+    float radius = sphere.w != 0.0 ? abs(sphere.w) : length(center);  // 0: the eye is on the surface
+    float side = sphere.w > 0.0 ? 1.0 : -1.0;
+    float along = dot(center, ray);
+    vec3 approach = center - along * ray;
+    approach -= dot(approach, ray) * ray;  // what rounding left along the ray
+    // A sphere that float cannot hold is shown as if it were hit in its middle.
+    vec3 q = approach / max(radius, 1e-36);
+    float h = length(q);
+    float facing = sqrt(max((1.0 - h) * (1.0 + h), 0.0));
+    float depth = between_0_and_1((along - side * (facing * radius) - nearest_depth) * inverse_depth_range);
+    vec3 shaded;
+    if (shading == normals) {
+        vec3 normal = -(side * q) - facing * ray;
+        vec3 seen = vec3(dot(normal, axis_right.xyz), dot(normal, axis_up.xyz), dot(normal, axis_toward.xyz));
+        shaded = clamp(0.5 + 0.5 * seen, 0.0, 1.0);
+    } else if (shading == headlight) {
+        shaded = color_at(index).rgb * ((0.2 + 0.8 * facing) / (1.0 + depth));
+    } else {
+        shaded = vec3(1.0 - 0.8 * depth);
+    }
+    // Bytes, also where points are added up in floats.
+    color = vec4(floor(255.0 * shaded + 0.5) / 255.0, 1.0);
+}

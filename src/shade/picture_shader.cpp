@@ -1,0 +1,166 @@
+#include "shade/picture_shader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+
+#include "base/parallel.hpp"
+#include "base/simd.hpp"
+#include "shade/id_color.hpp"
+#include "shade/shade.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t most_at_once = 64;  // pixels
+
+// A row's rays that meet one sphere, and what is asked of the hits.
+struct Span {
+    ShadedSphere sphere;
+    glm::dvec3 first;  // forward + upward up
+    glm::dvec3 right;
+    double across = 0;  // of the first pixel; 2 more for each next
+    std::size_t count = 0;
+};
+
+// Of each pixel: n.v, the distance, and the normal.
+struct Hits {
+    std::array<double, most_at_once> facing;
+    std::array<double, most_at_once> distance;
+    std::array<double, most_at_once> x;
+    std::array<double, most_at_once> y;
+    std::array<double, most_at_once> z;
+};
+
+// Also of what is no number: 0.
+constexpr double between_0_and_1(double value) { return value > 0.0 ? (value < 1.0 ? value : 1.0) : 0.0; }
+
+// The closest approach first, as in exact/filter.hpp: q is where it lies, in radii from the centre.
+SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
+    const glm::dvec3 c = span.sphere.center;
+    const glm::dvec3 first = span.first;
+    const glm::dvec3 right = span.right;
+    const double radius = span.sphere.radius;
+    const double inverse_radius = span.sphere.inverse_radius;
+    const double side = span.sphere.side;
+    const double from = span.across;
+    const int count = static_cast<int>(span.count);
+    for (int i = 0; i < count; ++i) {
+        const double across = from + 2.0 * i;
+        const double dx = first.x + across * right.x;
+        const double dy = first.y + across * right.y;
+        const double dz = first.z + across * right.z;
+        const double inverse_length = 1.0 / std::sqrt(dx * dx + dy * dy + dz * dz);
+        const double nx = dx * inverse_length;
+        const double ny = dy * inverse_length;
+        const double nz = dz * inverse_length;
+        const double along = c.x * nx + c.y * ny + c.z * nz;
+        const double qx = (c.x - along * nx) * inverse_radius;
+        const double qy = (c.y - along * ny) * inverse_radius;
+        const double qz = (c.z - along * nz) * inverse_radius;
+        const double rest = 1.0 - (qx * qx + qy * qy + qz * qz);
+        const double facing = std::sqrt(rest > 0.0 ? rest : 0.0);  // grazing rays may pass by a little
+        const auto at = static_cast<std::size_t>(i);
+        hits.facing[at] = facing;
+        hits.distance[at] = along - side * (facing * radius);
+        hits.x[at] = -(side * qx) - facing * nx;
+        hits.y[at] = -(side * qy) - facing * ny;
+        hits.z[at] = -(side * qz) - facing * nz;
+    }
+}
+
+// Of 0..1.
+std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(255.0 * between_0_and_1(value) + 0.5); }
+
+std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(channel * factor + 0.5); }
+
+}  // namespace
+
+PictureShader::PictureShader(const Scene& scene, PictureSize size, Shading shading, const Background& background)
+    : scene_(scene), size_(size), shading_(shading), background_(background) {
+    if (!depends_on_hit(shading)) return;
+    rays_ = ray_frame<double>(scene.camera, size);
+    axes_ = camera_axes(scene.camera);
+    if (shading == Shading::normal) return;
+    range_ = depth_range(scene, scene.camera.eye);
+    inverse_range_ = 1.0 / (range_.farthest - range_.nearest);
+}
+
+void PictureShader::shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin) const {
+    if (shading_ == Shading::flat) return shade_flat(scene_, background_, block, visible, picture, origin);
+    assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+    const auto width = static_cast<std::size_t>(block.width);
+    parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
+        const int y = block.y + static_cast<int>(row);
+        shade_row(block.x, y, visible.subspan(row * width, width), picture.at(block.x - origin.x, y - origin.y),
+                  static_cast<std::size_t>(picture.channels()));
+    });
+}
+
+Color PictureShader::color(Pixel pixel, std::int32_t visible) const {
+    if (visible < 0) return background_.color;
+    if (shading_ == Shading::flat) return scene_.spheres[static_cast<std::size_t>(visible)].color;
+    std::array<std::uint8_t, 3> bytes{};
+    shade_row(pixel.x, pixel.y, {&visible, 1}, bytes.data(), bytes.size());
+    return {bytes[0], bytes[1], bytes[2]};
+}
+
+void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visible, std::uint8_t* out, std::size_t channels) const {
+    const auto put = [&](std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t alpha) {
+        const std::array<std::uint8_t, 4> pixel = {r, g, b, alpha};
+        std::copy_n(pixel.data(), channels, out);
+        out += channels;
+    };
+    const double upward = static_cast<double>(ray_coefficients(size_, {x, y}).upward);
+    Span span;
+    span.first = {rays_.forward.x + upward * rays_.up.x, rays_.forward.y + upward * rays_.up.y,
+                  rays_.forward.z + upward * rays_.up.z};
+    span.right = rays_.right;
+    Hits hits;
+    std::int32_t last = visible_background;
+    for (std::size_t i = 0; i < visible.size();) {
+        const std::int32_t number = visible[i];
+        std::size_t end = i + 1;
+        while (end < visible.size() && end - i < most_at_once && visible[end] == number) ++end;
+        const std::size_t count = end - i;
+        if (number < 0) {
+            const Color& color = background_.color;
+            for (; i < end; ++i) put(color.r, color.g, color.b, background_.transparent ? 0 : 255);
+            continue;
+        }
+        const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
+        if (shading_ == Shading::id) {
+            const Color color = id_color(static_cast<std::uint32_t>(number));
+            for (; i < end; ++i) put(color.r, color.g, color.b, 255);
+            continue;
+        }
+        if (number != last) span.sphere = shaded_sphere(sphere, scene_.camera.eye);
+        last = number;
+        span.across = static_cast<double>(ray_coefficients(size_, {x + static_cast<int>(i), y}).across);
+        span.count = count;
+        find_hits(span, hits);
+        for (std::size_t k = 0; k < count; ++k) {
+            if (shading_ == Shading::normal) {
+                const auto along = [&](const glm::dvec3& axis) {
+                    return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
+                };
+                put(along(axes_.right), along(axes_.up), along(axes_.toward), 255);
+                continue;
+            }
+            const double depth = between_0_and_1((hits.distance[k] - range_.nearest) * inverse_range_);
+            if (shading_ == Shading::depth) {
+                const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
+                put(grey, grey, grey, 255);
+                continue;
+            }
+            const double light = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
+            put(times(sphere.color.r, light), times(sphere.color.g, light), times(sphere.color.b, light), 255);
+        }
+        i = end;
+    }
+}
+
+}  // namespace sphereview

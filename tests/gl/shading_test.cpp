@@ -1,0 +1,139 @@
+// The window's shading against the export's: within 1 of 255; and exports of all backends: the same bytes.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <random>
+
+#include "exact/resolve.hpp"
+#include "gl/contexts.hpp"
+#include "gl/live.hpp"
+#include "shade/picture_shader.hpp"
+#include "support/render.hpp"
+
+namespace sphereview::test {
+namespace {
+
+constexpr Shading modes[] = {Shading::flat, Shading::headlight, Shading::normal, Shading::depth, Shading::id};
+
+Scene random_spheres(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random() % 65536U) / 65536.0;
+    };
+    Scene scene;
+    for (int i = 0; i < count; ++i) {
+        Sphere sphere;
+        sphere.center = {number(-150, 150), number(-150, 150), number(100, 500)};
+        sphere.radius = number(8, 50);
+        sphere.color = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
+                        static_cast<std::uint8_t>(random())};
+        sphere.hidden = i % 7 == 3;
+        scene.spheres.push_back(sphere);
+    }
+    return scene;
+}
+
+std::vector<Scene> scenes() {
+    std::vector<Scene> all;
+    for (unsigned seed = 1; seed <= 6; ++seed) all.push_back(random_spheres(40, seed));
+    all[1].camera = {{30.0, 40.0, -20.0}, {0.0, 10.0, 80.0}, {0.0, 0.0, 40.0}, {40.0, 0.0, 0.0}};
+    all[2].camera.center = {60.0, -20.0, 100.0};                              // off the axis
+    all[3].spheres.push_back({{0, 5, 10}, 700, {200, 100, 50}, false});       // around the eye
+    all[4].spheres.push_back({{0, -1e6, 0}, 999'990, {90, 200, 50}, false});  // a ground
+    all[4].spheres.push_back({{0, 0.05, 3}, 0.05, {250, 200, 50}, false});
+    for (Sphere& sphere : all[5].spheres) {  // a scale of its own
+        sphere.center = sphere.center * 1e-30;
+        sphere.radius *= 1e-30;
+    }
+    all[0].spheres.push_back({{0, 0, 30}, 30, {200, 100, 50}, false});  // the eye on its surface
+    return all;
+}
+
+class WindowShading : public testing::TestWithParam<ContextKind> {
+protected:
+    std::unique_ptr<GlContext> context_ = GetParam().open();
+};
+
+TEST_P(WindowShading, IsWithinOneOfTheExports) {
+    int which = 0;
+    for (const Scene& scene : scenes()) {
+        const Document document(scene);
+        const View view{scene.camera, {203, 151}};
+        const DrawnSpheres drawn = drawn_spheres(scene);
+        const Resolver resolver(scene, drawn, view.size);
+        LivePicture picture;
+        EXPECT_TRUE(picture.update(document, view, 1));
+        while (!picture.certify(document, 10.0)) {
+        }
+        for (const Shading mode : modes) {
+            EXPECT_FALSE(picture.update(document, view, 1, mode));
+            const Image window = drawn_into_window(picture, document, view, {});
+            const PictureShader shader(scene, view.size, mode, scene.background);
+            int worst = 0;
+            int spheres = 0;
+            for (int y = 0; y < view.size.height; ++y) {
+                for (int x = 0; x < view.size.width; ++x) {
+                    DecisionLevel level{};
+                    const std::int32_t number = resolver.resolve({x, y}, level);
+                    const Color expected = shader.color({x, y}, number);
+                    const Rgba seen = at(window, x, y);
+                    spheres += number >= 0 ? 1 : 0;
+                    worst = std::max(
+                        {worst, std::abs(seen[0] - expected.r), std::abs(seen[1] - expected.g), std::abs(seen[2] - expected.b)});
+                }
+            }
+            const bool exact = mode == Shading::flat || mode == Shading::id;
+            EXPECT_LE(worst, exact ? 0 : 1) << "scene " << which << ", " << name_of(mode);
+            EXPECT_GT(spheres, 5000) << "scene " << which;
+        }
+        ++which;
+    }
+}
+
+TEST_P(WindowShading, InACoarseGridIsThatOfTheTracedPixels) {
+    const Scene scene = random_spheres(40, 9);
+    const Document document(scene);
+    const View view{scene.camera, {101, 67}};
+    LivePicture fine;
+    fine.update(document, view, 1, Shading::normal);
+    const Image expected = drawn_into_window(fine, document, view, {});
+    LivePicture coarse;
+    coarse.update(document, view, 4, Shading::normal);
+    const Image seen = drawn_into_window(coarse, document, view, {});
+    for (int y = 0; y < 67; ++y) {
+        for (int x = 0; x < 101; ++x) {
+            EXPECT_EQ(at(seen, x, y), at(expected, std::min(x / 4 * 4 + 2, 100), std::min(y / 4 * 4 + 2, 66))) << x << "," << y;
+        }
+    }
+}
+
+TEST_P(WindowShading, FollowsEdits) {
+    Document document(two_spheres());
+    const View view{document.scene().camera, {100, 100}};
+    LivePicture picture;
+    picture.update(document, view, 1, Shading::id);
+    const Rgba before = at(drawn_into_window(picture, document, view, {}), 50, 50);
+    Sphere sphere = document.scene().spheres[0];
+    sphere.color = {1, 2, 3};
+    document.apply(change(0, sphere), "colour");
+    EXPECT_FALSE(picture.update(document, view, 1, Shading::id));
+    EXPECT_EQ(at(drawn_into_window(picture, document, view, {}), 50, 50), before);  // false colours know numbers alone
+    EXPECT_FALSE(picture.update(document, view, 1, Shading::flat));
+    EXPECT_EQ(at(drawn_into_window(picture, document, view, {}), 50, 50), opaque({1, 2, 3}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Contexts, WindowShading, testing::ValuesIn(context_kinds()),
+                         [](const auto& test) { return test.param.name; });
+
+TEST(ShadedExport, IsTheSameOnEveryBackend) {
+    const std::string scene = "4\n200 30 40 0 0 300 90\n1 255 3 40 25.5 180 20\n0 0 255 -30 10 150 35\n90 90 90 0 5 10 700\n";
+    for (const Shading mode : modes) {
+        const std::vector<std::string> options = {"-s", "400x300", "--shade", std::string(name_of(mode))};
+        const Picture expected = picture_of(scene, "cpu", options);
+        for (const char* backend : {"egl", "osmesa"}) EXPECT_EQ(picture_of(scene, backend, options), expected) << backend;
+    }
+}
+
+}  // namespace
+}  // namespace sphereview::test

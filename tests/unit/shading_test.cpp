@@ -1,0 +1,234 @@
+// The formulae of docs/shading.md: against the textbook's in long double, and by sums that every build must give.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <vector>
+
+#include "exact/drawn.hpp"
+#include "exact/resolve.hpp"
+#include "shade/id_color.hpp"
+#include "shade/picture_shader.hpp"
+#include "shade/shade.hpp"
+
+namespace sphereview {
+namespace {
+
+using Real = long double;
+
+constexpr PictureSize size{64, 48};
+
+// Integers and quarters, so that every platform makes the same.
+Scene scene_of(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    const auto number = [&](int low, int high) { return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)); };
+    Scene scene;
+    scene.background.color = {1, 2, 3};
+    for (int i = 0; i < count; ++i) {
+        Sphere sphere;
+        sphere.center = {0.25 * number(-400, 400), 0.25 * number(-400, 400), number(80, 500)};
+        sphere.radius = 0.25 * number(20, 160);
+        sphere.color = {static_cast<std::uint8_t>(number(0, 255)), static_cast<std::uint8_t>(number(0, 255)),
+                        static_cast<std::uint8_t>(number(0, 255))};
+        scene.spheres.push_back(sphere);
+    }
+    return scene;
+}
+
+std::vector<std::int32_t> visible_in(const Scene& scene, PictureSize of) {
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const Resolver resolver(scene, drawn, of);
+    std::vector<std::int32_t> visible;
+    for (int y = 0; y < of.height; ++y) {
+        for (int x = 0; x < of.width; ++x) {
+            DecisionLevel level{};
+            visible.push_back(resolver.resolve({x, y}, level));
+        }
+    }
+    return visible;
+}
+
+Image shaded(const Scene& scene, PictureSize of, Shading shading) {
+    Image picture(of.width, of.height, 3);
+    PictureShader(scene, of, shading, scene.background).shade({0, 0, of.width, of.height}, visible_in(scene, of), picture);
+    return picture;
+}
+
+// A scene seen by an eye off the axis, one inside a sphere, and one of tiny, huge and very far spheres.
+std::vector<Scene> scenes() {
+    std::vector<Scene> all = {scene_of(40, 1), scene_of(40, 2), scene_of(20, 3), scene_of(20, 4)};
+    all[1].camera = {{30.0, 40.0, -20.0}, {0.0, 10.0, 80.0}, {0.0, 0.0, 40.0}, {40.0, 0.0, 0.0}};
+    all[2].spheres.push_back({{0, 5, 10}, 700, {200, 100, 50}, false});
+    all[3].spheres.push_back({{0, -1e6, 0}, 999'990, {90, 200, 50}, false});
+    all[3].spheres.push_back({{0, 1, 60}, 0.5, {250, 200, 50}, false});
+    return all;
+}
+
+struct Vector {
+    Real x, y, z;
+};
+Real dot(const Vector& a, const Vector& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vector vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+Vector unit(const Vector& v) {
+    const Real length = std::sqrt(dot(v, v));
+    return {v.x / length, v.y / length, v.z / length};
+}
+
+// What a colour is made of, by the roots of the quadratic.
+struct Reference {
+    Real t;
+    Vector normal;
+    Real facing;
+};
+
+Reference reference(const Scene& scene, PictureSize of, Pixel pixel, const Sphere& sphere) {
+    const Camera& camera = scene.camera;
+    const Real m = of.shorter_side();
+    const RayCoefficients k = ray_coefficients(of, pixel);
+    const auto ray = [&](int axis) {
+        return Real(camera.center[axis]) - camera.eye[axis] + k.across / m * camera.right[axis] + k.upward / m * camera.up[axis];
+    };
+    const Vector d = unit({ray(0), ray(1), ray(2)});
+    const Vector c = vector(sphere.center - camera.eye);
+    const Real r = sphere.radius;
+    const Real b = dot(c, d);
+    const Real rest = std::sqrt(std::max(b * b - (dot(c, c) - r * r), Real(0)));
+    const bool inside = dot(c, c) <= r * r;
+    const Real t = inside ? b + rest : b - rest;
+    const Real sign = inside ? -1 : 1;
+    const Vector n{sign * (t * d.x - c.x) / r, sign * (t * d.y - c.y) / r, sign * (t * d.z - c.z) / r};
+    return {t, n, -dot(n, d)};
+}
+
+Real depth_of(const Scene& scene, Real t) {
+    Real nearest = 1e30L;
+    Real farthest = 0;
+    for (const Sphere& sphere : scene.spheres) {
+        const Vector c = vector(sphere.center - scene.camera.eye);
+        const Real distance = std::sqrt(dot(c, c));
+        nearest = std::min(nearest, std::fabs(distance - sphere.radius));
+        farthest = std::max(farthest, distance < sphere.radius ? distance + sphere.radius : distance);
+    }
+    return std::clamp((t - nearest) / (farthest - nearest), Real(0), Real(1));
+}
+
+// A byte is right if the real number lies within a little more than half a step of it.
+void expect_byte(int byte, Real value, const char* what) { EXPECT_NEAR(static_cast<double>(value), byte, 0.5 + 1e-6) << what; }
+
+TEST(PictureShader, FollowsTheFormulae) {
+    for (const Scene& scene : scenes()) {
+        const std::vector<std::int32_t> visible = visible_in(scene, size);
+        const Image headlight = shaded(scene, size, Shading::headlight);
+        const Image normal = shaded(scene, size, Shading::normal);
+        const Image depth = shaded(scene, size, Shading::depth);
+        const Vector right = unit(vector(scene.camera.right));
+        const Vector up = unit(vector(scene.camera.up));
+        Vector toward{right.y * up.z - right.z * up.y, right.z * up.x - right.x * up.z, right.x * up.y - right.y * up.x};
+        if (dot(toward, vector(scene.camera.center - scene.camera.eye)) > 0) toward = {-toward.x, -toward.y, -toward.z};
+        int spheres = 0;
+        for (int y = 0; y < size.height; ++y) {
+            for (int x = 0; x < size.width; ++x) {
+                const std::int32_t number = visible[static_cast<std::size_t>(y * size.width + x)];
+                if (number < 0) {
+                    for (const Image* image : {&headlight, &normal, &depth}) EXPECT_EQ(image->at(x, y)[2], 3);
+                    continue;
+                }
+                ++spheres;
+                const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
+                const Reference hit = reference(scene, size, {x, y}, sphere);
+                const Real u = depth_of(scene, hit.t);
+                expect_byte(headlight.at(x, y)[0], sphere.color.r * (0.2L + 0.8L * hit.facing) / (1 + u), "headlight");
+                expect_byte(depth.at(x, y)[1], 255 * (1 - 0.8L * u), "depth");
+                expect_byte(normal.at(x, y)[0], 127.5L * (1 + dot(hit.normal, right)), "normal, right");
+                expect_byte(normal.at(x, y)[1], 127.5L * (1 + dot(hit.normal, up)), "normal, up");
+                expect_byte(normal.at(x, y)[2], 127.5L * (1 + dot(hit.normal, toward)), "normal, toward the eye");
+                const Color one = PictureShader(scene, size, Shading::normal, {}).color({x, y}, number);
+                EXPECT_EQ(one, (Color{normal.at(x, y)[0], normal.at(x, y)[1], normal.at(x, y)[2]}));
+            }
+        }
+        EXPECT_GT(spheres, 500);
+    }
+}
+
+TEST(PictureShader, NeverFailsOnExtremeNumbers) {
+    for (const double far : {1e-300, 1e-150, 1.0, 1e150, 1e300, 1.7e308}) {
+        for (const double radius : {5e-324, 1e-300, 1e-3, 1e100, 1.7e308}) {
+            Scene scene;
+            scene.spheres = {{{far, -far, far}, radius, {255, 255, 255}, false}, {{0, 0, far}, radius, {255, 255, 255}, false}};
+            for (const Shading shading : {Shading::headlight, Shading::normal, Shading::depth, Shading::id}) {
+                const PictureShader shader(scene, size, shading, {});
+                for (const std::int32_t number : {0, 1}) {
+                    const Color color = shader.color({31, 17}, number);
+                    // Never darker than the ambient light at the far end, nor than the farthest grey.
+                    if (shading == Shading::headlight) {
+                        EXPECT_GE(color.r, 25);
+                    }
+                    if (shading == Shading::depth) {
+                        EXPECT_GE(color.r, 51);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(PictureShader, FlatIsShadeFlat) {
+    const Scene scene = scene_of(40, 1);
+    const std::vector<std::int32_t> visible = visible_in(scene, size);
+    Image expected(size.width, size.height, 3);
+    shade_flat(scene, scene.background, {0, 0, size.width, size.height}, visible, expected);
+    EXPECT_TRUE(std::ranges::equal(shaded(scene, size, Shading::flat).bytes(), expected.bytes()));
+}
+
+TEST(PictureShader, MakesATransparentBackgroundClearAndSpheresOpaque) {
+    const Scene scene = scene_of(1, 1);
+    for (const Shading shading : {Shading::headlight, Shading::normal, Shading::depth, Shading::id}) {
+        Image picture(2, 1, 4);
+        const std::vector<std::int32_t> visible = {visible_background, 0};
+        PictureShader(scene, {2, 1}, shading, {{0, 0, 0}, true}).shade({0, 0, 2, 1}, visible, picture);
+        EXPECT_EQ(picture.at(0, 0)[3], 0);
+        EXPECT_EQ(picture.at(1, 0)[3], 255);
+    }
+}
+
+TEST(IdColor, TellsNeighboursApart) {
+    const auto distance = [](const Color& a, const Color& b) {
+        return std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b);
+    };
+    for (std::uint32_t i = 0; i < 2000; ++i) EXPECT_GT(distance(id_color(i), id_color(i + 1)), 100) << i;
+    std::set<int> different;
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+        const Color color = id_color(i);
+        different.insert(color.r << 16 | color.g << 8 | color.b);
+    }
+    EXPECT_GT(different.size(), 900U);
+}
+
+TEST(DepthRange, IsOfAllThatIsNotHidden) {
+    Scene scene;
+    EXPECT_EQ(depth_range(scene, {0, 0, 0}), DepthRange{});
+    scene.spheres = {{{0, 0, 80}, 8, {}, false}, {{0, 0, 800}, 8, {}, false}, {{0, 0, 8000}, 8, {}, true}};
+    EXPECT_EQ(depth_range(scene, {0, 0, 0}), (DepthRange{9, 100}));
+    EXPECT_EQ(depth_range(scene, {0, 0, 76}), (DepthRange{0.5, 90.5}));
+}
+
+// FNV-1a: these sums must come out on every machine, of every compiler at every level of optimisation.
+std::uint64_t sum_of(Shading shading) {
+    std::uint64_t sum = 14695981039346656037ULL;
+    for (const Scene& scene : scenes()) {
+        const Image picture = shaded(scene, {200, 150}, shading);
+        for (const std::uint8_t byte : picture.bytes()) sum = (sum ^ byte) * 1099511628211ULL;
+    }
+    return sum;
+}
+
+TEST(Shading, GivesTheSameBytesEverywhere) {
+    EXPECT_EQ(sum_of(Shading::headlight), 4564346362331003627ULL);
+    EXPECT_EQ(sum_of(Shading::normal), 14993693324456632048ULL);
+    EXPECT_EQ(sum_of(Shading::depth), 4061514986693747050ULL);
+    EXPECT_EQ(sum_of(Shading::id), 15816985907994986407ULL);
+}
+
+}  // namespace
+}  // namespace sphereview
