@@ -10,7 +10,7 @@ scenes=$root/scenes
 picture() {
     name=$1
     shift
-    "$program" render "$@" --size 500x500 --samples 4 --background "#202430" -o "$root/docs/gallery-$name.png"
+    "$program" render "$@" --size 500x500 --shade headlight --samples 4 --background "#202430" -o "$root/docs/gallery-$name.png"
 }
 
 picture helix "$scenes/helix.xyz" --frame 15 --view 60,0
