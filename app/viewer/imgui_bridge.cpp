@@ -126,15 +126,18 @@ void ImguiBridge::set_text_scale(double text_scale) { text_scale_ = text_scale; 
 void ImguiBridge::build_fonts() {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    const std::string file = system_font_file();
     // Latin, Greek, Cyrillic, and the punctuation and arrows that the panels use.
     static constexpr std::array<ImWchar, 13> ranges = {0x20,   0x17F,  0x370,  0x3FF,  0x400,  0x4FF, 0x2010,
                                                        0x205E, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
-    const ImFont* font = file.empty() ? nullptr : io.Fonts->AddFontFromFileTTF(file.c_str(), font_pixels_, nullptr, ranges.data());
-    ImFontConfig own;
-    own.SizePixels = font_pixels_;
-    if (font == nullptr) io.Fonts->AddFontDefault(&own);
-    io.Fonts->AddFontDefault(&own);  // the second is for what must stand in columns: a compiler's log
+    // The second is for what must stand in columns: a compiler's log.
+    for (const FontFamily family : {FontFamily::sans_serif, FontFamily::monospaced}) {
+        const std::string file = system_font_file(family);
+        const ImFont* font =
+            file.empty() ? nullptr : io.Fonts->AddFontFromFileTTF(file.c_str(), font_pixels_, nullptr, ranges.data());
+        ImFontConfig own;
+        own.SizePixels = font_pixels_;
+        if (font == nullptr) io.Fonts->AddFontDefault(&own);
+    }
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }

@@ -60,11 +60,12 @@ std::string readable_file(FcPattern* font) {
 
 }  // namespace
 
-std::string system_font_file() {
+std::string system_font_file(FontFamily family) {
+    const bool monospaced = family == FontFamily::monospaced;
     const Config config(FcInitLoadConfigAndFonts());
     const Pattern wanted(FcPatternCreate());
     if (!config || !wanted) return "";
-    FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>("sans-serif"));
+    FcPatternAddString(wanted.get(), FC_FAMILY, reinterpret_cast<const FcChar8*>(monospaced ? "monospace" : "sans-serif"));
     FcPatternAddInteger(wanted.get(), FC_WEIGHT, FC_WEIGHT_REGULAR);
     FcPatternAddInteger(wanted.get(), FC_SLANT, FC_SLANT_ROMAN);
     FcConfigSubstitute(config.get(), wanted.get(), FcMatchPattern);
@@ -73,6 +74,9 @@ std::string system_font_file() {
     const FontSet fonts(FcFontSort(config.get(), wanted.get(), FcFalse, nullptr, &result));
     if (!fonts) return "";
     for (int i = 0; i < fonts->nfont; ++i) {
+        int spacing = FC_PROPORTIONAL;
+        FcPatternGetInteger(fonts->fonts[i], FC_SPACING, 0, &spacing);
+        if (monospaced && spacing != FC_MONO) continue;  // the list goes on with all other fonts
         std::string file = readable_file(fonts->fonts[i]);
         if (!file.empty()) return file;
     }
@@ -81,7 +85,7 @@ std::string system_font_file() {
 
 #else
 
-std::string system_font_file() { return ""; }
+std::string system_font_file(FontFamily) { return ""; }
 
 #endif
 

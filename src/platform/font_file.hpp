@@ -5,8 +5,13 @@
 
 namespace sphereview {
 
-// The file of the system's usual sans-serif font that ImGui can read (TrueType or OpenType outlines, not a collection's later
+enum class FontFamily {
+    sans_serif,
+    monospaced  // all letters equally wide: for what stands in columns
+};
+
+// The file of the system's usual font of a family that ImGui can read (TrueType or OpenType outlines, not a collection's later
 // face), by fontconfig; "" where there is no fontconfig or no such font.
-std::string system_font_file();
+std::string system_font_file(FontFamily family = FontFamily::sans_serif);
 
 }  // namespace sphereview

@@ -12,12 +12,16 @@ namespace sphereview {
 
 TEST(SystemFontFile, IsTrueType) {
     if (!std::filesystem::exists("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")) GTEST_SKIP() << "fonts-dejavu-core is missing";
-    const std::string path = system_font_file();
-    if (path.empty()) GTEST_SKIP() << "built without fontconfig";
-    char bytes[4] = {};
-    std::ifstream(path, std::ios::binary).read(bytes, sizeof bytes);
-    const std::string signature(bytes, sizeof bytes);
-    EXPECT_TRUE(signature == std::string("\0\1\0\0", 4) || signature == "true") << path;
+    const std::string usual = system_font_file();
+    if (usual.empty()) GTEST_SKIP() << "built without fontconfig";
+    const std::string monospaced = system_font_file(FontFamily::monospaced);
+    for (const std::string& path : {usual, monospaced}) {
+        char bytes[4] = {};
+        std::ifstream(path, std::ios::binary).read(bytes, sizeof bytes);
+        const std::string signature(bytes, sizeof bytes);
+        EXPECT_TRUE(signature == std::string("\0\1\0\0", 4) || signature == "true") << path;
+    }
+    EXPECT_NE(usual, monospaced);
 }
 
 TEST(SystemFontFile, IsEmptyWhereThereIsNoFont) {
@@ -26,6 +30,7 @@ TEST(SystemFontFile, IsEmptyWhereThereIsNoFont) {
                              folder.path("cache") + "</cachedir></fontconfig>";
     const test::Variable file("FONTCONFIG_FILE", folder.write("fonts.conf", none));
     EXPECT_EQ(system_font_file(), "");
+    EXPECT_EQ(system_font_file(FontFamily::monospaced), "");
 }
 
 }  // namespace sphereview
