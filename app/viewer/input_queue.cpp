@@ -29,8 +29,9 @@ private:
         moved = true;
         return button || wheel;
     }
-    bool hidden_by(const ButtonChanged&) {
-        const bool hides = button || wheel;
+    bool hidden_by(const ButtonChanged& event) {
+        // A drag is seen only while the button is held.
+        const bool hides = button || wheel || (moved && !event.pressed);
         button = true;
         return hides;
     }

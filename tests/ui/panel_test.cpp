@@ -164,4 +164,17 @@ TEST_F(Panels, QuickClicksAndKeysAllCount) {
     window_.wait_for("spheres", 22);
 }
 
+TEST_F(Panels, ARowThatIsDraggedGivesItsSphereAnotherPlace) {
+    const Place first = window_.widget("row 0");
+    const Place second = window_.widget("row 1");
+    window_.drag(first, {second.x, second.y + 0.4 * (second.y - first.y)});
+    window_.wait_for("undo", "Reorder sphere 0");
+    window_.wait_for("selection", {1});
+    window_.key("ctrl+s");
+    window_.wait_for("changed", false);
+    const std::string saved = folder_.read("scene.toml");
+    EXPECT_LT(saved.find("[0, 255, 0]"), saved.find("[255, 0, 0]")) << saved;
+    expect_undone();
+}
+
 }  // namespace sphereview::test

@@ -36,10 +36,15 @@ std::string in_words(const InputEvent& event) {
 // Whether widgets that look once a frame miss something of it.
 testing::AssertionResult hides_nothing(const std::vector<InputEvent>& frame) {
     int buttons = 0;
+    bool moved = false;
     bool moved_after = false;
     std::map<std::string, int> keys;
     for (const InputEvent& event : frame) {
-        if (std::holds_alternative<ButtonChanged>(event)) ++buttons;
+        const auto* button = std::get_if<ButtonChanged>(&event);
+        if (button != nullptr) ++buttons;
+        if (button != nullptr && !button->pressed && moved)
+            return testing::AssertionFailure() << "a drag ends in the frame of its move";
+        if (std::holds_alternative<PointerMoved>(event)) moved = true;
         if (std::holds_alternative<PointerMoved>(event) && buttons > 0) moved_after = true;
         if (const auto* key = std::get_if<KeyChanged>(&event)) ++keys[key->name];
     }
