@@ -17,11 +17,10 @@ namespace {
 
 constexpr float fewest_rows = 5.0F;
 
-void draw_buttons(const PanelContext& context) {
-    const std::vector<Sphere>& spheres = context.document.scene().spheres;
-    const std::optional<std::uint32_t> primary = context.selection.primary();
-    const bool hidden = primary && *primary < spheres.size() && spheres[*primary].hidden;
-    const char* hide = hidden ? "Show###hide" : "Hide###hide";
+void draw_buttons(const PanelContext& context, SidePanelState& state) {
+    // The command shows what it finds all hidden.
+    const SharedValues& shared = shared_of_selection(context, state);
+    const char* hide = shared.count > 0 && shared.hidden == shared.count ? "Show###hide" : "Hide###hide";
     const std::vector<float> widths = button_widths({"Add", "Duplicate", "Delete", hide});
     draw_command_button(context, CommandId::add_sphere, "Add", "add", widths[0]);
     ImGui::SameLine();
@@ -55,7 +54,7 @@ std::string count_in_words(const PanelContext& context, const SidePanelState& st
 }  // namespace
 
 void draw_side_panel(const PanelContext& context, SidePanelState& state) {
-    draw_buttons(context);
+    draw_buttons(context, state);
     draw_filter(context, state);
     // The list takes what the rest leaves; where that is too little, the panel scrolls.
     const float least = fewest_rows * ImGui::GetFrameHeight();

@@ -5,8 +5,17 @@
 
 #include "panels/panel_context.hpp"
 #include "panels/value_slider.hpp"
+#include "scene/shared_values.hpp"
 
 namespace sphereview {
+
+// The values of a slider's field when its drag began, of the selected spheres in order.
+struct ValueDrag {
+    std::uint64_t gesture = 0;
+    std::uint64_t selection = 0;  // its version
+    std::vector<double> values;
+    std::size_t primary = 0;  // the place of the one that the slider shows
+};
 
 // What the side panel remembers from frame to frame.
 struct SidePanelState {
@@ -25,6 +34,10 @@ struct SidePanelState {
     std::uint64_t drawn_revision = 0;     // of the scene in which these are numbers
     std::optional<std::uint32_t> edited;  // whom the fields below are about
     TypedNumber typed;
+    ValueDrag value_drag;
+    SharedValues shared;  // of the scene and the selection of these revisions
+    std::uint64_t shared_revision = 0;
+    std::uint64_t shared_selection = 0;
     std::string name;
     bool name_active = false;
     float below_list = 0.0F;  // how high what comes below the list was

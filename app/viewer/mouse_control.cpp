@@ -38,10 +38,7 @@ glm::dvec3 point_under(const PictureState& state, const glm::dvec2& place, std::
     return point_at(state.camera, state.size, place, depth > 0.0 ? depth : 1.0);
 }
 
-std::string title_of(const PictureState& state) {
-    const auto& numbers = state.selection.numbers();
-    return numbers.size() == 1 ? sphereview::title_of(state.scene, numbers.front()) : std::to_string(numbers.size()) + " spheres";
-}
+std::string title_of(const PictureState& state) { return sphereview::title_of(state.scene, state.selection); }
 
 }  // namespace
 
@@ -152,9 +149,9 @@ void MouseControl::remember_spheres(const PictureMouse& mouse, const PictureStat
 
 void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) {
     const auto& numbers = state.selection.numbers();
-    const auto grabbed = std::ranges::find(numbers, static_cast<std::uint32_t>(grabbed_));
+    const auto grabbed = std::ranges::lower_bound(numbers, static_cast<std::uint32_t>(grabbed_));
     // The file may have been reloaded meanwhile.
-    if (grabbed == numbers.end() || numbers.size() != base_.size()) return;
+    if (grabbed == numbers.end() || *grabbed != static_cast<std::uint32_t>(grabbed_) || numbers.size() != base_.size()) return;
     const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())].center;
     glm::dvec3 by{0.0};
     if (base_in_depth_) {

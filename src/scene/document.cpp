@@ -20,6 +20,11 @@ const std::string& name_of(const HistoryStep* step) {
     return step == nullptr ? none : step->name;
 }
 
+bool changes_names(const Edit& edit) {
+    return !std::holds_alternative<ChangeSpheres>(edit) && !std::holds_alternative<ChangeCamera>(edit) &&
+           !std::holds_alternative<ChangeBackground>(edit);
+}
+
 }  // namespace
 
 Document::Document(Scene scene, std::size_t history_bytes)
@@ -36,6 +41,7 @@ void Document::advance(SceneChange change) {
 Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
     Touched touched = numbers_concerned(edit);
     if (changes_nothing(edit, scene_)) return touched;
+    const bool names = changes_names(edit);
     Edit inverse = sphereview::apply(std::move(edit), scene_);
     if (history_.covers(inverse, gesture)) {
         auto* spheres = std::get_if<ChangeSpheres>(&inverse);
@@ -46,6 +52,7 @@ Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
         advance(change_undone_by(inverse, scene_));
         history_.add(std::move(inverse), std::move(name), gesture);
     }
+    if (names) names_revision_ = revision_;
     return touched;
 }
 
@@ -58,8 +65,10 @@ Touched Document::apply_step(HistoryStep& step) {
         const Touched more = numbers_concerned(*edit);
         touched.clear();
         std::ranges::set_union(before, more, std::back_inserter(touched));
+        const bool names = changes_names(*edit);
         inverses.push_back(sphereview::apply(std::move(*edit), scene_));
         advance(change_undone_by(inverses.back(), scene_));
+        if (names) names_revision_ = revision_;
     }
     step.edits = std::move(inverses);
     return touched;
