@@ -31,14 +31,35 @@ void draw_buttons(const PanelContext& context, SidePanelState& state) {
     draw_command_button(context, CommandId::hide, hide, "hide", widths[3]);
 }
 
+void select_filtered(const PanelContext& context, SidePanelState& state) {
+    // What was typed in this frame is looked for in the next.
+    const Document& document = context.document;
+    if (state.search.filter() != state.filter || state.searched_names != document.names_revision()) return;
+    state.search.finish(document.scene());
+    std::vector<std::uint32_t> numbers = state.search.found();
+    if (ImGui::GetIO().KeyCtrl) {
+        const auto& others = context.selection.numbers();
+        numbers.insert(numbers.begin(), others.begin(), others.end());
+    }
+    Selection selection;
+    selection.set(std::move(numbers));
+    context.actions.emplace_back(SelectSpheres{std::move(selection)});
+}
+
 void draw_filter(const PanelContext& context, SidePanelState& state) {
     const float side = ImGui::GetFrameHeight();
-    const float clear = state.filter.empty() ? 0.0F : side + ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - clear));
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float select = ImGui::CalcTextSize("Select").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float buttons = state.filter.empty() ? 0.0F : side + select + 2.0F * gap;
+    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons));
     input_text("##filter", "Filter by name or number", state.filter);
     note_widget(context, "filter");
     if (state.filter.empty()) return;
-    ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::SameLine(0.0F, gap);
+    if (ImGui::Button("Select##filtered", {select, side})) select_filtered(context, state);
+    note_widget(context, "select filtered");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Select what the filter shows; with Ctrl, besides what is selected");
+    ImGui::SameLine(0.0F, gap);
     if (ImGui::Button("x##clear filter", {side, side})) state.filter.clear();
     note_widget(context, "clear filter");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all spheres");
@@ -47,7 +68,10 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
 std::string count_in_words(const PanelContext& context, const SidePanelState& state) {
     const std::size_t count = context.document.scene().spheres.size();
     const std::string all = in_groups(count) + (count == 1 ? " sphere" : " spheres");
-    if (!state.filter.empty()) return in_groups(state.listed.size()) + " of " + all;
+    if (!state.filter.empty()) {
+        const std::string found = in_groups(state.search.found().size()) + " of " + all;
+        return state.search.done() ? found : found + ", " + fixed(100.0 * state.search.part(), 0) + " % looked at";
+    }
     return context.selection.size() > 1 ? all + ", " + in_groups(context.selection.size()) + " selected" : all;
 }
 

@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "panels/list_scroll.hpp"
 #include "panels/panel_context.hpp"
+#include "panels/sphere_filter.hpp"
 #include "panels/value_slider.hpp"
 #include "scene/shared_values.hpp"
 
@@ -23,10 +25,12 @@ struct SidePanelState {
     std::optional<std::uint32_t> renaming;  // the sphere whose name is being typed in the list
     std::string new_name;
     bool focus_rename = false;
-    std::uint64_t list_revision = 0;  // of the filtered list
-    std::string listed_filter;
-    std::vector<std::uint32_t> listed;  // the numbers that pass the filter
-    bool scroll_to_selection = false;   // set by whoever selects elsewhere
+    FilterSearch search;               // for what passes the filter; it goes on while frames are drawn
+    std::uint64_t searched_names = 0;  // Document::names_revision() of it
+    bool scroll_to_selection = false;  // set by whoever selects elsewhere
+    ListScroll scroll;
+    bool list_hovered = false;   // the wheel is the list's
+    bool list_has_keys = false;  // Home, End, Page Up and Page Down are the list's: it was clicked last
 
     std::optional<std::uint32_t> anchor;   // where a range of rows begins: the row clicked last
     std::optional<std::uint32_t> dragged;  // the sphere that is being given another place

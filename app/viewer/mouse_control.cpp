@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -72,6 +73,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
         mode_ = Mode::none;
     } else if (mouse.released[static_cast<std::size_t>(button_)]) {
         if (!dragging_ && button_ == left) click(mouse, state, actions);
+        if (dragging_ && mode_ == Mode::box) select_box(mouse, state, actions);
         mode_ = Mode::none;
     }
     return consequences;
@@ -90,7 +92,9 @@ void MouseControl::press(int button, const PictureMouse& mouse, const PictureSta
         mode_ = Mode::zoom;
     } else if (button == middle) {
         mode_ = Mode::pan;
-    } else if (grabbed_ >= 0 && state.selection.contains(static_cast<std::uint32_t>(grabbed_)) && !mouse.control) {
+    } else if (mouse.control) {
+        mode_ = Mode::box;
+    } else if (grabbed_ >= 0 && state.selection.contains(static_cast<std::uint32_t>(grabbed_))) {
         mode_ = Mode::move_spheres;
     } else {
         mode_ = mouse.shift ? Mode::pan : Mode::orbit;
@@ -139,6 +143,24 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
         selection.set_only(static_cast<std::uint32_t>(grabbed_));
     }
     if (selection != state.selection) actions.push_back(SelectSpheres{selection});
+}
+
+// Only what is seen is selected, as in most 3D programs: what is behind could not be judged by the picture.
+void MouseControl::select_box(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const {
+    const auto pixel = [&](double x, double y) {
+        return Pixel{std::clamp(static_cast<int>(std::floor(x)), 0, state.size.width - 1),
+                     std::clamp(static_cast<int>(std::floor(y)), 0, state.size.height - 1)};
+    };
+    const glm::dvec2 low = glm::min(start_, mouse.place);
+    const glm::dvec2 high = glm::max(start_, mouse.place);
+    std::vector<std::uint32_t> numbers = state.seen_in(pixel(low.x, low.y), pixel(high.x, high.y));
+    Selection selection = state.selection;
+    if (mouse.shift) {
+        selection.toggle_all(numbers);
+    } else {
+        selection.set(std::move(numbers));
+    }
+    if (selection != state.selection) actions.push_back(SelectSpheres{std::move(selection)});
 }
 
 void MouseControl::remember_spheres(const PictureMouse& mouse, const PictureState& state) {
