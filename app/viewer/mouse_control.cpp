@@ -76,6 +76,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
         if (dragging_ && mode_ == Mode::box) select_box(mouse, state, actions);
         mode_ = Mode::none;
     }
+    if (mode_ == Mode::none) base_ = {};
     return consequences;
 }
 
@@ -165,7 +166,8 @@ void MouseControl::select_box(const PictureMouse& mouse, const PictureState& sta
 
 void MouseControl::remember_spheres(const PictureMouse& mouse, const PictureState& state) {
     base_.clear();
-    for (const std::uint32_t number : state.selection.numbers()) base_.push_back(state.scene.spheres[number]);
+    base_.reserve(state.selection.size());
+    for (const std::uint32_t number : state.selection.numbers()) base_.push_back(state.scene.spheres[number].center);
     base_place_ = mouse.place;
 }
 
@@ -174,7 +176,7 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
     const auto grabbed = std::ranges::lower_bound(numbers, static_cast<std::uint32_t>(grabbed_));
     // The file may have been reloaded meanwhile.
     if (grabbed == numbers.end() || *grabbed != static_cast<std::uint32_t>(grabbed_) || numbers.size() != base_.size()) return;
-    const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())].center;
+    const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())];
     glm::dvec3 by{0.0};
     if (base_in_depth_) {
         by = (std::exp(zoom_per_pixel * (base_place_.y - mouse.place.y)) - 1.0) * (from - state.camera.eye);
@@ -182,13 +184,16 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
         const double depth = depth_of(state.camera, grabbed_point_);
         by = point_at(state.camera, state.size, mouse.place, depth) - point_at(state.camera, state.size, base_place_, depth);
     }
-    ChangeSpheres change{numbers, base_};
-    for (Sphere& sphere : change.spheres) sphere.center += by;
+    ChangeSpheres change{numbers, {}};
+    change.spheres.reserve(numbers.size());
     bool changes = false;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const glm::dvec3& center = change.spheres[i].center;
+        const Sphere& before = state.scene.spheres[numbers[i]];
+        Sphere& sphere = change.spheres.emplace_back(before);
+        sphere.center = base_[i] + by;
+        const glm::dvec3& center = sphere.center;
         if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z)) return;
-        changes = changes || change.spheres[i] != state.scene.spheres[numbers[i]];
+        changes = changes || sphere != before;
     }
     if (!changes) return;
     has_moved_ = true;

@@ -86,7 +86,7 @@ private:
     // Of a move of spheres: from when the pointer was at base_place_, so that nothing adds up.
     glm::dvec2 base_place_{0.0};
     bool base_in_depth_ = false;
-    std::vector<Sphere> base_;
+    std::vector<glm::dvec3> base_;  // the selected spheres' centres then
     std::uint64_t drag_gesture_ = 0;
     std::uint64_t wheel_gesture_ = 0;  // turns of the wheel over one sphere are one step
     std::int32_t wheel_sphere_ = -1;

@@ -34,7 +34,7 @@ const std::string& Document::undo_name() const { return name_of(history_.last_do
 const std::string& Document::redo_name() const { return name_of(history_.last_undone()); }
 
 void Document::advance(SceneChange change) {
-    log_.add(revision_, std::move(change), scene_);
+    log_.add(revision_, std::move(change));
     revision_ = next_revision();
 }
 
@@ -44,9 +44,7 @@ Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
     const bool names = changes_names(edit);
     Edit inverse = sphereview::apply(std::move(edit), scene_);
     if (history_.covers(inverse, gesture)) {
-        auto* spheres = std::get_if<ChangeSpheres>(&inverse);
-        // A drag of all spheres: their old values are moved, not copied.
-        advance(spheres != nullptr ? SceneChange{false, std::move(*spheres), {}, {}} : change_undone_by(inverse, scene_));
+        advance(change_undone_by(inverse, scene_));
         history_.drop_idle_step(scene_);
     } else {
         advance(change_undone_by(inverse, scene_));
