@@ -108,4 +108,37 @@ TEST_F(Many, WhatIsSelectedMovesTogetherAndOneUndoBringsTheBytesBack) {
     EXPECT_EQ(saved(), before);
 }
 
+// A wall of spheres that fills the picture.
+TEST(HundredThousand, MoveTogetherAndOneUndoBringsTheBytesBack) {
+    constexpr int side = 400;
+    constexpr int rows = 250;
+    std::string text = std::to_string(side * rows) + "\n";
+    for (int i = 0; i < side * rows; ++i) {
+        const std::string center = std::to_string(i % side - side / 2) + " " + std::to_string(i / side - rows / 2);
+        text += "200 " + std::to_string(i % 256) + " 0\n" + center + " 300\n0.4\n";
+    }
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("wall.txt", text);
+    ViewerWindow window(folder, {scene});
+    window.key("ctrl+a");
+    window.wait_for("selected", side * rows);
+    const Json& size = window.frame().at("picture_size");
+    const Place from = window.pixel(size[0].get<double>() / 2, size[1].get<double>() / 2);
+    window.drag(from, {from.x + 30, from.y + 20});
+    window.wait_for("undo", "Move 100,000 spheres");
+    window.key("ctrl+z");
+    window.wait_for("undo", "");
+    EXPECT_EQ(window.frame().at("changed"), false);
+    window.key("ctrl+i");
+    window.wait_for("selected", 0);
+    window.key("ctrl+shift+s");
+    window.wait_for("dialogs", {"browser"});
+    window.click_widget("browser name");
+    window.key("ctrl+a");
+    window.type("back.txt");
+    window.click_widget("browser ok");
+    window.wait_for("path", folder.path("back.txt"));
+    EXPECT_EQ(folder.read("back.txt"), text);
+}
+
 }  // namespace sphereview::test
