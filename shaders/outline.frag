@@ -11,24 +11,36 @@ out vec4 color;
 
 const float far = 1.0e6;
 
-void main() {
-    ivec2 pixel = window_pixel();
-    ivec2 texel = texel_of(pixel);
-    int own = texelFetch(marks, texel, 0).r;
-    // The squared distances to the nearest pixels of other spheres that are marked.
-    float selected = far;
-    float under_pointer = far;
-    int reach = outline_reach();
-    int end = texelFetch(busy_cells, texel >> cell_shift, 0).r != 0 ? reach : -reach - 1;
-    for (int y = -reach; y <= end; ++y) {
-        for (int x = -reach; x <= reach; ++x) {
-            int mark = texelFetch(marks, texel_of(pixel + ivec2(x, y)), 0).r;
-            float distance = mark == own || mark == no_mark ? far : float(x * x + y * y);
+// The squared distances to the nearest pixels of other spheres that are marked.
+float selected = far;
+float under_pointer = far;
+
+// Among the pixels so many columns and rows away or less; a texel's nearest pixel stands for all of its.
+void look_around(ivec2 pixel, int own, int reach) {
+    ivec2 first = texel_of(pixel - reach);
+    ivec2 last = texel_of(pixel + reach);
+    int side = (1 << grid_shift) - 1;
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+            int mark = texelFetch(marks, ivec2(x, y), 0).r;
+            ivec2 corner = ivec2(x, y) << grid_shift;
+            vec2 away = vec2(pixel - clamp(pixel, corner, corner + side));
+            float distance = mark == own || mark == no_mark ? far : dot(away, away);
             bool is_hovered = mark == hovered_mark || mark == hovered;
             selected = min(selected, mark == hovered_mark ? far : distance);
             under_pointer = min(under_pointer, is_hovered ? distance : far);
         }
     }
+}
+
+void main() {
+    ivec2 pixel = window_pixel();
+    ivec2 texel = texel_of(pixel);
+    if (texelFetch(busy_cells, texel >> cell_shift, 0).r == 0) discard;
+    int own = texelFetch(marks, texel, 0).r;
+    // Where many small spheres are selected most pixels are beside another one: then nothing more has to be known.
+    look_around(pixel, own, 1);
+    if (min(selected, under_pointer) > 2.0) look_around(pixel, own, outline_reach());
     // Half a pixel more: the distances are those of pixels' centres.
     const float inner = 1.5;
     float wide = inner + outline;

@@ -25,6 +25,9 @@ enum class CommandId {
     hide,  // or show again
     select_all,
     select_none,
+    invert_selection,
+    select_same_color,
+    select_hidden,
     move_up,  // in the order of the list
     move_down,
     go_home,  // the scene's own camera

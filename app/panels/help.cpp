@@ -11,12 +11,13 @@ namespace {
 
 constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"Left-drag on a selected sphere", "Moves the selected spheres parallel to the screen; with Shift in depth."},
-    {"Ctrl+wheel over a selected sphere", "Changes its radius."},
+    {"Ctrl+wheel over a selected sphere", "Scales the selected spheres."},
     {"Left-drag elsewhere", "Orbits."},
     {"Middle-drag or Shift+left-drag", "Pans."},
     {"Right-drag or wheel", "Zooms at the pointer."},
     {"Click on a sphere", "Selects it; a click beside all spheres selects none."},
     {"Ctrl+click on a sphere", "Adds it to the selection, or takes it out."},
+    {"Ctrl+left-drag", "Selects the spheres that are seen in the box; with Shift they join, or if all were selected, leave."},
     {"Double-click on a sphere", "Brings it to the middle of the picture."},
     {"Ctrl+click on a slider", "Types the value."},
     {"File dropped on the window", "Opens the scene in it."},

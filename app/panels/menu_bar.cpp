@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "base/text.hpp"
 #include "panels/labels.hpp"
 #include "panels/paths.hpp"
 
@@ -17,6 +18,12 @@ std::string label_of(const PanelContext& context, const CommandInfo& info) {
     return as_label(label);
 }
 
+std::string history_text(const PanelContext& context) {
+    const auto megabytes = [](std::size_t bytes) { return static_cast<double>(bytes) / 1048576.0; };
+    return "Steps to undo: " + fixed(megabytes(context.document.history_bytes()), 1) + " of " +
+           fixed(megabytes(context.document.most_history_bytes()), 0) + " MB; beyond that the oldest are forgotten.";
+}
+
 void draw_item(const PanelContext& context, const CommandInfo& info) {
     const bool enabled = !context.enabled || context.enabled(info.id);
     const bool checked = context.checked && context.checked(info.id);
@@ -26,6 +33,8 @@ void draw_item(const PanelContext& context, const CommandInfo& info) {
         context.actions.emplace_back(RunCommand{info.id});
     }
     note_widget(context, "item " + std::string(info.label));
+    if (info.id != CommandId::undo && info.id != CommandId::redo) return;
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", history_text(context).c_str());
 }
 
 // A menu's title where it is about to be drawn: once it is open, the last item is another.

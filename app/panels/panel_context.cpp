@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include "base/text.hpp"
+
 namespace sphereview {
 
 void note_widget(const PanelContext& context, const std::string& name) {
@@ -14,6 +16,10 @@ void note_widget(const PanelContext& context, const std::string& name) {
 std::string title_of(const Scene& scene, std::uint32_t number) {
     const auto name = scene.names.find(number);
     return name == scene.names.end() ? "sphere " + std::to_string(number) : "'" + name->second + "'";
+}
+
+std::string title_of(const Scene& scene, const Selection& selection) {
+    return selection.size() == 1 ? title_of(scene, selection.numbers().front()) : in_groups(selection.size()) + " spheres";
 }
 
 }  // namespace sphereview

@@ -65,5 +65,7 @@ void note_widget(const PanelContext& context, const std::string& name);
 
 // What a person calls a sphere: its name in quotes, else "sphere 3".
 std::string title_of(const Scene& scene, std::uint32_t number);
+// And several, or one: "1,234 spheres".
+std::string title_of(const Scene& scene, const Selection& selection);
 
 }  // namespace sphereview

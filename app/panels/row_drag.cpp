@@ -30,11 +30,11 @@ void drag_row(const PanelContext& context, SidePanelState& state, const ListedSp
     if (down) {
         ImGui::SetTooltip("%s", title_of(context.document.scene(), from).c_str());
         // Near the ends the list runs along.
-        const float step = 20.0F * places.height * ImGui::GetIO().DeltaTime;
+        const double step = 20.0 * static_cast<double>(ImGui::GetIO().DeltaTime);
         const float low = ImGui::GetWindowPos().y + 0.5F * places.height;
         const float high = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - 0.5F * places.height;
-        if (mouse < low) ImGui::SetScrollY(std::max(0.0F, ImGui::GetScrollY() - step));
-        if (mouse > high) ImGui::SetScrollY(std::min(ImGui::GetScrollMaxY(), ImGui::GetScrollY() + step));
+        if (mouse < low) state.scroll.by(-step);
+        if (mouse > high) state.scroll.by(step);
         return;
     }
     const std::uint32_t before = gap < listed.size() ? listed[gap] : listed[listed.size() - 1] + 1;

@@ -3,10 +3,21 @@
 
 #include <string>
 
+#include "panels/list_scroll.hpp"
 #include "panels/panel_context.hpp"
+#include "panels/sphere_filter.hpp"
 #include "panels/value_slider.hpp"
+#include "scene/shared_values.hpp"
 
 namespace sphereview {
+
+// The values of a slider's field when its drag began, of the selected spheres in order.
+struct ValueDrag {
+    std::uint64_t gesture = 0;
+    std::uint64_t selection = 0;  // its version
+    std::vector<double> values;
+    std::size_t primary = 0;  // the place of the one that the slider shows
+};
 
 // What the side panel remembers from frame to frame.
 struct SidePanelState {
@@ -14,10 +25,12 @@ struct SidePanelState {
     std::optional<std::uint32_t> renaming;  // the sphere whose name is being typed in the list
     std::string new_name;
     bool focus_rename = false;
-    std::uint64_t list_revision = 0;  // of the filtered list
-    std::string listed_filter;
-    std::vector<std::uint32_t> listed;  // the numbers that pass the filter
-    bool scroll_to_selection = false;   // set by whoever selects elsewhere
+    FilterSearch search;               // for what passes the filter; it goes on while frames are drawn
+    std::uint64_t searched_names = 0;  // Document::names_revision() of it
+    bool scroll_to_selection = false;  // set by whoever selects elsewhere
+    ListScroll scroll;
+    bool list_hovered = false;   // the wheel is the list's
+    bool list_has_keys = false;  // Home, End, Page Up and Page Down are the list's: it was clicked last
 
     std::optional<std::uint32_t> anchor;   // where a range of rows begins: the row clicked last
     std::optional<std::uint32_t> dragged;  // the sphere that is being given another place
@@ -25,6 +38,10 @@ struct SidePanelState {
     std::uint64_t drawn_revision = 0;     // of the scene in which these are numbers
     std::optional<std::uint32_t> edited;  // whom the fields below are about
     TypedNumber typed;
+    ValueDrag value_drag;
+    SharedValues shared;  // of the scene and the selection of these revisions
+    std::uint64_t shared_revision = 0;
+    std::uint64_t shared_selection = 0;
     std::string name;
     bool name_active = false;
     float below_list = 0.0F;  // how high what comes below the list was

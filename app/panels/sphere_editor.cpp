@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cfloat>
+#include <cmath>
 
 #include "base/text.hpp"
 #include "panels/color_edit.hpp"
@@ -27,23 +28,32 @@ SliderRange radius_range(const SceneBounds& bounds) {
 
 class SphereEditor {
 public:
-    SphereEditor(const PanelContext& context, SidePanelState& state, std::uint32_t number)
-        : context_(context), state_(state), number_(number), sphere_(context.document.scene().spheres[number]) {}
+    // `shared`: of the selected spheres, of which `number` is the primary one.
+    SphereEditor(const PanelContext& context, SidePanelState& state, const SharedValues& shared, std::uint32_t number)
+        : context_(context),
+          state_(state),
+          shared_(shared),
+          number_(number),
+          sphere_(context.document.scene().spheres[number]),
+          numbers_(context.selection.numbers()) {}
 
     void draw() {
-        draw_name();
-        slider("x", center_range(context_.bounds, 0), sphere_.center.x);
-        slider("y", center_range(context_.bounds, 1), sphere_.center.y);
-        slider("z", center_range(context_.bounds, 2), sphere_.center.z);
-        slider("radius", radius_range(context_.bounds), sphere_.radius);
+        if (numbers_.size() == 1) draw_name();
+        slider("x", center_range(context_.bounds, 0), SphereValue::x);
+        slider("y", center_range(context_.bounds, 1), SphereValue::y);
+        slider("z", center_range(context_.bounds, 2), SphereValue::z);
+        slider("radius", radius_range(context_.bounds), SphereValue::radius);
         begin_field(context_, "colour");
         const auto gesture = draw_color_edit(context_, "##color", sphere_.color);
         note_widget(context_, "color");
-        if (gesture) change_all("Recolour ", *gesture, [&](Sphere& sphere) { sphere.color = sphere_.color; });
+        if (gesture) change_all("Recolour ", *gesture, [&](Sphere& sphere, std::size_t) { sphere.color = sphere_.color; });
         begin_field(context_, "hidden");
-        const bool toggled = ImGui::Checkbox("##hidden", &sphere_.hidden);
+        constexpr int all = 3;  // one of its two bits: some
+        int hidden = shared_.hidden == shared_.count ? all : shared_.hidden > 0 ? 1 : 0;
+        const bool toggled = ImGui::CheckboxFlags("##hidden", &hidden, all);
         note_widget(context_, "hidden");
-        if (toggled) change_all(sphere_.hidden ? "Hide " : "Show ", 0, [&](Sphere& sphere) { sphere.hidden = sphere_.hidden; });
+        if (!toggled) return;
+        change_all(hidden == all ? "Hide " : "Show ", 0, [&](Sphere& sphere, std::size_t) { sphere.hidden = hidden == all; });
     }
 
 private:
@@ -61,37 +71,78 @@ private:
         }
     }
 
-    void slider(const char* name, const SliderRange& range, double& value) {
+    void slider(const char* name, const SliderRange& range, SphereValue which) {
         begin_field(context_, name);
-        const SliderChange change = draw_value_slider(context_, state_.typed, name, range, value);
+        const SharedValues::Range& values = shared_.range(which);
+        const std::string several = values.low == values.high ? "" : range_text(range, values.low, values.high);
+        double value = value_of(sphere_, which);
+        const SliderChange change = draw_value_slider(context_, state_.typed, name, range, value, several);
         if (change == SliderChange::none) return;
-        const std::string title = title_of(context_.document.scene(), number_);
-        // sphere_ has all that changed in this frame: leaving a typed number by a click on another slider changes two.
-        context_.actions.emplace_back(EditScene{ChangeSpheres{{number_}, {sphere_}},
-                                                (range.logarithmic ? "Change radius of " : "Move ") + title,
-                                                change == SliderChange::dragged ? context_.gesture : 0});
+        const std::string what = which == SphereValue::radius ? "Change radius of " : "Move ";
+        value_of(sphere_, which) = value;
+        if (change == SliderChange::typed) {
+            change_all(what, 0, [&](Sphere& sphere, std::size_t) { value_of(sphere, which) = value; });
+            return;
+        }
+        const ValueDrag& drag = drag_of(which);
+        const double from = drag.values[drag.primary];
+        const auto dragged = [&](std::size_t i) {
+            if (i == drag.primary) return value;
+            return which == SphereValue::radius ? drag.values[i] * (value / from) : drag.values[i] + (value - from);
+        };
+        for (std::size_t i = 0; i < drag.values.size(); ++i) {
+            const double next = dragged(i);
+            if (!std::isfinite(next) || (which == SphereValue::radius && !(next > 0.0))) return;
+        }
+        change_all(what, context_.gesture, [&](Sphere& sphere, std::size_t i) { value_of(sphere, which) = dragged(i); });
     }
 
-    // Of every selected sphere.
+    // What the spheres had when the slider's drag began, so that nothing adds up.
+    const ValueDrag& drag_of(SphereValue which) {
+        ValueDrag& drag = state_.value_drag;
+        if (drag.gesture == context_.gesture && drag.selection == context_.selection.version()) return drag;
+        drag = {context_.gesture, context_.selection.version(), {}, 0};
+        drag.values.reserve(numbers_.size());
+        for (const std::uint32_t number : numbers_) {
+            drag.values.push_back(value_of(context_.document.scene().spheres[number], which));
+        }
+        drag.primary = static_cast<std::size_t>(std::ranges::lower_bound(numbers_, number_) - numbers_.begin());
+        return drag;
+    }
+
+    // change(sphere, i) of every selected sphere; i is its place among them.
     template <typename Change>
     void change_all(const std::string& what, std::uint64_t gesture, const Change& change) {
         const Scene& scene = context_.document.scene();
+        // Leaving a typed number by a click on another slider changes two values in one frame.
+        const ChangeSpheres* earlier =
+            last_ ? &std::get<ChangeSpheres>(std::get<EditScene>(context_.actions[*last_]).edit) : nullptr;
         ChangeSpheres edit;
-        edit.numbers = context_.selection.numbers();
-        edit.spheres.reserve(edit.numbers.size());
-        for (const std::uint32_t number : edit.numbers) {
-            edit.spheres.push_back(number == number_ ? sphere_ : scene.spheres[number]);
-            change(edit.spheres.back());
+        edit.numbers = numbers_;
+        edit.spheres.reserve(numbers_.size());
+        for (std::size_t i = 0; i < numbers_.size(); ++i) {
+            edit.spheres.push_back(earlier != nullptr ? earlier->spheres[i] : scene.spheres[numbers_[i]]);
+            change(edit.spheres.back(), i);
         }
-        const std::string whom = edit.numbers.size() == 1 ? title_of(scene, number_) : in_groups(edit.numbers.size()) + " spheres";
-        context_.actions.emplace_back(EditScene{std::move(edit), what + whom, gesture});
+        last_ = context_.actions.size();
+        context_.actions.emplace_back(EditScene{std::move(edit), what + title_of(scene, context_.selection), gesture});
     }
 
     const PanelContext& context_;
     SidePanelState& state_;
+    const SharedValues& shared_;
     std::uint32_t number_;
-    Sphere sphere_;
+    Sphere sphere_;  // with all that changed in this frame
+    const std::vector<std::uint32_t>& numbers_;
+    std::optional<std::size_t> last_;  // the latest of the frame's actions that is an edit from here
 };
+
+std::string in_words(const SharedValues& shared) {
+    std::string text = in_groups(shared.count) + " spheres";
+    if (!shared.color) text += ", of several colours";
+    if (shared.hidden > 0) text += ", " + (shared.hidden == shared.count ? "all" : in_groups(shared.hidden)) + " hidden";
+    return text + ". Sliders move all by as much and scale all alike; a number that is typed is set for all.";
+}
 
 }  // namespace
 
@@ -109,15 +160,27 @@ void draw_sphere_editor(const PanelContext& context, SidePanelState& state) {
         ImGui::PopTextWrapPos();
         return;
     }
-    if (const std::size_t selected = context.selection.size(); selected > 1) {
+    const SharedValues& shared = shared_of_selection(context, state);
+    if (shared.count > 1) {
         ImGui::PushTextWrapPos();
-        ImGui::TextDisabled("%s selected. Colour and hidden are set for all of them, the rest for %s.", in_groups(selected).c_str(),
-                            title_of(context.document.scene(), *primary).c_str());
+        ImGui::TextDisabled("%s", in_words(shared).c_str());
         ImGui::PopTextWrapPos();
     }
     ImGui::PushID(static_cast<int>(*primary));
-    SphereEditor(context, state, *primary).draw();
+    SphereEditor(context, state, shared, *primary).draw();
     ImGui::PopID();
+}
+
+const SharedValues& shared_of_selection(const PanelContext& context, SidePanelState& state) {
+    const std::vector<Sphere>& spheres = context.document.scene().spheres;
+    const std::uint64_t revision = context.document.revision();
+    if (state.shared_revision != revision || state.shared_selection != context.selection.version()) {
+        const bool there = !context.selection.empty() && context.selection.numbers().back() < spheres.size();
+        state.shared = there ? shared_values(spheres, context.selection.numbers()) : SharedValues{};
+        state.shared_revision = revision;
+        state.shared_selection = context.selection.version();
+    }
+    return state.shared;
 }
 
 }  // namespace sphereview

@@ -23,42 +23,50 @@ std::string_view digits_of(std::string_view filter) {
     return before == "#" || std::string_view("sphere ").ends_with(before) ? filter.substr(begin) : "";
 }
 
-// All numbers below `count` whose decimal digits begin so.
-void add_numbers(std::string_view digits, std::size_t count, std::vector<std::uint32_t>& found) {
+}  // namespace
+
+void FilterSearch::begin(const Scene& scene, std::string_view filter) {
+    *this = {};
+    filter_ = filter;
+    wanted_ = lower_case(trimmed(filter));
+    count_ = scene.spheres.size();
+    unnamed_ = std::string_view("sphere").find(wanted_) != std::string_view::npos;  // what every one of them is called
+    const std::string_view digits = digits_of(wanted_);
     std::uint64_t first = 0;
     const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), first);
-    if (fault != std::errc() || (digits.front() == '0' && digits.size() > 1)) return;
-    std::uint64_t behind = first + 1;
-    while (first < count) {
-        for (std::uint64_t number = first; number < std::min<std::uint64_t>(behind, count); ++number) {
-            found.push_back(static_cast<std::uint32_t>(number));
-        }
-        if (first == 0) return;
-        first *= 10;
-        behind *= 10;
+    if (digits.empty() || fault != std::errc() || (digits.front() == '0' && digits.size() > 1)) return;
+    for (std::uint64_t behind = first + 1; first < count_; first *= 10, behind *= 10) {
+        numbers_.push_back({first, behind});
+        if (first == 0) break;
     }
 }
 
-}  // namespace
+bool FilterSearch::fits(std::uint32_t number) const {
+    return std::ranges::any_of(numbers_, [&](const NumberRange& range) { return range.first <= number && number < range.behind; });
+}
 
-std::vector<std::uint32_t> filtered(const Scene& scene, std::string_view filter) {
-    const std::string wanted = lower_case(trimmed(filter));
-    std::vector<std::uint32_t> found;
-    const std::size_t count = scene.spheres.size();
-    if (const std::string_view digits = digits_of(wanted); !digits.empty()) add_numbers(digits, count, found);
-    if (std::string_view("sphere").find(wanted) != std::string_view::npos) {  // what every sphere without a name is called
-        auto name = scene.names.begin();
-        for (std::uint32_t number = 0; number < count; ++number) {
-            while (name != scene.names.end() && name->first < number) ++name;
-            if (name == scene.names.end() || name->first != number) found.push_back(number);
-        }
+bool FilterSearch::fits(std::string_view name) const {
+    const auto same = [](char a, char b) { return ('A' <= a && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b; };
+    return std::search(name.begin(), name.end(), wanted_.begin(), wanted_.end(), same) != name.end() || wanted_.empty();
+}
+
+void FilterSearch::go_on(const Scene& scene, std::size_t step) {
+    constexpr std::size_t for_a_name = 8;  // times as long as without
+    std::size_t work = 0;
+    auto name = scene.names.lower_bound(static_cast<std::uint32_t>(next_));
+    while (next_ < count_ && work < for_a_name * step) {
+        if (!unnamed_ && numbers_.empty()) next_ = name == scene.names.end() ? count_ : std::min<std::size_t>(name->first, count_);
+        if (next_ == count_) return;
+        const auto number = static_cast<std::uint32_t>(next_++);
+        const bool named = name != scene.names.end() && name->first == number;
+        if (fits(number) || (named ? fits(name->second) : unnamed_)) found_.push_back(number);
+        work += named ? for_a_name : 1;
+        if (named) ++name;
     }
-    for (const auto& [number, name] : scene.names) {
-        if (lower_case(name).find(wanted) != std::string::npos) found.push_back(number);
-    }
-    std::ranges::sort(found);
-    found.erase(std::unique(found.begin(), found.end()), found.end());
-    return found;
+}
+
+void FilterSearch::finish(const Scene& scene) {
+    while (!done()) go_on(scene);
 }
 
 std::optional<std::size_t> ListedSpheres::row_of(std::uint32_t number) const {

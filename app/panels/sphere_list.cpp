@@ -15,15 +15,16 @@ namespace sphereview {
 
 namespace {
 
+constexpr double rows_per_click = 3.0;  // of the wheel
+
 void keep_list(const Document& document, SidePanelState& state) {
     if (state.filter.empty()) {
-        state.listed = {};
-        state.list_revision = 0;
-    } else if (state.list_revision != document.revision() || state.listed_filter != state.filter) {
-        state.listed = filtered(document.scene(), state.filter);
-        state.list_revision = document.revision();
-        state.listed_filter = state.filter;
+        if (!state.search.filter().empty()) state.search = {};
+    } else if (state.searched_names != document.names_revision() || state.search.filter() != state.filter) {
+        state.search.begin(document.scene(), state.filter);
+        state.searched_names = document.names_revision();
     }
+    if (!state.search.done()) state.search.go_on(document.scene());
     // A number means another sphere when others come and go.
     const std::uint64_t known = std::exchange(state.drawn_revision, document.revision());
     if (known == document.revision()) return;
@@ -65,30 +66,28 @@ void toggle_hidden(const PanelContext& context, std::uint32_t number) {
         EditScene{ChangeSpheres{{number}, {sphere}}, (sphere.hidden ? "Hide " : "Show ") + title_of(scene, number)});
 }
 
-void scroll_to(const RowPlaces& places, std::size_t row) {
-    const float height = ImGui::GetWindowHeight();
-    const float above = places.of(row) - ImGui::GetWindowPos().y;
-    const float margin = 2.0F;
-    if (above >= margin && above + places.height <= height - margin) return;
-    const double middle = static_cast<double>(row) * places.height - 0.5 * (height - places.height);
-    ImGui::SetScrollY(static_cast<float>(std::max(0.0, middle)));
+// Where a key goes to from a row; nothing if it is none of these.
+std::optional<std::size_t> row_for_key(std::optional<std::size_t> row, std::size_t rows, std::size_t page) {
+    const std::size_t last = rows - 1;
+    if (key_pressed(ImGuiKey_UpArrow)) return row && *row > 0 ? *row - 1 : 0;
+    if (key_pressed(ImGuiKey_DownArrow)) return row ? std::min(*row + 1, last) : 0;
+    if (key_pressed(ImGuiKey_PageUp)) return row && *row > page ? *row - page : 0;
+    if (key_pressed(ImGuiKey_PageDown)) return row ? std::min(*row + page, last) : std::min(page, last);
+    if (key_pressed(ImGuiKey_Home)) return 0;
+    if (key_pressed(ImGuiKey_End)) return last;
+    return std::nullopt;
 }
 
-void handle_keys(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed) {
-    if (!ImGui::IsWindowFocused() || ImGui::IsAnyItemActive() || listed.size() == 0) return;
+void handle_keys(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed, double seen) {
+    state.list_has_keys = ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive() && listed.size() > 0;
+    if (!state.list_has_keys) return;
     const std::optional<std::uint32_t> primary = context.selection.primary();
     const std::optional<std::size_t> row = primary ? listed.row_of(*primary) : std::nullopt;
-    std::size_t next = row.value_or(0);
-    if (key_pressed(ImGuiKey_UpArrow)) {
-        next = row && *row > 0 ? *row - 1 : 0;
-    } else if (key_pressed(ImGuiKey_DownArrow)) {
-        next = row ? std::min(*row + 1, listed.size() - 1) : 0;
-    } else {
-        return;
-    }
-    if (ImGui::GetIO().KeyCtrl) return;  // moves the sphere itself
-    select_row(context, state, listed, next);
-    state.scroll_to_selection = true;
+    const auto page = static_cast<std::size_t>(std::max(1.0, std::floor(seen) - 1.0));
+    const std::optional<std::size_t> next = row_for_key(row, listed.size(), page);
+    if (!next || ImGui::GetIO().KeyCtrl) return;  // with Ctrl the sphere itself is moved
+    select_row(context, state, listed, *next);
+    state.scroll.show(*next);
 }
 
 void draw_rows(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed, const RowPlaces& places) {
@@ -120,30 +119,40 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
     const Scene& scene = context.document.scene();
     keep_list(context.document, state);
     if (state.focus_rename && state.renaming && !state.filter.empty() &&
-        !std::ranges::binary_search(state.listed, *state.renaming)) {
+        !std::ranges::binary_search(state.search.found(), *state.renaming)) {
         state.filter.clear();  // its row must be there
         keep_list(context.document, state);
     }
-    const ListedSpheres listed(scene, state.filter.empty(), state.listed);
+    const ListedSpheres listed(scene, state.filter.empty(), state.search.found());
     const float padding = 4.0F * context.scale;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {padding, padding});
-    ImGui::BeginChild("spheres", {0.0F, height}, true);
+    ImGui::BeginChild("spheres", {0.0F, height}, true, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
-    const RowPlaces places{static_cast<double>(ImGui::GetWindowPos().y) + padding - ImGui::GetScrollY(),
-                           ImGui::GetCursorScreenPos().x, std::max(1.0F, ImGui::GetContentRegionAvail().x),
-                           std::round(ImGui::GetFrameHeight())};
-    if (listed.size() == 0) {
-        ImGui::TextDisabled("%s", scene.spheres.empty() ? "The scene has no spheres." : "No sphere matches the filter.");
-    } else {
-        ImGui::Dummy({1.0F, 0.0F});  // where the rows begin
-        draw_rows(context, state, listed, places);
-        ImGui::SetCursorScreenPos({places.left, places.of(listed.size())});
-        ImGui::Dummy({1.0F, 0.0F});
+    state.list_hovered = ImGui::IsWindowHovered();
+    const float row_height = std::round(ImGui::GetFrameHeight());
+    const float inner_height = std::max(1.0F, ImGui::GetWindowHeight() - 2.0F * padding);
+    const double seen = static_cast<double>(inner_height) / row_height;
+    state.scroll.set_size(listed.size(), seen);
+    if (state.list_hovered && ImGui::GetIO().MouseWheel != 0.0F) {
+        state.scroll.by(-rows_per_click * static_cast<double>(ImGui::GetIO().MouseWheel));
     }
-    handle_keys(context, state, listed);
+    const float bar = state.scroll.is_needed() ? ImGui::GetStyle().ScrollbarSize : 0.0F;
+    const double top = static_cast<double>(ImGui::GetWindowPos().y) + padding;
+    const float left = ImGui::GetWindowPos().x + padding;
+    const float width = std::max(1.0F, ImGui::GetWindowWidth() - 2.0F * padding - bar);
+    if (bar > 0.0F) state.scroll.draw_bar(context, left + width, static_cast<float>(top), bar, inner_height);
+    const RowPlaces places{top - std::round(state.scroll.above() * row_height), left, width, row_height};
+    if (listed.size() == 0) {
+        ImGui::TextDisabled("%s", scene.spheres.empty() ? "The scene has no spheres."
+                                  : state.search.done() ? "No sphere matches the filter."
+                                                        : "Looking...");
+    } else {
+        draw_rows(context, state, listed, places);
+    }
+    handle_keys(context, state, listed, seen);
     const std::optional<std::uint32_t> shown = state.focus_rename ? state.renaming : context.selection.primary();
     if (state.focus_rename || state.scroll_to_selection) {
-        if (const auto row = shown ? listed.row_of(*shown) : std::nullopt) scroll_to(places, *row);
+        if (const auto row = shown ? listed.row_of(*shown) : std::nullopt) state.scroll.show(*row);
         state.scroll_to_selection = false;
     }
     drag_row(context, state, listed, places);

@@ -53,7 +53,7 @@ bool is_ctrl_clicked() {
            ImGui::IsMouseHoveringRect(low, high);
 }
 
-SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value) {
+SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value, bool several) {
     const bool refused = !parsed(typed.text, range);
     if (typed.focus) ImGui::SetKeyboardFocusHere();
     ImGui::PushStyleColor(ImGuiCol_Text, refused ? ImVec4(1.0F, 0.4F, 0.4F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
@@ -66,7 +66,7 @@ SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const S
     if (!ended) return SliderChange::none;
     const std::optional<double> given = parsed(typed.text, range);  // Escape gave the old text back
     typed = {};
-    if (!given || *given == value) return SliderChange::none;
+    if (!given || (*given == value && !several)) return SliderChange::none;
     value = *given;
     return SliderChange::typed;
 }
@@ -74,17 +74,17 @@ SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const S
 }  // namespace
 
 SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
-                               double& value) {
+                               double& value, const std::string& several) {
     ImGui::PushID(name.c_str());
     SliderChange change = SliderChange::none;
-    if (typed.field != name && is_ctrl_clicked()) typed = {name, shortest(value), true};
+    if (typed.field != name && is_ctrl_clicked()) typed = {name, several.empty() ? shortest(value) : "", true};
     if (typed.field == name) {
-        change = draw_typed(context, typed, range, value);
+        change = draw_typed(context, typed, range, value, !several.empty());
     } else {
         constexpr double zero = 0.0;
         constexpr double one = 1.0;
         double part = part_of(range, value);
-        const std::string shown = rounded_text(value, digit_of(range, value));
+        const std::string shown = several.empty() ? rounded_text(value, digit_of(range, value)) : several;
         const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &part, &zero, &one, shown.c_str(),
                                                ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput);
         note_widget(context, "slider " + name);
@@ -95,11 +95,16 @@ SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, 
             change = SliderChange::dragged;
         }
         if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-            ImGui::SetTooltip("%s = %s\nCtrl+click to type a number.", name.c_str(), shortest(value).c_str());
+            ImGui::SetTooltip("%s = %s\nCtrl+click to type a number.", name.c_str(),
+                              several.empty() ? shortest(value).c_str() : several.c_str());
         }
     }
     ImGui::PopID();
     return change;
+}
+
+std::string range_text(const SliderRange& range, double low, double high) {
+    return rounded_text(low, digit_of(range, low)) + " to " + rounded_text(high, digit_of(range, high));
 }
 
 }  // namespace sphereview

@@ -25,8 +25,12 @@ struct SliderRange {
 enum class SliderChange { none, dragged, typed };
 
 // As wide as the next item's width. A drag gives `value` a short number of the range and begins a gesture of its own; Ctrl+click
-// types any finite number in full, and what is none, or not allowed, is refused. Noted as "slider NAME".
+// types any finite number in full, and what is none, or not allowed, is refused. Noted as "slider NAME". `several`: where the
+// value stands for others, too, which differ from it, what is shown instead; "" where they do not.
 SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
-                               double& value);
+                               double& value, const std::string& several = "");
+
+// "1.5 to 20", rounded as the slider rounds.
+std::string range_text(const SliderRange& range, double low, double high);
 
 }  // namespace sphereview

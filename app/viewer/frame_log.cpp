@@ -1,5 +1,6 @@
 #include "viewer/frame_log.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
@@ -11,6 +12,12 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
+// A million numbers would make each line one of megabytes.
+std::vector<std::uint32_t> first_of(const std::vector<std::uint32_t>& numbers) {
+    constexpr std::size_t most = 1000;
+    return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(std::min(most, numbers.size()))};
+}
 
 }  // namespace
 
@@ -42,7 +49,8 @@ void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const Wid
                        {"scene_frame", {state.frame, state.frames}},
                        {"changed", state.document.is_changed()},
                        {"spheres", state.scene().spheres.size()},
-                       {"selection", state.selection.numbers()},
+                       {"selection", first_of(state.selection.numbers())},
+                       {"selected", state.selection.size()},
                        {"hovered", state.hovered ? Json(*state.hovered) : Json(nullptr)},
                        {"undo", state.document.undo_name()},
                        {"redo", state.document.redo_name()},

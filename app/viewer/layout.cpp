@@ -74,7 +74,9 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Fra
         const float width = std::floor(std::min(static_cast<float>(state.settings.panel_width) * context.scale, widest));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
         place_window(panel);
-        ImGui::Begin("##panel", nullptr, fixed_window);
+        // The list scrolls in itself, by its own means.
+        const ImGuiWindowFlags wheel = state.side_panel.list_hovered ? ImGuiWindowFlags_NoScrollWithMouse : 0;
+        ImGui::Begin("##panel", nullptr, fixed_window | wheel);
         draw_side_panel(context, state.side_panel);
         ImGui::End();
         draw_splitter(state, context, {panel.x - splitter, panel.y, splitter, panel.height});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
 
@@ -38,10 +39,7 @@ glm::dvec3 point_under(const PictureState& state, const glm::dvec2& place, std::
     return point_at(state.camera, state.size, place, depth > 0.0 ? depth : 1.0);
 }
 
-std::string title_of(const PictureState& state) {
-    const auto& numbers = state.selection.numbers();
-    return numbers.size() == 1 ? sphereview::title_of(state.scene, numbers.front()) : std::to_string(numbers.size()) + " spheres";
-}
+std::string title_of(const PictureState& state) { return sphereview::title_of(state.scene, state.selection); }
 
 }  // namespace
 
@@ -75,8 +73,10 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
         mode_ = Mode::none;
     } else if (mouse.released[static_cast<std::size_t>(button_)]) {
         if (!dragging_ && button_ == left) click(mouse, state, actions);
+        if (dragging_ && mode_ == Mode::box) select_box(mouse, state, actions);
         mode_ = Mode::none;
     }
+    if (mode_ == Mode::none) base_ = {};
     return consequences;
 }
 
@@ -93,7 +93,9 @@ void MouseControl::press(int button, const PictureMouse& mouse, const PictureSta
         mode_ = Mode::zoom;
     } else if (button == middle) {
         mode_ = Mode::pan;
-    } else if (grabbed_ >= 0 && state.selection.contains(static_cast<std::uint32_t>(grabbed_)) && !mouse.control) {
+    } else if (mouse.control) {
+        mode_ = Mode::box;
+    } else if (grabbed_ >= 0 && state.selection.contains(static_cast<std::uint32_t>(grabbed_))) {
         mode_ = Mode::move_spheres;
     } else {
         mode_ = mouse.shift ? Mode::pan : Mode::orbit;
@@ -144,18 +146,37 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
     if (selection != state.selection) actions.push_back(SelectSpheres{selection});
 }
 
+// Only what is seen is selected, as in most 3D programs: what is behind could not be judged by the picture.
+void MouseControl::select_box(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const {
+    const auto pixel = [&](double x, double y) {
+        return Pixel{std::clamp(static_cast<int>(std::floor(x)), 0, state.size.width - 1),
+                     std::clamp(static_cast<int>(std::floor(y)), 0, state.size.height - 1)};
+    };
+    const glm::dvec2 low = glm::min(start_, mouse.place);
+    const glm::dvec2 high = glm::max(start_, mouse.place);
+    std::vector<std::uint32_t> numbers = state.seen_in(pixel(low.x, low.y), pixel(high.x, high.y));
+    Selection selection = state.selection;
+    if (mouse.shift) {
+        selection.toggle_all(numbers);
+    } else {
+        selection.set(std::move(numbers));
+    }
+    if (selection != state.selection) actions.push_back(SelectSpheres{std::move(selection)});
+}
+
 void MouseControl::remember_spheres(const PictureMouse& mouse, const PictureState& state) {
     base_.clear();
-    for (const std::uint32_t number : state.selection.numbers()) base_.push_back(state.scene.spheres[number]);
+    base_.reserve(state.selection.size());
+    for (const std::uint32_t number : state.selection.numbers()) base_.push_back(state.scene.spheres[number].center);
     base_place_ = mouse.place;
 }
 
 void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) {
     const auto& numbers = state.selection.numbers();
-    const auto grabbed = std::ranges::find(numbers, static_cast<std::uint32_t>(grabbed_));
+    const auto grabbed = std::ranges::lower_bound(numbers, static_cast<std::uint32_t>(grabbed_));
     // The file may have been reloaded meanwhile.
-    if (grabbed == numbers.end() || numbers.size() != base_.size()) return;
-    const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())].center;
+    if (grabbed == numbers.end() || *grabbed != static_cast<std::uint32_t>(grabbed_) || numbers.size() != base_.size()) return;
+    const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())];
     glm::dvec3 by{0.0};
     if (base_in_depth_) {
         by = (std::exp(zoom_per_pixel * (base_place_.y - mouse.place.y)) - 1.0) * (from - state.camera.eye);
@@ -163,13 +184,16 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
         const double depth = depth_of(state.camera, grabbed_point_);
         by = point_at(state.camera, state.size, mouse.place, depth) - point_at(state.camera, state.size, base_place_, depth);
     }
-    ChangeSpheres change{numbers, base_};
-    for (Sphere& sphere : change.spheres) sphere.center += by;
+    ChangeSpheres change{numbers, {}};
+    change.spheres.reserve(numbers.size());
     bool changes = false;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const glm::dvec3& center = change.spheres[i].center;
+        const Sphere& before = state.scene.spheres[numbers[i]];
+        Sphere& sphere = change.spheres.emplace_back(before);
+        sphere.center = base_[i] + by;
+        const glm::dvec3& center = sphere.center;
         if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z)) return;
-        changes = changes || change.spheres[i] != state.scene.spheres[numbers[i]];
+        changes = changes || sphere != before;
     }
     if (!changes) return;
     has_moved_ = true;

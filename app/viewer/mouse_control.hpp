@@ -35,6 +35,8 @@ struct PictureState {
     PictureSize size;
     glm::dvec3 pivot{0.0};                         // what an orbit turns about
     std::function<std::int32_t(glm::dvec2)> pick;  // the visible sphere at a place, or visible_background
+    // The spheres that are seen in a rectangle, its upper left and lower right pixel included; ascending.
+    std::function<std::vector<std::uint32_t>(Pixel, Pixel)> seen_in{};
 };
 
 // What it did, besides what is in `actions`.
@@ -53,13 +55,21 @@ public:
     // Something follows the pointer.
     bool is_dragging() const { return mode_ != Mode::none && dragging_; }
 
+    // The rectangle that is being drawn, from corner to corner, in pixels of the picture.
+    struct Box {
+        glm::dvec2 from{0.0};
+        glm::dvec2 to{0.0};
+    };
+    std::optional<Box> box() const { return mode_ == Mode::box && dragging_ ? std::optional<Box>({start_, last_}) : std::nullopt; }
+
 private:
-    enum class Mode { none, orbit, pan, zoom, move_spheres };
+    enum class Mode { none, orbit, pan, zoom, move_spheres, box };
 
     void press(int button, const PictureMouse& mouse, const PictureState& state);
     void drag(const PictureMouse& mouse, const PictureState& state, PictureConsequences& consequences, std::uint64_t& gesture,
               std::vector<Action>& actions);
     void click(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const;
+    void select_box(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const;
     void move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions);
     void remember_spheres(const PictureMouse& mouse, const PictureState& state);
     void change_radius(const PictureMouse& mouse, const PictureState& state, std::int32_t picked, std::uint64_t& gesture,
@@ -76,7 +86,7 @@ private:
     // Of a move of spheres: from when the pointer was at base_place_, so that nothing adds up.
     glm::dvec2 base_place_{0.0};
     bool base_in_depth_ = false;
-    std::vector<Sphere> base_;
+    std::vector<glm::dvec3> base_;  // the selected spheres' centres then
     std::uint64_t drag_gesture_ = 0;
     std::uint64_t wheel_gesture_ = 0;  // turns of the wheel over one sphere are one step
     std::int32_t wheel_sphere_ = -1;

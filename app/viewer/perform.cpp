@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/shared_values.hpp"
 #include "viewer/export_view.hpp"
 #include "viewer/scene_edits.hpp"
 #include "viewer/scene_file.hpp"
@@ -28,12 +29,6 @@ void center_on_selection(ViewerState& state) {
     if (!primary) return;
     state.pivot = state.scene().spheres[*primary].center;
     state.camera = centered_on(state.camera, state.pivot);
-}
-
-void select_all(ViewerState& state) {
-    std::vector<std::uint32_t> all(state.scene().spheres.size());
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::uint32_t>(i);
-    state.selection.set(std::move(all));
 }
 
 // What a choice of anti-aliasing means; 0: the command is none.
@@ -79,11 +74,13 @@ bool is_enabled(const ViewerState& state, CommandId command) {
         case CommandId::remove:
         case CommandId::hide:
         case CommandId::select_none:
+        case CommandId::select_same_color:
         case CommandId::center_on_selection: return !selected.empty();
         case CommandId::rename: return selected.size() == 1;
         case CommandId::move_up: return selected.size() == 1 && selected.front() > 0;
         case CommandId::move_down: return selected.size() == 1 && selected.front() + 1 < count;
         case CommandId::select_all: return selected.size() < count;
+        case CommandId::invert_selection: return count > 0;
         case CommandId::next_frame: return has_frame(state, state.frame + 1);
         case CommandId::previous_frame: return has_frame(state, state.frame - 1);
         case CommandId::use_view_as_camera: return state.camera != state.scene().camera;
@@ -119,8 +116,12 @@ void run_command(ViewerState& state, CommandId command) {
         case CommandId::move_up: return perform(state, {reorder_selected(state, -1)});
         case CommandId::move_down: return perform(state, {reorder_selected(state, 1)});
         case CommandId::rename: return start_renaming(state.side_panel, state.scene(), state.selection.numbers().front());
-        case CommandId::select_all: return select_all(state);
+        case CommandId::select_all: return state.selection.set_all(state.scene().spheres.size());
         case CommandId::select_none: return state.selection.clear();
+        case CommandId::invert_selection: return state.selection.invert(state.scene().spheres.size());
+        case CommandId::select_same_color:
+            return state.selection.set(colored_like(state.scene().spheres, state.selection.numbers()));
+        case CommandId::select_hidden: return state.selection.set(hidden_ones(state.scene().spheres));
         case CommandId::go_home: return go_home(state);
         case CommandId::center_on_selection: return center_on_selection(state);
         case CommandId::fit_all: return fly_to_fit(state, axes_of(state.camera));

@@ -8,10 +8,7 @@ namespace sphereview {
 
 namespace {
 
-std::string selected_in_words(const ViewerState& state) {
-    const auto& numbers = state.selection.numbers();
-    return numbers.size() == 1 ? title_of(state.scene(), numbers.front()) : std::to_string(numbers.size()) + " spheres";
-}
+std::string selected_in_words(const ViewerState& state) { return title_of(state.scene(), state.selection); }
 
 // Told apart at a glance, on black and on white.
 constexpr std::array<Color, 7> new_colors = {
@@ -57,6 +54,7 @@ EditScene hide_or_show_selected(const ViewerState& state) {
     const auto& numbers = state.selection.numbers();
     const bool hide = std::ranges::any_of(numbers, [&](std::uint32_t number) { return !state.scene().spheres[number].hidden; });
     ChangeSpheres change{numbers, {}};
+    change.spheres.reserve(numbers.size());
     for (const std::uint32_t number : numbers) {
         change.spheres.push_back(state.scene().spheres[number]);
         change.spheres.back().hidden = hide;

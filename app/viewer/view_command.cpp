@@ -9,6 +9,7 @@
 #include "app/commands.hpp"
 #include "app/load_scene.hpp"
 #include "base/error.hpp"
+#include "base/freed_memory.hpp"
 #include "base/input_file.hpp"
 #include "base/interrupt.hpp"
 #include "viewer/recovery.hpp"
@@ -100,6 +101,7 @@ void load_first_scene(ViewerState& state) {
 }  // namespace
 
 ExitCode run_view(const ViewOptions& options) {
+    return_large_blocks();
     ViewerState state(options, load_settings());
     state.background = options.background;
     if (options.shading) state.settings.shading = *options.shading;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "exact/visible.hpp"
 #include "viewer/perform.hpp"
@@ -29,6 +30,12 @@ bool is_typed(const KeyChanged& key) {
     }
     const bool function_key = key.name.size() > 1 && key.name[0] == 'f' && key.name[1] >= '1' && key.name[1] <= '9';
     return !function_key;
+}
+
+// Keys that go through the list of spheres while it has them.
+bool scrolls_list(const KeyChanged& key) {
+    if (key.modifiers.control || key.modifiers.alt) return false;
+    return key.name == "home" || key.name == "end" || key.name == "page up" || key.name == "page down";
 }
 
 void note_dialog_key(const KeyChanged& key, bool typing, DialogKeys& keys) {
@@ -132,6 +139,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
+            if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(key->name, m.control, m.shift, m.alt)) actions.push_back(RunCommand{*command});
         } else if (const auto* typed = std::get_if<CharacterTyped>(&event); typed != nullptr && !typing && state_.dialogs.empty()) {
@@ -173,10 +181,42 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                        std::clamp(static_cast<int>(place.y), 0, state_.picture_size.height - 1)};
         return picture_.pick(state_.document, at);
     };
-    const PictureState picture{state_.scene(), state_.selection, state_.camera, state_.picture_size, state_.pivot, pick};
+    const PictureState picture{
+        state_.scene(), state_.selection, state_.camera, state_.picture_size, state_.pivot, pick, [this](Pixel low, Pixel high) {
+            return seen_in(low, high);
+        }};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
+}
+
+void Viewer::update_picture(int step) {
+    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading)) return;
+    pacing_.traced(picture_.step(), picture_.last_seconds());
+    exact_ = false;
+    certify_seconds_ = Pacing::certify_in_all;
+}
+
+std::vector<std::uint32_t> Viewer::seen_in(Pixel low, Pixel high) {
+    update_picture(1);
+    return picture_.seen_in(state_.document, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
+}
+
+void Viewer::draw_box() const {
+    const auto box = mouse_.box();
+    if (!box) return;
+    const auto on_screen = [&](const glm::dvec2& place) {
+        return ImVec2(static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_));
+    };
+    const ImVec2 from = on_screen(glm::min(box->from, box->to));
+    const ImVec2 to = on_screen(glm::max(box->from, box->to));
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    draw->PushClipRect(ImVec2(area_.x, area_.y), ImVec2(area_.x + area_.width, area_.y + area_.height));
+    draw->AddRectFilled(from, to, IM_COL32(255, 255, 255, 40));
+    // Light beside dark: seen on every colour.
+    draw->AddRect(ImVec2(from.x - 1.0F, from.y - 1.0F), ImVec2(to.x + 1.0F, to.y + 1.0F), IM_COL32(0, 0, 0, 160));
+    draw->AddRect(from, to, IM_COL32(255, 255, 255, 220));
+    draw->PopClipRect();
 }
 
 void Viewer::draw_frame() {
@@ -215,20 +255,16 @@ void Viewer::draw_frame() {
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
     use_mouse(context, facts_.keys.escape);
+    draw_box();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
     imgui_.end_frame();
 
     perform(state_, std::move(actions));
-    if (fly_on(state_, begin)) pacing_.touch();
+    if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));
 
-    const View view{state_.camera, state_.picture_size};
-    if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step(), state_.settings.shading)) {
-        pacing_.traced(picture_.step(), picture_.last_seconds());
-        exact_ = false;
-        certify_seconds_ = Pacing::certify_in_all;
-    }
+    update_picture(refines ? 1 : pacing_.moving_step());
     if (picture_.step() == 1 && !exact_ && pacing_.certifies()) certify();
     note_facts();
     show(area_);

@@ -31,6 +31,10 @@ private:
     void draw_frame();
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
+    // Brings the picture up to date with the state.
+    void update_picture(int step);
+    std::vector<std::uint32_t> seen_in(Pixel low, Pixel high);
+    void draw_box() const;
     void use_mouse(const PanelContext& context, bool cancelled);
     void certify();
     // Anti-aliasing waits for a picture that rests and is exact.

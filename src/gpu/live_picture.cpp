@@ -21,6 +21,7 @@ namespace {
 
 constexpr std::int32_t checkerboard_shift = 3;  // squares of 8 pixels
 constexpr std::size_t most_single_ranges = 4096;
+constexpr double longest_decision = 2.0;  // seconds, for all doubtful pixels of a block
 
 // The framebuffers that are bound, until its end.
 class KeptFramebuffers {
@@ -336,6 +337,26 @@ std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
     }
     if (const auto number = traced_number(pixel)) return *number;
     return Resolver(document.scene(), drawn_, view_.camera, size, &lists_).resolve(pixel, level);
+}
+
+std::vector<std::uint32_t> LivePicture::seen_in(const Document& document, const Block& block) const {
+    assert(document.revision() == revision_ && traced_ && step_ == 1);
+    const KeptFramebuffers kept;
+    const Resolver resolver(document.scene(), drawn_, view_.camera, view_.size, &lists_);
+    std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+    visible_.read(block, visible);
+    const auto pixel_of = [&](int place) { return Pixel{block.x + place % block.width, block.y + place / block.width}; };
+    decide_doubtful(resolver, drawn_, visible, pixel_of, Deadline(longest_decision));
+    std::vector<bool> seen(drawn_.size());
+    for (const std::int32_t number : visible) {
+        const std::int32_t index = is_doubtful(number) ? doubtful(number) : number;  // at worst the guess
+        if (index >= 0) seen[static_cast<std::size_t>(index)] = true;
+    }
+    std::vector<std::uint32_t> numbers;
+    for (std::size_t index = 0; index < seen.size(); ++index) {
+        if (seen[index]) numbers.push_back(static_cast<std::uint32_t>(drawn_.number(index)));
+    }
+    return numbers;
 }
 
 }  // namespace sphereview

@@ -1,6 +1,7 @@
 #include "scene/change_log.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "scene/same_bits.hpp"
@@ -18,6 +19,18 @@ ChangeSpheres differing(const std::vector<Sphere>& before, const std::vector<Sph
         old.spheres.push_back(before[i]);
     }
     return old;
+}
+
+// Of `scene`, which has other values now.
+void note_spheres(const ChangeSpheres& old, const Scene& scene, SceneChange& change) {
+    if (old.numbers.size() <= ChangeLog::most_spheres) {
+        change.spheres = old;
+        return;
+    }
+    change.many = true;
+    for (std::size_t i = 0; i < old.numbers.size() && !change.many_geometry; ++i) {
+        change.many_geometry = !same_geometry(old.spheres[i], scene.spheres[old.numbers[i]]);
+    }
 }
 
 // Adds the spheres that differ from their old values.
@@ -63,7 +76,7 @@ void compare_spheres(const std::vector<const ChangeSpheres*>& changes, Compariso
 SceneChange change_undone_by(const Edit& inverse, const Scene& scene) {
     SceneChange change;
     if (const auto* spheres = std::get_if<ChangeSpheres>(&inverse)) {
-        change.spheres = *spheres;
+        note_spheres(*spheres, scene, change);
     } else if (const auto* camera = std::get_if<ChangeCamera>(&inverse)) {
         change.camera = camera->camera;
     } else if (const auto* background = std::get_if<ChangeBackground>(&inverse)) {
@@ -72,18 +85,17 @@ SceneChange change_undone_by(const Edit& inverse, const Scene& scene) {
         change.camera = replace->scene.camera;
         change.background = replace->scene.background;
         change.order = replace->scene.spheres.size() != scene.spheres.size();
-        if (!change.order) change.spheres = differing(replace->scene.spheres, scene.spheres);
+        if (!change.order) note_spheres(differing(replace->scene.spheres, scene.spheres), scene, change);
     } else {
         change.order = !std::holds_alternative<RenameSphere>(inverse);
     }
     return change;
 }
 
-void ChangeLog::add(std::uint64_t revision, SceneChange change, const Scene& scene) {
-    const std::size_t most_spheres_here = std::max(most_spheres_of_small_scenes, scene.spheres.size());
+void ChangeLog::add(std::uint64_t revision, SceneChange change) {
     sphere_count_ += change.spheres.numbers.size();
     entries_.push_back({revision, std::move(change)});
-    while (entries_.size() > most_changes || sphere_count_ > most_spheres_here) {
+    while (entries_.size() > most_changes || sphere_count_ > most_spheres) {
         sphere_count_ -= entries_.front().change.spheres.numbers.size();
         entries_.pop_front();
     }
@@ -97,12 +109,16 @@ SceneChanges ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
     SceneChanges result;
     const Camera* old_camera = &scene.camera;
     const Background* old_background = &scene.background;
+    bool many = false;
+    bool many_geometry = false;
     std::vector<const ChangeSpheres*> sphere_changes;
     for (auto entry = entries_.end(); entry != first;) {
         const SceneChange& change = (--entry)->change;
         result.order = result.order || change.order;
         if (change.camera) old_camera = &*change.camera;
         if (change.background) old_background = &*change.background;
+        many = many || change.many;
+        many_geometry = many_geometry || change.many_geometry;
         if (change.spheres.numbers.empty()) continue;
         // A drag changes the same spheres again and again: what is older says all.
         if (!sphere_changes.empty() && sphere_changes.back()->numbers == change.spheres.numbers) sphere_changes.pop_back();
@@ -113,6 +129,11 @@ SceneChanges ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
     result.geometry = result.order;
     std::ranges::reverse(sphere_changes);
     if (!result.order && !sphere_changes.empty()) compare_spheres(sphere_changes, {scene, result});
+    if (!result.order && many) {
+        result.geometry = result.geometry || many_geometry;
+        result.spheres.resize(scene.spheres.size());
+        std::iota(result.spheres.begin(), result.spheres.end(), 0U);
+    }
     return result;
 }
 

@@ -12,7 +12,8 @@
 namespace sphereview {
 
 // What differs between the scenes of two revisions, to the bit, except that spheres that came and went again, or changed places
-// and changed back, are `order` all the same. Names are left out: no picture shows them.
+// and changed back, are `order` all the same, and that after a change of very many spheres all count as changed. Names are left
+// out: no picture shows them.
 struct SceneChanges {
     bool order = false;                  // spheres came, went or changed places: nothing of the old numbers holds
     std::vector<std::uint32_t> spheres;  // unless `order`: those that got other values, ascending
@@ -27,6 +28,10 @@ struct SceneChanges {
 struct SceneChange {
     bool order = false;
     ChangeSpheres spheres;  // unless `order`
+    // So many spheres that their old values are not kept, which a million of them would be in memory a second time; and whether
+    // a centre, a radius or what is hidden changed.
+    bool many = false;
+    bool many_geometry = false;
     std::optional<Camera> camera;
     std::optional<Background> background;
 };
@@ -36,12 +41,12 @@ SceneChange change_undone_by(const Edit& inverse, const Scene& scene);
 
 class ChangeLog {
 public:
-    // How many changes are remembered, and how many old values of spheres: these, or as many as the scene has.
+    // How many changes are remembered, and how many old values of spheres in all.
     static constexpr std::size_t most_changes = 1024;
-    static constexpr std::size_t most_spheres_of_small_scenes = 65536;
+    static constexpr std::size_t most_spheres = 65536;
 
-    // The change led from that revision to `scene`. Revisions ascend.
-    void add(std::uint64_t revision, SceneChange change, const Scene& scene);
+    // The change led from that revision to the next one. Revisions ascend.
+    void add(std::uint64_t revision, SceneChange change);
 
     // How `scene`, the present one, differs from that earlier revision's. Everything, where that is not, or no longer, known.
     SceneChanges since(std::uint64_t revision, const Scene& scene) const;

@@ -20,6 +20,11 @@ const std::string& name_of(const HistoryStep* step) {
     return step == nullptr ? none : step->name;
 }
 
+bool changes_names(const Edit& edit) {
+    return !std::holds_alternative<ChangeSpheres>(edit) && !std::holds_alternative<ChangeCamera>(edit) &&
+           !std::holds_alternative<ChangeBackground>(edit);
+}
+
 }  // namespace
 
 Document::Document(Scene scene, std::size_t history_bytes)
@@ -29,23 +34,23 @@ const std::string& Document::undo_name() const { return name_of(history_.last_do
 const std::string& Document::redo_name() const { return name_of(history_.last_undone()); }
 
 void Document::advance(SceneChange change) {
-    log_.add(revision_, std::move(change), scene_);
+    log_.add(revision_, std::move(change));
     revision_ = next_revision();
 }
 
 Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
     Touched touched = numbers_concerned(edit);
     if (changes_nothing(edit, scene_)) return touched;
+    const bool names = changes_names(edit);
     Edit inverse = sphereview::apply(std::move(edit), scene_);
     if (history_.covers(inverse, gesture)) {
-        auto* spheres = std::get_if<ChangeSpheres>(&inverse);
-        // A drag of all spheres: their old values are moved, not copied.
-        advance(spheres != nullptr ? SceneChange{false, std::move(*spheres), {}, {}} : change_undone_by(inverse, scene_));
+        advance(change_undone_by(inverse, scene_));
         history_.drop_idle_step(scene_);
     } else {
         advance(change_undone_by(inverse, scene_));
         history_.add(std::move(inverse), std::move(name), gesture);
     }
+    if (names) names_revision_ = revision_;
     return touched;
 }
 
@@ -58,8 +63,10 @@ Touched Document::apply_step(HistoryStep& step) {
         const Touched more = numbers_concerned(*edit);
         touched.clear();
         std::ranges::set_union(before, more, std::back_inserter(touched));
+        const bool names = changes_names(*edit);
         inverses.push_back(sphereview::apply(std::move(*edit), scene_));
         advance(change_undone_by(inverses.back(), scene_));
+        if (names) names_revision_ = revision_;
     }
     step.edits = std::move(inverses);
     return touched;

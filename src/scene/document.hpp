@@ -18,7 +18,8 @@ using Touched = std::vector<std::uint32_t>;
 class Document {
 public:
     // How much memory the steps to undo may take; beyond it the oldest are forgotten, except the last one.
-    static constexpr std::size_t usual_history_bytes = std::size_t{1} << 30;
+    // A move of a million spheres takes 44 MB.
+    static constexpr std::size_t usual_history_bytes = std::size_t{64} << 20U;
 
     // The scene counts as saved.
     explicit Document(Scene scene = {}, std::size_t history_bytes = usual_history_bytes);
@@ -27,6 +28,8 @@ public:
     // Grows with everything that changes the scene; never the same for two different scenes, also of different documents, and
     // never 0.
     std::uint64_t revision() const { return revision_; }
+    // Grows, like revision(), with what may change the name that goes with a number: names, and which spheres there are.
+    std::uint64_t names_revision() const { return names_revision_; }
     // Of a revision that is another document's, or too old (ChangeLog says how old): everything.
     SceneChanges changes_since(std::uint64_t revision) const {
         return revision == revision_ ? SceneChanges{} : log_.since(revision, scene_);
@@ -42,6 +45,9 @@ public:
     // Of the step that would be undone or redone; "" if there is none.
     const std::string& undo_name() const;
     const std::string& redo_name() const;
+    // What the steps to undo take, about, and what they may take; those to redo may take as much again.
+    std::size_t history_bytes() const { return history_.bytes(); }
+    std::size_t most_history_bytes() const { return history_.most_bytes(); }
     // Do nothing if there is nothing to do.
     Touched undo();
     Touched redo();
@@ -60,6 +66,7 @@ private:
 
     Scene scene_;
     std::uint64_t revision_;
+    std::uint64_t names_revision_ = revision_;
     ChangeLog log_;
     History history_;
 };

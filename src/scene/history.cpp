@@ -60,6 +60,7 @@ void History::add(Edit inverse, std::string name, std::uint64_t gesture) {
         // A state that only redoing would have reached is gone.
         if (saved_ && *saved_ > done_.size()) saved_.reset();
         undone_.clear();
+        undone_bytes_ = 0;
         push_done({std::move(name), {}});
         open_gesture_ = gesture;
     }
@@ -87,7 +88,19 @@ HistoryStep History::take_done() {
 HistoryStep History::take_undone() {
     HistoryStep step = std::move(undone_.back());
     undone_.pop_back();
+    undone_bytes_ -= bytes_of(step);
     return step;
+}
+
+// What was put in by a few bytes is held here when it is taken back.
+void History::push_undone(HistoryStep step) {
+    undone_bytes_ += bytes_of(step);
+    undone_.push_back(std::move(step));
+    while (undone_.size() > 1 && undone_bytes_ > most_bytes_) {
+        undone_bytes_ -= bytes_of(undone_.front());
+        undone_.pop_front();
+    }
+    if (saved_ && *saved_ > done_.size() + undone_.size()) saved_.reset();
 }
 
 void History::push_done(HistoryStep step) {

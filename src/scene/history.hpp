@@ -21,7 +21,7 @@ struct HistoryStep {
 
 class History {
 public:
-    // Beyond so many bytes the oldest steps are forgotten, except the latest.
+    // Beyond so many bytes the oldest steps are forgotten, except the latest; and of those to redo, likewise the farthest.
     explicit History(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
     // Whether an edit with that inverse, in that gesture, needs no place: undoing the step that it belongs to takes it back too.
@@ -40,8 +40,12 @@ public:
     // Take the step out; the caller applies it and gives what takes that back to the other. There must be one.
     HistoryStep take_done();
     HistoryStep take_undone();
-    void push_undone(HistoryStep step) { undone_.push_back(std::move(step)); }
+    void push_undone(HistoryStep step);
     void push_done(HistoryStep step);
+
+    // What the steps to undo keep in memory, about.
+    std::size_t bytes() const { return done_bytes_; }
+    std::size_t most_bytes() const { return most_bytes_; }
 
     void mark_saved();
     void mark_unsaved() { saved_.reset(); }
@@ -52,11 +56,12 @@ private:
     void forget_oldest();
 
     std::deque<HistoryStep> done_;
-    std::vector<HistoryStep> undone_;
+    std::deque<HistoryStep> undone_;
     std::uint64_t open_gesture_ = 0;        // of the last step, while edits may still join it; else 0
     std::optional<std::size_t> saved_ = 0;  // how many steps are done in the state that the file holds
     std::size_t most_bytes_;
     std::size_t done_bytes_ = 0;
+    std::size_t undone_bytes_ = 0;
 };
 
 }  // namespace sphereview

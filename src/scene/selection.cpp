@@ -1,6 +1,9 @@
 #include "scene/selection.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace sphereview {
@@ -12,8 +15,15 @@ void Selection::clear() { *this = {}; }
 void Selection::set(std::vector<std::uint32_t> numbers) {
     numbers_ = std::move(numbers);
     choose_last();
-    std::ranges::sort(numbers_);
+    if (!std::ranges::is_sorted(numbers_)) std::ranges::sort(numbers_);
     numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+    changed();
+}
+
+void Selection::set_all(std::size_t count) {
+    std::vector<std::uint32_t> all(count);
+    std::iota(all.begin(), all.end(), 0U);
+    set(std::move(all));
 }
 
 void Selection::set_only(std::uint32_t number) { set({number}); }
@@ -27,11 +37,43 @@ void Selection::toggle(std::uint32_t number) {
         numbers_.erase(place);
         if (primary_ == number) choose_last();
     }
+    changed();
+}
+
+void Selection::invert(std::size_t count) {
+    std::vector<std::uint32_t> others;
+    others.reserve(count - std::min(count, numbers_.size()));
+    auto next = numbers_.begin();
+    for (std::uint32_t number = 0; number < count; ++number) {
+        if (next != numbers_.end() && *next == number) {
+            ++next;
+        } else {
+            others.push_back(number);
+        }
+    }
+    set(std::move(others));
+}
+
+void Selection::toggle_all(const std::vector<std::uint32_t>& numbers) {
+    std::vector<std::uint32_t> result;
+    if (std::ranges::includes(numbers_, numbers)) {
+        std::ranges::set_difference(numbers_, numbers, std::back_inserter(result));
+    } else {
+        std::ranges::set_union(numbers_, numbers, std::back_inserter(result));
+    }
+    set(std::move(result));
 }
 
 void Selection::keep_below(std::size_t count) {
+    if (numbers_.empty() || numbers_.back() < count) return;
     numbers_.erase(std::ranges::lower_bound(numbers_, count), numbers_.end());
-    if (primary_ && *primary_ >= count) choose_last();
+    if (*primary_ >= count) choose_last();
+    changed();
+}
+
+void Selection::changed() {
+    static std::atomic<std::uint64_t> latest = 0;
+    version_ = numbers_.empty() ? 0 : ++latest;
 }
 
 void Selection::choose_last() { primary_ = numbers_.empty() ? std::nullopt : std::optional(numbers_.back()); }

@@ -20,20 +20,32 @@ public:
     // an empty set.
     std::optional<std::uint32_t> primary() const { return primary_; }
 
+    // Never the same for two different sets, so that what was made of one is known to be of this. 0: the empty one.
+    std::uint64_t version() const { return version_; }
+
     void clear();
     void set(std::vector<std::uint32_t> numbers);  // any order; the last one is chosen last
     void set_only(std::uint32_t number);
+    void set_all(std::size_t count);  // 0..count - 1
     void toggle(std::uint32_t number);
+    // Those of 0..count - 1 that were not in it.
+    void invert(std::size_t count);
+    // These, ascending, come in; when all are in it already, they go out.
+    void toggle_all(const std::vector<std::uint32_t>& numbers);
     // Drops what a scene of so many spheres does not have.
     void keep_below(std::size_t count);
 
-    bool operator==(const Selection&) const = default;
+    bool operator==(const Selection& other) const {
+        return version_ == other.version_ || (primary_ == other.primary_ && numbers_ == other.numbers_);
+    }
 
 private:
+    void changed();
     void choose_last();
 
     std::vector<std::uint32_t> numbers_;
     std::optional<std::uint32_t> primary_;
+    std::uint64_t version_ = 0;
 };
 
 }  // namespace sphereview

@@ -221,9 +221,123 @@ TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
     EXPECT_EQ(panel.document.undo_name(), "Recolour 3 spheres");
     EXPECT_EQ(panel.sphere(1).color, panel.sphere(2).color);
     EXPECT_NE(panel.sphere(1).color, panel.sphere(0).color);
-    drag_slider(panel, "slider x", 0.3F, 0.9F);
-    EXPECT_EQ(panel.sphere(1).center, line_of_spheres(5).spheres[1].center) << "values belong to the primary one";
-    EXPECT_NE(panel.sphere(2).center, line_of_spheres(5).spheres[2].center);
+}
+
+TEST(SphereEditor, SlidersMoveAllByTheSameDifferenceInOneStep) {
+    for (const std::size_t which : {0U, 1U, 2U}) {
+        SidePanelHarness panel(line_of_spheres(6));
+        panel.selection.set({5, 1, 3});  // the primary one
+        panel.frames(2);
+        drag_slider(panel, std::array{"slider x", "slider y", "slider z"}[which], 0.5F, 0.8F);
+        EXPECT_EQ(panel.document.undo_name(), "Move 3 spheres");
+        const auto axis = static_cast<glm::length_t>(which);
+        const Scene before = line_of_spheres(6);
+        const double by = panel.sphere(3).center[axis] - before.spheres[3].center[axis];
+        EXPECT_NE(by, 0.0);
+        for (std::uint32_t i = 0; i < 6; ++i) {
+            Sphere expected = before.spheres[i];
+            if (i % 2 == 1) expected.center[axis] = i == 3 ? panel.sphere(3).center[axis] : expected.center[axis] + by;
+            EXPECT_EQ(panel.sphere(i), expected) << which << " " << i;
+        }
+        panel.document.undo();
+        for (std::uint32_t i = 0; i < 6; ++i) EXPECT_EQ(bits(panel.sphere(i)), bits(before.spheres[i]));
+        EXPECT_FALSE(panel.document.can_undo());
+    }
+}
+
+TEST(SphereEditor, RadiusScalesAllByTheSameFactorAndThereAndBackIsNothing) {
+    SidePanelHarness panel(line_of_spheres(6));
+    panel.selection.set({0, 5, 2});
+    panel.frames(2);
+    const Scene before = line_of_spheres(6);
+    const float start = 0.9F;
+    drag_slider(panel, "slider radius", start, 0.6F);
+    const double factor = panel.sphere(2).radius / before.spheres[2].radius;
+    EXPECT_NE(factor, 1.0);
+    for (const std::uint32_t i : {0U, 5U}) EXPECT_EQ(panel.sphere(i).radius, before.spheres[i].radius * factor);
+    EXPECT_EQ(panel.sphere(1), before.spheres[1]);
+    EXPECT_EQ(panel.document.undo_name(), "Change radius of 3 spheres");
+    panel.document.undo();
+    EXPECT_EQ(panel.document.scene(), before);
+    EXPECT_FALSE(panel.document.can_undo());
+}
+
+TEST(SphereEditor, ALongDragAddsNothingUp) {
+    SidePanelHarness panel(line_of_spheres(6));
+    panel.selection.set({1, 4, 3});
+    panel.frames(2);
+    panel.move(panel.place("slider x", 0.5F));
+    panel.press();
+    for (int i = 0; i < 50; ++i) panel.move(panel.place("slider x", i % 2 == 0 ? 0.2F : 0.8F));
+    panel.release();
+    const Scene before = line_of_spheres(6);
+    const double by = panel.sphere(3).center.x - before.spheres[3].center.x;
+    for (const std::uint32_t i : {1U, 4U}) EXPECT_EQ(panel.sphere(i).center.x, before.spheres[i].center.x + by) << "to the bit";
+}
+
+TEST(SphereEditor, ATypedNumberIsSetForAll) {
+    SidePanelHarness panel(line_of_spheres(6));
+    panel.selection.set({1, 4, 3});
+    panel.frames(2);
+    type_into(panel, "slider y", "-2.5");
+    for (std::uint32_t i = 0; i < 6; ++i) EXPECT_EQ(panel.sphere(i).center.y == -2.5, i == 1 || i == 3 || i == 4) << i;
+    type_into(panel, "slider radius", shortest(panel.sphere(3).radius));  // the primary one's own
+    EXPECT_EQ(panel.sphere(1).radius, panel.sphere(3).radius);
+    EXPECT_EQ(panel.sphere(4).radius, panel.sphere(3).radius);
+    panel.take_actions();
+    type_into(panel, "slider x", "");
+    EXPECT_TRUE(panel.taken<EditScene>().empty()) << "what differs stays so until a number is typed";
+}
+
+TEST(SphereEditor, TypingAndDraggingInOneFrameKeepsBoth) {
+    SidePanelHarness panel(line_of_spheres(6));
+    panel.selection.set({1, 4, 3});
+    panel.frames(2);
+    panel.modifiers(true);
+    panel.click("slider x");
+    panel.modifiers(false);
+    panel.type("77.25");
+    drag_slider(panel, "slider y", 0.3F, 0.8F);
+    for (const std::uint32_t i : {1U, 3U, 4U}) {
+        EXPECT_EQ(panel.sphere(i).center.x, 77.25);
+        EXPECT_NE(panel.sphere(i).center.y, line_of_spheres(6).spheres[i].center.y);
+    }
+}
+
+TEST(SphereEditor, ManyAreSummedUp) {
+    Scene scene = line_of_spheres(5);
+    scene.spheres[2].color = {1, 2, 3};
+    scene.spheres[1].hidden = true;
+    SidePanelHarness panel(scene);
+    panel.selection.set({0, 3, 4});
+    panel.frames(2);
+    std::string text = panel.text();
+    EXPECT_NE(text.find("3 spheres. "), std::string::npos) << text;
+    EXPECT_NE(text.find("0 to 1.33"), std::string::npos) << text;
+    panel.selection.set({0, 1, 2});
+    text = panel.text();
+    EXPECT_NE(text.find("3 spheres, of several colours, 1 hidden. "), std::string::npos) << text;
+    EXPECT_NE(text.find("Hide"), std::string::npos) << "what H will do, some being shown";
+    EXPECT_FALSE(panel.has("name"));
+    panel.click("hidden");
+    for (const std::uint32_t i : {0U, 1U, 2U}) EXPECT_TRUE(panel.sphere(i).hidden) << "some were: now all are";
+    EXPECT_NE(panel.text().find("all hidden"), std::string::npos);
+    panel.click("hidden");
+    for (const std::uint32_t i : {0U, 1U, 2U}) EXPECT_FALSE(panel.sphere(i).hidden);
+}
+
+TEST(SphereEditor, TheButtonSaysWhatTheCommandDoes) {
+    Scene scene = line_of_spheres(3);
+    scene.spheres[1].hidden = true;
+    SidePanelHarness panel(scene);
+    const auto says = [&](std::initializer_list<std::uint32_t> numbers, const std::string& word) {
+        panel.selection.set(numbers);
+        return panel.text().find("[ " + word + " ]") != std::string::npos;
+    };
+    EXPECT_TRUE(says({0, 1}, "Hide")) << "the primary one is hidden, the other is not";
+    EXPECT_TRUE(says({1}, "Show"));
+    EXPECT_TRUE(says({}, "Hide"));
+    EXPECT_TRUE(says({0}, "Hide"));
 }
 
 TEST(SphereEditor, NameIsTyped) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace sphereview {
 
 namespace {
@@ -195,6 +197,81 @@ TEST(Document, SaysThatEverythingChangedWhereItCannotKnow) {
         EXPECT_EQ(document.changes_since(before).spheres.size(), 1000U);
     }
     EXPECT_TRUE(everything(document.changes_since(late)));
+}
+
+TEST(Document, TakesAChangeOfVeryManyForOneOfAll) {
+    constexpr std::size_t count = ChangeLog::most_spheres + 10;
+    Document document(row(count));
+    const Scene before = document.scene();
+    ChangeSpheres edit;
+    for (std::uint32_t i = 0; i + 5 < count; ++i) {
+        edit.numbers.push_back(i);
+        edit.spheres.push_back(before.spheres[i]);
+        edit.spheres.back().color.r ^= 1;
+    }
+    const std::uint64_t begin = document.revision();
+    document.apply(edit, "Recolour", 1);
+    SceneChanges changes = document.changes_since(begin);
+    EXPECT_FALSE(changes.order);
+    EXPECT_FALSE(changes.geometry) << "colours alone";
+    ASSERT_EQ(changes.spheres.size(), count);
+    EXPECT_EQ(changes.spheres.front(), 0U);
+    EXPECT_EQ(changes.spheres.back(), count - 1);
+    const std::uint64_t recolored = document.revision();
+    edit.spheres[7].radius *= 2.0;
+    document.apply(edit, "Change", 1);
+    changes = document.changes_since(recolored);
+    EXPECT_TRUE(changes.geometry);
+    EXPECT_EQ(changes.spheres.size(), count);
+    document.apply(move(3, 0.25), "Move");
+    EXPECT_EQ(document.changes_since(begin).spheres.size(), count);
+    document.undo();
+    document.undo();
+    EXPECT_EQ(document.scene(), before) << "to the bit, in one step of a gesture";
+    EXPECT_FALSE(document.can_undo());
+}
+
+TEST(Document, TellsWhenNamesMayHaveChanged) {
+    Document document(row(5));
+    std::uint64_t known = document.names_revision();
+    const auto changed = [&] { return std::exchange(known, document.names_revision()) != known; };
+    document.apply(move(1, 0.5), "Move");
+    EXPECT_FALSE(changed());
+    document.apply(RenameSphere{1, "sun"}, "Rename");
+    EXPECT_TRUE(changed());
+    document.undo();
+    EXPECT_TRUE(changed());
+    document.undo();
+    EXPECT_FALSE(changed());
+    document.apply(RemoveSpheres{{2}}, "Delete");
+    EXPECT_TRUE(changed());
+    document.apply(ReorderSphere{0, 1}, "Reorder");
+    EXPECT_TRUE(changed());
+}
+
+TEST(Document, ItsHistoryIsBoundedBothWays) {
+    constexpr std::size_t most = 100'000;
+    Document document(row(1), most);
+    EXPECT_EQ(document.most_history_bytes(), most);
+    InsertSpheres insert;
+    for (int step = 0; step < 20; ++step) {
+        insert = {};
+        const auto count = static_cast<std::uint32_t>(document.scene().spheres.size());
+        for (std::uint32_t i = 0; i < 200; ++i) insert.numbers.push_back(count + i);
+        insert.spheres.resize(200);
+        document.apply(insert, "Add");
+    }
+    EXPECT_LT(document.history_bytes(), most) << "to take them out again needs little";
+    for (int step = 0; step < 20; ++step) document.undo();
+    EXPECT_EQ(document.scene().spheres.size(), 1U);
+    EXPECT_EQ(document.history_bytes(), 0U);
+    int redone = 0;
+    for (; document.can_redo(); ++redone) document.redo();
+    EXPECT_GT(redone, 2);
+    EXPECT_LT(redone, 20) << "the farthest were forgotten";
+    EXPECT_TRUE(document.is_changed());
+    document.undo();
+    EXPECT_EQ(document.scene().spheres.size(), 1U + 200U * (static_cast<std::size_t>(redone) - 1U));
 }
 
 TEST(Document, NeverGivesTwoScenesOneRevision) {

@@ -129,7 +129,7 @@ private:
 
     // Whether so many changes, each of no more spheres than a scene ever had, can be more than a record holds.
     bool may_be_forgotten(std::uint64_t changes) const {
-        return changes > ChangeLog::most_changes || changes * most_spheres_ > ChangeLog::most_spheres_of_small_scenes;
+        return changes > ChangeLog::most_changes || changes * most_spheres_ > ChangeLog::most_spheres;
     }
 
     void order_changed() {

@@ -49,7 +49,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"imgui", {"imgui"}},
     {"system",
      {"unistd.h", "sys/", "fcntl.h", "poll.h", "sched.h", "spawn.h", "dlfcn.h", "signal.h", "pthread.h", "termios.h", "windows.h",
-      "io.h", "mach-o/"}},
+      "io.h", "malloc.h", "mach-o/"}},
 };
 
 bool may_include(std::string_view room, std::string_view what) {

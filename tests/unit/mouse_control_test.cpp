@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <glm/geometric.hpp>
 
 namespace sphereview {
@@ -19,9 +20,16 @@ struct Hand : testing::Test {
 
     PictureConsequences frame() {
         actions.clear();
-        const PictureState state{
-            scene, selection,   camera,
-            size,  {0, 0, 300}, [&](glm::dvec2 at) { return glm::distance(at, glm::dvec2(500, 500)) < 150 ? 0 : -1; }};
+        const PictureState state{scene,
+                                 selection,
+                                 camera,
+                                 size,
+                                 {0, 0, 300},
+                                 [&](glm::dvec2 at) { return glm::distance(at, glm::dvec2(500, 500)) < 150 ? 0 : -1; },
+                                 [&](Pixel low, Pixel high) {
+                                     boxes.push_back({low.x, low.y, high.x, high.y});
+                                     return in_box;
+                                 }};
         const PictureConsequences done = control.frame(mouse, state, gesture, actions);
         mouse.pressed = {};
         mouse.released = {};
@@ -55,6 +63,8 @@ struct Hand : testing::Test {
     PictureSize size{1000, 1000};
     std::uint64_t gesture = 0;
     std::vector<Action> actions;
+    std::vector<std::uint32_t> in_box;      // in any box
+    std::vector<std::array<int, 4>> boxes;  // asked for
     MouseControl control;
     PictureMouse mouse;
 };
@@ -149,6 +159,55 @@ TEST_F(Hand, CtrlAndWheelIsOneStepOverOneSphere) {
     mouse.wheel = -1.0;
     frame();
     EXPECT_NE(gesture_of_action(), first);
+}
+
+TEST_F(Hand, ControlAndADragSelectsWhatTheBoxShows) {
+    const Camera before = camera;
+    scene.spheres.resize(6);
+    mouse.control = true;
+    const auto drag = [&](glm::dvec2 from, glm::dvec2 to) {
+        mouse.place = from;
+        press();
+        EXPECT_FALSE(control.box());
+        mouse.place = to;
+        frame();
+        const bool drawn = control.box().has_value();
+        release();
+        EXPECT_FALSE(control.box());
+        return drawn;
+    };
+    in_box = {1, 4};
+    EXPECT_TRUE(drag({700, 20}, {300.5, 800}));
+    EXPECT_EQ(boxes, (std::vector<std::array<int, 4>>{{300, 20, 700, 800}}));
+    EXPECT_EQ(selection.numbers(), (std::vector<std::uint32_t>{1, 4}));
+    mouse.shift = true;
+    in_box = {0, 1};
+    drag({500, 500}, {2000, -30});  // begins on a sphere, ends beyond the picture
+    EXPECT_EQ(boxes.back(), (std::array<int, 4>{500, 0, 999, 500}));
+    EXPECT_EQ(selection.numbers(), (std::vector<std::uint32_t>{0, 1, 4}));
+    drag({10, 10}, {600, 600});
+    EXPECT_EQ(selection.numbers(), std::vector<std::uint32_t>{4}) << "all were selected: they leave";
+    mouse.shift = false;
+    in_box = {};
+    drag({10, 10}, {60, 60});
+    EXPECT_TRUE(selection.empty());
+    EXPECT_EQ(camera, before);
+
+    // Escape leaves the selection as it was; a click is no box.
+    in_box = {2};
+    mouse.place = {10, 10};
+    press();
+    mouse.place = {600, 600};
+    frame();
+    mouse.cancelled = true;
+    frame();
+    release();
+    EXPECT_TRUE(selection.empty());
+    mouse.place = {520, 490};
+    press();
+    release();
+    EXPECT_EQ(selection.numbers(), std::vector<std::uint32_t>{0});
+    EXPECT_EQ(boxes.size(), 4U);
 }
 
 }  // namespace sphereview

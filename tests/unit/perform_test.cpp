@@ -116,4 +116,22 @@ TEST_F(Commands, AShadingIsChosenAndChecked) {
     EXPECT_FALSE(state.document.is_changed());
 }
 
+TEST_F(Commands, SelectByWhatSpheresAre) {
+    state.selection.set_only(0);
+    run_command(state, CommandId::invert_selection);
+    EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
+    run_command(state, CommandId::hide);
+    state.selection.set_only(0);
+    run_command(state, CommandId::select_hidden);
+    EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
+    run_command(state, CommandId::duplicate);
+    state.selection.set_only(1);
+    run_command(state, CommandId::select_same_color);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{1, 2}));
+    run_command(state, CommandId::select_none);
+    EXPECT_FALSE(is_enabled(state, CommandId::select_same_color));
+    run_command(state, CommandId::invert_selection);
+    EXPECT_EQ(state.selection.size(), 3U);
+}
+
 }  // namespace sphereview

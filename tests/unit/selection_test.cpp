@@ -63,6 +63,60 @@ TEST(Selection, DropsWhatASceneHasNot) {
     EXPECT_EQ(selection, Selection{});
 }
 
+TEST(Selection, AllNoneAndInverse) {
+    Selection selection;
+    selection.set({1, 3});
+    selection.invert(5);
+    EXPECT_EQ(selection.numbers(), (Numbers{0, 2, 4}));
+    selection.invert(5);
+    EXPECT_EQ(selection.numbers(), (Numbers{1, 3}));
+    selection.set_all(4);
+    EXPECT_EQ(selection.numbers(), (Numbers{0, 1, 2, 3}));
+    EXPECT_TRUE(selection.primary());
+    selection.invert(4);
+    EXPECT_EQ(selection, Selection{});
+    selection.invert(2);
+    EXPECT_EQ(selection.numbers(), (Numbers{0, 1}));
+    selection.set_all(0);
+    EXPECT_EQ(selection, Selection{});
+}
+
+TEST(Selection, AGroupComesInAndWhenItIsInGoesOut) {
+    Selection selection;
+    selection.set({1, 5});
+    selection.toggle_all({0, 1});
+    EXPECT_EQ(selection.numbers(), (Numbers{0, 1, 5}));
+    selection.toggle_all({0, 1});
+    EXPECT_EQ(selection.numbers(), Numbers{5});
+    selection.toggle_all({5});
+    EXPECT_EQ(selection, Selection{});
+    selection.toggle_all({});
+    EXPECT_TRUE(selection.empty());
+}
+
+TEST(Selection, AnotherSetIsAnotherVersion) {
+    Selection selection;
+    EXPECT_EQ(selection.version(), 0U);
+    std::set<std::uint64_t> seen{0};
+    const auto is_new = [&] { return seen.insert(selection.version()).second; };
+    selection.set({1, 3, 5, 9});
+    EXPECT_TRUE(is_new());
+    const Selection copy = selection;
+    EXPECT_EQ(copy.version(), selection.version());
+    selection.toggle(4);
+    EXPECT_TRUE(is_new());
+    selection.keep_below(9);
+    EXPECT_TRUE(is_new());
+    selection.keep_below(9);
+    EXPECT_FALSE(is_new()) << "nothing changed";
+    selection.invert(12);
+    EXPECT_TRUE(is_new());
+    selection.set_all(12);
+    EXPECT_TRUE(is_new());
+    selection.clear();
+    EXPECT_EQ(selection.version(), 0U);
+}
+
 TEST(Selection, IsASetWithAMemberThatIsPrimary) {
     std::mt19937_64 random(5);
     Selection selection;

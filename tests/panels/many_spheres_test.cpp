@@ -1,0 +1,128 @@
+// The list of a scene of very many spheres: scrolling, ranges, the filter.
+#include <cmath>
+
+#include "panels/side_panel_harness.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Numbers = std::vector<std::uint32_t>;
+
+TEST(SphereList, AMillionSpheresTakeNoMoreWorkThanTheVisibleRows) {
+    SidePanelHarness panel(line_of_spheres(1'000'000));
+    const int vertices = panel.vertices();
+    EXPECT_LE(panel.rows(), 40U);
+    EXPECT_TRUE(panel.state().search.found().empty()) << "nothing is written down for each sphere";
+    for (const std::uint32_t number : {999'999U, 654'321U, 500'000U}) {
+        panel.selection.set_only(number);
+        panel.state().scroll_to_selection = true;
+        panel.frames(3);
+        ASSERT_TRUE(panel.has("row " + std::to_string(number)));
+        EXPECT_LE(panel.rows(), 40U);
+        EXPECT_LE(panel.vertices(), 2 * vertices);
+        // Far down, too, rows stand evenly, and a click finds the one under it.
+        const std::string above = "row " + std::to_string(number - 1);
+        EXPECT_EQ(panel.place(above, 0.0F, 1.0F).y, panel.place("row " + std::to_string(number), 0.0F, 0.0F).y);
+        panel.click(above);
+        EXPECT_EQ(panel.selection.numbers(), Numbers{number - 1});
+    }
+}
+
+TEST(SphereList, EveryRowOfAMillionIsReached) {
+    SidePanelHarness panel(line_of_spheres(1'000'000));
+    panel.click("row 2");
+    panel.tap(ImGuiKey_End);
+    panel.frames(2);
+    EXPECT_EQ(panel.selection.numbers(), Numbers{999'999});
+    EXPECT_TRUE(panel.has("row 999999"));
+    panel.tap(ImGuiKey_UpArrow);
+    EXPECT_EQ(panel.selection.numbers(), Numbers{999'998});
+    panel.tap(ImGuiKey_Home);
+    panel.frames(2);
+    EXPECT_EQ(panel.selection.numbers(), Numbers{0});
+    EXPECT_TRUE(panel.has("row 0"));
+    // By the scroll bar to the very end, and back by the wheel a little.
+    const ImVec2 top = panel.place("list scroll bar", 0.5F, 0.001F);
+    panel.drag(top, {top.x, top.y + 2000.0F}, 3);
+    ASSERT_TRUE(panel.has("row 999999"));
+    const float height = panel.place("row 999998", 0.0F, 1.0F).y - panel.place("row 999998", 0.0F, 0.0F).y;
+    EXPECT_EQ(height, std::round(height)) << "whole pixels, so far down, too";
+    EXPECT_EQ(panel.place("row 999998", 0.0F, 1.0F).y, panel.place("row 999999", 0.0F, 0.0F).y);
+    panel.click("row 999999");
+    EXPECT_EQ(panel.selection.numbers(), Numbers{999'999});
+    panel.wheel(1.0F);
+    panel.frames();
+    EXPECT_FALSE(panel.has("row 999999")) << "out of sight after three rows";
+    EXPECT_TRUE(panel.has("row 999996"));
+    panel.move(panel.place("row 999995"));
+    for (int i = 0; i < 100; ++i) panel.wheel(1.0F);
+    panel.frames();
+    EXPECT_FALSE(panel.has("row 999996"));
+    EXPECT_TRUE(panel.has("row 999690"));
+}
+
+TEST(SphereList, PageKeysAndShiftSelectRanges) {
+    SidePanelHarness panel(line_of_spheres(500));
+    panel.click("row 3");
+    panel.tap(ImGuiKey_PageDown);
+    const std::uint32_t page = panel.selection.numbers().front() - 3;
+    EXPECT_GT(page, 3U);
+    EXPECT_LT(page, 40U);
+    panel.tap(ImGuiKey_PageDown);
+    EXPECT_EQ(panel.selection.numbers(), Numbers{3 + 2 * page});
+    panel.tap(ImGuiKey_PageUp);
+    EXPECT_EQ(panel.selection.numbers(), Numbers{3 + page});
+    panel.modifiers(false, true);
+    panel.tap(ImGuiKey_End);
+    EXPECT_EQ(panel.selection.size(), 500 - (3 + page));
+    panel.tap(ImGuiKey_Home);
+    EXPECT_EQ(panel.selection.size(), 3 + page + 1) << "from the row clicked or gone to last";
+}
+
+TEST(SphereList, WhatTheFilterShowsIsSelected) {
+    SidePanelHarness panel(line_of_spheres(120));
+    panel.selection.set({3, 7});
+    panel.click("filter");
+    panel.type("11");
+    panel.modifiers(true);
+    panel.click("select filtered");
+    EXPECT_EQ(panel.selection.numbers(), (Numbers{3, 7, 11, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119}));
+    panel.modifiers(false);
+    panel.click("select filtered");
+    EXPECT_EQ(panel.selection.numbers(), (Numbers{11, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119}));
+}
+
+TEST(SphereList, AFilterOfManyNamesAnswersBeforeItIsDone) {
+    Scene scene = line_of_spheres(300'000);
+    for (std::uint32_t i = 0; i < 300'000; ++i) {
+        scene.names.emplace_hint(scene.names.end(), i, (i % 100'000 == 7 ? "Planet " : "dust ") + std::to_string(i));
+    }
+    SidePanelHarness panel(scene);
+    panel.click("filter");
+    panel.type("PLAN");
+    EXPECT_TRUE(panel.has("row 7")) << "what was found so far";
+    EXPECT_FALSE(panel.state().search.done());
+    EXPECT_NE(panel.text().find("% looked at"), std::string::npos);
+    // A move of a sphere begins nothing anew; a name does.
+    const double part = panel.state().search.part();
+    panel.document.apply(ChangeSpheres{{5}, {scene.spheres[6]}}, "");
+    panel.frames();
+    EXPECT_GT(panel.state().search.part(), part);
+    panel.document.apply(RenameSphere{8, "Planet X"}, "");
+    panel.frames();
+    EXPECT_LE(panel.state().search.part(), part);
+    panel.frames(10);
+    EXPECT_TRUE(panel.state().search.done());
+    EXPECT_EQ(panel.state().search.found(), (Numbers{7, 8, 100'007, 200'007}));
+    panel.click("select filtered");
+    EXPECT_EQ(panel.selection.size(), 4U);
+    panel.document.undo();
+    panel.frames(12);
+    EXPECT_EQ(panel.state().search.found().size(), 3U) << "undoing a name is followed, too";
+    EXPECT_EQ(panel.rows(), 3U);
+}
+
+}  // namespace
+
+}  // namespace sphereview
