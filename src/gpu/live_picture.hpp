@@ -100,7 +100,7 @@ private:
     static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);
 
     void compile(const std::vector<std::string>& defines);
-    void rebuild(const Document& document, const View& view, bool geometry);
+    void rebuild(const Document& document, const View& view, bool geometry, int step);
     void trace(int step);
     void mark_selected(const Selection* selection);
     std::optional<std::int32_t> traced_number(Pixel pixel) const;
@@ -121,12 +121,14 @@ private:
     View view_;
     DrawnSpheres drawn_;
     CandidateLists lists_;
+    int lists_step_ = 1;  // they are for the pixels of the grid with this step alone; 1: for all
     FrameBlock frame_;
 
     std::vector<ShownColor> colors_;       // of the drawn spheres
     bool colors_uploaded_ = false;         // as they are
     std::vector<std::uint32_t> selected_;  // the numbers that are marked in them
     PixelRange selected_range_;            // outside it no pixel shows one of those
+    bool selected_range_known_ = false;    // it is of this view
 
     bool traced_ = false;  // the visible-sphere buffer is of this scene, view and shaders
     int step_ = 0;
