@@ -225,7 +225,7 @@ void Viewer::draw_frame() {
 
     const View view{state_.camera, state_.picture_size};
     if (picture_.update(state_.document, view, refines ? 1 : pacing_.moving_step())) {
-        pacing_.traced(picture_.step(), picture_.last_seconds());
+        pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
         exact_ = false;
         certify_seconds_ = Pacing::certify_in_all;
     }

@@ -196,8 +196,11 @@ bool LivePicture::update(const Document& document, const View& view, int step) {
 
     const KeptFramebuffers kept;
     draw_plainly();
+    const auto drawing = std::chrono::steady_clock::now();
     trace(step);
-    last_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const auto end = std::chrono::steady_clock::now();
+    last_seconds_ = std::chrono::duration<double>(end - begin).count();
+    last_drawing_seconds_ = std::chrono::duration<double>(end - drawing).count();
     return true;
 }
 

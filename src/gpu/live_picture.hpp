@@ -68,6 +68,8 @@ public:
 
     // How long the last update() that traced took, in seconds: the lists, the uploads, and drawing until it was done.
     double last_seconds() const { return last_seconds_; }
+    // What of it was the drawing.
+    double last_drawing_seconds() const { return last_drawing_seconds_; }
     // Of the picture that is there; 0 before the first.
     int step() const { return step_; }
 
@@ -134,6 +136,7 @@ private:
     int step_ = 0;
     int certified_rows_ = 0;  // from the top
     double last_seconds_ = 0.0;
+    double last_drawing_seconds_ = 0.0;
 };
 
 }  // namespace sphereview
