@@ -1,4 +1,5 @@
-// What the viewer's picture costs while a sphere is dragged: from the edit to the pixels, at each grid; and what is drawn over it.
+// What the viewer's picture costs while a sphere is dragged or the camera moves: from the edit to the pixels, at each grid; and
+// what is drawn over it.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include "gpu/live_picture.hpp"
 #include "platform/gl_context.hpp"
 #include "random_scene.hpp"
+#include "scene/navigation.hpp"
 
 namespace {
 
@@ -35,8 +37,9 @@ struct Window {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 4 || (std::string(argv[1]) != "volume" && std::string(argv[1]) != "half")) {
-        std::fprintf(stderr, "usage: live volume|half COUNT RUNS: one JSON line on standard output\n");
+    const bool only_orbit = argc == 5 && std::string(argv[4]) == "orbit";
+    if ((argc != 4 && !only_orbit) || (std::string(argv[1]) != "volume" && std::string(argv[1]) != "half")) {
+        std::fprintf(stderr, "usage: live volume|half COUNT RUNS [orbit]: one JSON line on standard output\n");
         return 2;
     }
     const std::size_t count = std::strtoul(argv[2], nullptr, 10);
@@ -61,6 +64,22 @@ int main(int argc, char** argv) {
         document.apply(ChangeSpheres{{0}, {sphere}}, "drag", 1);
     };
     std::printf("{\"set\": \"%s\", \"count\": %zu, ", argv[1], count);
+    if (only_orbit) {
+        View orbit = view;
+        const auto turn = [&] { orbit.camera = orbited(orbit.camera, {0.0, 0.0, 600.0}, 0.01, 0.0); };
+        for (const int step : {1, 2, 4, 8}) {
+            const Cost cost = median_cost(runs, [&] {
+                turn();
+                picture.update(document, orbit, step);
+                show({&one, {}, 2.0F});
+            });
+            print(("orbit, step " + std::to_string(step)).c_str(), cost);
+        }
+        print("pick in an orbit", median_cost(runs, [&] { picture.pick(document, {501, 333}); }));
+        std::printf("\"renderer\": \"%s\"}\n", context.renderer().c_str());
+        std::fflush(stdout);
+        std::_Exit(0);
+    }
     for (const int step : {1, 2, 4, 8}) {
         const Cost cost = median_cost(runs, [&] {
             drag();

@@ -190,7 +190,7 @@ def samples(bench: Bench) -> tuple[list[Row], dict]:
 
 
 def live(bench: Bench) -> tuple[list[Row], dict]:
-    """The viewer's picture while a sphere is dragged; see live.cpp."""
+    """The viewer's picture while a sphere is dragged, and while the camera moves; see live.cpp."""
     rows, data = [], {}
     for count in [4, 1000]:
         case = Case(f"live-{count}", [bench.program("live"), "volume", str(count), str(bench.runs)], {"LIBGL_ALWAYS_SOFTWARE": "1"})
@@ -198,6 +198,15 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
         wall = {what: cost["wall_ms"] for what, cost in result.items() if isinstance(cost, dict) and "samples" not in what}
         rows.append(Row(f"live, {count:,} spheres", ", ".join(f"{what} {ms:.1f}" for what, ms in wall.items()) + " ms"))
         rows.append(at_most("  drag, from the edit to the pixels", min(wall[f"drag, step {step}"] for step in [1, 2, 4, 8]), 30, " ms"))
+    for scene in ["volume", "half"]:
+        for count in [4, 1000, 100_000, 1_000_000]:
+            case = Case(f"orbit-{scene}-{count}", [bench.program("live"), scene, str(count), str(bench.runs), "orbit"],
+                        {"LIBGL_ALWAYS_SOFTWARE": "1"})
+            result = data[case.name] = json.loads(bench.run(case)["stdout"])
+            wall = {what: cost["wall_ms"] for what, cost in result.items() if isinstance(cost, dict)}
+            rows.append(Row(f"{scene}, {count:,} spheres", ", ".join(f"{what} {ms:.1f}" for what, ms in wall.items()) + " ms"))
+            rows.append(at_most("  orbit, from the camera to the pixels", min(wall[f"orbit, step {step}"] for step in [1, 2, 4, 8]),
+                                100, " ms"))
     return rows, data
 
 

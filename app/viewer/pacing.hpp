@@ -8,8 +8,8 @@ namespace sphereview {
 // The picture is traced for every step-th pixel of each row and column.
 class Pacing {
 public:
-    // What a traced frame took, in seconds.
-    void traced(int step, double seconds);
+    // What a traced frame took, in seconds, and what of it was drawing: the rest, lists mostly, shrinks little with the pixels.
+    void traced(int step, double seconds, double drawing);
 
     // The step for a picture that is moving: 1 where the device is fast enough, at most 8.
     int moving_step() const;
@@ -50,7 +50,8 @@ private:
     int frames_ = settling_frames;
     bool coarse_ = false;
     bool exact_ = false;
-    double seconds_per_full_frame_ = 0.0;
+    double preparing_ = 0.0;     // seconds, at the last step
+    double drawing_full_ = 0.0;  // all pixels
 };
 
 }  // namespace sphereview

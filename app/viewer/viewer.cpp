@@ -192,7 +192,7 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
 
 void Viewer::update_picture(int step) {
     if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading)) return;
-    pacing_.traced(picture_.step(), picture_.last_seconds());
+    pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
     exact_ = false;
     certify_seconds_ = Pacing::certify_in_all;
 }

@@ -40,18 +40,21 @@ std::vector<std::int32_t> seen_numbers(const std::vector<Sphere>& spheres) {
     return numbers;
 }
 
-// A power of two changes nothing but the range: only where most spheres need it.
+// A power of two changes nothing but the range: only where most spheres need it. `numbers` as for drawn_of().
 int scale_for(const Scene& scene, const glm::dvec3& eye, const std::vector<std::int32_t>& numbers) {
+    const std::size_t all = numbers.empty() ? scene.spheres.size() : numbers.size();
     std::atomic<std::size_t> out_of_range = 0;
-    const auto size_at = [&](std::size_t i) { return size_of(scene.spheres[static_cast<std::size_t>(numbers[i])], eye); };
-    parallel_pieces(numbers.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    const auto size_at = [&](std::size_t i) {
+        return size_of(scene.spheres[numbers.empty() ? i : static_cast<std::size_t>(numbers[i])], eye);
+    };
+    parallel_pieces(all, spheres_at_once, [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
         for (std::size_t i = begin; i < end; ++i) count += in_range(size_at(i)) ? 0 : 1;
         out_of_range += count;
     });
-    if (out_of_range * 2 <= numbers.size()) return 0;
-    std::vector<int> exponents(numbers.size());
-    for (std::size_t i = 0; i < numbers.size(); ++i) std::frexp(std::min(size_at(i), 0x1p1023), &exponents[i]);
+    if (out_of_range * 2 <= all) return 0;
+    std::vector<int> exponents(all);
+    for (std::size_t i = 0; i < all; ++i) std::frexp(std::min(size_at(i), 0x1p1023), &exponents[i]);
     const auto median = exponents.begin() + static_cast<std::ptrdiff_t>(exponents.size() / 2);
     std::nth_element(exponents.begin(), median, exponents.end());
     return middle_exponent - *median;
@@ -73,22 +76,19 @@ float signed_radius(double radius, EyeSide side) {
     return side == EyeSide::outside ? size : side == EyeSide::inside ? -size : 0.0F;
 }
 
-}  // namespace
-
-DrawnSpheres drawn_spheres(const Scene& scene) { return drawn_spheres(scene, scene.camera); }
-
-DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
+// `numbers`: of those that are drawn; empty when all are.
+DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std::int32_t> numbers) {
     DrawnSpheres drawn;
-    std::vector<std::int32_t> numbers = seen_numbers(scene.spheres);
-    if (numbers.empty()) return drawn;
+    drawn.numbers = std::move(numbers);
     const glm::dvec3& eye = camera.eye;
-    drawn.scale = scale_for(scene, eye, numbers);
+    const std::size_t count = drawn.numbers.empty() ? scene.spheres.size() : drawn.numbers.size();
+    drawn.scale = scale_for(scene, eye, drawn.numbers);
     const Scaling scaled(drawn.scale);
-    drawn.center_radius.resize(numbers.size());
+    drawn.center_radius.resize(count);
     std::mutex beyond_float;
-    parallel_pieces(numbers.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(count, spheres_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const Sphere& sphere = scene.spheres[static_cast<std::size_t>(numbers[i])];
+            const Sphere& sphere = scene.spheres[static_cast<std::size_t>(drawn.number(i))];
             const EyeSide side = eye_side(sphere, eye);
             if (!in_range(scaled(size_of(sphere, eye)))) {
                 const std::lock_guard lock(beyond_float);
@@ -100,8 +100,22 @@ DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
                                       static_cast<float>(scaled(c.z)), signed_radius(scaled(sphere.radius), side)};
         }
     });
-    if (numbers.size() != scene.spheres.size()) drawn.numbers = std::move(numbers);
     return drawn;
+}
+
+}  // namespace
+
+DrawnSpheres drawn_spheres(const Scene& scene) { return drawn_spheres(scene, scene.camera); }
+
+DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
+    std::vector<std::int32_t> numbers = seen_numbers(scene.spheres);
+    if (numbers.empty()) return {};
+    if (numbers.size() == scene.spheres.size()) numbers = {};
+    return drawn_of(scene, camera, std::move(numbers));
+}
+
+DrawnSpheres drawn_again(const Scene& scene, const Camera& camera, const DrawnSpheres& drawn) {
+    return drawn.size() == 0 ? DrawnSpheres() : drawn_of(scene, camera, drawn.numbers);
 }
 
 std::optional<std::size_t> DrawnSpheres::index_of(std::uint32_t number) const {

@@ -36,6 +36,8 @@ struct DrawnSpheres {
 DrawnSpheres drawn_spheres(const Scene& scene);
 // As another camera than the scene's sees them; only its eye matters.
 DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera);
+// As another eye sees those that were drawn of the same scene. Which spheres can be seen does not depend on it.
+DrawnSpheres drawn_again(const Scene& scene, const Camera& camera, const DrawnSpheres& drawn);
 
 // What a float renderer needs besides the spheres.
 struct FloatView {

@@ -22,6 +22,8 @@ namespace {
 constexpr std::int32_t checkerboard_shift = 3;  // squares of 8 pixels
 constexpr std::size_t most_single_ranges = 4096;
 constexpr double longest_decision = 2.0;  // seconds, for all doubtful pixels of a block
+// With more spheres a coarse grid has lists of its own. Those of fewer are quickly made for all pixels, once and for all grids.
+constexpr std::size_t most_for_all_pixels = 20'000;
 
 // The framebuffers that are bound, until its end.
 class KeptFramebuffers {
@@ -57,11 +59,6 @@ void fill(const WindowArea& area, const glm::vec4& color) {
     glClearBufferfv(GL_COLOR, 0, &color.x);
     glDisable(GL_SCISSOR_TEST);
 }
-
-int grid_side(int pixels, int step) { return (pixels + step - 1) / step; }
-
-// The pixel that a texel of a coarse grid is traced for. Twin: shaders/trace.frag.
-int traced_pixel(int texel, int step, int pixels) { return std::min(texel * step + step / 2, pixels - 1); }
 
 }  // namespace
 
@@ -114,12 +111,17 @@ std::string LivePicture::reload_shaders() {
     return shader_log_;
 }
 
-void LivePicture::rebuild(const Document& document, const View& view, bool geometry) {
+void LivePicture::rebuild(const Document& document, const View& view, bool geometry, int step) {
     const Scene& scene = document.scene();
     std::optional<DrawnSpheres> drawn;
-    if (geometry || !(view.camera.eye == view_.camera.eye)) drawn = drawn_spheres(scene, view.camera);
+    if (geometry) {
+        drawn = drawn_spheres(scene, view.camera);
+    } else if (!(view.camera.eye == view_.camera.eye)) {
+        drawn = drawn_again(scene, view.camera, drawn_);
+    }
     const DrawnSpheres& spheres = drawn ? *drawn : drawn_;
-    CandidateLists lists = build_lists(spheres, view.camera, view.size, gpu_tile_costs);
+    const PixelGrid grid{view.size, spheres.size() > most_for_all_pixels ? step : 1};
+    CandidateLists lists = build_grid_lists(spheres, view.camera, grid, gpu_tile_costs);
     const std::vector<std::string> defines = tables_.defines_for(spheres, lists);
     if (defines != defines_) compile(defines);
 
@@ -129,19 +131,23 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     tables_.upload(spheres, lists);
     frame_ = frame_of(lists, view.camera, view.size);
     lists_ = std::move(lists);
+    lists_step_ = grid.step;
     view_ = view;
     if (drawn) drawn_ = std::move(*drawn);
     range_.reset();
-    colors_ = shown_colors(scene, drawn_, shading_);
-    colors_uploaded_ = false;
+    if (geometry) {
+        colors_ = shown_colors(scene, drawn_, shading_);
+        colors_uploaded_ = false;
+    }
+    selected_range_known_ = false;
     traced_ = false;
 }
 
 void LivePicture::trace(int step) {
-    const int width = grid_side(view_.size.width, step);
-    const int height = grid_side(view_.size.height, step);
+    const PixelGrid grid{view_.size, step};
+    const auto [width, height] = grid.size();
     visible_.require(width, height);
-    frame_.grid_shift = std::countr_zero(static_cast<unsigned>(step));
+    frame_.grid_shift = grid.shift();
     frame_.block_origin = {step / 2, step / 2};
     upload_frame(frame_buffer_, frame_);
     tables_.bind();
@@ -200,9 +206,9 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
     }
     const SceneChanges changes = document.changes_since(revision_);
     const bool geometry = revision_ == 0 || changes.order || changes.geometry;
-    if (geometry || view != view_) {
-        rebuild(document, view, geometry);
-    } else {
+    const bool other_grid = (!traced_ || step < step_) && lists_step_ != 1 && lists_step_ != step;
+    if (geometry || view != view_ || other_grid) rebuild(document, view, geometry, step);
+    if (!geometry) {
         for (const std::uint32_t number : changes.spheres) {
             const std::optional<std::size_t> index = drawn_.index_of(number);
             if (!index) continue;
@@ -219,8 +225,11 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
 
     const KeptFramebuffers kept;
     draw_plainly();
+    const auto drawing = std::chrono::steady_clock::now();
     trace(step);
-    last_seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const auto end = std::chrono::steady_clock::now();
+    last_seconds_ = std::chrono::duration<double>(end - begin).count();
+    last_drawing_seconds_ = std::chrono::duration<double>(end - drawing).count();
     return true;
 }
 
@@ -259,13 +268,17 @@ void LivePicture::refine(const Document& document, int samples, const Background
                     background, seconds);
 }
 
-// Also finds out where they are, and uploads all colours if anything is another.
+// Also finds out where they are. Uploads all colours if anything is another.
 void LivePicture::mark_selected(const Selection* selection) {
     static const std::vector<std::uint32_t> none;
     const std::vector<std::uint32_t>& numbers = selection != nullptr ? selection->numbers() : none;
-    if (colors_uploaded_ && numbers == selected_) return;
-    for (ShownColor& color : colors_) color[3] = 0;
+    const bool marked = colors_uploaded_ && numbers == selected_;
+    if (marked && selected_range_known_) return;
     selected_range_ = numbers.size() > most_single_ranges ? lists_.covered : PixelRange{};
+    selected_range_known_ = true;
+    if (!marked) {
+        for (ShownColor& color : colors_) color[3] = 0;
+    }
     const PixelPlanes planes(view_.camera, view_.size);
     for (const std::uint32_t number : numbers) {
         const std::optional<std::size_t> index = drawn_.index_of(number);
@@ -274,6 +287,7 @@ void LivePicture::mark_selected(const Selection* selection) {
         if (numbers.size() > most_single_ranges) continue;
         selected_range_ = united(selected_range_, planes.range(drawn_.center_radius[*index]));
     }
+    if (marked) return;
     selected_ = numbers;
     tables_.upload_colors(colors_);
     colors_uploaded_ = true;
@@ -315,10 +329,9 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
 // What the buffer is sure of.
 std::optional<std::int32_t> LivePicture::traced_number(Pixel pixel) const {
     if (!traced_) return std::nullopt;
+    const PixelGrid grid{view_.size, step_};
     const Block texel{pixel.x / step_, pixel.y / step_, 1, 1};
-    if (traced_pixel(texel.x, step_, view_.size.width) != pixel.x || traced_pixel(texel.y, step_, view_.size.height) != pixel.y) {
-        return std::nullopt;
-    }
+    if (grid.traced_column(texel.x) != pixel.x || grid.traced_row(texel.y) != pixel.y) return std::nullopt;
     const KeptFramebuffers kept;
     std::array<std::int32_t, 1> visible{};
     visible_.read(texel, visible);
@@ -336,7 +349,8 @@ std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
         return Resolver(document.scene(), drawn, view_.camera, size, nullptr).resolve(pixel, level);
     }
     if (const auto number = traced_number(pixel)) return *number;
-    return Resolver(document.scene(), drawn_, view_.camera, size, &lists_).resolve(pixel, level);
+    // Lists of a grid know nothing of other pixels.
+    return Resolver(document.scene(), drawn_, view_.camera, size, lists_step_ == 1 ? &lists_ : nullptr).resolve(pixel, level);
 }
 
 std::vector<std::uint32_t> LivePicture::seen_in(const Document& document, const Block& block) const {

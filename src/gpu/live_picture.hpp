@@ -71,6 +71,8 @@ public:
 
     // How long the last update() that traced took, in seconds: the lists, the uploads, and drawing until it was done.
     double last_seconds() const { return last_seconds_; }
+    // What of it was the drawing.
+    double last_drawing_seconds() const { return last_drawing_seconds_; }
     // Of the picture that is there; 0 before the first.
     int step() const { return step_; }
 
@@ -108,7 +110,7 @@ private:
     static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);
 
     void compile(const std::vector<std::string>& defines);
-    void rebuild(const Document& document, const View& view, bool geometry);
+    void rebuild(const Document& document, const View& view, bool geometry, int step);
     void trace(int step);
     void prepare_shading(const Document& document, Shading shading);
     void mark_selected(const Selection* selection);
@@ -130,6 +132,7 @@ private:
     View view_;
     DrawnSpheres drawn_;
     CandidateLists lists_;
+    int lists_step_ = 1;  // they are for the pixels of the grid with this step alone; 1: for all
     FrameBlock frame_;
 
     Shading shading_ = Shading::flat;
@@ -138,11 +141,13 @@ private:
     bool colors_uploaded_ = false;         // as they are
     std::vector<std::uint32_t> selected_;  // the numbers that are marked in them
     PixelRange selected_range_;            // outside it no pixel shows one of those
+    bool selected_range_known_ = false;    // it is of this view
 
     bool traced_ = false;  // the visible-sphere buffer is of this scene, view and shaders
     int step_ = 0;
     int certified_rows_ = 0;  // from the top
     double last_seconds_ = 0.0;
+    double last_drawing_seconds_ = 0.0;
 };
 
 }  // namespace sphereview

@@ -142,23 +142,28 @@ PixelRange united(const PixelRange& a, const PixelRange& b) {
 }
 
 // Tiles that suit some of the spheres suit all.
-TilePlan plan_by_sample(const DrawnSpheres& spheres, const PixelPlanes& planes, PictureSize size, const TileCosts& costs) {
+TilePlan plan_by_sample(const DrawnSpheres& spheres, const PixelPlanes& planes, const PixelGrid& grid, const TileCosts& costs) {
     constexpr std::size_t sample_size = 5'000;
     std::vector<PixelRange> sample;
     for (std::size_t i = 0; i < spheres.size(); i += spheres.size() / sample_size + 1) {
-        sample.push_back(planes.range(spheres.center_radius[i]));
+        sample.push_back(grid.texels(planes.range(spheres.center_radius[i])));
     }
-    return plan_tiles(sample, spheres.size(), size, costs);
+    return plan_tiles(sample, spheres.size(), grid.size(), costs);
 }
 
 }  // namespace
 
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs) {
+    return build_grid_lists(spheres, camera, {size, 1}, costs);
+}
+
+// All ranges and tiles are of texels, until the end.
+CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs) {
     CandidateLists lists;
     if (spheres.size() == 0) return lists;
-    const PixelPlanes planes(camera, size);
-    const TilePlan plan = plan_by_sample(spheres, planes, size, costs);
-    const Bands bands(plan, size);
+    const PixelPlanes planes(camera, grid.picture);
+    const TilePlan plan = plan_by_sample(spheres, planes, grid, costs);
+    const Bands bands(plan, grid.size());
 
     // Into the bands first: writing straight into lists all over memory would take most of the time.
     UninitializedVector<PixelRange> ranges(spheres.size());
@@ -171,6 +176,7 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
         Share* const share = &shares[begin / piece * bands.size()];
         PixelRange all;
         for (std::size_t i = begin; i < end; ++i) {
+            ranges[i] = grid.texels(ranges[i]);
             all = united(all, ranges[i]);
             bands.for_each(ranges[i], [&](std::size_t band, const TileRange& tiles) {
                 ++share[band].entries;
@@ -219,6 +225,8 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
         if (begins[band].entries == begins[band + 1].entries) continue;
         if (lists.levels.empty() || !(lists.levels.back() == bands[band].level)) lists.levels.push_back(bands[band].level);
     }
+    for (TileLevel& level : lists.levels) level.shift += grid.shift();
+    lists.covered = grid.pixels(lists.covered);
     return lists;
 }
 

@@ -7,6 +7,7 @@
 #include "exact/candidates.hpp"
 #include "exact/drawn.hpp"
 #include "scene/camera.hpp"
+#include "tiles/pixel_grid.hpp"
 
 namespace sphereview {
 
@@ -25,5 +26,8 @@ inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
 // The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of
 // larger ones. Throws RenderError when they are too long all the same: billions of spheres.
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs);
+
+// The lists for the pixels that a grid traces, and only for those: of many small spheres most pass between them.
+CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs);
 
 }  // namespace sphereview

@@ -47,14 +47,26 @@ TEST(Pacing, ACoarsePictureIsRefinedBeforeItRests) {
 TEST(Pacing, ASlowDeviceMovesCoarsely) {
     Pacing pacing;
     EXPECT_EQ(pacing.moving_step(), 1);
-    pacing.traced(1, 0.9 * Pacing::frame_budget);
+    pacing.traced(1, 0.9 * Pacing::frame_budget, 0.9 * Pacing::frame_budget);
     EXPECT_EQ(pacing.moving_step(), 1);
-    pacing.traced(1, 10 * Pacing::frame_budget);
+    pacing.traced(1, 10 * Pacing::frame_budget, 10 * Pacing::frame_budget);
     EXPECT_EQ(pacing.moving_step(), 4);
-    pacing.traced(1, 1e6);
+    pacing.traced(1, 1e6, 1e6);
     EXPECT_EQ(pacing.moving_step(), 8);
-    for (int i = 0; i < 100; ++i) pacing.traced(8, 0.001 * Pacing::frame_budget);
+    for (int i = 0; i < 100; ++i) pacing.traced(8, 0.001 * Pacing::frame_budget, 0.001 * Pacing::frame_budget);
     EXPECT_EQ(pacing.moving_step(), 1);
+}
+
+TEST(Pacing, KnowsThatListsShrinkLittle) {
+    constexpr double budget = Pacing::frame_budget;
+    Pacing little;
+    for (int i = 0; i < 100; ++i) little.traced(8, 0.5 * budget, 0.001 * budget);
+    EXPECT_EQ(little.moving_step(), 1) << "coarser would be hardly faster";
+    Pacing much;
+    much.traced(2, 0.9 * budget, 0.2 * budget);
+    EXPECT_EQ(much.moving_step(), 2);
+    much.traced(2, 1.7 * budget, 0.2 * budget);
+    EXPECT_EQ(much.moving_step(), 8) << "fewer spheres are listed for fewer rays";
 }
 
 }  // namespace sphereview

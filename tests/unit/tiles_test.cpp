@@ -172,6 +172,59 @@ TEST(CandidateLists, HoldEverySphereThatAPixelShows) {
     }
 }
 
+TEST(PixelGrid, TracesThePixelsInARange) {
+    for (const int step : {1, 2, 4, 8, 16}) {
+        for (int count = 1; count < 40; ++count) {
+            const PixelGrid grid{{count, count}, step};
+            for (int first = 0; first < count; ++first) {
+                for (int last = first; last < count; ++last) {
+                    const PixelRange texels = grid.texels({first, first, last, last});
+                    for (int texel = 0; texel < grid.size().width; ++texel) {
+                        const int pixel = grid.traced_column(texel);
+                        ASSERT_EQ(texel >= texels.left && texel <= texels.right, pixel >= first && pixel <= last)
+                            << step << " " << count << " " << first << " " << last << " " << texel;
+                    }
+                    ASSERT_TRUE(texels.empty() || grid.texels(grid.pixels(texels)) == texels);
+                }
+            }
+        }
+    }
+}
+
+TEST(CandidateLists, OfAGridGiveItsPixelsWhatAllSpheresGive) {
+    for (const PictureSize size : {PictureSize{203, 154}, {64, 64}, {7, 130}}) {
+        for (const auto& [count, radius] : {std::pair{30, 90.0}, {3000, 8.0}, {3000, 0.4}}) {
+            const Scene scene = cloud(count, radius, 11);
+            const DrawnSpheres drawn = drawn_spheres(scene);
+            const Resolver by_all(scene, drawn, size);
+            for (const int step : {2, 8}) {
+                const PixelGrid grid{size, step};
+                const CandidateLists lists = build_grid_lists(drawn, scene.camera, grid, fine);
+                expect_lists_in_order(lists, drawn);
+                const Resolver by_lists(scene, drawn, size, &lists);
+                DecisionLevel level{};
+                for (int row = 0; row < grid.size().height; ++row) {
+                    for (int column = 0; column < grid.size().width; ++column) {
+                        const Pixel pixel{grid.traced_column(column), grid.traced_row(row)};
+                        const std::int32_t expected = by_all.resolve(pixel, level);
+                        ASSERT_EQ(by_lists.resolve(pixel, level), expected) << pixel.x << "," << pixel.y;
+                        const PixelRange& r = lists.covered;
+                        ASSERT_TRUE(expected < 0 ||
+                                    (pixel.x >= r.left && pixel.x <= r.right && pixel.y >= r.top && pixel.y <= r.bottom));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(CandidateLists, OfAGridLeaveOutWhatLiesBetweenItsRays) {
+    const Scene scene = cloud(20'000, 0.3, 12);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const std::size_t all = build_lists(drawn, scene.camera, {1000, 1000}, fine).candidates.size();
+    EXPECT_LT(build_grid_lists(drawn, scene.camera, {{1000, 1000}, 8}, fine).candidates.size(), all / 4);
+}
+
 TEST(CandidateLists, AreTheSameEachTime) {
     const Scene scene = cloud(20'000, 2.0, 8);
     const DrawnSpheres drawn = drawn_spheres(scene);
