@@ -1,8 +1,10 @@
 // sphereview [SCENE]: the window.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,7 +22,9 @@ namespace sphereview {
 namespace {
 
 // For the handler of a lost connection, which is given nothing.
-const ViewerState* open_state = nullptr;
+ViewerState* open_state = nullptr;
+
+constexpr std::chrono::milliseconds patience_without_window{300};
 
 constexpr const char* way_out = " ('sphereview render' needs no window; 'sphereview doctor' says what works here)";
 
@@ -39,12 +43,13 @@ void save_for_recovery(const ViewerState& state) {
 [[noreturn]] void on_connection_lost() {
     std::string said = "the connection to the display is lost";
     if (open_state != nullptr) {
+        wait_for_saving(*open_state);
         const std::string kept = keep_for_recovery(*open_state);
         if (!kept.empty()) said += "; " + kept;
         save_settings(open_state->settings);
     }
     std::fprintf(stderr, "sphereview: %s%s\n", said.c_str(), way_out);
-    std::fflush(nullptr);
+    std::fflush(stderr);  // of all, one may be locked: a read of standard input waits on another thread
     std::_Exit(static_cast<int>(ExitCode::no_renderer));
 }
 
@@ -84,9 +89,7 @@ void offer_recovery(ViewerState& state) {
     }
 }
 
-void load_first_scene(ViewerState& state) {
-    if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
-    LoadedScene loaded = load_scene(*state.options.scene, load_options(state, state.options.data.frame));
+void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
     const bool fits_view = loaded.framed && state.options.framing.fit.value_or(false);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
@@ -94,6 +97,29 @@ void load_first_scene(ViewerState& state) {
         const ViewAxes axes = state.options.framing.view.value_or(axes_of(state.camera));
         state.camera = fitted(state.scene(), axes).value_or(state.camera);
     }
+}
+
+// A small scene is there, or refused, before there is a window; of another one this much is waited for.
+void load_first_scene(ViewerState& state) {
+    if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
+    const std::string path = *state.options.scene;
+    const LoadOptions options = load_options(state, state.options.data.frame);
+    if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
+    adopt(state, {.format = SceneFormat::toml}, "");
+    LoadRequest request;
+    request.path = path;
+    request.options = options;
+    request.accept = [&state, revision = state.document.revision()](LoadedScene loaded) {
+        if (state.document.revision() == revision) return adopt_first_scene(state, std::move(loaded));
+        with_edits_safe(state, [&state, kept = std::make_shared<LoadedScene>(std::move(loaded))] {
+            adopt_first_scene(state, std::move(*kept));
+        });
+    };
+    request.fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
+    start_loading(state, std::move(request));
+    if (!state.loading->job.wait_for(patience_without_window)) return;
+    state.loading->job.rethrow();
+    finish_work(state);
 }
 
 }  // namespace
@@ -123,9 +149,11 @@ ExitCode run_view(const ViewOptions& options) {
         try {
             viewer.run([] { return interrupted.load() != 0; });
         } catch (...) {
+            wait_for_saving(state);
             save_for_recovery(state);
             throw;
         }
+        wait_for_saving(state);
         open_state = nullptr;
         if (interrupted != 0) {
             save_for_recovery(state);

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_streamed = std::size_t{1} << 31;
+constexpr std::size_t most_at_once = std::size_t{1} << 22;  // so that a watcher is called often
 
 int leave_open(std::FILE*) { return 0; }
 
@@ -65,12 +66,14 @@ void InputStream::fill(std::size_t most) {
     make_room(most);
     while (end_ < most) {
         errno = 0;
-        const std::size_t count = std::fread(data_.get() + end_, 1, most - end_, file_.get());
+        const std::size_t count = std::fread(data_.get() + end_, 1, std::min(most - end_, most_at_once), file_.get());
         if (count == 0) {
             if (std::ferror(file_.get()) != 0) fail(errno != 0 ? std::strerror(errno) : "a read error");
             ended_ = true;
             return;
         }
+        read_ += count;
+        if (watcher_) watcher_(read_);
         const void* zero = ends_at_zero_ ? std::memchr(data_.get() + end_, 0, count) : nullptr;
         end_ += count;
         if (zero != nullptr) {

@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace sphereview {
 
@@ -35,6 +37,8 @@ public:
     bool ended() const { return ended_; }
 
     void drop_first(std::size_t count);
+    // From now on called with the bytes read in all, at least every 4 MB; what it throws ends the reading.
+    void watch(std::function<void(std::size_t)> watcher) { watcher_ = std::move(watcher); }
     // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError, and
     // MemoryError when the window cannot fit.
     void fill(std::size_t most);
@@ -49,6 +53,8 @@ private:
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     std::optional<std::size_t> size_{};
     bool ends_at_zero_ = false;
+    std::function<void(std::size_t)> watcher_{};
+    std::size_t read_ = 0;  // bytes, in all
     bool ended_ = false;
     std::unique_ptr<char[]> data_{};  // not a vector: its bytes would be cleared before they are read
     std::size_t capacity_ = 0;
