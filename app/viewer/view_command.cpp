@@ -44,6 +44,7 @@ void save_for_recovery(const ViewerState& state) {
     std::string said = "the connection to the display is lost";
     if (open_state != nullptr) {
         wait_for_saving(*open_state);
+        open_state->autosave.finish();
         const std::string kept = keep_for_recovery(*open_state);
         if (!kept.empty()) said += "; " + kept;
         save_settings(open_state->settings);
@@ -55,8 +56,9 @@ void save_for_recovery(const ViewerState& state) {
 
 void recover(ViewerState& state, const Recovery& recovery) {
     const std::string path = recovery.original;
-    try {
-        LoadedScene loaded = load_scene(recovery.file);
+    LoadRequest request;
+    request.path = recovery.file;
+    request.accept = [&state, path, recovery](LoadedScene loaded) {
         if (!path.empty()) loaded.format = format_of_name(path);
         loaded.framed = !is_data(loaded.format);
         adopt(state, std::move(loaded), path);
@@ -64,9 +66,9 @@ void recover(ViewerState& state, const Recovery& recovery) {
         // Now they are this process's to keep: until they are, their file stays.
         if (state.autosave.keep(state.document, state.path)) remove_recovery(recovery.file);
         announce(state, "Recovered the unsaved changes of " + state.name());
-    } catch (const std::exception& error) {
-        report_error(state, "The changes cannot be recovered", error.what());
-    }
+    };
+    request.fail = [&state](const std::string& why) { report_error(state, "The changes cannot be recovered", why); };
+    start_loading(state, std::move(request));
 }
 
 void offer_recovery(ViewerState& state) {
@@ -150,10 +152,12 @@ ExitCode run_view(const ViewOptions& options) {
             viewer.run([] { return interrupted.load() != 0; });
         } catch (...) {
             wait_for_saving(state);
+            state.autosave.finish();
             save_for_recovery(state);
             throw;
         }
         wait_for_saving(state);
+        state.autosave.finish();
         open_state = nullptr;
         if (interrupted != 0) {
             save_for_recovery(state);

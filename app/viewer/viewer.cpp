@@ -154,6 +154,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
             actions.push_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
+            if (key->name == "escape" && state_.loading) continue;  // ends that, and nothing else
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(key->name, m.control, m.shift, m.alt)) actions.push_back(RunCommand{*command});

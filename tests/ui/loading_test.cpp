@@ -104,6 +104,17 @@ TEST(Loading, KeepsTheOldSceneAndAsksAboutEditsMadeMeanwhile) {
     wait_for_no_dialogs(window);
     EXPECT_EQ(window.frame().at("path"), scene);
     EXPECT_EQ(window.frame().at("changed"), true);
+    // Escape ends a reading, and leaves the selection alone.
+    window.key("ctrl+z");
+    window.wait_for("changed", false);
+    window.key("ctrl+a");
+    window.wait_for("selection", {0});
+    window.key("ctrl+o");
+    choose_file(window, fifo);
+    window.wait_meanwhile("reading", reads);
+    window.key("Escape");
+    window.wait_for("loading", nullptr);
+    EXPECT_EQ(window.frame().at("selection"), Json({0}));
 }
 
 TEST(Loading, AnotherOpenReplacesTheOneThatRuns) {
