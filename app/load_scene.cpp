@@ -27,6 +27,13 @@ std::vector<Sphere> read_text(InputStream& stream, const LoadOptions& options) {
 
 LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     InputStream stream(path);
+    if (WorkControl* control = options.control) {
+        control->total = stream.size().value_or(0);
+        stream.watch([control](std::size_t bytes) {
+            control->done = bytes;
+            control->check();
+        });
+    }
     Progress* progress = options.progress;
     if (progress != nullptr) progress->start(stream.name(), 1e-6 * static_cast<double>(stream.size().value_or(0)), "MB");
     stream.fill(std::min(block, stream.size().value_or(block) + 1));
@@ -40,6 +47,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
         return loaded;
     }
     stream.fill();
+    if (options.control != nullptr) options.control->check();
     if (loaded.format == SceneFormat::toml) {
         loaded.scene = parse_scene(stream.bytes(), loaded.name);
         return loaded;
@@ -56,6 +64,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
+    if (options.control != nullptr) options.control->check();
     const FramingOptions& framing = options.framing;
     if (!framing.fit.value_or(!loaded.framed)) return loaded;
     Camera& camera = loaded.scene.camera;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/framing_options.hpp"
+#include "base/background_job.hpp"
 #include "base/progress.hpp"
 #include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
@@ -27,10 +28,11 @@ struct LoadOptions {
     std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
     DataOptions data{};
     FramingOptions framing{};
+    WorkControl* control = nullptr;  // told the bytes that were read, and looked at while reading
 };
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
-// InputError, and MemoryError when it cannot fit.
+// InputError, MemoryError when it cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace sphereview

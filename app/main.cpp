@@ -48,7 +48,9 @@ int main(int argc, char** argv) {
     const int status = run_command_line(argc, argv);
 #ifndef __SANITIZE_ADDRESS__
     // All output is written and checked; what drivers do at exit takes milliseconds and is where they crash.
-    std::fflush(nullptr);
+    // Not all streams: a thread may still wait for standard input, with a lock on it.
+    std::fflush(stdout);
+    std::fflush(stderr);
     std::_Exit(status);
 #endif
     return status;  // by way of the leak check

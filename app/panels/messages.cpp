@@ -40,6 +40,28 @@ void draw_announcement(const PanelContext& context, const std::string& text, con
     ImGui::End();
 }
 
+// Returns whether Cancel was pressed.
+bool draw_work(const PanelContext& context, const WorkShown& work, const MessageArea& area) {
+    const float margin = 16.0F * context.scale;
+    const float width = std::max(std::min(420.0F * context.scale, area.width - 2.0F * margin), 8.0F * ImGui::GetFontSize());
+    ImGui::SetNextWindowPos({area.x + 0.5F * area.width, area.y + 0.4F * area.height}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height, 1.0F)});
+    ImGui::SetNextWindowBgAlpha(0.9F);
+    bool cancelled = false;
+    if (ImGui::Begin("###work", nullptr, quiet_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar)) {
+        wrapped(work.text, width - ImGui::GetStyle().WindowPadding.x);
+        const std::string percent = work.fraction ? std::to_string(static_cast<int>(100.0 * *work.fraction)) + " %" : "";
+        ImGui::ProgressBar(static_cast<float>(work.fraction.value_or(0.0)), {-1.0F, 0.0F}, percent.c_str());
+        if (work.can_cancel) {
+            cancelled = ImGui::Button("Cancel");
+            note_widget(context, "cancel work");
+        }
+        note_window(context, "message work");
+    }
+    ImGui::End();
+    return cancelled;
+}
+
 struct Trouble {
     const char* name;  // "scene error"
     std::string heading;
@@ -102,6 +124,7 @@ ClosedMessages draw_messages(const PanelContext& context, const Messages& messag
                               true, top};
         draw_trouble(context, trouble, area, closed.shader_error);
     }
+    if (messages.work) closed.work = draw_work(context, *messages.work, area);
     if (!messages.announcement.empty()) draw_announcement(context, messages.announcement, area);
     return closed;
 }

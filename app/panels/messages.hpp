@@ -1,16 +1,25 @@
 // What is told over the picture.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
 
+// What goes on beside the window's loop.
+struct WorkShown {
+    std::string text;                // "Reading big.txt: 35 of 70 MB"
+    std::optional<double> fraction;  // 0..1, where it is known
+    bool can_cancel = false;
+};
+
 struct Messages {
     std::string announcement;  // "Saved /home/a/b.png"; the owner takes it away after a while
     std::string scene_error;   // FILE:LINE:COLUMN: ... while the file is broken; stays until it is not
     std::string shader_error;  // the log, while a shader is broken
+    std::optional<WorkShown> work{};
 };
 
 // Where, in screen coordinates: the picture.
@@ -25,10 +34,12 @@ struct MessageArea {
 struct ClosedMessages {
     bool scene_error = false;
     bool shader_error = false;
+    bool work = false;  // by its button "Cancel"
 };
 
 // Draws windows of its own inside the area. The log is in the second font of ImGui's atlas, if there is one: a monospaced one.
-// Widgets: "message announcement", "message scene error", "message shader error", "close scene error", "close shader error".
+// Widgets: "message announcement", "message scene error", "message shader error", "close scene error", "close shader error",
+// "message work", "cancel work".
 ClosedMessages draw_messages(const PanelContext& context, const Messages& messages, const MessageArea& area);
 
 }  // namespace sphereview

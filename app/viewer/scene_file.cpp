@@ -33,35 +33,60 @@ void ask(ViewerState& state, Question question) {
     state.dialogs.push_back(std::move(question));
 }
 
+// What to do with a scene that was asked for now: `then`, and before that the question about edits, if any were made meanwhile.
+std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then) {
+    return [&state, revision = state.document.revision(), then = std::move(then)](LoadedScene loaded) {
+        if (state.document.revision() == revision) return then(std::move(loaded));
+        with_edits_safe(state, [then, kept = std::make_shared<LoadedScene>(std::move(loaded))] { then(std::move(*kept)); });
+    };
+}
+
 void read_scene(ViewerState& state, const std::string& path) {
-    try {
-        // Before it is read: what is written meanwhile shows as a change.
-        FileStates stamp = file_states(path);
-        adopt(state, load_scene(path, load_options(state, 0)), path);
-        state.stamp = std::move(stamp);
-    } catch (...) {
+    LoadRequest request;
+    request.path = path;
+    request.options = load_options(state, 0);
+    // Before it is read: what is written meanwhile shows as a change.
+    request.accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
+        adopt(state, std::move(loaded), path);
+        state.stamp = stamp;
+    });
+    request.fail = [&state, path](const std::string& why) {
         // A broken file can be repaired, and is then looked for where it was.
         if (std::error_code error; !fs::exists(path, error)) remove_recent(state.settings, absolute_path(path));
-        report_error(state, "The scene cannot be opened", describe_current_exception(path).message);
-    }
+        report_error(state, "The scene cannot be opened", why);
+        look_at_file(state);
+    };
+    request.cancel = [&state] { look_at_file(state); };
+    start_loading(state, std::move(request));
+}
+
+void after_saving(ViewerState& state, const std::function<void()>& next) {
+    state.saving->done = [done = std::move(state.saving->done), next] {
+        done();
+        next();
+    };
 }
 
 void write(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
-    try {
-        write_output(path, write_scene(state.scene(), format));
-    } catch (...) {
-        return report_error(state, "The scene cannot be saved", describe_current_exception().message);
-    }
-    state.path = path;
-    state.format = format;
-    state.frame = 0;
-    state.frames = 1;
-    state.stamp = file_states(path);
+    if (state.saving) return after_saving(state, [&state, path, format, then] { write(state, path, format, then); });
+    const auto done = [&state, path, format, then] {
+        state.path = path;
+        state.format = format;
+        state.frame = 0;
+        state.frames = 1;
+        state.stamp = file_states(path);
+        state.messages.scene_error.clear();
+        add_recent(state.settings, path);
+        announce(state, "Saved " + path);
+        then();
+    };
+    const auto fail = [&state](const std::string& why) {
+        state.document.mark_unsaved();
+        report_error(state, "The scene cannot be saved", why);
+    };
+    // Already now: what is edited while a copy is written is not in it. Until the file is whole nobody relies on it.
     state.document.mark_saved();
-    state.messages.scene_error.clear();
-    add_recent(state.settings, path);
-    announce(state, "Saved " + path);
-    then();
+    start_saving(state, path, format, done, fail);
 }
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
@@ -106,9 +131,10 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
 }
 
 void read_frame(ViewerState& state, std::int64_t frame) {
-    try {
-        FileStates stamp = file_states(state.path);
-        LoadedScene loaded = load_scene(state.path, load_options(state, frame));
+    LoadRequest request;
+    request.path = state.path;
+    request.options = load_options(state, frame);
+    request.accept = unless_edited(state, [&state, frame, stamp = file_states(state.path)](LoadedScene loaded) {
         const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
         state.document = Document(std::move(loaded.scene));
         state.bounds_revision = 0;
@@ -117,10 +143,14 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         state.messages.scene_error.clear();
         state.frame = frame;
         state.frames = loaded.frames;
-        state.stamp = std::move(stamp);
-    } catch (...) {
-        report_error(state, "The frame cannot be read", describe_current_exception(state.path).message);
-    }
+        state.stamp = stamp;
+    });
+    request.fail = [&state](const std::string& why) {
+        report_error(state, "The frame cannot be read", why);
+        look_at_file(state);
+    };
+    request.cancel = [&state] { look_at_file(state); };
+    start_loading(state, std::move(request));
 }
 
 void reload(ViewerState& state, LoadedScene loaded) {
@@ -135,6 +165,23 @@ void reload(ViewerState& state, LoadedScene loaded) {
     state.document.mark_saved();
 }
 
+void offer_reload(ViewerState& state, LoadedScene loaded) {
+    state.messages.scene_error.clear();
+    if (!state.document.is_changed() || loaded.scene == state.scene()) return reload(state, std::move(loaded));
+    Question question;
+    question.id = "reload";
+    question.title = "The file has changed on disk";
+    question.text = in_quotes(state.name()) + " was changed by another program, and has changes here that are not saved.\n" +
+                    "(Undo brings yours back after a reload.)";
+    question.answers = {"Reload the file", "Keep mine"};
+    question.cancel = 1;
+    question.answer = [&state, loaded = std::make_shared<LoadedScene>(std::move(loaded))](int answer) {
+        if (answer == 0) reload(state, std::move(*loaded));
+        if (answer == 1) state.document.mark_unsaved();
+    };
+    ask(state, std::move(question));
+}
+
 }  // namespace
 
 LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
@@ -146,6 +193,7 @@ LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
 }
 
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
+    state.loading.reset();
     state.document = Document(std::move(loaded.scene));
     state.bounds_revision = 0;
     state.selection.clear();
@@ -166,6 +214,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
 }
 
 void with_edits_safe(ViewerState& state, std::function<void()> then) {
+    if (state.saving) return after_saving(state, [&state, then = std::move(then)] { with_edits_safe(state, then); });
     if (!state.document.is_changed()) return then();
     Question question;
     question.id = "save-changes";
@@ -218,31 +267,19 @@ void quit(ViewerState& state) {
 }
 
 void look_at_file(ViewerState& state) {
-    if (state.path.empty()) return;
+    // What is being written is our own, and what is being opened will take its place.
+    if (state.path.empty() || state.saving || (state.loading && !state.loading->request.reload)) return;
     FileStates stamp = file_states(state.path);
     if (stamp.empty() || stamp == state.stamp) return;  // a file that is gone may be on its way back
     state.stamp = std::move(stamp);
-    LoadedScene loaded;
-    try {
-        loaded = load_scene(state.path, load_options(state, state.frame));
-    } catch (...) {
-        state.messages.scene_error = describe_current_exception(state.path).message;
-        return;
-    }
-    state.messages.scene_error.clear();
-    if (!state.document.is_changed() || loaded.scene == state.scene()) return reload(state, std::move(loaded));
-    Question question;
-    question.id = "reload";
-    question.title = "The file has changed on disk";
-    question.text = in_quotes(state.name()) + " was changed by another program, and has changes here that are not saved.\n" +
-                    "(Undo brings yours back after a reload.)";
-    question.answers = {"Reload the file", "Keep mine"};
-    question.cancel = 1;
-    question.answer = [&state, loaded = std::make_shared<LoadedScene>(std::move(loaded))](int answer) {
-        if (answer == 0) reload(state, std::move(*loaded));
-        if (answer == 1) state.document.mark_unsaved();
-    };
-    ask(state, std::move(question));
+    LoadRequest request;
+    request.path = state.path;
+    request.options = load_options(state, state.frame);
+    request.accept = [&state](LoadedScene loaded) { offer_reload(state, std::move(loaded)); };
+    request.fail = [&state](const std::string& why) { state.messages.scene_error = why; };
+    request.cancel = [&state] { state.document.mark_unsaved(); };
+    request.reload = true;
+    start_loading(state, std::move(request));
 }
 
 void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept) {

@@ -15,7 +15,8 @@ LoadOptions load_options(const ViewerState& state, std::int64_t frame);
 // Takes over a scene that was read from `path` ("-" and "" have no file).
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);
 
-// Calls `then` at once when nothing would be lost, or as soon as the person has saved it or says that it may be.
+// Calls `then` at once when nothing would be lost, or as soon as the person has saved it or says that it may be, and what is
+// being saved is whole.
 void with_edits_safe(ViewerState& state, std::function<void()> then);
 
 // Each asks what there is to ask, in dialogs, before anything is lost.

@@ -1,8 +1,10 @@
 // sphereview [SCENE]: the window.
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,7 +23,9 @@ namespace sphereview {
 namespace {
 
 // For the handler of a lost connection, which is given nothing.
-const ViewerState* open_state = nullptr;
+ViewerState* open_state = nullptr;
+
+constexpr std::chrono::milliseconds patience_without_window{300};
 
 constexpr const char* way_out = " ('sphereview render' needs no window; 'sphereview doctor' says what works here)";
 
@@ -40,19 +44,22 @@ void save_for_recovery(const ViewerState& state) {
 [[noreturn]] void on_connection_lost() {
     std::string said = "the connection to the display is lost";
     if (open_state != nullptr) {
+        wait_for_saving(*open_state);
+        open_state->autosave.finish();
         const std::string kept = keep_for_recovery(*open_state);
         if (!kept.empty()) said += "; " + kept;
         save_settings(open_state->settings);
     }
     std::fprintf(stderr, "sphereview: %s%s\n", said.c_str(), way_out);
-    std::fflush(nullptr);
+    std::fflush(stderr);  // of all, one may be locked: a read of standard input waits on another thread
     std::_Exit(static_cast<int>(ExitCode::no_renderer));
 }
 
 void recover(ViewerState& state, const Recovery& recovery) {
     const std::string path = recovery.original;
-    try {
-        LoadedScene loaded = load_scene(recovery.file);
+    LoadRequest request;
+    request.path = recovery.file;
+    request.accept = [&state, path, recovery](LoadedScene loaded) {
         if (!path.empty()) loaded.format = format_of_name(path);
         loaded.framed = !is_data(loaded.format);
         adopt(state, std::move(loaded), path);
@@ -60,9 +67,9 @@ void recover(ViewerState& state, const Recovery& recovery) {
         // Now they are this process's to keep: until they are, their file stays.
         if (state.autosave.keep(state.document, state.path)) remove_recovery(recovery.file);
         announce(state, "Recovered the unsaved changes of " + state.name());
-    } catch (const std::exception& error) {
-        report_error(state, "The changes cannot be recovered", error.what());
-    }
+    };
+    request.fail = [&state](const std::string& why) { report_error(state, "The changes cannot be recovered", why); };
+    start_loading(state, std::move(request));
 }
 
 void offer_recovery(ViewerState& state) {
@@ -85,9 +92,7 @@ void offer_recovery(ViewerState& state) {
     }
 }
 
-void load_first_scene(ViewerState& state) {
-    if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
-    LoadedScene loaded = load_scene(*state.options.scene, load_options(state, state.options.data.frame));
+void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
     const bool fits_view = loaded.framed && state.options.framing.fit.value_or(false);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
@@ -96,6 +101,29 @@ void load_first_scene(ViewerState& state) {
         const ViewAxes axes = with_hand_of(present, state.options.framing.view.value_or(present));
         state.camera = fitted(state.scene(), axes).value_or(state.camera);
     }
+}
+
+// A small scene is there, or refused, before there is a window; of another one this much is waited for.
+void load_first_scene(ViewerState& state) {
+    if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
+    const std::string path = *state.options.scene;
+    const LoadOptions options = load_options(state, state.options.data.frame);
+    if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
+    adopt(state, {.format = SceneFormat::toml}, "");
+    LoadRequest request;
+    request.path = path;
+    request.options = options;
+    request.accept = [&state, revision = state.document.revision()](LoadedScene loaded) {
+        if (state.document.revision() == revision) return adopt_first_scene(state, std::move(loaded));
+        with_edits_safe(state, [&state, kept = std::make_shared<LoadedScene>(std::move(loaded))] {
+            adopt_first_scene(state, std::move(*kept));
+        });
+    };
+    request.fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
+    start_loading(state, std::move(request));
+    if (!state.loading->job.wait_for(patience_without_window)) return;
+    state.loading->job.rethrow();
+    finish_work(state);
 }
 
 }  // namespace
@@ -127,9 +155,13 @@ ExitCode run_view(const ViewOptions& options) {
         try {
             viewer.run([] { return interrupted.load() != 0; });
         } catch (...) {
+            wait_for_saving(state);
+            state.autosave.finish();
             save_for_recovery(state);
             throw;
         }
+        wait_for_saving(state);
+        state.autosave.finish();
         open_state = nullptr;
         if (interrupted != 0) {
             save_for_recovery(state);

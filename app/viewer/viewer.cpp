@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "base/text.hpp"
 #include "exact/visible.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
@@ -57,6 +58,17 @@ std::string title_for(const ViewerState& state) {
     return state.name() + (state.document.is_changed() ? " *" : "") + " - sphereview";
 }
 
+std::optional<WorkShown> work_of(const ViewerState& state) {
+    if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
+    if (!state.loading) return {};
+    const WorkControl& control = state.loading->job.control();
+    const double done = static_cast<double>(control.done);
+    const double total = static_cast<double>(control.total);
+    std::string text = "Reading " + state.loading->request.path + ": " + fixed(1e-6 * done, 0);
+    if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
+    return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
+}
+
 }  // namespace
 
 Viewer::Viewer(ViewerState& state, Window& window)
@@ -74,7 +86,7 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
-        if (pacing_.rests() && input_.empty()) state_.autosave.look(state_.document, state_.path, Clock::now());
+        if (pacing_.rests() && input_.empty() && !state_.saving) state_.autosave.look(state_.document, state_.path, Clock::now());
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) {
             draw_frame();
@@ -95,6 +107,7 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
+    if (is_working(state_)) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
     input_.add(std::move(events));
@@ -104,7 +117,17 @@ void Viewer::wait_for_work() {
     if (changes.shaders) state_.messages.shader_error = picture_.reload_shaders();
     if (changes.scene || changes.shaders) pacing_.touch();
     finish_system_dialog();
+    follow_work();
     end_announcement();
+}
+
+void Viewer::follow_work() {
+    const bool ended = finish_work(state_);
+    if (ended || (is_working(state_) && Clock::now() >= work_shown_ + work_shown_every)) {
+        work_shown_ = Clock::now();
+        pacing_.touch();
+    }
+    state_.messages.work = work_of(state_);
 }
 
 void Viewer::finish_system_dialog() {
@@ -138,6 +161,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
             actions.push_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
+            if (key->name == "escape" && state_.loading) continue;  // ends that, and nothing else
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
@@ -249,6 +273,7 @@ void Viewer::draw_frame() {
                                [this](CommandId command) { return is_checked(state_, command); },
                                state_.frame,
                                state_.frames};
+    const bool asked = !state_.dialogs.empty();
     area_ = draw_panels(state_, context, facts_);
     draw_export_frame(state_, area_);
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
@@ -257,6 +282,7 @@ void Viewer::draw_frame() {
     use_mouse(context, facts_.keys.escape);
     draw_box();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
+    if (facts_.keys.escape && !asked) cancel_loading(state_);
     imgui_.end_frame();
 
     perform(state_, std::move(actions));
@@ -272,7 +298,7 @@ void Viewer::draw_frame() {
     window_.swap_buffers();
     pacing_.drew(picture_.step(), exact_ || certify_seconds_ <= 0.0);
     if (log_.wanted()) {
-        const bool resting = pacing_.rests() && input_.empty() && !refinement_waits();
+        const bool resting = pacing_.rests() && input_.empty() && !refinement_waits() && !is_working(state_);
         const int samples = state_.settings.samples;
         const int shown = picture_.is_averaged(samples, state_.shown_background()) ? samples : 1;
         log_.add(state_,

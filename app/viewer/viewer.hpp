@@ -44,6 +44,7 @@ private:
     void note_facts();
     void finish_system_dialog();
     void end_announcement();
+    void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
 
     ViewerState& state_;
@@ -67,6 +68,8 @@ private:
     bool pointer_in_picture_ = false;
     FrameFacts facts_;
     WidgetRectangles widgets_;
+    Clock::time_point work_shown_;
+    static constexpr auto work_shown_every = std::chrono::milliseconds(100);
 };
 
 }  // namespace sphereview

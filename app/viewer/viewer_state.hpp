@@ -21,6 +21,7 @@
 #include "scene/framing.hpp"
 #include "viewer/autosave.hpp"
 #include "viewer/camera_flight.hpp"
+#include "viewer/scene_work.hpp"
 #include "viewer/settings.hpp"
 
 namespace sphereview {
@@ -59,6 +60,8 @@ struct ViewerState {
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
+    std::optional<Loading> loading;
+    std::optional<Saving> saving;
     Autosave autosave;
 
     // The view: what the window shows, which need not be the scene's own camera.

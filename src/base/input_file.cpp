@@ -19,6 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_streamed = std::size_t{1} << 31;
+constexpr std::size_t most_at_once = std::size_t{1} << 22;  // so that a watcher is called often
 
 int leave_open(std::FILE*) { return 0; }
 
@@ -106,11 +107,13 @@ void InputStream::fill(std::size_t most) {
     if (ended_ || end_ - begin_ >= most) return;
     make_room(most);
     while (end_ < most) {
-        const std::size_t count = read_text(data_.get() + end_, most - end_);
+        const std::size_t count = read_text(data_.get() + end_, std::min(most - end_, most_at_once));
         if (count == 0) {
             ended_ = true;
             return;
         }
+        read_ += count;
+        if (watcher_) watcher_(read_);
         const void* zero = ends_at_zero_ ? std::memchr(data_.get() + end_, 0, count) : nullptr;
         end_ += count;
         if (zero != nullptr) {

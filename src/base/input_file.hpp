@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/gunzip.hpp"
 
@@ -37,6 +39,8 @@ public:
     bool ended() const { return ended_; }
 
     void drop_first(std::size_t count);
+    // From now on called with the bytes read in all, at least every 4 MB; what it throws ends the reading.
+    void watch(std::function<void(std::size_t)> watcher) { watcher_ = std::move(watcher); }
     // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError,
     // also when a packed text is damaged or expands too far, and MemoryError when the window cannot fit.
     void fill(std::size_t most);
@@ -58,6 +62,8 @@ private:
     bool looked_for_gzip_ = false;
     std::string head_{};                // of the file; read to look at, and not taken yet
     std::unique_ptr<Gunzip> gunzip_{};  // of a packed text
+    std::function<void(std::size_t)> watcher_{};
+    std::size_t read_ = 0;  // bytes, in all
     bool ended_ = false;
     std::unique_ptr<char[]> data_{};  // not a vector: its bytes would be cleared before they are read
     std::size_t capacity_ = 0;

@@ -16,6 +16,7 @@ struct MessageHarness {
                             const ClosedMessages now = draw_messages(context, messages, area);
                             closed.scene_error |= now.scene_error;
                             closed.shader_error |= now.shader_error;
+                            closed.work |= now.work;
                         },
                         {},
                         800.0F,
@@ -74,6 +75,20 @@ TEST(MessagesPanel, WrapsAVeryLongPath) {
     harness.expect_inside("message scene error");
     const WidgetRectangle error = harness.rectangle("message scene error");
     EXPECT_GT(error.bottom - error.top, 5.0F * ImGui::GetFontSize()) << "on several lines";
+}
+
+TEST(MessagesPanel, ShowsWhatIsReadAndCancelsOnlyWhatCanBe) {
+    MessageHarness harness;
+    harness.messages.work = WorkShown{"Reading /" + std::string(200, 'y') + "%s.txt: 35 of 70 MB", 0.5, true};
+    harness.expect_inside("message work");
+    harness.expect_inside("cancel work");
+    EXPECT_FALSE(harness.closed.work);
+    harness.panels.click("cancel work");
+    EXPECT_TRUE(harness.closed.work);
+    harness.panels.rectangles.clear();
+    harness.messages.work = WorkShown{"Saving a.txt", {}, false};
+    harness.expect_inside("message work");
+    EXPECT_FALSE(harness.panels.rectangles.contains("cancel work"));
 }
 
 TEST(MessagesPanel, ShowsWhatIsBrokenUntilItIsClosed) {

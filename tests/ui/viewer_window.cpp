@@ -48,7 +48,8 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
     command.environment = environment_for(folder, server_.display());
     program_.emplace(command);
     if (!input.empty()) program_->close_input();
-    wait_until("a first frame", [](const Json&) { return true; });
+    wait_meanwhile("a first frame",
+                   [](const Json& frame) { return frame["resting"] == true || frame["widgets"].contains("cancel work"); });
 }
 
 bool ViewerWindow::read_log() {
@@ -76,11 +77,15 @@ const Json& ViewerWindow::frame() {
 }
 
 const Json& ViewerWindow::wait_until(const std::string& what, const std::function<bool(const Json&)>& condition) {
+    return wait_meanwhile(what, [&](const Json& frame) { return frame["resting"] == true && condition(frame); });
+}
+
+const Json& ViewerWindow::wait_meanwhile(const std::string& what, const std::function<bool(const Json&)>& condition) {
     const auto deadline = std::chrono::steady_clock::now() + patience;
     while (std::chrono::steady_clock::now() < deadline) {
         if (program_->has_ended() && !read_log()) break;
         read_log();
-        if (!frame_.is_null() && frame_["resting"] == true && condition(frame_)) return frame_;
+        if (!frame_.is_null() && condition(frame_)) return frame_;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     throw std::runtime_error("waited in vain for " + what + "; " + described());

@@ -29,7 +29,7 @@ struct Place {
 class ViewerWindow {
 public:
     // In `folder` lie the frame log, the home folder and what a test puts there. Returns when the first frame is drawn and the
-    // window rests. `input` is its standard input.
+    // window rests, or shows that it reads. `input` is its standard input.
     ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen = {},
                  const std::string& input = "");
 
@@ -37,6 +37,8 @@ public:
     const Json& frame();
     // Waits until a frame at rest (refined, nothing more to do) fulfils the condition.
     const Json& wait_until(const std::string& what, const std::function<bool(const Json&)>& condition);
+    // The same of any frame, also while something is read or written.
+    const Json& wait_meanwhile(const std::string& what, const std::function<bool(const Json&)>& condition);
     // Waits until a frame's member, at rest, has a value.
     const Json& wait_for(const std::string& member, const Json& value);
 

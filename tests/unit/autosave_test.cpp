@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/load_scene.hpp"
 #include "support/environment.hpp"
 #include "support/temporary_folder.hpp"
 #include "viewer/recovery.hpp"
@@ -65,6 +66,35 @@ TEST_F(AutosaveTest, KeepsWhatIsOnlyMarkedAsUnsaved) {
     document.mark_unsaved();
     kept_after(0s);
     EXPECT_TRUE(kept_after(1h));
+}
+
+TEST_F(AutosaveTest, KeepsALargeSceneInTheBackgroundAndForgetsItAfterwards) {
+    Scene large;
+    large.spheres.resize(20'000);
+    document = Document(std::move(large));
+    change();
+    kept_after(0s);
+    kept_after(1h);
+    ASSERT_TRUE(autosave.due()) << "to see its end";
+    autosave.finish();
+    ASSERT_TRUE(kept_after(0s));
+    EXPECT_FALSE(autosave.due());
+    document.mark_saved();
+    EXPECT_FALSE(kept_after(0s));
+}
+
+TEST_F(AutosaveTest, NeverReplacesWhatIsKeptAtOnce) {
+    Scene large;
+    large.spheres.resize(20'000);
+    document = Document(std::move(large));
+    change();
+    kept_after(0s);
+    kept_after(1h);
+    document.apply(RemoveSpheres{{0}}, "Remove");
+    ASSERT_TRUE(autosave.keep(document, ""));
+    autosave.finish();
+    const fs::directory_iterator file(folder.path("state/sphereview"));
+    EXPECT_EQ(load_scene(file->path().string()).scene.spheres.size(), 20'000u) << "the newer of the two";
 }
 
 TEST_F(AutosaveTest, DoesNotTryAgainAndAgainWhereNothingCanBeWritten) {

@@ -1,0 +1,61 @@
+// Reading and writing scenes beside the window's loop.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/load_scene.hpp"
+#include "base/background_job.hpp"
+#include "base/file_state.hpp"
+
+namespace sphereview {
+
+struct ViewerState;
+
+// What is to be read, and what is called then: one of the three, in the loop. Another request, or the end of the state, calls
+// none of them.
+struct LoadRequest {
+    std::string path{};
+    LoadOptions options{};
+    std::function<void(LoadedScene)> accept{};
+    std::function<void(const std::string& why)> fail{};
+    std::function<void()> cancel = [] {};
+    bool reload = false;  // of the file that is shown
+};
+
+struct Loading {
+    LoadRequest request;
+    std::shared_ptr<LoadedScene> loaded;
+    BackgroundJob job;
+};
+
+struct Saving {
+    std::string path;
+    std::function<void()> done;
+    std::function<void(const std::string& why)> fail;
+    BackgroundJob job;
+};
+
+// Whether to read it at once: a regular file that takes no time that anyone sees, or what is missing and says so.
+bool is_read_at_once(const std::string& path);
+
+// Begins to read, instead of what is being read now. What is_read_at_once() has been read when this returns.
+void start_loading(ViewerState& state, LoadRequest request);
+// Does nothing when nothing is being read.
+void cancel_loading(ViewerState& state);
+
+// Writes the scene as it is now: a large one from a copy, which takes 10 ms for a million spheres, so that edits go on. None may be
+// under way. `done` is called once the file is whole.
+void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
+                  std::function<void(const std::string& why)> fail);
+
+// Whether something is read or written: then finish_work() has to be called again and again.
+bool is_working(const ViewerState& state);
+// Acts on what has ended. Returns whether anything has.
+bool finish_work(ViewerState& state);
+// Waits for what is being written, and acts on it.
+void wait_for_saving(ViewerState& state);
+
+}  // namespace sphereview

@@ -1,0 +1,53 @@
+// Work on a thread of its own, for a loop that must not wait for it.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+namespace sphereview {
+
+// What cancelled work throws: nobody waits for it any more.
+struct Cancelled {};
+
+// What the work and who waits for it tell each other; from any thread.
+struct WorkControl {
+    std::atomic<std::uint64_t> done = 0;   // bytes
+    std::atomic<std::uint64_t> total = 0;  // bytes; 0 when nobody knows
+    std::atomic<bool> cancelled = false;
+
+    // Throws Cancelled when it is.
+    void check() const {
+        if (cancelled) throw Cancelled();
+    }
+};
+
+class BackgroundJob {
+public:
+    // Begins at once. The work owns what it touches: it may outlive this object, as a read of a pipe that nobody writes to
+    // does. Throws std::system_error when there can be no thread.
+    explicit BackgroundJob(std::function<void(WorkControl&)> work);
+    // Cancels, and waits for nothing.
+    ~BackgroundJob();
+    BackgroundJob(BackgroundJob&&) noexcept = default;
+    BackgroundJob& operator=(BackgroundJob&&) = delete;
+    BackgroundJob(const BackgroundJob&) = delete;
+    BackgroundJob& operator=(const BackgroundJob&) = delete;
+
+    const WorkControl& control() const;
+    // Whether it ended, by itself or by an exception.
+    bool ended() const;
+    void wait() const;
+    // Returns ended() after that time at most.
+    bool wait_for(std::chrono::milliseconds time) const;
+    // Throws what the work threw; once it has ended.
+    void rethrow() const;
+
+private:
+    struct Shared;
+    std::shared_ptr<Shared> shared_;
+};
+
+}  // namespace sphereview
