@@ -45,7 +45,9 @@ private:
         const bool other_modifiers = !keys.empty() && event.modifiers != modifiers;
         // What the mouse did before a modifier changed was done without that change.
         const bool for_mouse = (moved || button || wheel) && is_modifier(event.name);
-        if (seen || other_modifiers || for_mouse || (event.pressed && characters)) return true;
+        // A key is no shortcut during a drag, and what a button does is done at the end of its frame.
+        const bool after_button = event.pressed && button;
+        if (seen || other_modifiers || for_mouse || after_button || (event.pressed && characters)) return true;
         keys.push_back(event.name);
         modifiers = event.modifiers;
         key_that_edits = key_that_edits || (event.pressed && event.name.size() > 1);

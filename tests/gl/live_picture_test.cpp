@@ -8,67 +8,16 @@
 
 #include "base/error.hpp"
 #include "exact/resolve.hpp"
-#include "gl/contexts.hpp"
-#include "gl/live.hpp"
-#include "gpu/gpu_renderer.hpp"
-#include "scene/navigation.hpp"
+#include "gl/live_export.hpp"
 #include "shade/shade.hpp"
 #include "tiles/pixel_grid.hpp"
 
 namespace sphereview::test {
 namespace {
 
+using LivePictureTest = LiveAndExported;
+
 constexpr std::array<int, 4> steps = {8, 4, 2, 1};
-
-// Spheres of all colours before the eye and beside the picture; every third is hidden.
-Scene colorful_scene(int count) {
-    Scene scene;
-    for (int i = 0; i < count; ++i) {
-        const auto value = static_cast<std::uint8_t>(i);
-        Sphere sphere;
-        sphere.center = {(i * 37 % 1000 - 500) * 0.25, (i * 61 % 999 - 499) * 0.25, 200.0 + i % 100};
-        sphere.radius = 3.0 + i % 7;
-        sphere.color = {value, static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(i * 7)};
-        sphere.hidden = i % 3 == 2;
-        scene.spheres.push_back(sphere);
-    }
-    return scene;
-}
-
-class LivePictureTest : public testing::TestWithParam<ContextKind> {
-protected:
-    // The numbers that the export's renderer has for the picture, its best guesses for doubtful pixels: what a window shows.
-    std::vector<std::int32_t> numbers(const Scene& scene, const View& view) {
-        Timings timings;
-        GpuRenderer gpu(timings);
-        const DrawnSpheres drawn = drawn_spheres(scene, view.camera);
-        gpu.upload(drawn, build_lists(drawn, view.camera, view.size, gpu_tile_costs), view.camera, view.size, timings);
-        const int side = gpu.largest_block_side();
-        std::vector<std::int32_t> all(static_cast<std::size_t>(view.size.width) * static_cast<std::size_t>(view.size.height));
-        for (int y = 0; y < view.size.height; y += side) {
-            for (int x = 0; x < view.size.width; x += side) {
-                const Block block{x, y, std::min(side, view.size.width - x), std::min(side, view.size.height - y)};
-                std::vector<std::int32_t> part(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-                gpu.trace(block, part, timings);
-                for (int row = 0; row < block.height; ++row) {
-                    std::copy_n(part.begin() + std::ptrdiff_t{row} * block.width, block.width,
-                                all.begin() + std::ptrdiff_t{y + row} * view.size.width + x);
-                }
-            }
-        }
-        Resolver(scene, drawn, view.size).accept_guesses(all);
-        return all;
-    }
-
-    // The colours of those numbers.
-    static Image colored(const Scene& scene, const View& view, const std::vector<std::int32_t>& numbers) {
-        Image image(view.size.width, view.size.height, 4);
-        shade_flat(scene, scene.background, {0, 0, view.size.width, view.size.height}, numbers, image);
-        return image;
-    }
-
-    std::unique_ptr<GlContext> context_ = GetParam().open();
-};
 
 TEST_P(LivePictureTest, ShowsWhatAnExportShowsAtEverySize) {
     Scene scene = colorful_scene(300);
@@ -355,64 +304,6 @@ TEST_P(LivePictureTest, TellsWhichSpheresABlockShows) {
         if (block.width == 210) {
             EXPECT_GT(expected.size(), 20U);
         }
-    }
-}
-
-// So many that a coarse grid has lists of its own.
-TEST_P(LivePictureTest, MovesAboutManySpheres) {
-    Scene scene = colorful_scene(33'000);
-    for (Sphere& sphere : scene.spheres) sphere.radius *= 0.2;
-    const Document document(scene);
-    LivePicture picture;
-    View view{scene.camera, {203, 101}};
-    for (int turn = 0; turn < 4; ++turn) {
-        view.camera = orbited(view.camera, {0.0, 0.0, 250.0}, 0.2, 0.05);
-        const Image expected = colored(scene, view, numbers(scene, view));
-        const DrawnSpheres drawn = drawn_spheres(scene, view.camera);
-        for (const int step : {8, 2, 1}) {
-            const PixelGrid grid{view.size, step};
-            const Image image = shown(picture, document, view, step);
-            for (int y = 0; y < view.size.height; ++y) {
-                for (int x = 0; x < view.size.width; ++x) {
-                    const Pixel traced{grid.traced_column(x / step), grid.traced_row(y / step)};
-                    if (at(image, x, y) == at(expected, traced.x, traced.y)) continue;
-                    // Of a doubtful pixel a window shows a guess, which may be another with other lists.
-                    ASSERT_NE(decision_level(scene, drawn, view.camera, view.size, traced), DecisionLevel::in_float)
-                        << turn << ", step " << step << ": " << x << "," << y;
-                }
-            }
-            if (turn % 2 == 0 && step == 2) break;  // on to the next view, not refined
-        }
-    }
-    EXPECT_EQ(picture.step(), 1);
-    EXPECT_FALSE(picture.update(document, view, 8));  // it has better
-    EXPECT_TRUE(picture.certify(document, 60.0));
-    const DrawnSpheres drawn = drawn_spheres(scene, view.camera);
-    const Resolver resolver(scene, drawn, view.camera, view.size, nullptr);
-    DecisionLevel level{};
-    for (int y = 0; y < view.size.height; ++y)
-        EXPECT_EQ(picture.pick(document, {2 * y, y}), resolver.resolve({2 * y, y}, level)) << y;
-}
-
-TEST_P(LivePictureTest, FollowsColoursAndPicksWhileItMoves) {
-    Scene scene = colorful_scene(33'000);
-    Document document(scene);
-    LivePicture picture;
-    View view{scene.camera, {120, 90}};
-    shown(picture, document, view, 8);
-    Selection all;
-    all.set({0, 1, 3});
-    for (int turn = 0; turn < 3; ++turn) {
-        view.camera = orbited(view.camera, {0.0, 0.0, 250.0}, 0.1, 0.0);
-        Sphere sphere = document.scene().spheres[0];
-        sphere.color = {static_cast<std::uint8_t>(turn), 200, 7};
-        document.apply(change(0, sphere), "colour");
-        LivePicture anew;
-        EXPECT_TRUE(same(shown(picture, document, view, 8, {&all, {}, 2.0F}), shown(anew, document, view, 8, {&all, {}, 2.0F})));
-        const DrawnSpheres drawn = drawn_spheres(document.scene(), view.camera);
-        const Resolver resolver(document.scene(), drawn, view.camera, view.size, nullptr);
-        DecisionLevel level{};
-        for (int i = 0; i < 90; ++i) EXPECT_EQ(picture.pick(document, {i, i}), resolver.resolve({i, i}, level)) << i;
     }
 }
 

@@ -46,7 +46,9 @@ testing::AssertionResult hides_nothing(const std::vector<InputEvent>& frame) {
             return testing::AssertionFailure() << "a drag ends in the frame of its move";
         if (std::holds_alternative<PointerMoved>(event)) moved = true;
         if (std::holds_alternative<PointerMoved>(event) && buttons > 0) moved_after = true;
-        if (const auto* key = std::get_if<KeyChanged>(&event)) ++keys[key->name];
+        const auto* key = std::get_if<KeyChanged>(&event);
+        if (key != nullptr) ++keys[key->name];
+        if (key != nullptr && key->pressed && buttons > 0) return testing::AssertionFailure() << "a key behind a button";
     }
     if (buttons > 1) return testing::AssertionFailure() << buttons << " changes of buttons";
     if (moved_after) return testing::AssertionFailure() << "the pointer moves after a change of a button";
