@@ -156,18 +156,19 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
     for (const InputEvent& event : events) {
         if (takes_over(event)) state_.flight.reset();
         if (std::holds_alternative<CloseRequested>(event)) {
-            actions.push_back(RunCommand{CommandId::quit});
+            actions.emplace_back(RunCommand{CommandId::quit});
         } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
-            actions.push_back(OpenFile{dropped->paths.front()});
+            actions.emplace_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
             if (key->name == "escape" && state_.loading) continue;  // ends that, and nothing else
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
-            if (const auto command = command_for_key(key->name, m.control, m.shift, m.alt)) actions.push_back(RunCommand{*command});
+            if (const auto command = command_for_key(key->name, m.control, m.shift, m.alt))
+                actions.emplace_back(RunCommand{*command});
         } else if (const auto* typed = std::get_if<CharacterTyped>(&event); typed != nullptr && !typing && state_.dialogs.empty()) {
-            if (const auto command = command_for_character(typed->character)) actions.push_back(RunCommand{*command});
+            if (const auto command = command_for_character(typed->character)) actions.emplace_back(RunCommand{*command});
         }
     }
     return events;
