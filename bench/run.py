@@ -62,7 +62,8 @@ def reading(bench: Bench) -> tuple[list[Row], dict]:
             subprocess.run([bench.program("make_scene"), *arguments], stdout=file, check=True)
     scenes["volume, TOML"] = bench.out / "volume.toml"
     subprocess.run([bench.program("sphereview"), "convert", str(scenes["volume"]), str(scenes["volume, TOML"])], check=True)
-    data_formats = {"volume, XYZ": "xyz", "volume, extended XYZ": "extxyz", "volume, CSV": "csv"}
+    data_formats = {"volume, XYZ": "xyz", "volume, extended XYZ": "extxyz", "volume, CSV": "csv", "volume, PDB": "pdb",
+                    "volume, mmCIF": "mmcif"}
     for name, kind in data_formats.items():
         scenes[name] = bench.out / f"volume.{kind}"
         with scenes[name].open("wb") as file:

@@ -5,10 +5,6 @@
 
 #include "app/render_picture.hpp"
 
-#ifdef SPHEREVIEW_SANITIZED
-#include <sanitizer/lsan_interface.h>
-#endif
-
 namespace sphereview::oracle {
 
 std::vector<Backend> tested_backends() {
@@ -27,11 +23,6 @@ TileCosts with_small_budget(TileCosts costs) {
 }
 
 OpenBackend opened(Backend backend) {
-#ifdef SPHEREVIEW_SANITIZED
-    // What drivers leak while a context is opened is not ours, and tests/lsan.supp cannot name it once one driver was
-    // unloaded and another took its place.
-    const __lsan::ScopedDisabler not_ours;
-#endif
     Timings timings;
     return open_backend(backend, std::nullopt, timings);
 }
