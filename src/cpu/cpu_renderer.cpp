@@ -155,7 +155,7 @@ void CpuRenderer::trace_cell(Pixel cell, const Block& block, std::int32_t* visib
 
     for (const TileLevel& level : lists_.levels) {
         for (const Candidate& candidate : lists_.at(level, cell.x, cell.y)) {
-            if (candidate.nearest > farthest(nearest.smallest_high)) break;
+            if (ends_walk(candidate, farthest(nearest.smallest_high))) break;
             add_candidate(nearest, rays, static_cast<std::int32_t>(candidate.index), spheres_.center_radius[candidate.index],
                           view_.error_scale);
         }

@@ -1,8 +1,10 @@
 // Which spheres a pixel can show: the lists of its screen tiles. Made by tiles/build_lists.hpp. Twin: shaders/candidates.glsl.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -21,6 +23,13 @@ struct PixelRange {
     bool operator==(const PixelRange&) const = default;
 };
 
+// The smallest range that holds both.
+inline PixelRange united(const PixelRange& a, const PixelRange& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
+}
+
 // A sphere in the list of a tile.
 struct Candidate {
     std::uint32_t index = 0;  // among the drawn spheres
@@ -28,6 +37,19 @@ struct Candidate {
 
     bool operator==(const Candidate&) const = default;
 };
+
+// No hit is as far away as this. Twin: `never` in shaders/filter.glsl.
+inline constexpr float farthest_hit = 3.0e38F;
+
+// What may stand at the end of a list in place of spheres that went, or that may come (tiles/edited_lists.hpp).
+inline constexpr Candidate no_candidate = {0, std::numeric_limits<float>::max()};
+static_assert(no_candidate.nearest > farthest_hit);
+
+// Whether a walk along a list stops at this candidate, when a hit is sure at that distance, which may be infinite.
+template <typename Real>
+bool ends_walk(const Candidate& candidate, Real sure_hit) {
+    return candidate.nearest > std::min(sure_hit, Real{farthest_hit});
+}
 
 // Square tiles of one size that cover the picture, row by row.
 struct TileLevel {
@@ -46,7 +68,8 @@ struct CandidateLists {
     std::vector<TileLevel> levels;               // at most most_tile_levels; only those in which something is listed
     std::vector<std::uint32_t> begins = {0, 0};  // where each tile's list begins; one more, for the end of the last
     UninitializedVector<Candidate> candidates;
-    PixelRange covered;  // outside it no pixel shows a sphere
+    PixelRange covered;           // outside it no pixel shows a sphere
+    std::int64_t most_tiles = 0;  // what covers more of a level's tiles is in the next coarser level, if there is one
 
     // The list of the level's tile in which pixel (x, y) lies.
     std::span<const Candidate> at(const TileLevel& level, int x, int y) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cassert>
 #include <cmath>
 #include <mutex>
 
@@ -29,13 +30,26 @@ double size_of(const Sphere& sphere, const glm::dvec3& eye) {
 
 bool in_range(double size) { return size >= smallest_size && size < largest_size; }
 
-// The numbers of the spheres that may be seen.
-std::vector<std::int32_t> seen_numbers(const std::vector<Sphere>& spheres) {
+struct Numbers {
+    std::vector<std::int32_t> drawn;  // empty when `all`
+    std::vector<std::int32_t> twins;
+    bool all = false;
+};
+
+// Of the spheres that may be seen, and of those that equal one.
+Numbers numbers_of(const std::vector<Sphere>& spheres) {
     const std::vector<std::uint8_t> unseen = never_seen(spheres);
-    std::vector<std::int32_t> numbers;
-    numbers.reserve(spheres.size());
+    Numbers numbers;
+    const auto left_out = static_cast<std::size_t>(std::ranges::count(unseen, 1));
+    numbers.all = left_out == 0;
+    if (numbers.all) return numbers;
+    numbers.drawn.reserve(spheres.size() - left_out);
     for (std::size_t i = 0; i < spheres.size(); ++i) {
-        if (unseen[i] == 0) numbers.push_back(static_cast<std::int32_t>(i));
+        if (unseen[i] == 0) {
+            numbers.drawn.push_back(static_cast<std::int32_t>(i));
+        } else if (!spheres[i].hidden) {
+            numbers.twins.push_back(static_cast<std::int32_t>(i));
+        }
     }
     return numbers;
 }
@@ -76,6 +90,14 @@ float signed_radius(double radius, EyeSide side) {
     return side == EyeSide::outside ? size : side == EyeSide::inside ? -size : 0.0F;
 }
 
+// As DrawnSpheres::center_radius has it; none for a sphere that is beyond float.
+std::optional<glm::vec4> in_float(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, const Scaling& scaled) {
+    if (!in_range(scaled(size_of(sphere, eye)))) return std::nullopt;
+    const glm::dvec3 c = sphere.center - eye;
+    return glm::vec4(static_cast<float>(scaled(c.x)), static_cast<float>(scaled(c.y)), static_cast<float>(scaled(c.z)),
+                     signed_radius(scaled(sphere.radius), side));
+}
+
 // `numbers`: of those that are drawn; empty when all are.
 DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std::int32_t> numbers) {
     DrawnSpheres drawn;
@@ -84,20 +106,19 @@ DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std:
     const std::size_t count = drawn.numbers.empty() ? scene.spheres.size() : drawn.numbers.size();
     drawn.scale = scale_for(scene, eye, drawn.numbers);
     const Scaling scaled(drawn.scale);
+    drawn.center_radius.reserve(count + DrawnSpheres::room_for_late);
     drawn.center_radius.resize(count);
     std::mutex beyond_float;
     parallel_pieces(count, spheres_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[static_cast<std::size_t>(drawn.number(i))];
             const EyeSide side = eye_side(sphere, eye);
-            if (!in_range(scaled(size_of(sphere, eye)))) {
+            if (const auto values = in_float(sphere, side, eye, scaled)) {
+                drawn.center_radius[i] = *values;
+            } else {  // leaves the mark, zeros
                 const std::lock_guard lock(beyond_float);
                 drawn.beyond_float[static_cast<std::uint32_t>(i)] = side;
-                continue;  // leaves the mark, zeros
             }
-            const glm::dvec3 c = sphere.center - eye;
-            drawn.center_radius[i] = {static_cast<float>(scaled(c.x)), static_cast<float>(scaled(c.y)),
-                                      static_cast<float>(scaled(c.z)), signed_radius(scaled(sphere.radius), side)};
         }
     });
     return drawn;
@@ -108,21 +129,41 @@ DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std:
 DrawnSpheres drawn_spheres(const Scene& scene) { return drawn_spheres(scene, scene.camera); }
 
 DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
-    std::vector<std::int32_t> numbers = seen_numbers(scene.spheres);
-    if (numbers.empty()) return {};
-    if (numbers.size() == scene.spheres.size()) numbers = {};
-    return drawn_of(scene, camera, std::move(numbers));
+    Numbers numbers = numbers_of(scene.spheres);
+    if (numbers.all ? scene.spheres.empty() : numbers.drawn.empty()) return {};
+    DrawnSpheres drawn = drawn_of(scene, camera, std::move(numbers.drawn));
+    drawn.twins = std::move(numbers.twins);
+    return drawn;
 }
 
 DrawnSpheres drawn_again(const Scene& scene, const Camera& camera, const DrawnSpheres& drawn) {
-    return drawn.size() == 0 ? DrawnSpheres() : drawn_of(scene, camera, drawn.numbers);
+    assert(drawn.gone.empty() && drawn.late == 0);
+    if (drawn.size() == 0) return {};
+    DrawnSpheres again = drawn_of(scene, camera, drawn.numbers);
+    again.twins = drawn.twins;
+    return again;
+}
+
+std::optional<glm::vec4> drawn_form(const Sphere& sphere, const Camera& camera, int scale) {
+    return in_float(sphere, eye_side(sphere, camera.eye), camera.eye, Scaling(scale));
 }
 
 std::optional<std::size_t> DrawnSpheres::index_of(std::uint32_t number) const {
-    if (numbers.empty()) return number < size() ? std::optional<std::size_t>(number) : std::nullopt;
-    const auto found = std::ranges::lower_bound(numbers, static_cast<std::int32_t>(number));
-    if (found == numbers.end() || *found != static_cast<std::int32_t>(number)) return std::nullopt;
-    return static_cast<std::size_t>(found - numbers.begin());
+    const auto wanted = static_cast<std::int32_t>(number);
+    const auto is_gone = [&](std::size_t index) { return std::ranges::binary_search(gone, static_cast<std::uint32_t>(index)); };
+    if (numbers.empty()) return number < size() && !is_gone(number) ? std::optional<std::size_t>(number) : std::nullopt;
+    const auto in_order = numbers.end() - static_cast<std::ptrdiff_t>(late);
+    // Of those with the same number all but the last are gaps.
+    const auto found = std::upper_bound(numbers.begin(), in_order, wanted);
+    if (found != numbers.begin() && *(found - 1) == wanted) {
+        const auto index = static_cast<std::size_t>(found - 1 - numbers.begin());
+        if (!is_gone(index)) return index;
+    }
+    for (auto later = in_order; later != numbers.end(); ++later) {
+        const auto index = static_cast<std::size_t>(later - numbers.begin());
+        if (*later == wanted && !is_gone(index)) return index;
+    }
+    return std::nullopt;
 }
 
 EyeSide DrawnSpheres::side(std::size_t index) const {

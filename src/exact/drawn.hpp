@@ -19,11 +19,18 @@ struct DrawnSpheres {
     // x, y, z: the centre relative to the eye, subtracted in double, times 2^scale. w: the radius likewise; negative when
     // the eye is inside, 0 when it lies exactly on the surface. All 0: beyond float, see below.
     std::vector<glm::vec4> center_radius;
-    std::vector<std::int32_t> numbers;  // in the scene; empty when nothing was left out: index i is number i
+    std::vector<std::int32_t> numbers;  // in the scene, ascending; empty when nothing was left out: index i is number i
+    std::vector<std::int32_t> twins;    // the numbers of those that equal an earlier one, ascending
     int scale = 0;                      // 0 unless most of the scene is very small or very large
     // The spheres so small or large that the float filter proves nothing about them. They are uploaded as zeros, for which the
     // filter finds "perhaps hit, at 0 or farther": every pixel that tries one is doubtful.
     std::unordered_map<std::uint32_t, EyeSide> beyond_float;
+
+    // What edits leave behind (exact/drawn_edits.hpp). An index stays a sphere's own; those that went leave a gap. There is room in
+    // memory for so many that come.
+    static constexpr std::size_t room_for_late = 4096;
+    std::vector<std::uint32_t> gone;  // the gaps, ascending; in no list
+    std::size_t late = 0;             // so many at the end came later: their numbers are in no order
 
     std::size_t size() const { return center_radius.size(); }
     std::int32_t number(std::size_t index) const { return numbers.empty() ? static_cast<std::int32_t>(index) : numbers[index]; }
@@ -36,8 +43,11 @@ struct DrawnSpheres {
 DrawnSpheres drawn_spheres(const Scene& scene);
 // As another camera than the scene's sees them; only its eye matters.
 DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera);
-// As another eye sees those that were drawn of the same scene. Which spheres can be seen does not depend on it.
+// As another eye sees those that were drawn of the same scene, without any edits. Which spheres can be seen does not depend on it.
 DrawnSpheres drawn_again(const Scene& scene, const Camera& camera, const DrawnSpheres& drawn);
+
+// One of DrawnSpheres::center_radius; none for a sphere that is beyond float.
+std::optional<glm::vec4> drawn_form(const Sphere& sphere, const Camera& camera, int scale);
 
 // What a float renderer needs besides the spheres.
 struct FloatView {

@@ -75,7 +75,7 @@ NearestHits<double> Resolver::contest(Pixel pixel, std::vector<Contest>& contest
     for (const TileLevel& level : lists_->levels) {
         double beyond = NearestHits<double>::never;
         for (const Candidate& candidate : lists_->at(level, pixel.x, pixel.y)) {
-            if (candidate.nearest > beyond) break;
+            if (ends_walk(candidate, beyond)) break;
             add(candidate.index);
             beyond = std::ldexp(nearest.smallest_high, drawn_.scale);  // in the units of the lists
         }

@@ -75,10 +75,10 @@ LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& 
     : shader_folder_(shader_folder),
       no_vertices_(make_vertex_array()),
       frame_buffer_(make_buffer()),
-      tables_(bounds),
+      tables_(bounds, EditedScene::most_changes),
       sampled_(bounds) {
     if (!shader_folder_.empty()) shader_files_ = ShaderFiles(shader_folder_);
-    compile(tables_.defines_for(drawn_, lists_));
+    compile(tables_.defines_for(scene_.drawn(), scene_.lists()));
 }
 
 // Where the folder's shaders fail, perhaps only with these defines, the program's own do.
@@ -114,31 +114,48 @@ std::string LivePicture::reload_shaders() {
 void LivePicture::rebuild(const Document& document, const View& view, bool geometry, int step) {
     const Scene& scene = document.scene();
     std::optional<DrawnSpheres> drawn;
-    if (geometry) {
+    const bool anew = geometry || scene_.edited();
+    if (anew) {
         drawn = drawn_spheres(scene, view.camera);
     } else if (!(view.camera.eye == view_.camera.eye)) {
-        drawn = drawn_again(scene, view.camera, drawn_);
+        drawn = drawn_again(scene, view.camera, scene_.drawn());
     }
-    const DrawnSpheres& spheres = drawn ? *drawn : drawn_;
+    const DrawnSpheres& spheres = drawn ? *drawn : scene_.drawn();
     const PixelGrid grid{view.size, spheres.size() > most_for_all_pixels ? step : 1};
-    CandidateLists lists = build_grid_lists(spheres, view.camera, grid, gpu_tile_costs);
-    const std::vector<std::string> defines = tables_.defines_for(spheres, lists);
+    CandidateLists built = build_grid_lists(spheres, view.camera, grid, gpu_tile_costs, EditedLists::spare(grid));
+    EditedLists lists =
+        tables_.take_edits_of(spheres) ? EditedLists(std::move(built), view.camera, grid) : EditedLists(std::move(built));
+    const std::vector<std::string> defines = tables_.defines_for(spheres, lists.lists());
     if (defines != defines_) compile(defines);
 
+    forget_picture();
+    tables_.upload(spheres, lists.lists());
+    frame_ = frame_of(lists.lists(), view.camera, view.size);
+    lists_step_ = grid.step;
+    view_ = view;
+    if (drawn) {
+        scene_ = EditedScene(std::move(*drawn), std::move(lists), view.camera);
+    } else {
+        scene_.replace_lists(std::move(lists), view.camera);
+    }
+    if (anew) colors_.set(scene, scene_.drawn(), shading_);
+}
+
+// Brings what was built up to date in proportion to what changed; false where it must be built anew.
+bool LivePicture::follow(const Document& document, const SceneChanges& changes) {
+    if (!scene_.follow(document.scene(), changes)) return false;
+    forget_picture();
+    tables_.update(scene_.drawn(), scene_.lists(), scene_.take_changed());
+    frame_ = frame_of(scene_.lists(), view_.camera, view_.size);
+    colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, changes.order);
+    return true;
+}
+
+void LivePicture::forget_picture() {
     revision_ = 0;  // unless all goes well, nothing here fits together
     sampled_.discard(SampledPicture::Change::everything);
     step_ = 0;
-    tables_.upload(spheres, lists);
-    frame_ = frame_of(lists, view.camera, view.size);
-    lists_ = std::move(lists);
-    lists_step_ = grid.step;
-    view_ = view;
-    if (drawn) drawn_ = std::move(*drawn);
     range_.reset();
-    if (geometry) {
-        colors_ = shown_colors(scene, drawn_, shading_);
-        colors_uploaded_ = false;
-    }
     selected_range_known_ = false;
     traced_ = false;
 }
@@ -153,9 +170,8 @@ void LivePicture::trace(int step) {
     tables_.bind();
     glUseProgram(programs_.trace.name());
     PixelRange covered;
-    if (!lists_.covered.empty()) {
-        covered = {lists_.covered.left / step, lists_.covered.top / step, lists_.covered.right / step,
-                   lists_.covered.bottom / step};
+    if (const PixelRange& pixels = scene_.lists().covered; !pixels.empty()) {
+        covered = {pixels.left / step, pixels.top / step, pixels.right / step, pixels.bottom / step};
     }
     // Elsewhere the background is known.
     if (!(covered == PixelRange{0, 0, width - 1, height - 1})) {
@@ -177,16 +193,13 @@ void LivePicture::trace(int step) {
 // For show(), which is not given the scene.
 void LivePicture::prepare_shading(const Document& document, Shading shading) {
     const Scene& scene = document.scene();
-    if ((shading == Shading::id) != (shading_ == Shading::id)) {
-        colors_ = shown_colors(scene, drawn_, shading);
-        colors_uploaded_ = false;
-    }
+    if ((shading == Shading::id) != (shading_ == Shading::id)) colors_.set(scene, scene_.drawn(), shading);
     if (shading != shading_) sampled_.discard(SampledPicture::Change::shaders);
     shading_ = shading;
     if (!depends_on_hit(shading)) return;
     if (!range_) range_ = depth_range(scene, view_.camera.eye);
     // Distances as sphere_at() has them. A float holds none beyond 2^100: where the scene has such, all that it holds is as near.
-    const auto scaled = [&](double distance) { return std::ldexp(distance / shading_scale, drawn_.scale); };
+    const auto scaled = [&](double distance) { return std::ldexp(distance / shading_scale, scene_.drawn().scale); };
     const double range = std::max(scaled(range_->farthest - range_->nearest), 0x1p-100);
     const CameraAxes axes = camera_axes(view_.camera);
     frame_.shading = static_cast<std::int32_t>(shading);
@@ -207,17 +220,11 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
     const SceneChanges changes = document.changes_since(revision_);
     const bool geometry = revision_ == 0 || changes.order || changes.geometry;
     const bool other_grid = (!traced_ || step < step_) && lists_step_ != 1 && lists_step_ != step;
-    if (geometry || view != view_ || other_grid) rebuild(document, view, geometry, step);
-    if (!geometry) {
-        for (const std::uint32_t number : changes.spheres) {
-            const std::optional<std::size_t> index = drawn_.index_of(number);
-            if (!index) continue;
-            const std::uint8_t mark = colors_[*index][3];
-            colors_[*index] = shown_color(document.scene(), static_cast<std::int32_t>(number), shading_);
-            colors_[*index][3] = mark;
-            colors_uploaded_ = false;
-            sampled_.discard(SampledPicture::Change::colors);
-        }
+    const bool followed = geometry && revision_ != 0 && view == view_ && !other_grid && follow(document, changes);
+    if (!followed && (geometry || view != view_ || other_grid)) rebuild(document, view, geometry, step);
+    if (!geometry && !changes.spheres.empty()) {
+        colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, false);
+        sampled_.discard(SampledPicture::Change::colors);
     }
     revision_ = document.revision();
     prepare_shading(document, shading);
@@ -239,14 +246,14 @@ bool LivePicture::certify(const Document& document, double seconds) {
     const Deadline deadline(seconds);
     if (!traced_ || step_ != 1) return false;
     const KeptFramebuffers kept;
-    const Resolver resolver(document.scene(), drawn_, view_.camera, view_.size, &lists_);
+    const Resolver resolver(document.scene(), scene_.drawn(), view_.camera, view_.size, &scene_.lists());
     std::vector<std::int32_t> visible;
     while (certified_rows_ < view_.size.height) {
         const Block block{0, certified_rows_, view_.size.width, std::min(strip, view_.size.height - certified_rows_)};
         visible.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
         visible_.read(block, visible);
         const Decided decided = decide_doubtful(
-            resolver, drawn_, visible,
+            resolver, scene_.drawn(), visible,
             [&](int place) {
                 return Pixel{place % block.width, block.y + place / block.width};
             },
@@ -264,33 +271,26 @@ void LivePicture::refine(const Document& document, int samples, const Background
     assert(document.revision() == revision_);
     const KeptFramebuffers kept;
     draw_plainly();
-    sampled_.refine({document.scene(), drawn_, view_.camera, view_.size, colors_, shader_files_, shading_, frame_}, samples,
-                    background, seconds);
+    sampled_.refine({document.scene(), scene_.drawn(), view_.camera, view_.size, colors_.all(), shader_files_, shading_, frame_},
+                    samples, background, seconds);
 }
 
-// Also finds out where they are. Uploads all colours if anything is another.
+// Also finds out where they are, and uploads the colours.
 void LivePicture::mark_selected(const Selection* selection) {
     static const std::vector<std::uint32_t> none;
     const std::vector<std::uint32_t>& numbers = selection != nullptr ? selection->numbers() : none;
-    const bool marked = colors_uploaded_ && numbers == selected_;
-    if (marked && selected_range_known_) return;
-    selected_range_ = numbers.size() > most_single_ranges ? lists_.covered : PixelRange{};
-    selected_range_known_ = true;
-    if (!marked) {
-        for (ShownColor& color : colors_) color[3] = 0;
+    if (!selected_range_known_ || !colors_.are_marked(numbers)) {
+        const bool many = numbers.size() > most_single_ranges;
+        selected_range_ = many ? scene_.lists().covered : PixelRange{};
+        const PixelPlanes planes(view_.camera, view_.size);
+        for (std::size_t i = 0; i < numbers.size() && !many; ++i) {
+            const auto index = scene_.drawn().index_of(numbers[i]);
+            if (index) selected_range_ = united(selected_range_, planes.range(scene_.drawn().center_radius[*index]));
+        }
+        selected_range_known_ = true;
     }
-    const PixelPlanes planes(view_.camera, view_.size);
-    for (const std::uint32_t number : numbers) {
-        const std::optional<std::size_t> index = drawn_.index_of(number);
-        if (!index) continue;
-        colors_[*index][3] = 255;
-        if (numbers.size() > most_single_ranges) continue;
-        selected_range_ = united(selected_range_, planes.range(drawn_.center_radius[*index]));
-    }
-    if (marked) return;
-    selected_ = numbers;
-    tables_.upload_colors(colors_);
-    colors_uploaded_ = true;
+    colors_.mark(numbers, scene_.drawn());
+    colors_.upload(tables_);
 }
 
 void LivePicture::show(const WindowArea& area, const Background& background, const Highlights& highlights, int samples) {
@@ -304,9 +304,9 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     mark_selected(highlights.selection);
     PixelRange outlined = selected_range_;
     FrameBlock frame = frame_;
-    if (const auto index = highlights.hovered ? drawn_.index_of(*highlights.hovered) : std::nullopt) {
+    if (const auto index = highlights.hovered ? scene_.drawn().index_of(*highlights.hovered) : std::nullopt) {
         frame.hovered = static_cast<std::int32_t>(*index);
-        outlined = united(outlined, PixelPlanes(view_.camera, view_.size).range(drawn_.center_radius[*index]));
+        outlined = united(outlined, PixelPlanes(view_.camera, view_.size).range(scene_.drawn().center_radius[*index]));
     }
     frame.background = shown_background(background);
     frame.checkerboard = checkerboard_shift;
@@ -336,7 +336,7 @@ std::optional<std::int32_t> LivePicture::traced_number(Pixel pixel) const {
     std::array<std::int32_t, 1> visible{};
     visible_.read(texel, visible);
     if (is_doubtful(visible[0])) return std::nullopt;
-    return visible[0] < 0 ? visible[0] : drawn_.number(static_cast<std::size_t>(visible[0]));
+    return visible[0] < 0 ? visible[0] : scene_.drawn().number(static_cast<std::size_t>(visible[0]));
 }
 
 std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
@@ -350,25 +350,26 @@ std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
     }
     if (const auto number = traced_number(pixel)) return *number;
     // Lists of a grid know nothing of other pixels.
-    return Resolver(document.scene(), drawn_, view_.camera, size, lists_step_ == 1 ? &lists_ : nullptr).resolve(pixel, level);
+    return Resolver(document.scene(), scene_.drawn(), view_.camera, size, lists_step_ == 1 ? &scene_.lists() : nullptr)
+        .resolve(pixel, level);
 }
 
 std::vector<std::uint32_t> LivePicture::seen_in(const Document& document, const Block& block) const {
     assert(document.revision() == revision_ && traced_ && step_ == 1);
     const KeptFramebuffers kept;
-    const Resolver resolver(document.scene(), drawn_, view_.camera, view_.size, &lists_);
+    const Resolver resolver(document.scene(), scene_.drawn(), view_.camera, view_.size, &scene_.lists());
     std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     visible_.read(block, visible);
     const auto pixel_of = [&](int place) { return Pixel{block.x + place % block.width, block.y + place / block.width}; };
-    decide_doubtful(resolver, drawn_, visible, pixel_of, Deadline(longest_decision));
-    std::vector<bool> seen(drawn_.size());
+    decide_doubtful(resolver, scene_.drawn(), visible, pixel_of, Deadline(longest_decision));
+    std::vector<bool> seen(scene_.drawn().size());
     for (const std::int32_t number : visible) {
         const std::int32_t index = is_doubtful(number) ? doubtful(number) : number;  // at worst the guess
         if (index >= 0) seen[static_cast<std::size_t>(index)] = true;
     }
     std::vector<std::uint32_t> numbers;
     for (std::size_t index = 0; index < seen.size(); ++index) {
-        if (seen[index]) numbers.push_back(static_cast<std::uint32_t>(drawn_.number(index)));
+        if (seen[index]) numbers.push_back(static_cast<std::uint32_t>(scene_.drawn().number(index)));
     }
     return numbers;
 }

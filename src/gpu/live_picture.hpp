@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "exact/drawn.hpp"
 #include "gpu/gl_object.hpp"
 #include "gpu/layouts.hpp"
 #include "gpu/number_target.hpp"
@@ -14,10 +13,12 @@
 #include "gpu/sampled_picture.hpp"
 #include "gpu/scene_tables.hpp"
 #include "gpu/shader_source.hpp"
+#include "gpu/shown_colors.hpp"
 #include "scene/document.hpp"
 #include "scene/selection.hpp"
 #include "shade/shading.hpp"
 #include "shade/surface.hpp"
+#include "tiles/edited_scene.hpp"
 
 namespace sphereview {
 
@@ -111,6 +112,8 @@ private:
 
     void compile(const std::vector<std::string>& defines);
     void rebuild(const Document& document, const View& view, bool geometry, int step);
+    bool follow(const Document& document, const SceneChanges& changes);
+    void forget_picture();
     void trace(int step);
     void prepare_shading(const Document& document, Shading shading);
     void mark_selected(const Selection* selection);
@@ -130,18 +133,15 @@ private:
 
     std::uint64_t revision_ = 0;  // that all below is made from; 0: none
     View view_;
-    DrawnSpheres drawn_;
-    CandidateLists lists_;
+    EditedScene scene_;   // the drawn spheres and their lists
     int lists_step_ = 1;  // they are for the pixels of the grid with this step alone; 1: for all
     FrameBlock frame_;
 
     Shading shading_ = Shading::flat;
-    std::optional<DepthRange> range_;      // of this scene and eye, once it was needed
-    std::vector<ShownColor> colors_;       // of the drawn spheres
-    bool colors_uploaded_ = false;         // as they are
-    std::vector<std::uint32_t> selected_;  // the numbers that are marked in them
-    PixelRange selected_range_;            // outside it no pixel shows one of those
-    bool selected_range_known_ = false;    // it is of this view
+    std::optional<DepthRange> range_;  // of this scene and eye, once it was needed
+    ShownColors colors_;
+    PixelRange selected_range_;          // outside it no pixel shows a sphere that is marked in the colours
+    bool selected_range_known_ = false;  // it is of this scene and view
 
     bool traced_ = false;  // the visible-sphere buffer is of this scene, view and shaders
     int step_ = 0;

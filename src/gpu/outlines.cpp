@@ -20,12 +20,6 @@ Block block_of(int left, int top, int right, int bottom) { return {left, top, ri
 
 }  // namespace
 
-PixelRange united(const PixelRange& a, const PixelRange& b) {
-    if (a.empty()) return b;
-    if (b.empty()) return a;
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
-}
-
 void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible,
                     const FrameBlock& frame, const PixelRange& range, const WindowArea& area, GLuint window) {
     if (range.empty()) return;

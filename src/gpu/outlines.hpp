@@ -26,9 +26,6 @@ struct OutlinePrograms {
     Program outline;
 };
 
-// The smallest range that holds both.
-PixelRange united(const PixelRange& a, const PixelRange& b);
-
 class Outlines {
 public:
     // Draws into framebuffer `window` what `frame`, which is uploaded, says of the picture in `visible`. The marked spheres are in

@@ -1,6 +1,7 @@
 #include "gpu/scene_tables.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/text.hpp"
 #include "shade/id_color.hpp"
@@ -18,6 +19,27 @@ void put_into(const Buffer& buffer, const void* data, std::size_t used, std::siz
 
 void bind_block(const Buffer& buffer, BlockBinding binding) {
     glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(binding), buffer.name());
+}
+
+// Ascending places, with those joined that lie near to each other: an upload costs more than some candidates too many.
+std::vector<Places> joined(const std::vector<Places>& places) {
+    constexpr std::size_t near = 256;
+    std::vector<Places> all;
+    for (const Places& each : places) {
+        if (all.empty() || each.first > all.back().first + all.back().count + near) {
+            all.push_back(each);
+        } else {
+            all.back().count = std::max(all.back().count, each.first + each.count - all.back().first);
+        }
+    }
+    return all;
+}
+
+// Ascending indices, as places.
+std::vector<Places> runs(const std::vector<std::uint32_t>& indices) {
+    std::vector<Places> all;
+    for (const std::uint32_t index : indices) all.push_back({index, 1});
+    return joined(all);
 }
 
 float channel(std::uint8_t value) { return static_cast<float>(value) / 255.0F; }
@@ -68,7 +90,7 @@ void upload_frame(const Buffer& buffer, const FrameBlock& frame) {
     bind_block(buffer, BlockBinding::frame);
 }
 
-SceneTables::SceneTables(const TextureBounds& bounds) : bounds_(bounds) {
+SceneTables::SceneTables(const TextureBounds& bounds, std::size_t spare_spheres) : bounds_(bounds), spare_spheres_(spare_spheres) {
     uniform_capacity_ = std::min(gl_limit(GL_MAX_UNIFORM_BLOCK_SIZE), largest_uniform_block) / static_cast<int>(sizeof(glm::vec4));
     sphere_buffer_ = make_buffer();
     color_buffer_ = make_buffer();
@@ -76,8 +98,9 @@ SceneTables::SceneTables(const TextureBounds& bounds) : bounds_(bounds) {
 
 SceneTables::Storage SceneTables::storage_for(const DrawnSpheres& spheres, const CandidateLists& lists) const {
     Storage storage;
-    storage.in_block = spheres.size() <= static_cast<std::size_t>(uniform_capacity_);
-    const std::size_t longest = std::max({storage.in_block ? 1 : spheres.size(), lists.candidates.size(), lists.begins.size()}) + 1;
+    storage.in_block = fits_in_block(spheres);
+    const std::size_t longest =
+        std::max({storage.in_block ? 1 : spheres.size() + spare_spheres_, lists.candidates.size(), lists.begins.size()}) + 1;
     storage.tables = table_limits(longest, bounds_);
     if (longest > storage.tables.most_texels) {
         throw TooLarge("its textures hold tables of " + in_groups(storage.tables.most_texels) + " elements, the scene's " +
@@ -105,7 +128,7 @@ void SceneTables::upload(const DrawnSpheres& spheres, const CandidateLists& list
                  static_cast<std::size_t>(uniform_capacity_) * sizeof(glm::vec4));
     } else {
         sphere_table_.upload(spheres.center_radius.data(), spheres.size(), TexelKind::vec4, TextureUnit::sphere_table,
-                             storage_.tables);
+                             storage_.tables, spare_spheres_);
     }
     candidate_table_.upload(lists.candidates.data(), lists.candidates.size(), TexelKind::uint_pair, TextureUnit::candidate_table,
                             storage_.tables);
@@ -122,9 +145,27 @@ void SceneTables::upload_colors(std::span<const ShownColor> colors) {
         put_into(color_buffer_, floats.data(), floats.size() * sizeof(glm::vec4),
                  static_cast<std::size_t>(uniform_capacity_) * sizeof(glm::vec4));
     } else {
-        color_table_.upload(colors.data(), colors.size(), TexelKind::rgba8, TextureUnit::color_table, storage_.tables);
+        // The spheres' spare room, less those that came meanwhile, would do.
+        color_table_.upload(colors.data(), colors.size(), TexelKind::rgba8, TextureUnit::color_table, storage_.tables,
+                            spare_spheres_);
     }
     check_gl("uploading the colours");
+}
+
+void SceneTables::update(const DrawnSpheres& spheres, const CandidateLists& lists, const EditedScene::Changed& changed) {
+    assert(!storage_.in_block);
+    for (const auto& [first, count] : runs(changed.spheres)) sphere_table_.update(&spheres.center_radius[first], first, count);
+    for (const auto& [first, count] : joined(changed.candidates)) candidate_table_.update(&lists.candidates[first], first, count);
+    check_gl("uploading an edit");
+}
+
+void SceneTables::update_colors(std::span<const ShownColor> colors, std::span<const std::uint32_t> indices) {
+    if (storage_.in_block) {
+        upload_colors(colors);
+        return;
+    }
+    for (const std::uint32_t index : indices) color_table_.update(&colors[index], index, 1);
+    check_gl("uploading colours");
 }
 
 void SceneTables::bind() const {

@@ -16,6 +16,7 @@
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 #include "tiles/build_lists.hpp"
+#include "tiles/edited_scene.hpp"
 
 namespace sphereview {
 
@@ -46,7 +47,8 @@ void upload_frame(const Buffer& buffer, const FrameBlock& frame);
 
 class SceneTables {
 public:
-    explicit SceneTables(const TextureBounds& bounds = {});
+    // In textures there will be room for so many more spheres.
+    explicit SceneTables(const TextureBounds& bounds = {}, std::size_t spare_spheres = 0);
 
     // How many spheres the uniform buffer holds: at least 1,024. More are in textures.
     int uniform_capacity() const { return uniform_capacity_; }
@@ -58,6 +60,14 @@ public:
     void upload(const DrawnSpheres& spheres, const CandidateLists& lists);
     // As many as there are spheres.
     void upload_colors(std::span<const ShownColor> colors);
+
+    // Whether so many spheres go into textures, which take edits in proportion to what they touch. What fits into the uniform
+    // buffer is quickly uploaded anew.
+    bool take_edits_of(const DrawnSpheres& spheres) const { return !fits_in_block(spheres); }
+    // Uploads what changed, if it takes edits. The lists must have kept their sizes.
+    void update(const DrawnSpheres& spheres, const CandidateLists& lists, const EditedScene::Changed& changed);
+    // Of the spheres with these indices, in any order.
+    void update_colors(std::span<const ShownColor> colors, std::span<const std::uint32_t> indices);
 
     // Where the spheres are: "uniform buffer", "buffer textures" or "2D textures".
     std::string storage() const;
@@ -73,7 +83,10 @@ private:
     };
     Storage storage_for(const DrawnSpheres& spheres, const CandidateLists& lists) const;
 
+    bool fits_in_block(const DrawnSpheres& spheres) const { return spheres.size() <= static_cast<std::size_t>(uniform_capacity_); }
+
     TextureBounds bounds_;
+    std::size_t spare_spheres_;
     int uniform_capacity_ = 0;
     Storage storage_;
     Buffer sphere_buffer_;

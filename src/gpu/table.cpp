@@ -55,42 +55,59 @@ void Table::bind(TextureUnit unit) const {
     glBindTexture(flat_ ? GL_TEXTURE_2D : GL_TEXTURE_BUFFER, texture_.name());
 }
 
-void Table::upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits) {
+void Table::upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits,
+                   std::size_t spare) {
     const Format format = format_of(kind);
     // A texture keeps the kind that it was first bound as.
     if (!texture_ || flat_ != limits.shift.has_value()) texture_ = make_texture();
+    kind_ = kind;
     flat_ = limits.shift.has_value();
+    shift_ = limits.shift.value_or(0);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    if (!limits.shift) {
+    if (!flat_) {
         if (!buffer_) buffer_ = make_buffer();
         glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
-        const std::size_t size = size_for_one_shader((count + 1) * format.bytes);
+        const std::size_t size = size_for_one_shader((count + spare + 1) * format.bytes);
         glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_DRAW);
-        glBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(count * format.bytes), data);
         glBindTexture(GL_TEXTURE_BUFFER, texture_.name());
         glTexBuffer(GL_TEXTURE_BUFFER, format.internal, buffer_.name());
     } else {
-        const auto columns = std::size_t{1} << *limits.shift;
-        const std::size_t whole_rows = count / columns;
-        const std::size_t rest = count % columns;
-        const auto rows = static_cast<GLsizei>(whole_rows + 1);
+        const auto rows = static_cast<GLsizei>(((count + spare) >> shift_) + 1);
         glBindTexture(GL_TEXTURE_2D, texture_.name());
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.internal), static_cast<GLsizei>(columns), rows, 0, format.format,
+        glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.internal), GLsizei{1} << shift_, rows, 0, format.format,
                      format.type, nullptr);
-        const auto* bytes = static_cast<const char*>(data);
-        const auto put = [&](std::size_t first_row, std::size_t width, std::size_t height) {
-            if (width == 0 || height == 0) return;
-            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, static_cast<GLint>(first_row), static_cast<GLsizei>(width),
-                            static_cast<GLsizei>(height), format.format, format.type, bytes + first_row * columns * format.bytes);
-        };
-        put(0, columns, whole_rows);
-        put(whole_rows, rest, 1);
     }
+    update(data, 0, count);
     glActiveTexture(GL_TEXTURE0);
+}
+
+void Table::update(const void* texels, std::size_t first, std::size_t count) {
+    if (count == 0) return;
+    const Format format = format_of(kind_);
+    if (!flat_) {
+        glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
+        glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first * format.bytes),
+                        static_cast<GLsizeiptr>(count * format.bytes), texels);
+        return;
+    }
+    glBindTexture(GL_TEXTURE_2D, texture_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    const auto columns = std::size_t{1} << shift_;
+    const auto* bytes = static_cast<const char*>(texels);
+    // The rest of a row, whole rows at a time, the beginning of a row.
+    while (count > 0) {
+        const std::size_t column = first & (columns - 1);
+        const std::size_t width = std::min(columns - column, count);
+        const std::size_t height = width == columns ? count >> shift_ : 1;
+        glTexSubImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(column), static_cast<GLint>(first >> shift_),
+                        static_cast<GLsizei>(width), static_cast<GLsizei>(height), format.format, format.type, bytes);
+        first += width * height;
+        count -= width * height;
+        bytes += width * height * format.bytes;
+    }
 }
 
 }  // namespace sphereview

@@ -36,8 +36,13 @@ enum class TexelKind { vec4, rgba8, uint_pair, uint };
 // One array, in a buffer texture or a 2D texture.
 class Table {
 public:
-    // Uploads `count` texels, fewer than limits.most_texels, and binds the texture to its unit. One more can be fetched.
-    void upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits);
+    // Uploads `count` texels, with room for `spare` more, in all fewer than limits.most_texels, and binds the texture to its unit.
+    // One more can be fetched.
+    void upload(const void* data, std::size_t count, TexelKind kind, TextureUnit unit, const TableLimits& limits,
+                std::size_t spare = 0);
+
+    // Replaces `count` texels from number `first` on, spare ones included, of what was uploaded.
+    void update(const void* texels, std::size_t first, std::size_t count);
 
     // Binds the texture, if anything was uploaded, to its unit, and leaves that the active one.
     void bind(TextureUnit unit) const;
@@ -45,7 +50,9 @@ public:
 private:
     Buffer buffer_;
     Texture texture_;
+    TexelKind kind_ = TexelKind::vec4;
     bool flat_ = false;  // a 2D texture
+    int shift_ = 0;      // of 2^shift columns
 };
 
 }  // namespace sphereview

@@ -88,15 +88,23 @@ SceneChange change_undone_by(const Edit& inverse, const Scene& scene) {
         if (!change.order) note_spheres(differing(replace->scene.spheres, scene.spheres), scene, change);
     } else {
         change.order = !std::holds_alternative<RenameSphere>(inverse);
+        const auto* insert = std::get_if<InsertSpheres>(&inverse);
+        const auto* remove = std::get_if<RemoveSpheres>(&inverse);
+        if (insert != nullptr && insert->numbers.size() <= ChangeLog::most_spheres) change.went = insert->numbers;
+        if (remove != nullptr && remove->numbers.size() <= ChangeLog::most_spheres) change.came = remove->numbers;
     }
     return change;
 }
 
+std::size_t ChangeLog::weight(const SceneChange& change) {
+    return change.spheres.numbers.size() + change.came.size() + change.went.size();
+}
+
 void ChangeLog::add(std::uint64_t revision, SceneChange change) {
-    sphere_count_ += change.spheres.numbers.size();
+    sphere_count_ += weight(change);
     entries_.push_back({revision, std::move(change)});
     while (entries_.size() > most_changes || sphere_count_ > most_spheres) {
-        sphere_count_ -= entries_.front().change.spheres.numbers.size();
+        sphere_count_ -= weight(entries_.front().change);
         entries_.pop_front();
     }
 }
@@ -104,7 +112,7 @@ void ChangeLog::add(std::uint64_t revision, SceneChange change) {
 SceneChanges ChangeLog::since(std::uint64_t revision, const Scene& scene) const {
     const auto first = std::ranges::lower_bound(entries_, revision, {}, &Entry::revision);
     if (first == entries_.end() || first->revision != revision) {
-        return {.order = true, .spheres = {}, .geometry = true, .camera = true, .background = true};
+        return {.order = true, .came = {}, .went = {}, .spheres = {}, .geometry = true, .camera = true, .background = true};
     }
     SceneChanges result;
     const Camera* old_camera = &scene.camera;
@@ -112,9 +120,14 @@ SceneChanges ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
     bool many = false;
     bool many_geometry = false;
     std::vector<const ChangeSpheres*> sphere_changes;
+    const SceneChange* order = nullptr;  // the only change of it
+    int order_changes = 0;
     for (auto entry = entries_.end(); entry != first;) {
         const SceneChange& change = (--entry)->change;
-        result.order = result.order || change.order;
+        if (change.order) {
+            order = &change;
+            ++order_changes;
+        }
         if (change.camera) old_camera = &*change.camera;
         if (change.background) old_background = &*change.background;
         many = many || change.many;
@@ -123,6 +136,11 @@ SceneChanges ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
         // A drag changes the same spheres again and again: what is older says all.
         if (!sphere_changes.empty() && sphere_changes.back()->numbers == change.spheres.numbers) sphere_changes.pop_back();
         sphere_changes.push_back(&change.spheres);
+    }
+    result.order = order_changes > 0;
+    if (order_changes == 1 && sphere_changes.empty() && !many) {
+        result.came = order->came;
+        result.went = order->went;
     }
     result.camera = !same_bits(*old_camera, scene.camera);
     result.background = *old_background != scene.background;

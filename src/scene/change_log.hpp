@@ -15,7 +15,11 @@ namespace sphereview {
 // and changed back, are `order` all the same, and that after a change of very many spheres all count as changed. Names are left
 // out: no picture shows them.
 struct SceneChanges {
-    bool order = false;                  // spheres came, went or changed places: nothing of the old numbers holds
+    bool order = false;  // spheres came, went or changed places: nothing of the old numbers holds
+    // With `order`, where one edit that let few come or go is all that happened to the spheres: the numbers that those have that
+    // came, or had that went, ascending. The others kept their values, and their order.
+    std::vector<std::uint32_t> came;
+    std::vector<std::uint32_t> went;
     std::vector<std::uint32_t> spheres;  // unless `order`: those that got other values, ascending
     bool geometry = false;  // of `spheres`: a centre, a radius or whether it is hidden; else only colours. With `order` true
     bool camera = false;
@@ -27,6 +31,8 @@ struct SceneChanges {
 // What one edit changed: the old values.
 struct SceneChange {
     bool order = false;
+    std::vector<std::uint32_t> came;  // as in SceneChanges
+    std::vector<std::uint32_t> went;
     ChangeSpheres spheres;  // unless `order`
     // So many spheres that their old values are not kept, which a million of them would be in memory a second time; and whether
     // a centre, a radius or what is hidden changed.
@@ -58,6 +64,8 @@ private:
     };
 
     std::deque<Entry> entries_;
+    static std::size_t weight(const SceneChange& change);
+
     std::size_t sphere_count_ = 0;  // in all entries
 };
 

@@ -1,9 +1,6 @@
 #include "tiles/build_lists.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <span>
 #include <string>
@@ -12,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/uninitialized.hpp"
+#include "tiles/listing.hpp"
 #include "tiles/pixel_range.hpp"
 #include "tiles/tile_plan.hpp"
 
@@ -20,24 +18,9 @@ namespace sphereview {
 namespace {
 
 constexpr std::size_t spheres_at_once = 4096;
-constexpr double tolerance = 0x1p-21;  // of |x| + |y| + |z| + r, for the rounding to float of the input and of the result
 
-// No hit of the sphere is nearer to the eye than this.
-float nearest_distance(const glm::vec4& sphere) {
-    if (sphere.w == 0.0F) return 0.0F;  // the eye is on the surface, or nothing is known
-    const glm::dvec3 center(sphere);
-    const double radius = std::fabs(static_cast<double>(sphere.w));
-    const double all = std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius;
-    return static_cast<float>(std::max(0.0, std::fabs(glm::length(center) - radius) - tolerance * all));
-}
-
-// Nearest first; of equally near ones the order does not matter, but it is the same each time.
 void sort(Candidate* begin, Candidate* end) {
-    // Floats that are not negative are in the order of their bits.
-    static_assert(std::endian::native == std::endian::little && sizeof(Candidate) == sizeof(std::uint64_t));
-    std::sort(begin, end, [](const Candidate& a, const Candidate& b) {
-        return std::bit_cast<std::uint64_t>(a) < std::bit_cast<std::uint64_t>(b);
-    });
+    std::sort(begin, end, [](const Candidate& a, const Candidate& b) { return place_in_list(a) < place_in_list(b); });
 }
 
 // Some rows of one level's tiles, few enough that their lists stay in the processor's cache while they are filled.
@@ -134,13 +117,6 @@ void fill(const Band& band, const Entry* begin, const Entry* end, std::size_t fi
     }
 }
 
-// The smallest range that holds both.
-PixelRange united(const PixelRange& a, const PixelRange& b) {
-    if (a.empty()) return b;
-    if (b.empty()) return a;
-    return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
-}
-
 // Tiles that suit some of the spheres suit all.
 TilePlan plan_by_sample(const DrawnSpheres& spheres, const PixelPlanes& planes, const PixelGrid& grid, const TileCosts& costs) {
     constexpr std::size_t sample_size = 5'000;
@@ -158,7 +134,8 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
 }
 
 // All ranges and tiles are of texels, until the end.
-CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs) {
+CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
+                                std::size_t spare) {
     CandidateLists lists;
     if (spheres.size() == 0) return lists;
     const PixelPlanes planes(camera, grid.picture);
@@ -215,6 +192,7 @@ CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camer
 
     lists.begins.assign(std::size_t{bands.tile_count()} + 1, 0);
     lists.begins.back() = static_cast<std::uint32_t>(sum.candidates);
+    lists.candidates.reserve(sum.candidates + spare);
     lists.candidates.resize(sum.candidates);
     parallel_for(bands.size(), [&](std::size_t band) {
         fill(bands[band], entries.data() + begins[band].entries, entries.data() + begins[band + 1].entries, begins[band].candidates,
@@ -225,6 +203,7 @@ CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camer
         if (begins[band].entries == begins[band + 1].entries) continue;
         if (lists.levels.empty() || !(lists.levels.back() == bands[band].level)) lists.levels.push_back(bands[band].level);
     }
+    lists.most_tiles = plan.most_tiles;
     for (TileLevel& level : lists.levels) level.shift += grid.shift();
     lists.covered = grid.pixels(lists.covered);
     return lists;

@@ -27,7 +27,9 @@ inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
 // larger ones. Throws RenderError when they are too long all the same: billions of spheres.
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs);
 
-// The lists for the pixels that a grid traces, and only for those: of many small spheres most pass between them.
-CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs);
+// The lists for the pixels that a grid traces, and only for those: of many small spheres most pass between them. There will be
+// room in memory for `spare` more candidates.
+CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
+                                std::size_t spare = 0);
 
 }  // namespace sphereview

@@ -97,8 +97,10 @@ public:
         ASSERT_EQ(changes.background, old.scene.background != now.background);
         if (changes.order) {
             ASSERT_TRUE(old.order_changed_since);
+            if (!changes.came.empty() || !changes.went.empty()) expect_others_kept(changes, old.scene, now);
             return;
         }
+        ASSERT_TRUE(changes.came.empty() && changes.went.empty());
         ASSERT_EQ(old.scene.spheres.size(), now.spheres.size());
         std::vector<std::uint32_t> differing;
         bool geometry = false;
@@ -126,6 +128,22 @@ private:
         Scene scene;
         bool order_changed_since;
     };
+
+    // What is left of the old spheres without those that went are the new ones without those that came.
+    static void expect_others_kept(const SceneChanges& changes, const Scene& old, const Scene& now) {
+        ASSERT_TRUE(changes.spheres.empty());
+        std::vector<Sphere> stayed;
+        for (std::uint32_t i = 0; i < old.spheres.size(); ++i) {
+            if (!std::ranges::binary_search(changes.went, i)) stayed.push_back(old.spheres[i]);
+        }
+        std::size_t next = 0;
+        for (std::uint32_t i = 0; i < now.spheres.size(); ++i) {
+            if (std::ranges::binary_search(changes.came, i)) continue;
+            ASSERT_LT(next, stayed.size());
+            ASSERT_TRUE(same_bits(stayed[next++], now.spheres[i])) << i;
+        }
+        ASSERT_EQ(next, stayed.size());
+    }
 
     // Whether so many changes, each of no more spheres than a scene ever had, can be more than a record holds.
     bool may_be_forgotten(std::uint64_t changes) const {

@@ -1,0 +1,96 @@
+// The lists of a picture whose spheres are being edited.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec4.hpp>
+#include <span>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "exact/candidates.hpp"
+#include "tiles/listing.hpp"
+#include "tiles/pixel_grid.hpp"
+#include "tiles/pixel_range.hpp"
+#include "tiles/tile_plan.hpp"
+
+namespace sphereview {
+
+// Places of a long array, in no order.
+struct Places {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+
+// Spheres leave the lists that they were built into, and the places at those lists' ends become free. Those that come or move are
+// loose: in a level of their own, behind the others, whose tiles have room for a few spheres each. So an edit costs what it
+// touches, whatever the scene has, and no list ever moves.
+class EditedLists {
+public:
+    static constexpr int room_in_tile = 32;
+
+    EditedLists() = default;
+    // Takes no edits.
+    explicit EditedLists(CandidateLists built) : lists_(std::move(built)) {}
+    // `built`: build_grid_lists() of the camera and grid, with spare() candidates to spare.
+    EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid);
+
+    // The candidates of all loose spheres of a picture.
+    static std::size_t spare(const PixelGrid& grid);
+
+    const CandidateLists& lists() const { return lists_; }
+
+    // Takes a sphere that is in them out of the lists. False if it is not where it should be: then they must be built anew.
+    bool take_out(std::uint32_t index, const glm::vec4& sphere);
+    // Lists a sphere that is not in them. False where a tile has no room: then they must be built anew.
+    bool put_in(std::uint32_t index, const glm::vec4& sphere);
+
+    // Calls visit(index) for each listed sphere that may have the same values, until it returns true; returns whether it did. What
+    // no ray hits is not found.
+    template <typename Visit>
+    bool any_like(const glm::vec4& sphere, const Visit& visit) const;
+
+    // The candidates that changed since this was asked last.
+    std::vector<Places> take_changes();
+
+private:
+    // A level and its tiles that the sphere is listed in.
+    struct Listing {
+        TileLevel level;
+        TileRange tiles;
+    };
+    TileRange tiles_in(const TileLevel& level, const PixelRange& texels) const;
+    Listing built_listing(const PixelRange& texels) const;
+    Listing loose_listing(const PixelRange& texels) const { return {loose_level_, tiles_in(loose_level_, texels)}; }
+    template <typename Visit>
+    static bool for_each_tile(const Listing& listing, const Visit& visit);
+    Candidate* begin_of(std::size_t tile) { return lists_.candidates.data() + lists_.begins[tile]; }
+    Candidate* end_of(std::size_t tile) { return lists_.candidates.data() + lists_.begins[tile + 1]; }
+    void note_change(const Candidate* begin, const Candidate* end);
+    // The candidates of a listing's first tile that are as near as that.
+    std::span<const Candidate> as_near(const Listing& listing, float nearest) const;
+
+    CandidateLists lists_;
+    PixelPlanes planes_{Camera(), PictureSize{1, 1}};
+    PixelGrid grid_;
+    bool editable_ = false;
+    std::size_t built_levels_ = 0;
+    TileLevel loose_level_;
+    std::unordered_set<std::uint32_t> loose_;
+    std::vector<Places> changes_;
+};
+
+template <typename Visit>
+bool EditedLists::any_like(const glm::vec4& sphere, const Visit& visit) const {
+    const PixelRange texels = grid_.texels(planes_.range(sphere));
+    if (!editable_ || texels.empty()) return false;
+    const float nearest = nearest_distance(sphere);
+    const auto any_in = [&](const Listing& listing) {
+        return std::ranges::any_of(as_near(listing, nearest), [&](const Candidate& candidate) { return visit(candidate.index); });
+    };
+    return any_in(built_listing(texels)) || (!loose_.empty() && any_in(loose_listing(texels)));
+}
+
+}  // namespace sphereview

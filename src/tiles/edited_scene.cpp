@@ -1,0 +1,103 @@
+#include "tiles/edited_scene.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+#include "exact/drawn_edits.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t most_twin_tests = 1 << 18;
+
+}  // namespace
+
+EditedScene::EditedScene(DrawnSpheres drawn, EditedLists lists, const Camera& camera)
+    : drawn_(std::move(drawn)), lists_(std::move(lists)), camera_(camera), built_size_(drawn_.size()) {}
+
+void EditedScene::replace_lists(EditedLists lists, const Camera& camera) {
+    assert(!edited_);
+    lists_ = std::move(lists);
+    camera_ = camera;
+}
+
+bool EditedScene::follow(const Scene& scene, const SceneChanges& changes) {
+    edited_ = true;
+    const std::size_t count = changes.spheres.size() + changes.came.size() + changes.went.size();
+    if (count > most_changes || count * drawn_.twins.size() > most_twin_tests) return false;
+    if (changes.order) {
+        if (changes.came.empty() && changes.went.empty()) return false;
+        if (!remove(scene, changes.went)) return false;
+        renumber_for_came(drawn_, changes.came);
+    }
+    const auto taken_over = [&](std::uint32_t number) { return change(scene, number); };
+    return std::ranges::all_of(changes.came, taken_over) && std::ranges::all_of(changes.spheres, taken_over) &&
+           drawn_.gone.size() <= most_changes && drawn_.size() - built_size_ <= most_changes;
+}
+
+bool EditedScene::remove(const Scene& scene, const std::vector<std::uint32_t>& numbers) {
+    std::vector<std::size_t> indices;
+    for (const std::uint32_t number : numbers) {
+        if (const auto index = drawn_.index_of(number)) indices.push_back(*index);
+    }
+    renumber_for_went(drawn_, numbers);
+    for (const std::size_t index : indices) {
+        if (!take_out(scene, index)) return false;
+        drop(drawn_, index);
+    }
+    return true;
+}
+
+// Of a sphere that is in the scene, now with these values.
+bool EditedScene::change(const Scene& scene, std::uint32_t number) {
+    const Sphere& sphere = scene.spheres[number];
+    const auto index = drawn_.index_of(number);
+    std::erase(drawn_.twins, static_cast<std::int32_t>(number));
+    if (index && !take_out(scene, *index)) return false;
+    if (sphere.hidden) {
+        if (index) drop(drawn_, *index);
+        return true;
+    }
+    const auto values = drawn_form(sphere, camera_, drawn_.scale);
+    return values && put_in(scene, number, index, *values);
+}
+
+// Also false for one that hides a twin, which is seen now.
+bool EditedScene::take_out(const Scene& scene, std::size_t index) {
+    const glm::vec4& values = drawn_.center_radius[index];
+    if (drawn_.beyond_float.contains(static_cast<std::uint32_t>(index))) return false;
+    const bool has_twin = std::ranges::any_of(drawn_.twins, [&](std::int32_t number) {
+        return drawn_form(scene.spheres[static_cast<std::size_t>(number)], camera_, drawn_.scale) == values;
+    });
+    return !has_twin && lists_.take_out(static_cast<std::uint32_t>(index), values);
+}
+
+// Also false for one that has a twin, of which only the first would be drawn.
+bool EditedScene::put_in(const Scene& scene, std::uint32_t number, std::optional<std::size_t> index, const glm::vec4& values) {
+    const Sphere& sphere = scene.spheres[number];
+    const bool is_twin = lists_.any_like(values, [&](std::uint32_t other) {
+        const Sphere& candidate = scene.spheres[static_cast<std::size_t>(drawn_.number(other))];
+        return candidate.center == sphere.center && candidate.radius == sphere.radius;
+    });
+    if (is_twin) return false;
+    if (index) {
+        drawn_.center_radius[*index] = values;
+    } else {
+        index = append(drawn_, number, values);
+    }
+    changed_spheres_.push_back(static_cast<std::uint32_t>(*index));
+    return lists_.put_in(static_cast<std::uint32_t>(*index), values);
+}
+
+EditedScene::Changed EditedScene::take_changed() {
+    Changed changed{std::exchange(changed_spheres_, {}), lists_.take_changes()};
+    std::ranges::sort(changed.spheres);
+    const auto same = std::ranges::unique(changed.spheres);
+    changed.spheres.erase(same.begin(), same.end());
+    std::ranges::sort(changed.candidates, {}, &Places::first);
+    return changed;
+}
+
+}  // namespace sphereview
