@@ -128,6 +128,7 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     const std::vector<std::string> defines = tables_.defines_for(spheres, lists.lists());
     if (defines != defines_) compile(defines);
 
+    ++builds_;
     forget_picture();
     tables_.upload(spheres, lists.lists());
     frame_ = frame_of(lists.lists(), view.camera, view.size);

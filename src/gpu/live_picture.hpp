@@ -99,6 +99,8 @@ public:
 
     // "uniform buffer", "buffer textures" or "2D textures".
     std::string storage() const { return tables_.storage(); }
+    // How often the drawn spheres and the lists were built from nothing. Edits of a few of many spheres are followed instead.
+    std::uint64_t builds() const { return builds_; }
 
 private:
     struct Programs {
@@ -133,7 +135,8 @@ private:
 
     std::uint64_t revision_ = 0;  // that all below is made from; 0: none
     View view_;
-    EditedScene scene_;   // the drawn spheres and their lists
+    EditedScene scene_;  // the drawn spheres and their lists
+    std::uint64_t builds_ = 0;
     int lists_step_ = 1;  // they are for the pixels of the grid with this step alone; 1: for all
     FrameBlock frame_;
 

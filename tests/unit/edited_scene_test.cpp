@@ -232,6 +232,24 @@ TEST(EditedScene, SaysWhenATileHasNoRoom) {
     }
 }
 
+// Both would be tried, and every pixel of them be in doubt.
+TEST(EditedScene, LeavesToBuildingWhatEqualsAnother) {
+    Random random(6);
+    const PixelGrid grid{{100, 100}, 1};
+    Scene scene;
+    for (int i = 0; i < 300; ++i) scene.spheres.push_back(random_sphere(random, 3.0));
+    scene.spheres[7] = {{1, 2, 300}, 5.0, {}, false};
+    Document document(std::move(scene));
+    EditedScene edited = built_from(document.scene(), grid);
+    const std::uint64_t revision = document.revision();
+    const Sphere nearly = {{1, 2, std::nextafter(300.0, 301.0)}, 5.0, {}, false};
+    document.apply(ChangeSpheres{{3}, {nearly}}, "move");
+    EXPECT_TRUE(edited.follow(document.scene(), document.changes_since(revision)));
+    const std::uint64_t moved = document.revision();
+    document.apply(ChangeSpheres{{3}, {document.scene().spheres[7]}}, "move");
+    EXPECT_FALSE(edited.follow(document.scene(), document.changes_since(moved)));
+}
+
 TEST(EditedScene, LeavesToBuildingWhatIsMuch) {
     Random random(4);
     const PixelGrid grid{{400, 400}, 1};
