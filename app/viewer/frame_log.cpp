@@ -39,6 +39,7 @@ void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const Wid
         {"frame", frame.number},
         {"revision", state.document.revision()},
         {"step", frame.step},
+        {"builds", frame.builds},
         {"exact", frame.exact},
         {"samples", frame.samples},
         {"shading", name_of(state.settings.shading)},

@@ -12,10 +12,11 @@ namespace sphereview {
 
 struct LoggedFrame {
     std::uint64_t number = 0;
-    int step = 1;          // of the picture's grid
-    bool exact = false;    // every pixel is decided
-    int samples = 1;       // points a pixel, in the picture that is shown
-    bool resting = false;  // nothing waits to be done: the next frame comes with the next event
+    int step = 1;              // of the picture's grid
+    std::uint64_t builds = 0;  // how often the picture's lists were built from nothing
+    bool exact = false;        // every pixel is decided
+    int samples = 1;           // points a pixel, in the picture that is shown
+    bool resting = false;      // nothing waits to be done: the next frame comes with the next event
     Rectangle picture;
     double seconds = 0.0;  // from the first of its events to the swap
     std::string title;
