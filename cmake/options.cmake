@@ -1,9 +1,12 @@
-# How every target of this project is compiled.
+# How every target of this project is compiled: sphereview_plain_options without sanitizers, sphereview_options with them,
+# where the preset has them.
+add_library(sphereview_plain_options INTERFACE)
 add_library(sphereview_options INTERFACE)
+target_link_libraries(sphereview_options INTERFACE sphereview_plain_options)
 if(MSVC)
-    target_compile_options(sphereview_options INTERFACE /W4 /fp:precise $<$<BOOL:${SPHEREVIEW_WERROR}>:/WX>)
+    target_compile_options(sphereview_plain_options INTERFACE /W4 /fp:precise $<$<BOOL:${SPHEREVIEW_WERROR}>:/WX>)
 else()
-    target_compile_options(sphereview_options INTERFACE
+    target_compile_options(sphereview_plain_options INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
         $<$<BOOL:${SPHEREVIEW_WERROR}>:-Werror>
         # False alarms on joining strings (GCC bug 105651).

@@ -4,15 +4,6 @@
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
-// AddressSanitizer reserves more address space than any sensible limit.
-#if defined(__SANITIZE_ADDRESS__)
-#define SPHEREVIEW_ADDRESS_SANITIZER 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define SPHEREVIEW_ADDRESS_SANITIZER 1
-#endif
-#endif
-
 namespace sphereview::test {
 namespace {
 
@@ -48,7 +39,7 @@ TEST(ExitStatus, SaysWhatWentWrongAndOfSeveralTheHighestCounts) {
     }
 }
 
-#ifndef SPHEREVIEW_ADDRESS_SANITIZER
+#ifndef SPHEREVIEW_SANITIZED  // AddressSanitizer reserves more address space than any sensible limit
 TEST(ExitStatus, Is3WhenMemoryRunsOut) {
     const TemporaryFolder folder;
     folder.write("red.txt", red_scene);
