@@ -10,6 +10,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "image/stb.hpp"
 
 namespace sphereview {
 
@@ -47,6 +48,8 @@ std::string encode_png(const Image& image) {
     assert(static_cast<std::int64_t>(image.width()) * image.height() <= most_pixels);
     // No filter: rows of flat colours compress best as they are, and trying all five costs more than compressing.
     stbi_write_force_png_filter = 0;
+    const auto pixel = static_cast<std::size_t>(image.channels());
+    png_layout() = {pixel, pixel * static_cast<std::size_t>(image.width()) + 1};
     std::string bytes;
     const int done =
         stbi_write_png_to_func(append, &bytes, image.width(), image.height(), image.channels(), image.bytes().data(), 0);

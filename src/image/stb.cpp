@@ -1,16 +1,35 @@
-// The one place that compiles the stb libraries, with libdeflate as the compressor of written PNGs.
+// The one place that compiles the stb libraries, with compressors of our choice for written PNGs.
+#include "image/stb.hpp"
+
 #include <libdeflate.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 
+namespace sphereview {
+
+RowLayout& png_layout() {
+    static thread_local RowLayout layout;
+    return layout;
+}
+
+}  // namespace sphereview
+
 namespace {
 
-// The fastest. Flat pictures are runs of one colour: higher levels gain a tenth for half as much time again.
+// The fastest, for pictures that are not flat: higher levels gain a tenth for half as much time again.
 constexpr int compression_level = 1;
 
 // stb's hook: data -> a zlib stream from std::malloc, its size in *compressed_size; null when memory does not suffice.
 unsigned char* compress(unsigned char* data, int size, int* compressed_size, int /*quality*/) {
+    if (const auto runs = sphereview::run_deflate({data, static_cast<std::size_t>(size)}, sphereview::png_layout())) {
+        auto* out = static_cast<unsigned char*>(std::malloc(runs->size()));
+        if (out == nullptr) return nullptr;
+        std::ranges::copy(*runs, out);
+        *compressed_size = static_cast<int>(runs->size());
+        return out;
+    }
     const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
         libdeflate_alloc_compressor(compression_level), &libdeflate_free_compressor);
     if (compressor == nullptr) return nullptr;
