@@ -17,6 +17,7 @@ from pathlib import Path
 
 from harness import (MILLION, NOTHING_COULD_RENDER, ROOT, Bench, CannotRun, Case, Row, at_most, first_line, machine, median,
                      phases)
+from large import large
 from peers import COUNTS, SETS, peers
 from plot import draw
 from window import window
@@ -212,7 +213,7 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
 
 
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "live": live, "samples": samples,
-            "window": window, "micro": micro}
+            "window": window, "large": large, "micro": micro}
 
 
 def numbers(text: str) -> list[int]:
