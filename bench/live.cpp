@@ -38,8 +38,9 @@ struct Window {
 
 int main(int argc, char** argv) {
     const bool only_orbit = argc == 5 && std::string(argv[4]) == "orbit";
-    if ((argc != 4 && !only_orbit) || (std::string(argv[1]) != "volume" && std::string(argv[1]) != "half")) {
-        std::fprintf(stderr, "usage: live volume|half COUNT RUNS [orbit]: one JSON line on standard output\n");
+    const bool only_edit = argc == 5 && std::string(argv[4]) == "edit";
+    if ((argc != 4 && !only_orbit && !only_edit) || (std::string(argv[1]) != "volume" && std::string(argv[1]) != "half")) {
+        std::fprintf(stderr, "usage: live volume|half COUNT RUNS [orbit|edit]: one JSON line on standard output\n");
         return 2;
     }
     const std::size_t count = std::strtoul(argv[2], nullptr, 10);
@@ -64,6 +65,20 @@ int main(int argc, char** argv) {
         document.apply(ChangeSpheres{{0}, {sphere}}, "drag", 1);
     };
     std::printf("{\"set\": \"%s\", \"count\": %zu, ", argv[1], count);
+    if (only_edit) {
+        std::vector<double> edits;
+        picture.update(document, view, 8);
+        for (int run = 0; run < runs; ++run) {
+            drag();
+            picture.update(document, view, 8);
+            edits.push_back((picture.last_seconds() - picture.last_drawing_seconds()) * 1e3);
+        }
+        std::ranges::sort(edits);
+        print("edit apart from drawing", {edits[edits.size() / 2], 0.0});
+        std::printf("\"renderer\": \"%s\"}\n", context.renderer().c_str());
+        std::fflush(stdout);
+        std::_Exit(0);
+    }
     if (only_orbit) {
         View orbit = view;
         const auto turn = [&] { orbit.camera = orbited(orbit.camera, {0.0, 0.0, 600.0}, 0.01, 0.0); };

@@ -17,8 +17,9 @@ from pathlib import Path
 
 from harness import (MILLION, NOTHING_COULD_RENDER, ROOT, Bench, CannotRun, Case, Row, at_most, first_line, machine, median,
                      phases)
+from large import large
 from peers import COUNTS, SETS, peers
-from plot import draw
+from plot import draw_large, draw_peers
 from window import window
 
 
@@ -212,7 +213,7 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
 
 
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "live": live, "samples": samples,
-            "window": window, "micro": micro}
+            "window": window, "large": large, "micro": micro}
 
 
 def numbers(text: str) -> list[int]:
@@ -227,13 +228,14 @@ def main() -> int:
     parser.add_argument("--peers", action="store_true", help="compare with Embree, Tachyon and POV-Ray too")
     parser.add_argument("--counts", type=numbers, default=COUNTS, metavar="N,N,...",
                         help="how many spheres the comparison with peers draws (default: %(default)s)")
-    parser.add_argument("--plot", action="store_true", help="put that comparison into docs/, as data and as a plot")
+    parser.add_argument("--plot", action="store_true",
+                        help="put what was measured of the sections peers and large into docs/, as data and as plots")
     options = parser.parse_args()
     if options.runs < 1 or min(options.counts) < 1:
         parser.error("--runs, --counts: expected at least 1")
     sections = {**SECTIONS, "peers": lambda bench: peers(bench, options.counts)} if options.peers else SECTIONS
-    if not options.peers and (options.plot or "peers" in (options.only or [])):
-        parser.error("--plot, --only peers: expected with --peers")
+    if not options.peers and "peers" in (options.only or []):
+        parser.error("--only peers: expected with --peers")
     if not (options.build / "measure").exists():
         parser.error(f"--build: {options.build} is not built: cmake --preset bench && cmake --build --preset bench")
 
@@ -257,11 +259,12 @@ def main() -> int:
         results["rows"] += [asdict(row) for row in rows]
     path = options.build / "results.json"
     path.write_text(json.dumps(results, indent=1) + "\n")
-    if options.plot and "peers" in results["data"]:
-        measured = {key: results[key] for key in ["date", "command", "machine", "versions", "runs"]}
-        measured["peers"] = results["data"]["peers"]
-        (ROOT / "docs" / "peers.json").write_text(json.dumps(measured, indent=1) + "\n")
-        (ROOT / "docs" / "peers.svg").write_text(draw(measured))
+    for section, name, draw in [("peers", "peers", draw_peers), ("large", "live", draw_large)]:
+        if options.plot and results["data"].get(section):
+            measured = {key: results[key] for key in ["date", "command", "machine", "versions", "runs"]}
+            measured[section] = results["data"][section]
+            (ROOT / "docs" / f"{name}.json").write_text(json.dumps(measured, indent=1) + "\n")
+            (ROOT / "docs" / f"{name}.svg").write_text(draw(measured))
     print(f"{results['machine']['cpu']}, {results['machine']['cores']} cores; medians of {options.runs}; all of it in {path}")
     return status
 
