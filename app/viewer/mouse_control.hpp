@@ -54,6 +54,8 @@ public:
     bool holds_mouse() const { return mode_ != Mode::none; }
     // Something follows the pointer.
     bool is_dragging() const { return mode_ != Mode::none && dragging_; }
+    // The view does.
+    bool moves_camera() const { return dragging_ && (mode_ == Mode::orbit || mode_ == Mode::pan || mode_ == Mode::zoom); }
 
     // The rectangle that is being drawn, from corner to corner, in pixels of the picture.
     struct Box {

@@ -134,6 +134,23 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     EXPECT_TRUE(selection.empty());
 }
 
+TEST_F(Hand, TellsWhetherItMovesTheView) {
+    press();
+    EXPECT_FALSE(control.moves_camera());  // it may become a click
+    mouse.place.x += 60;
+    frame();
+    EXPECT_TRUE(control.moves_camera());
+    release();
+    EXPECT_FALSE(control.moves_camera());
+    selection.set_only(0);
+    mouse.place = {520, 490};
+    press();
+    mouse.place.x += 60;
+    frame();
+    EXPECT_TRUE(control.is_dragging());
+    EXPECT_FALSE(control.moves_camera());  // but the sphere
+}
+
 TEST_F(Hand, TheWheelKeepsWhatIsUnderThePointer) {
     mouse.place = {800, 300};
     const glm::dvec3 point = point_at(camera, size, mouse.place, depth_of(camera, {0, 0, 300}));
