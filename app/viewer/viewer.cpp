@@ -303,8 +303,8 @@ void Viewer::draw_frame() {
         const int samples = state_.settings.samples;
         const int shown = picture_.is_averaged(samples, state_.shown_background()) ? samples : 1;
         log_.add(state_,
-                 {++frame_number_, picture_.step(), picture_.builds(), exact_, shown, resting, area_, seconds_between(begin, Clock::now()),
-                  title_for(state_), renderer_},
+                 {++frame_number_, picture_.step(), picture_.builds(), exact_, shown, resting, area_,
+                  seconds_between(begin, Clock::now()), title_for(state_), renderer_},
                  widgets_);
     }
 }
