@@ -66,7 +66,7 @@ void start_loading(ViewerState& state, LoadRequest request) {
         options.control = &control;
         *loaded = load_scene(path, options);
     });
-    state.loading.emplace(std::move(request), std::move(loaded), std::move(job));
+    state.loading.emplace(Loading{std::move(request), std::move(loaded), std::move(job)});
 }
 
 void cancel_loading(ViewerState& state) {
@@ -91,7 +91,7 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
         scene.reset();
         write_output(path, text);
     });
-    state.saving.emplace(path, std::move(done), std::move(fail), std::move(job));
+    state.saving.emplace(Saving{path, std::move(done), std::move(fail), std::move(job)});
 }
 
 bool is_working(const ViewerState& state) { return state.loading || state.saving; }

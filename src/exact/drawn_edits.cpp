@@ -46,6 +46,7 @@ void renumber_for_came(DrawnSpheres& drawn, std::span<const std::uint32_t> numbe
     }
     // The i-th that came is before what was number numbers[i] - i.
     std::vector<std::int32_t> before;
+    before.reserve(numbers.size());
     for (std::int32_t i = 0; i < count; ++i) before.push_back(static_cast<std::int32_t>(numbers[static_cast<std::size_t>(i)]) - i);
     renumber(drawn, first, [&](std::int32_t number) {
         return number + static_cast<std::int32_t>(std::ranges::upper_bound(before, number) - before.begin());

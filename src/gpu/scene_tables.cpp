@@ -38,6 +38,7 @@ std::vector<Places> joined(const std::vector<Places>& places) {
 // Ascending indices, as places.
 std::vector<Places> runs(const std::vector<std::uint32_t>& indices) {
     std::vector<Places> all;
+    all.reserve(indices.size());
     for (const std::uint32_t index : indices) all.push_back({index, 1});
     return joined(all);
 }

@@ -21,6 +21,7 @@ struct Symbol {
 std::vector<int> depths_of(const std::vector<Symbol>& symbols) {
     const std::size_t leaves = symbols.size();
     std::vector<std::uint64_t> weights;
+    weights.reserve(2 * leaves - 1);
     for (const Symbol& symbol : symbols) weights.push_back(symbol.count);
     std::vector<std::size_t> parents(2 * leaves - 1);
     std::size_t leaf = 0;

@@ -73,9 +73,9 @@ SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
 }
 
 // Of 0..1.
-std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(255.0 * between_0_and_1(value) + 0.5); }
+std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::floor(255.0 * between_0_and_1(value) + 0.5)); }
 
-std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(channel * factor + 0.5); }
+std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(std::floor(channel * factor + 0.5)); }
 
 }  // namespace
 

@@ -107,8 +107,8 @@ std::span<const Candidate> EditedLists::as_near(const Listing& listing, float ne
                              static_cast<std::size_t>(listing.tiles.top) * static_cast<std::size_t>(listing.level.across) +
                              static_cast<std::size_t>(listing.tiles.left);
     const std::span list = std::span(lists_.candidates).subspan(lists_.begins[tile], lists_.begins[tile + 1] - lists_.begins[tile]);
-    const auto found = std::ranges::equal_range(list, nearest, {}, &Candidate::nearest);
-    return {found.begin(), found.end()};
+    const auto begin = std::ranges::lower_bound(list, nearest, {}, &Candidate::nearest);
+    return {begin, std::ranges::upper_bound(list, nearest, {}, &Candidate::nearest)};
 }
 
 std::vector<Places> EditedLists::take_changes() { return std::exchange(changes_, {}); }

@@ -25,6 +25,11 @@ void EditedScene::replace_lists(EditedLists lists, const Camera& camera) {
 
 bool EditedScene::follow(const Scene& scene, const SceneChanges& changes) {
     edited_ = true;
+    whole_ = whole_ && take_over(scene, changes);
+    return whole_;
+}
+
+bool EditedScene::take_over(const Scene& scene, const SceneChanges& changes) {
     const std::size_t count = changes.spheres.size() + changes.came.size() + changes.went.size();
     if (count > most_changes || count * drawn_.twins.size() > most_twin_tests) return false;
     if (changes.order) {
@@ -94,8 +99,7 @@ bool EditedScene::put_in(const Scene& scene, std::uint32_t number, std::optional
 EditedScene::Changed EditedScene::take_changed() {
     Changed changed{std::exchange(changed_spheres_, {}), lists_.take_changes()};
     std::ranges::sort(changed.spheres);
-    const auto same = std::ranges::unique(changed.spheres);
-    changed.spheres.erase(same.begin(), same.end());
+    changed.spheres.erase(std::unique(changed.spheres.begin(), changed.spheres.end()), changed.spheres.end());
     std::ranges::sort(changed.candidates, {}, &Places::first);
     return changed;
 }

@@ -32,7 +32,7 @@ public:
     bool edited() const { return edited_; }
 
     // Takes over how `scene`, as it is now, differs from the one that this is of, but for colours. False where building anew is
-    // the only or the quicker way; then this is of no use any more.
+    // the only or the quicker way; then this is of no use any more, and it stays false.
     bool follow(const Scene& scene, const SceneChanges& changes);
 
     // What changed since this was asked last: indices of spheres, ascending, and places among the candidates.
@@ -43,6 +43,7 @@ public:
     Changed take_changed();
 
 private:
+    bool take_over(const Scene& scene, const SceneChanges& changes);
     bool change(const Scene& scene, std::uint32_t number);
     bool remove(const Scene& scene, const std::vector<std::uint32_t>& numbers);
     bool take_out(const Scene& scene, std::size_t index);
@@ -53,6 +54,7 @@ private:
     Camera camera_;
     std::size_t built_size_ = 0;
     bool edited_ = false;
+    bool whole_ = true;  // what is drawn and what is listed fit together
     std::vector<std::uint32_t> changed_spheres_;
 };
 

@@ -248,6 +248,9 @@ TEST(EditedScene, LeavesToBuildingWhatEqualsAnother) {
     const std::uint64_t moved = document.revision();
     document.apply(ChangeSpheres{{3}, {document.scene().spheres[7]}}, "move");
     EXPECT_FALSE(edited.follow(document.scene(), document.changes_since(moved)));
+    const std::uint64_t equal = document.revision();
+    document.apply(ChangeSpheres{{5}, {nearly}}, "move");
+    EXPECT_FALSE(edited.follow(document.scene(), document.changes_since(equal)));  // of no use any more
 }
 
 TEST(EditedScene, LeavesToBuildingWhatIsMuch) {
