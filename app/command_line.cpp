@@ -57,7 +57,7 @@ void add_data_options(CLI::App& command, TypedOptions& typed) {
         ->type_name("R");
 }
 
-void add_framing_options(CLI::App& command, TypedOptions& typed) {
+void add_fit_options(CLI::App& command, TypedOptions& typed) {
     command.add_flag("--fit", typed.fit,
                      "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
     command.add_flag("--no-fit", typed.no_fit, "Look at data, too, from (0, 0, 0) along z");
@@ -72,7 +72,7 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     CLI::App* view = app.add_subcommand("view", "Open a scene in a window (what is done when no command is named)");
     view->add_option("SCENE", typed.view.scene, std::string(scene_files) + "; none: an empty scene");
     add_data_options(*view, typed);
-    add_framing_options(*view, typed);
+    add_fit_options(*view, typed);
     view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
         ->type_name("WxH");
     view->add_option("--samples", typed.samples,
@@ -84,7 +84,7 @@ CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     view->add_option("--shader-dir", typed.view.shader_folder,
                      "Use the shaders in this folder, and each that is saved there at once")
         ->type_name("FOLDER");
-    view->add_option("--frame-log", typed.view.frame_log)->type_name("FILE")->group("");  // hidden: for tests
+    view->add_option("--redraw-log", typed.view.redraw_log)->type_name("FILE")->group("");  // hidden: for tests
     view->footer(std::string(view_examples) + exit_codes);
     return view;
 }
@@ -99,7 +99,7 @@ void add_render(CLI::App& app, TypedOptions& typed) {
     render->add_option("--samples", typed.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]")
         ->type_name("N");
     add_data_options(*render, typed);
-    add_framing_options(*render, typed);
+    add_fit_options(*render, typed);
     render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     add_shade(render, typed, "flat");
@@ -125,7 +125,7 @@ void add_convert(CLI::App& app, TypedOptions& typed) {
     convert->add_option("OUT", typed.convert.output, "Scene file: .toml is TOML, all else text; - is standard output")->required();
     convert->add_option("--to", typed.to, "text or toml, whatever OUT is called")->type_name("FORMAT");
     add_data_options(*convert, typed);
-    add_framing_options(*convert, typed);
+    add_fit_options(*convert, typed);
     convert->footer(std::string(convert_examples) + exit_codes);
 }
 
@@ -138,7 +138,7 @@ void add_explain(CLI::App& app, TypedOptions& typed) {
         ->type_name("X,Y");
     explain->add_option("-s,--size", typed.size, "Width and height of the picture in pixels [1000x1000]")->type_name("WxH");
     add_data_options(*explain, typed);
-    add_framing_options(*explain, typed);
+    add_fit_options(*explain, typed);
     explain->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
         ->type_name("COLOR");
     add_shade(explain, typed, "flat");

@@ -25,11 +25,11 @@ ExitCode run_convert(const ConvertOptions& options) {
     }
     check_output(options.output);
 
-    FramingOptions framing = options.framing;
-    if (format == SceneFormat::text && !framing.fit) framing.fit = false;  // text holds no camera: none is made only to be lost
+    FitOptions fit = options.fit;
+    if (format == SceneFormat::text && !fit.wanted) fit.wanted = false;  // text holds no camera: none is made only to be lost
     const LoadedScene loaded = [&] {
         Progress progress(true);
-        return load_scene(options.input, {.progress = &progress, .data = options.data, .framing = framing});
+        return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
     }();
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
         std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", loaded.name.c_str(), lost.c_str());

@@ -129,7 +129,7 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
 }  // namespace
 
 ExitCode run_explain(const ExplainOptions& options) {
-    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .framing = options.framing});
+    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
     const Scene& scene = loaded.scene;
     const std::string& name = loaded.name;
     const PixelExplanation explanation = explain_pixel(scene, scene.camera, options.size, options.pixel);

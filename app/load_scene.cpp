@@ -5,7 +5,7 @@
 #include "base/available_memory.hpp"
 #include "base/input_file.hpp"
 #include "base/text.hpp"
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 
 namespace sphereview {
 
@@ -40,8 +40,8 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded;
     loaded.name = stream.name();
     loaded.format = detect_format(stream.bytes(), stream.name());
-    loaded.framed = !is_data(loaded.format);
-    if (loaded.framed) require_frame(loaded.name, options.data.frame, 1);
+    loaded.has_camera = !is_data(loaded.format);
+    if (loaded.has_camera) require_frame(loaded.name, options.data.frame, 1);
     if (loaded.format == SceneFormat::text) {
         loaded.scene.spheres = read_text(stream, options);
         return loaded;
@@ -65,11 +65,11 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
-    const FramingOptions& framing = options.framing;
-    if (!framing.fit.value_or(!loaded.framed)) return loaded;
+    const FitOptions& fit = options.fit;
+    if (!fit.wanted.value_or(!loaded.has_camera)) return loaded;
     Camera& camera = loaded.scene.camera;
-    const ViewAxes present = loaded.framed ? axes_of(camera) : data_axes;
-    camera = fitted(loaded.scene, with_hand_of(present, framing.view.value_or(present))).value_or(camera);
+    const ViewAxes present = loaded.has_camera ? axes_of(camera) : data_axes;
+    camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present))).value_or(camera);
     return loaded;
 }
 

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <string>
 
-#include "app/framing_options.hpp"
+#include "app/fit_options.hpp"
 #include "base/background_job.hpp"
 #include "base/progress.hpp"
+#include "formats/scene_format.hpp"
 #include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
-#include "scene/scene_format.hpp"
 
 namespace sphereview {
 
@@ -19,7 +19,7 @@ struct LoadedScene {
     Scene scene{};
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    bool framed = true;       // its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden
+    bool has_camera = true;   // its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden
     std::int64_t frames = 1;  // in the file
 };
 
@@ -27,7 +27,7 @@ struct LoadOptions {
     Progress* progress = nullptr;
     std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
     DataOptions data{};
-    FramingOptions framing{};
+    FitOptions fit{};
     WorkControl* control = nullptr;  // told the bytes that were read, and looked at while reading
 };
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/backend.hpp"
-#include "app/framing_options.hpp"
+#include "app/fit_options.hpp"
+#include "formats/scene_format.hpp"
 #include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
-#include "scene/scene_format.hpp"
 #include "shade/shading.hpp"
 
 namespace sphereview {
@@ -21,7 +21,7 @@ struct RenderOptions {
     PictureSize size;
     int samples = 1;  // points a pixel: one of sample_counts
     DataOptions data;
-    FramingOptions framing;
+    FitOptions fit;
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
     Backend backend = Backend::automatic;
@@ -39,7 +39,7 @@ struct ConvertOptions {
     std::string output;
     std::optional<SceneFormat> to;  // by the output's name when not given
     DataOptions data;
-    FramingOptions framing;  // of the camera that is written
+    FitOptions fit;  // of the camera that is written
 };
 
 struct ExplainOptions {
@@ -47,7 +47,7 @@ struct ExplainOptions {
     Pixel pixel;        // inside the picture
     PictureSize size;
     DataOptions data;
-    FramingOptions framing;
+    FitOptions fit;
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
     bool json = false;
@@ -62,13 +62,13 @@ struct DoctorOptions {
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     DataOptions data;                  // of the scene; its radius of every one that is opened
-    FramingOptions framing;            // of the scene; of later ones, if nobody has chosen their camera
+    FitOptions fit;                    // of the scene; of later ones, if nobody has chosen their camera
     std::optional<Background> background;
     std::optional<Shading> shading;   // instead of the last one
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those
-    std::string frame_log;            // hidden: a JSON line for each frame goes there
+    std::string redraw_log;           // hidden: a JSON line for each frame goes there
 };
 
 // A text to print, then done: --help, --version.

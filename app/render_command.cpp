@@ -70,7 +70,7 @@ private:
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
         progress_.start(job.name + order, 1e-6 * options_.size.width * options_.size.height, "Mpixel");
         const DrawnSpheres drawn = [&] {
-            const PhaseTimer timer(report.timings, Phase::upload);
+            const PhaseTimer timer(report.timings, Phase::prepare);
             return drawn_spheres(scene);
         }();
         const PictureOptions options{options_.size, options_.background.value_or(scene.background), options_.certify,
@@ -88,7 +88,7 @@ private:
 
     Scene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.framing}).scene;
+        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit}).scene;
     }
 
     Image render_by_what_holds_it(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,

@@ -7,9 +7,9 @@
 
 #include "app/render_picture.hpp"
 #include "base/input_file.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "image/image.hpp"
-#include "scene/number.hpp"
 #include "scene/samples.hpp"
 
 namespace sphereview {
@@ -133,16 +133,16 @@ DataOptions checked_data(const TypedOptions& typed) {
     return data;
 }
 
-FramingOptions checked_framing(const TypedOptions& typed) {
-    FramingOptions framing;
+FitOptions checked_fit(const TypedOptions& typed) {
+    FitOptions fit;
     if (typed.view_from) {
-        framing.view = parse_view(*typed.view_from);
-        if (!framing.view) wrong("--view", *typed.view_from, std::string(view_syntax));
+        fit.view = parse_view(*typed.view_from);
+        if (!fit.view) wrong("--view", *typed.view_from, std::string(view_syntax));
     }
     const bool fits = typed.fit || typed.view_from;
     if (fits && typed.no_fit) throw WrongUsage(std::string(typed.fit ? "--fit" : "--view") + " and --no-fit contradict each other");
-    if (fits || typed.no_fit) framing.fit = fits;
-    return framing;
+    if (fits || typed.no_fit) fit.wanted = fits;
+    return fit;
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ FramingOptions checked_framing(const TypedOptions& typed) {
 ViewOptions checked_view(const TypedOptions& typed) {
     ViewOptions options = typed.view;
     options.data = checked_data(typed);
-    options.framing = checked_framing(typed);
+    options.fit = checked_fit(typed);
     check_file_name("SCENE", options.scene);
     std::error_code ignored;
     if (!options.shader_folder.empty() && !std::filesystem::is_directory(options.shader_folder, ignored)) {
@@ -166,7 +166,7 @@ ViewOptions checked_view(const TypedOptions& typed) {
 RenderOptions checked_render(const TypedOptions& typed) {
     RenderOptions options = typed.render;
     options.data = checked_data(typed);
-    options.framing = checked_framing(typed);
+    options.fit = checked_fit(typed);
     for (const std::string& scene : options.scenes) check_file_name("SCENE", scene);
     check_file_name("--output", options.output);
     check_file_name("--expect", options.expect);
@@ -193,7 +193,7 @@ RenderOptions checked_render(const TypedOptions& typed) {
 ConvertOptions checked_convert(const TypedOptions& typed) {
     ConvertOptions options = typed.convert;
     options.data = checked_data(typed);
-    options.framing = checked_framing(typed);
+    options.fit = checked_fit(typed);
     check_file_name("IN", options.input);
     check_file_name("OUT", options.output);
     if (typed.to == "text") {
@@ -211,7 +211,7 @@ ConvertOptions checked_convert(const TypedOptions& typed) {
 ExplainOptions checked_explain(const TypedOptions& typed) {
     ExplainOptions options = typed.explain;
     options.data = checked_data(typed);
-    options.framing = checked_framing(typed);
+    options.fit = checked_fit(typed);
     check_file_name("SCENE", options.scene);
     options.size = checked_size(typed.size);
     options.background = checked_background(typed.background);

@@ -8,11 +8,11 @@
 #include <thread>
 #include <vector>
 
+#include "camera/navigation.hpp"
 #include "cost.hpp"
 #include "gpu/live_picture.hpp"
 #include "platform/gl_context.hpp"
 #include "random_scene.hpp"
-#include "scene/navigation.hpp"
 
 namespace {
 

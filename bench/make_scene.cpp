@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "base/text.hpp"
+#include "formats/text_format.hpp"
 #include "random_scene.hpp"
-#include "scene/text_format.hpp"
 
 namespace sphereview {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "base/input_file.hpp"
 #include "cpu/cpu_renderer.hpp"
+#include "formats/scene_format.hpp"
 #include "image/png.hpp"
 #include "random_scene.hpp"
-#include "scene/scene_format.hpp"
 #include "shade/picture_shader.hpp"
 #include "shade/shade.hpp"
 #include "stb_default.hpp"

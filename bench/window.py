@@ -92,7 +92,7 @@ def viewer(bench: Bench, scene: Path):
             log = Path(home) / "frames.log"
             environment = {**os.environ, "DISPLAY": display, "HOME": home, "XDG_CONFIG_HOME": home, "XDG_STATE_HOME": home,
                            "LIBGL_ALWAYS_SOFTWARE": "1"}
-            process = subprocess.Popen([bench.program("sphereview"), str(scene), "--frame-log", str(log)], env=environment,
+            process = subprocess.Popen([bench.program("sphereview"), str(scene), "--redraw-log", str(log)], env=environment,
                                        stderr=subprocess.PIPE, text=True)
             yield Viewer(process, log, Mouse(display))
         finally:

@@ -1,5 +1,5 @@
 // What a window shows where no sphere is.
-#include "frame.glsl"
+#include "draw.glsl"
 
 vec4 background_at(ivec2 pixel) {
     if (background.a > 0.0 || checkerboard == 0) return background;

@@ -1,6 +1,6 @@
 // The buffer of marks has a texel for each of the visible-sphere buffer, with the number of a selected sphere or one of these.
 // Twin: src/gpu/outlines.cpp.
-#include "frame.glsl"
+#include "draw.glsl"
 
 const int no_mark = -1;
 const int hovered_mark = -2;  // the hovered sphere, when it is not selected

@@ -1,5 +1,5 @@
 // The rays of a picture. Twin: src/exact/rays.hpp.
-#include "frame.glsl"
+#include "draw.glsl"
 
 // The direction of the ray through the centre of a pixel, (0, 0) at the top left, of a picture of that size; of length 1.
 vec3 ray_direction(ivec2 pixel, ivec2 size) {

@@ -1,5 +1,5 @@
 // A picture in a window: the visible-sphere buffer's top row becomes the top row of the window's area.
-#include "frame.glsl"
+#include "draw.glsl"
 
 // The pixel of the picture, (0, 0) at the top left, that is drawn here.
 ivec2 window_pixel() {

@@ -54,7 +54,7 @@ constexpr auto commands = std::to_array<CommandInfo>({
      "Shading"},
     {toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
     {toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
-    {toggle_export_frame, "View", "Frame of the export", "M", "Marks what an export shows, where the window shows more or less."},
+    {toggle_export_area, "View", "Area of the export", "M", "Marks what an export shows, where the window shows more or less."},
     {no_anti_aliasing, "View", "Anti-aliasing off", "Alt+1", "A pixel shows what is at its centre.", true},
     {anti_aliasing_4, "View", "4 samples a pixel", "Alt+4",
      "When nothing moves, and in exports, a pixel is the average of 4 points."},

@@ -47,7 +47,7 @@ enum class CommandId {
     shade_id,
     toggle_panel,
     toggle_inspector,
-    toggle_export_frame,
+    toggle_export_area,
     no_anti_aliasing,
     anti_aliasing_4,
     anti_aliasing_16,

@@ -11,7 +11,7 @@ std::size_t HiddenSpheres::count(const Document& document) {
         if (!hidden && hidden_[number]) --count_;
         hidden_[number] = hidden;
     };
-    SceneChanges changes;
+    ChangesSince changes;
     if (revision_ != 0) changes = document.changes_since(revision_);
     if (revision_ == 0 || changes.order) {
         hidden_.assign(spheres.size(), false);

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "scene/document.hpp"
+#include "edit/document.hpp"
 
 namespace sphereview {
 

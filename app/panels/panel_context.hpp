@@ -9,10 +9,10 @@
 #include <variant>
 #include <vector>
 
+#include "camera/navigation.hpp"
+#include "edit/document.hpp"
+#include "edit/selection.hpp"
 #include "panels/commands.hpp"
-#include "scene/document.hpp"
-#include "scene/navigation.hpp"
-#include "scene/selection.hpp"
 
 namespace sphereview {
 

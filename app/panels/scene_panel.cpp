@@ -51,7 +51,7 @@ void draw_background(const PanelContext& context) {
     if (gesture) change_background(context, edited, *gesture);
 }
 
-void draw_frame(const PanelContext& context) {
+void redraw(const PanelContext& context) {
     begin_field(context, "frame");
     std::int64_t frame = context.frame;
     const std::int64_t first = 0;
@@ -76,7 +76,7 @@ void draw_vector(const PanelContext& context, const char* label, const glm::dvec
 
 void draw_scene_panel(const PanelContext& context) {
     const Scene& scene = context.document.scene();
-    if (context.frames > 1) draw_frame(context);
+    if (context.frames > 1) redraw(context);
     draw_background(context);
     const std::vector<float> widths = button_widths({"Use this view", "Home"});
     draw_command_button(context, CommandId::use_view_as_camera, "Use this view", "use view", widths[0]);

@@ -3,11 +3,11 @@
 
 #include <string>
 
+#include "edit/shared_values.hpp"
 #include "panels/list_scroll.hpp"
 #include "panels/panel_context.hpp"
 #include "panels/sphere_filter.hpp"
 #include "panels/value_slider.hpp"
-#include "scene/shared_values.hpp"
 
 namespace sphereview {
 

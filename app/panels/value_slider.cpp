@@ -6,10 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "panels/number_text.hpp"
 #include "panels/text_input.hpp"
-#include "scene/number.hpp"
 
 namespace sphereview {
 

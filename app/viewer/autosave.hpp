@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/background_job.hpp"
-#include "scene/document.hpp"
+#include "edit/document.hpp"
 
 namespace sphereview {
 

@@ -5,8 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-#include "scene/framing.hpp"
-#include "scene/navigation.hpp"
+#include "camera/fit.hpp"
+#include "camera/navigation.hpp"
 
 namespace sphereview {
 

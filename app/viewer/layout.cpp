@@ -43,7 +43,7 @@ void draw_splitter(ViewerState& state, const PanelContext& context, const Rectan
     ImGui::PopStyleVar(2);
 }
 
-void draw_inspector_window(ViewerState& state, const PanelContext& context, const FrameFacts& facts, const Rectangle& picture) {
+void draw_inspector_window(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, const Rectangle& picture) {
     const float margin = 10.0F * context.scale;
     ImGui::SetNextWindowPos(ImVec2(picture.x + margin, picture.y + margin), ImGuiCond_FirstUseEver);
     const auto side = [&](float wanted, float room) {
@@ -58,7 +58,7 @@ void draw_inspector_window(ViewerState& state, const PanelContext& context, cons
 
 }  // namespace
 
-Rectangle draw_panels(ViewerState& state, const PanelContext& context, const FrameFacts& facts) {
+Rectangle draw_panels(ViewerState& state, const PanelContext& context, const RedrawFacts& facts) {
     // The windows around the picture have no border: ImGui's, if it is wider than a pixel, reaches beyond its window.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
@@ -101,8 +101,8 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Fra
     return picture;
 }
 
-void draw_export_frame(const ViewerState& state, const Rectangle& picture) {
-    if (!state.export_frame_shown) return;
+void draw_export_area(const ViewerState& state, const Rectangle& picture) {
+    if (!state.export_area_shown) return;
     const PictureSize size{state.settings.export_width, state.settings.export_height};
     // Both show `right` and `up` over half their shorter side.
     const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());

@@ -14,16 +14,16 @@ struct Rectangle {
 };
 
 // What the picture was like when the panels are drawn; one frame old.
-struct FrameFacts {
+struct RedrawFacts {
     Status status;
     std::optional<InspectedPixel> inspected;
     DialogKeys keys;
 };
 
 // Draws all panels and returns where that leaves the picture.
-Rectangle draw_panels(ViewerState& state, const PanelContext& context, const FrameFacts& facts);
+Rectangle draw_panels(ViewerState& state, const PanelContext& context, const RedrawFacts& facts);
 
 // Marks, over the picture, what an export shows of it, where that is not all.
-void draw_export_frame(const ViewerState& state, const Rectangle& picture);
+void draw_export_area(const ViewerState& state, const Rectangle& picture);
 
 }  // namespace sphereview

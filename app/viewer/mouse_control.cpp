@@ -50,7 +50,8 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
         for (const int button : {left, right, middle}) {
             if (mouse.pressed[static_cast<std::size_t>(button)] && mode_ == Mode::none) press(button, mouse, state);
         }
-        if (mouse.double_clicked && grabbed_ >= 0) {
+        // With Control a second click takes the sphere out of the selection again.
+        if (mouse.double_clicked && !mouse.control && grabbed_ >= 0) {
             const glm::dvec3 center = state.scene.spheres[static_cast<std::size_t>(grabbed_)].center;
             consequences.camera = centered_on(state.camera, center);
             consequences.pivot = center;

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "camera/navigation.hpp"
 #include "panels/panel_context.hpp"
-#include "scene/navigation.hpp"
 
 namespace sphereview {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/shared_values.hpp"
+#include "edit/shared_values.hpp"
 #include "viewer/export_view.hpp"
 #include "viewer/scene_edits.hpp"
 #include "viewer/scene_file.hpp"
@@ -92,7 +92,7 @@ bool is_checked(const ViewerState& state, CommandId command) {
     switch (command) {
         case CommandId::toggle_panel: return state.panel_shown;
         case CommandId::toggle_inspector: return state.inspector_shown;
-        case CommandId::toggle_export_frame: return state.export_frame_shown;
+        case CommandId::toggle_export_area: return state.export_area_shown;
         default: return samples_of(command) == state.settings.samples || shading_of(command) == state.settings.shading;
     }
 }
@@ -140,7 +140,7 @@ void run_command(ViewerState& state, CommandId command) {
         case CommandId::shade_id: state.settings.shading = *shading_of(command); return;
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
-        case CommandId::toggle_export_frame: state.export_frame_shown = !state.export_frame_shown; return;
+        case CommandId::toggle_export_area: state.export_area_shown = !state.export_area_shown; return;
         case CommandId::no_anti_aliasing:
         case CommandId::anti_aliasing_4:
         case CommandId::anti_aliasing_16: state.settings.samples = samples_of(command); return;

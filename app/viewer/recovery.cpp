@@ -13,7 +13,7 @@
 #include "base/output_file.hpp"
 #include "base/process_name.hpp"
 #include "base/user_folders.hpp"
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 
 namespace sphereview {
 

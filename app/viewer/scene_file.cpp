@@ -8,7 +8,7 @@
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 
 namespace sphereview {
 
@@ -187,8 +187,8 @@ void offer_reload(ViewerState& state, LoadedScene loaded) {
 LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
     LoadOptions options;
     options.data = {frame, state.options.data.radius};
-    options.framing = state.options.framing;
-    if (options.framing.fit.value_or(false)) options.framing.fit.reset();
+    options.fit = state.options.fit;
+    if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
     return options;
 }
 

@@ -61,7 +61,7 @@ void recover(ViewerState& state, const Recovery& recovery) {
     request.path = recovery.file;
     request.accept = [&state, path, recovery](LoadedScene loaded) {
         if (!path.empty()) loaded.format = format_of_name(path);
-        loaded.framed = !is_data(loaded.format);
+        loaded.has_camera = !is_data(loaded.format);
         adopt(state, std::move(loaded), path);
         state.document.mark_unsaved();
         // Now they are this process's to keep: until they are, their file stays.
@@ -93,12 +93,12 @@ void offer_recovery(ViewerState& state) {
 }
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
-    const bool fits_view = loaded.framed && state.options.framing.fit.value_or(false);
+    const bool fits_view = loaded.has_camera && state.options.fit.wanted.value_or(false);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
     if (fits_view) {
         const ViewAxes present = axes_of(state.camera);
-        const ViewAxes axes = with_hand_of(present, state.options.framing.view.value_or(present));
+        const ViewAxes axes = with_hand_of(present, state.options.fit.view.value_or(present));
         state.camera = fitted(state.scene(), axes).value_or(state.camera);
     }
 }

@@ -77,7 +77,7 @@ Viewer::Viewer(ViewerState& state, Window& window)
       imgui_(window, state.settings.text_scale),
       picture_(state.options.shader_folder),
       files_(state.options.shader_folder),
-      log_(state.options.frame_log),
+      log_(state.options.redraw_log),
       renderer_(window.renderer()) {
     state_.wake = Window::wake;
     facts_.status.renderer = renderer_;
@@ -89,7 +89,7 @@ void Viewer::run(const std::function<bool()>& interrupted) {
         if (pacing_.rests() && input_.empty() && !state_.saving) state_.autosave.look(state_.document, state_.path, Clock::now());
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) {
-            draw_frame();
+            redraw();
         } else if (refinement_waits()) {
             refine();
         }
@@ -244,7 +244,7 @@ void Viewer::draw_box() const {
     draw->PopClipRect();
 }
 
-void Viewer::draw_frame() {
+void Viewer::redraw() {
     const auto begin = Clock::now();
     const Window::Extent framebuffer = window_.framebuffer();
     if (framebuffer.width == 0 || framebuffer.height == 0) {  // minimised
@@ -256,8 +256,8 @@ void Viewer::draw_frame() {
     const bool refines = pacing_.refines();
     facts_.keys = {};
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
-    imgui_.begin_frame(events, seconds_between(last_frame_, begin));
-    last_frame_ = begin;
+    imgui_.begin_frame(events, seconds_between(last_redraw_, begin));
+    last_redraw_ = begin;
     widgets_.clear();
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
@@ -276,7 +276,7 @@ void Viewer::draw_frame() {
                                state_.frames};
     const bool asked = !state_.dialogs.empty();
     area_ = draw_panels(state_, context, facts_);
-    draw_export_frame(state_, area_);
+    draw_export_area(state_, area_);
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
@@ -303,7 +303,7 @@ void Viewer::draw_frame() {
         const int samples = state_.settings.samples;
         const int shown = picture_.is_averaged(samples, state_.shown_background()) ? samples : 1;
         log_.add(state_,
-                 {++frame_number_, picture_.step(), picture_.builds(), exact_, shown, resting, area_,
+                 {++redraw_number_, picture_.step(), picture_.builds(), exact_, shown, resting, area_,
                   seconds_between(begin, Clock::now()), title_for(state_), renderer_},
                  widgets_);
     }

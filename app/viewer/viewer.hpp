@@ -7,12 +7,12 @@
 
 #include "gpu/live_picture.hpp"
 #include "panels/hidden_spheres.hpp"
-#include "viewer/frame_log.hpp"
 #include "viewer/imgui_bridge.hpp"
 #include "viewer/input_queue.hpp"
 #include "viewer/layout.hpp"
 #include "viewer/mouse_control.hpp"
 #include "viewer/pacing.hpp"
+#include "viewer/redraw_log.hpp"
 #include "viewer/viewer_state.hpp"
 #include "viewer/watched_files.hpp"
 
@@ -28,7 +28,7 @@ public:
 
 private:
     void wait_for_work();
-    void draw_frame();
+    void redraw();
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
     // Brings the picture up to date with the state.
@@ -52,7 +52,7 @@ private:
     ImguiBridge imgui_;
     LivePicture picture_;
     WatchedFiles files_;
-    FrameLog log_;
+    RedrawLog log_;
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
@@ -61,12 +61,12 @@ private:
     bool exact_ = false;            // the picture is what an export would show
     double certify_seconds_ = 0.0;  // that may still be spent on making it so
 
-    Clock::time_point last_frame_ = Clock::now();
-    std::uint64_t frame_number_ = 0;
+    Clock::time_point last_redraw_ = Clock::now();
+    std::uint64_t redraw_number_ = 0;
     Rectangle area_;       // of the picture, in screen coordinates
     double pixels_ = 1.0;  // a screen coordinate's
     bool pointer_in_picture_ = false;
-    FrameFacts facts_;
+    RedrawFacts facts_;
     WidgetRectangles widgets_;
     Clock::time_point work_shown_;
     static constexpr auto work_shown_every = std::chrono::milliseconds(100);

@@ -12,13 +12,13 @@
 
 #include "app/options.hpp"
 #include "base/file_state.hpp"
+#include "camera/fit.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
 #include "panels/panel_context.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/status_bar.hpp"
 #include "platform/file_dialog.hpp"
-#include "scene/framing.hpp"
 #include "viewer/autosave.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/scene_work.hpp"
@@ -79,7 +79,7 @@ struct ViewerState {
 
     bool panel_shown = true;
     bool inspector_shown = false;
-    bool export_frame_shown = true;
+    bool export_area_shown = true;
     bool help_shown = false;
     SidePanelState side_panel;
     bool quits = false;

@@ -9,9 +9,9 @@
 namespace sphereview {
 
 // lists: which spheres each tile of the picture can show. resolve: deciding what float could not, and colouring.
-enum class Phase { read, context, shaders, lists, upload, trace, read_back, resolve, encode, write };
+enum class Phase { read, context, shaders, lists, prepare, trace, read_back, resolve, encode, write };
 
-inline constexpr std::array<std::string_view, 10> phase_names = {"read",  "context",   "shaders", "lists",  "upload",
+inline constexpr std::array<std::string_view, 10> phase_names = {"read",  "context",   "shaders", "lists",  "prepare",
                                                                  "trace", "read back", "resolve", "encode", "write"};
 
 // Milliseconds spent in each phase; a phase entered twice adds up.

@@ -38,7 +38,7 @@ struct Nearest {
 };
 
 // Beyond the picture's edge the last pixel's ray is repeated.
-void aim(Rays& rays, const RayFrame<float>& frame, PictureSize size, Pixel cell) {
+void aim(Rays& rays, const RayBasis<float>& frame, PictureSize size, Pixel cell) {
     const RayCoefficients first = ray_coefficients(size, cell);
     const int last_x = std::min(cell_side, size.width - cell.x) - 1;
     const int last_y = std::min(cell_side, size.height - cell.y) - 1;

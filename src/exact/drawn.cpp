@@ -174,7 +174,7 @@ EyeSide DrawnSpheres::side(std::size_t index) const {
 }
 
 FloatView float_view(const Camera& camera, PictureSize size, double unit) {
-    FloatView view{ray_frame<float>(camera, size), 0.0F, false};
+    FloatView view{ray_basis<float>(camera, size), 0.0F, false};
     const double kappa = ray_condition(camera);
     view.error_scale = static_cast<float>(error_scale(std::min(kappa, largest_float_condition), unit));
     view.all_doubtful = !view.rays.in_range || !(kappa <= largest_float_condition);

@@ -51,7 +51,7 @@ std::optional<glm::vec4> drawn_form(const Sphere& sphere, const Camera& camera, 
 
 // What a float renderer needs besides the spheres.
 struct FloatView {
-    RayFrame<float> rays;
+    RayBasis<float> rays;
     float error_scale = 0.0F;   // error_scale(kappa, unit) of exact/filter.hpp
     bool all_doubtful = false;  // the filter proves nothing here
 };

@@ -8,7 +8,7 @@
 
 namespace sphereview {
 
-// Spheres came into the scene, or went out of it, with these numbers, ascending (SceneChanges::came and went): the others get the
+// Spheres came into the scene, or went out of it, with these numbers, ascending (ChangesSince::came and went): the others get the
 // numbers that they have now. Those that went keep their index; drop() them first.
 void renumber_for_came(DrawnSpheres& drawn, std::span<const std::uint32_t> numbers);
 void renumber_for_went(DrawnSpheres& drawn, std::span<const std::uint32_t> numbers);

@@ -47,7 +47,7 @@ glm::dvec3 rounded(const FloatVector& v) {
 class DoubleFilter {
 public:
     DoubleFilter(const Camera& camera, PictureSize size, Pixel pixel)
-        : eye_(camera.eye), frame_(ray_frame<double>(camera, size)), error_scale_(error_scale(ray_condition(camera), double_unit)) {
+        : eye_(camera.eye), frame_(ray_basis<double>(camera, size)), error_scale_(error_scale(ray_condition(camera), double_unit)) {
         if (frame_.in_range) ray_ = unit_ray(frame_, size, pixel);
     }
 
@@ -65,7 +65,7 @@ public:
 
 private:
     glm::dvec3 eye_;
-    RayFrame<double> frame_;
+    RayBasis<double> frame_;
     double error_scale_;
     glm::dvec3 ray_{0.0};
 };

@@ -23,7 +23,7 @@ glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
 }  // namespace
 
 template <typename Real>
-RayFrame<Real> ray_frame(const Camera& camera, PictureSize size) {
+RayBasis<Real> ray_basis(const Camera& camera, PictureSize size) {
     // A quarter first: the difference of two doubles, or its product with the side's mantissa, may overflow. Only powers of
     // two besides that mantissa: for the default camera nothing is rounded.
     int side_exponent = 0;
@@ -36,7 +36,7 @@ RayFrame<Real> ray_frame(const Camera& camera, PictureSize size) {
     // |across| and |upward| stay below 2^32; rays below 2^limit keep their squares finite.
     constexpr int limit = sizeof(Real) == sizeof(float) ? 60 : 500;
     const int longest_edge = exponent_of(std::max(largest(camera.right), largest(camera.up))) + edge_exponent + 32;
-    RayFrame<Real> frame;
+    RayBasis<Real> frame;
     // Below 2^-900 a quarter may have lost bits, or everything.
     frame.in_range = longest_edge < limit && longest_axis > 0x1p-900;
     const int edges = std::min(edge_exponent, edge_exponent - (longest_edge - limit));
@@ -46,8 +46,8 @@ RayFrame<Real> ray_frame(const Camera& camera, PictureSize size) {
     return frame;
 }
 
-template RayFrame<float> ray_frame<float>(const Camera&, PictureSize);
-template RayFrame<double> ray_frame<double>(const Camera&, PictureSize);
+template RayBasis<float> ray_basis<float>(const Camera&, PictureSize);
+template RayBasis<double> ray_basis<double>(const Camera&, PictureSize);
 
 double ray_condition(const Camera& camera) {
     const glm::dvec3 axis = camera.center * 0.5 - camera.eye * 0.5;

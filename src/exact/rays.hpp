@@ -11,7 +11,7 @@ namespace sphereview {
 // Pixel (x, y) looks along forward + across right + upward up, with the whole numbers of ray_coefficients(). Scaled so that
 // the largest component of `forward` lies in [0.5, 1); each component is within 2 units in the last place of the exact one.
 template <typename Real>
-struct RayFrame {
+struct RayBasis {
     glm::vec<3, Real> forward;
     glm::vec<3, Real> right;
     glm::vec<3, Real> up;
@@ -20,11 +20,11 @@ struct RayFrame {
 };
 
 template <typename Real>
-RayFrame<Real> ray_frame(const Camera& camera, PictureSize size);
+RayBasis<Real> ray_basis(const Camera& camera, PictureSize size);
 
 // The ray through a pixel's centre, of length 1.
 template <typename Real>
-glm::vec<3, Real> unit_ray(const RayFrame<Real>& frame, PictureSize size, Pixel pixel) {
+glm::vec<3, Real> unit_ray(const RayBasis<Real>& frame, PictureSize size, Pixel pixel) {
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
     const glm::vec<3, Real> d =
         (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) + static_cast<Real>(coefficients.across) * frame.right;

@@ -53,7 +53,7 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       camera_(camera),
       lists_(lists),
       size_(size),
-      frame_(ray_frame<double>(camera, size)),
+      frame_(ray_basis<double>(camera, size)),
       error_scale_(error_scale(ray_condition(camera), double_unit)) {
     frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
 }

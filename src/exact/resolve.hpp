@@ -56,7 +56,7 @@ private:
     const Camera& camera_;
     const CandidateLists* lists_;
     PictureSize size_;
-    RayFrame<double> frame_;
+    RayBasis<double> frame_;
     double error_scale_;
 };
 

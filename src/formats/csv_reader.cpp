@@ -4,12 +4,12 @@
 
 #include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/csv_records.hpp"
 #include "formats/lines.hpp"
 #include "formats/names.hpp"
 #include "formats/sphere_data.hpp"
-#include "scene/number.hpp"
 
 namespace sphereview {
 

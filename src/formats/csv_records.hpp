@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/text_format.hpp"
+#include "formats/text_format.hpp"
 
 namespace sphereview {
 

@@ -5,9 +5,9 @@
 #include <unordered_map>
 
 #include "base/available_memory.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/macromolecule.hpp"
-#include "scene/number.hpp"
 
 namespace sphereview {
 
@@ -149,10 +149,10 @@ private:
         // A file's models follow each other.
         const std::string_view name = text_of(row_[model]);
         if (models_.empty() || name != last_model_) {
-            last_frame_ = models_.emplace(name, models_.size()).first->second;
+            last_redraw_ = models_.emplace(name, models_.size()).first->second;
             last_model_ = name;
         }
-        if (static_cast<std::int64_t>(last_frame_) == wanted_) take_atom();
+        if (static_cast<std::int64_t>(last_redraw_) == wanted_) take_atom();
     }
 
     void take_atom() {
@@ -196,7 +196,7 @@ private:
     std::array<std::string_view, column_count> row_{};
     std::unordered_map<std::string_view, std::size_t> models_{};
     std::string_view last_model_{};
-    std::size_t last_frame_ = 0;
+    std::size_t last_redraw_ = 0;
     std::vector<MoleculeAtom> atoms_{};
 };
 

@@ -4,10 +4,10 @@
 
 #include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"
-#include "scene/number.hpp"
 
 namespace sphereview {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "formats/scene_format.hpp"
 #include "scene/scene.hpp"
-#include "scene/scene_format.hpp"
 
 namespace sphereview {
 

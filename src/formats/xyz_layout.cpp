@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "base/error.hpp"
-#include "scene/token_reader.hpp"
+#include "formats/token_reader.hpp"
 
 namespace sphereview {
 

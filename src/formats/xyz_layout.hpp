@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "scene/text_format.hpp"
+#include "formats/text_format.hpp"
 
 namespace sphereview {
 

@@ -8,8 +8,8 @@
 #include "formats/lines.hpp"
 #include "formats/names.hpp"
 #include "formats/sphere_data.hpp"
+#include "formats/token_reader.hpp"
 #include "formats/xyz_layout.hpp"
-#include "scene/token_reader.hpp"
 
 namespace sphereview {
 

@@ -11,7 +11,7 @@ namespace sphereview {
 
 GpuRenderer::GpuRenderer(Timings& timings, const TextureBounds& bounds) : tables_(bounds) {
     no_vertices_ = make_vertex_array();
-    frame_buffer_ = make_buffer();
+    draw_buffer_ = make_buffer();
     glDisable(GL_DITHER);
     self_check(timings);
 }
@@ -38,14 +38,14 @@ int GpuRenderer::largest_block_side() const { return std::min(visible_.largest_s
 
 void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& lists, const Camera& camera, PictureSize size,
                          Timings& timings) {
-    const PhaseTimer timer(timings, Phase::upload);
+    const PhaseTimer timer(timings, Phase::prepare);
     std::vector<std::string> defines = tables_.defines_for(spheres, lists);
     if (!trace_ || defines != defines_) {
         shade_ = Program();
         trace_ = make_program("trace.frag", defines);
         defines_ = std::move(defines);
     }
-    frame_ = frame_of(lists, camera, size);
+    frame_ = draw_block_of(lists, camera, size);
     covered_ = lists.covered;
     tables_.upload(spheres, lists);
 }
@@ -57,7 +57,7 @@ void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Tim
         const PhaseTimer timer(timings, Phase::trace);
         visible_.require(block.width, block.height);
         frame_.block_origin = {block.x, block.y};
-        upload_frame(frame_buffer_, frame_);
+        upload_draw_block(draw_buffer_, frame_);
         tables_.bind();
         glUseProgram(trace_.name());
         // Elsewhere the background is known.
@@ -80,11 +80,11 @@ Image GpuRenderer::shade(const Scene& scene, const DrawnSpheres& drawn, const Ba
     if (!shade_) shade_ = make_program("shade.frag", defines_);
     tables_.upload_colors(shown_colors(scene, drawn));
     tables_.bind();
-    FrameBlock frame = frame_;
+    DrawBlock frame = frame_;
     frame.background = shown_background(background);
     frame.picture_size = {last_block_.width, last_block_.height};
     frame.window_corner = {0, last_block_.height - 1};
-    upload_frame(frame_buffer_, frame);
+    upload_draw_block(draw_buffer_, frame);
 
     const Texture target_texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, target_texture.name());

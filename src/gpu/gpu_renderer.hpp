@@ -49,9 +49,9 @@ private:
     Program trace_;
     Program shade_;
     VertexArray no_vertices_;
-    Buffer frame_buffer_;
+    Buffer draw_buffer_;
     NumberTarget visible_;
-    FrameBlock frame_;
+    DrawBlock frame_;
     PixelRange covered_;  // of the picture; the rest shows no sphere
     Block last_block_;
 };

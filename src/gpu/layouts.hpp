@@ -1,4 +1,4 @@
-// The uniform blocks as C++ writes them. Twins: shaders/frame.glsl, spheres.glsl and candidates.glsl; gpu/program.cpp compares the
+// The uniform blocks as C++ writes them. Twins: shaders/draw.glsl, spheres.glsl and candidates.glsl; gpu/program.cpp compares the
 // offsets with those that GL reports.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace sphereview {
 
 // std140 layout of the block `Frame`.
-struct FrameBlock {
+struct DrawBlock {
     glm::vec4 forward{0.0F};
     glm::vec4 right{0.0F};
     glm::vec4 up{0.0F};
@@ -45,40 +45,40 @@ struct BlockMember {
     std::size_t offset;
 };
 
-inline constexpr std::array<BlockMember, 23> frame_members = {{
-    {"forward", offsetof(FrameBlock, forward)},
-    {"right", offsetof(FrameBlock, right)},
-    {"up", offsetof(FrameBlock, up)},
-    {"background", offsetof(FrameBlock, background)},
-    {"picture_size", offsetof(FrameBlock, picture_size)},
-    {"block_origin", offsetof(FrameBlock, block_origin)},
-    {"error_scale", offsetof(FrameBlock, error_scale)},
-    {"all_doubtful", offsetof(FrameBlock, all_doubtful)},
-    {"level_count", offsetof(FrameBlock, level_count)},
-    {"grid_shift", offsetof(FrameBlock, grid_shift)},
-    {"window_corner", offsetof(FrameBlock, window_corner)},
-    {"hovered", offsetof(FrameBlock, hovered)},
-    {"outline", offsetof(FrameBlock, outline)},
-    {"checkerboard", offsetof(FrameBlock, checkerboard)},
-    {"shading", offsetof(FrameBlock, shading)},
-    {"nearest_depth", offsetof(FrameBlock, nearest_depth)},
-    {"inverse_depth_range", offsetof(FrameBlock, inverse_depth_range)},
-    {"axis_right", offsetof(FrameBlock, axis_right)},
-    {"axis_up", offsetof(FrameBlock, axis_up)},
-    {"axis_toward", offsetof(FrameBlock, axis_toward)},
-    {"point_offset", offsetof(FrameBlock, point_offset)},
-    {"point_shift", offsetof(FrameBlock, point_shift)},
-    {"levels", offsetof(FrameBlock, levels)},
+inline constexpr std::array<BlockMember, 23> draw_members = {{
+    {"forward", offsetof(DrawBlock, forward)},
+    {"right", offsetof(DrawBlock, right)},
+    {"up", offsetof(DrawBlock, up)},
+    {"background", offsetof(DrawBlock, background)},
+    {"picture_size", offsetof(DrawBlock, picture_size)},
+    {"block_origin", offsetof(DrawBlock, block_origin)},
+    {"error_scale", offsetof(DrawBlock, error_scale)},
+    {"all_doubtful", offsetof(DrawBlock, all_doubtful)},
+    {"level_count", offsetof(DrawBlock, level_count)},
+    {"grid_shift", offsetof(DrawBlock, grid_shift)},
+    {"window_corner", offsetof(DrawBlock, window_corner)},
+    {"hovered", offsetof(DrawBlock, hovered)},
+    {"outline", offsetof(DrawBlock, outline)},
+    {"checkerboard", offsetof(DrawBlock, checkerboard)},
+    {"shading", offsetof(DrawBlock, shading)},
+    {"nearest_depth", offsetof(DrawBlock, nearest_depth)},
+    {"inverse_depth_range", offsetof(DrawBlock, inverse_depth_range)},
+    {"axis_right", offsetof(DrawBlock, axis_right)},
+    {"axis_up", offsetof(DrawBlock, axis_up)},
+    {"axis_toward", offsetof(DrawBlock, axis_toward)},
+    {"point_offset", offsetof(DrawBlock, point_offset)},
+    {"point_shift", offsetof(DrawBlock, point_shift)},
+    {"levels", offsetof(DrawBlock, levels)},
 }};
 
-static_assert(sizeof(FrameBlock) == 320);
+static_assert(sizeof(DrawBlock) == 320);
 static_assert(sizeof(glm::vec4) == 16, "an element of the arrays in the blocks Spheres and Colors");
 
-static_assert(most_tile_levels == 8, "levels in frame.glsl");
+static_assert(most_tile_levels == 8, "levels in draw.glsl");
 static_assert(sizeof(Candidate) == 8, "two 32-bit numbers a texel in candidates.glsl");
 
 // Where each block is bound.
-enum class BlockBinding : unsigned { frame = 0, spheres = 1, colors = 2 };
+enum class BlockBinding : unsigned { draw = 0, spheres = 1, colors = 2 };
 
 // The texture unit of each sampler, by its name in the shaders.
 enum class TextureUnit : int {

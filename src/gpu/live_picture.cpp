@@ -74,8 +74,8 @@ LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const
 LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& bounds)
     : shader_folder_(shader_folder),
       no_vertices_(make_vertex_array()),
-      frame_buffer_(make_buffer()),
-      tables_(bounds, EditedScene::most_changes),
+      draw_buffer_(make_buffer()),
+      tables_(bounds, LiveLists::most_changes),
       sampled_(bounds) {
     if (!shader_folder_.empty()) shader_files_ = ShaderFiles(shader_folder_);
     compile(tables_.defines_for(scene_.drawn(), scene_.lists()));
@@ -131,11 +131,11 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     ++builds_;
     forget_picture();
     tables_.upload(spheres, lists.lists());
-    frame_ = frame_of(lists.lists(), view.camera, view.size);
+    frame_ = draw_block_of(lists.lists(), view.camera, view.size);
     lists_step_ = grid.step;
     view_ = view;
     if (drawn) {
-        scene_ = EditedScene(std::move(*drawn), std::move(lists), view.camera);
+        scene_ = LiveLists(std::move(*drawn), std::move(lists), view.camera);
     } else {
         scene_.replace_lists(std::move(lists), view.camera);
     }
@@ -143,11 +143,11 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
 }
 
 // Brings what was built up to date in proportion to what changed; false where it must be built anew.
-bool LivePicture::follow(const Document& document, const SceneChanges& changes) {
+bool LivePicture::follow(const Document& document, const ChangesSince& changes) {
     if (!scene_.follow(document.scene(), changes)) return false;
     forget_picture();
     tables_.update(scene_.drawn(), scene_.lists(), scene_.take_changed());
-    frame_ = frame_of(scene_.lists(), view_.camera, view_.size);
+    frame_ = draw_block_of(scene_.lists(), view_.camera, view_.size);
     colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, changes.order);
     return true;
 }
@@ -167,7 +167,7 @@ void LivePicture::trace(int step) {
     visible_.require(width, height);
     frame_.grid_shift = grid.shift();
     frame_.block_origin = {step / 2, step / 2};
-    upload_frame(frame_buffer_, frame_);
+    upload_draw_block(draw_buffer_, frame_);
     tables_.bind();
     glUseProgram(programs_.trace.name());
     PixelRange covered;
@@ -218,7 +218,7 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
         throw TooLarge("its pictures have at most " + in_groups(static_cast<std::uint64_t>(visible_.largest_side())) +
                        " pixels a side");
     }
-    const SceneChanges changes = document.changes_since(revision_);
+    const ChangesSince changes = document.changes_since(revision_);
     const bool geometry = revision_ == 0 || changes.order || changes.geometry;
     const bool other_grid = (!traced_ || step < step_) && lists_step_ != 1 && lists_step_ != step;
     const bool followed = geometry && revision_ != 0 && view == view_ && !other_grid && follow(document, changes);
@@ -304,7 +304,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     }
     mark_selected(highlights.selection);
     PixelRange outlined = selected_range_;
-    FrameBlock frame = frame_;
+    DrawBlock frame = frame_;
     if (const auto index = highlights.hovered ? scene_.drawn().index_of(*highlights.hovered) : std::nullopt) {
         frame.hovered = static_cast<std::int32_t>(*index);
         outlined = united(outlined, PixelPlanes(view_.camera, view_.size).range(scene_.drawn().center_radius[*index]));
@@ -313,7 +313,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     frame.checkerboard = checkerboard_shift;
     frame.window_corner = {area.x, area.y + area.height - 1};
     frame.outline = std::max(highlights.thickness, 1.0F);
-    upload_frame(frame_buffer_, frame);
+    upload_draw_block(draw_buffer_, frame);
     tables_.bind();
     const Block whole{area.x, area.y, area.width, area.height};
     if (is_averaged(samples, background)) {
@@ -344,7 +344,7 @@ std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
     const PictureSize& size = view_.size;
     if (revision_ == 0 || pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return visible_background;
     DecisionLevel level = DecisionLevel::in_float;
-    const SceneChanges changes = document.changes_since(revision_);
+    const ChangesSince changes = document.changes_since(revision_);
     if (changes.order || changes.geometry) {
         const DrawnSpheres drawn = drawn_spheres(document.scene(), view_.camera);
         return Resolver(document.scene(), drawn, view_.camera, size, nullptr).resolve(pixel, level);

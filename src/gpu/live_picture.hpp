@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "edit/document.hpp"
+#include "edit/selection.hpp"
 #include "gpu/gl_object.hpp"
 #include "gpu/layouts.hpp"
 #include "gpu/number_target.hpp"
@@ -14,11 +16,9 @@
 #include "gpu/scene_tables.hpp"
 #include "gpu/shader_source.hpp"
 #include "gpu/shown_colors.hpp"
-#include "scene/document.hpp"
-#include "scene/selection.hpp"
 #include "shade/shading.hpp"
 #include "shade/surface.hpp"
-#include "tiles/edited_scene.hpp"
+#include "tiles/live_lists.hpp"
 
 namespace sphereview {
 
@@ -114,7 +114,7 @@ private:
 
     void compile(const std::vector<std::string>& defines);
     void rebuild(const Document& document, const View& view, bool geometry, int step);
-    bool follow(const Document& document, const SceneChanges& changes);
+    bool follow(const Document& document, const ChangesSince& changes);
     void forget_picture();
     void trace(int step);
     void prepare_shading(const Document& document, Shading shading);
@@ -127,7 +127,7 @@ private:
     std::vector<std::string> defines_;  // that the programs were compiled with
     Programs programs_;
     VertexArray no_vertices_;
-    Buffer frame_buffer_;
+    Buffer draw_buffer_;
     SceneTables tables_;
     NumberTarget visible_;
     Outlines outlines_;
@@ -135,10 +135,10 @@ private:
 
     std::uint64_t revision_ = 0;  // that all below is made from; 0: none
     View view_;
-    EditedScene scene_;  // the drawn spheres and their lists
+    LiveLists scene_;  // the drawn spheres and their lists
     std::uint64_t builds_ = 0;
     int lists_step_ = 1;  // they are for the pixels of the grid with this step alone; 1: for all
-    FrameBlock frame_;
+    DrawBlock frame_;
 
     Shading shading_ = Shading::flat;
     std::optional<DepthRange> range_;  // of this scene and eye, once it was needed

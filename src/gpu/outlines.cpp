@@ -21,7 +21,7 @@ Block block_of(int left, int top, int right, int bottom) { return {left, top, ri
 }  // namespace
 
 void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible,
-                    const FrameBlock& frame, const PixelRange& range, const WindowArea& area, GLuint window) {
+                    const DrawBlock& frame, const PixelRange& range, const WindowArea& area, GLuint window) {
     if (range.empty()) return;
     const int step = 1 << frame.grid_shift;
     // A coarse texel of a sphere may stand for pixels beside its range.

@@ -30,7 +30,7 @@ class Outlines {
 public:
     // Draws into framebuffer `window` what `frame`, which is uploaded, says of the picture in `visible`. The marked spheres are in
     // `range` of it.
-    void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible, const FrameBlock& frame,
+    void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible, const DrawBlock& frame,
               const PixelRange& range, const WindowArea& area, GLuint window);
 
 private:

@@ -32,9 +32,9 @@ void bind_block(GLuint program, const char* name, BlockBinding binding) {
 
 // std140 leaves no choice, but a member renamed or moved in one twin alone would go unnoticed. A shader that a person edits may do
 // without the block.
-void check_frame_layout(GLuint program, std::string_view file) {
-    if (glGetUniformBlockIndex(program, "Frame") == GL_INVALID_INDEX) return;
-    for (const BlockMember& member : frame_members) {
+void check_draw_layout(GLuint program, std::string_view file) {
+    if (glGetUniformBlockIndex(program, "Draw") == GL_INVALID_INDEX) return;
+    for (const BlockMember& member : draw_members) {
         GLuint index = GL_INVALID_INDEX;
         glGetUniformIndices(program, 1, &member.name, &index);
         GLint offset = -1;
@@ -64,10 +64,10 @@ Program make_program(std::string_view fragment_file, const std::vector<std::stri
         log.resize(static_cast<std::size_t>(length));
         throw RenderError("the shader " + std::string(fragment_file) + " does not link:\n" + log);
     }
-    bind_block(program.name(), "Frame", BlockBinding::frame);
+    bind_block(program.name(), "Draw", BlockBinding::draw);
     bind_block(program.name(), "Spheres", BlockBinding::spheres);
     bind_block(program.name(), "Colors", BlockBinding::colors);
-    check_frame_layout(program.name(), fragment_file);
+    check_draw_layout(program.name(), fragment_file);
     glUseProgram(program.name());
     for (std::size_t unit = 0; unit < sampler_names.size(); ++unit) {
         const GLint location = glGetUniformLocation(program.name(), sampler_names[unit]);

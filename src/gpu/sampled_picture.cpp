@@ -26,7 +26,7 @@ constexpr double longest_strip = 0.008;  // seconds
 SampledPicture::SampledPicture(const TextureBounds& bounds)
     : tables_(bounds),
       no_vertices_(make_vertex_array()),
-      frame_buffer_(make_buffer()),
+      draw_buffer_(make_buffer()),
       sums_(make_texture()),
       sums_framebuffer_(make_framebuffer()) {}
 
@@ -78,7 +78,7 @@ void SampledPicture::begin(const Source& source) {
     tables_.upload(source.drawn, lists_);
     tables_.upload_colors(source.colors);
     const int side = sample_side(samples_);
-    frame_ = frame_of(lists_, source.camera, sampled_size(source.size, side));
+    frame_ = draw_block_of(lists_, source.camera, sampled_size(source.size, side));
     visible_.require(source.size.width, source.size.height);
     if (!(sums_size_ == source.size)) {
         sums_size_ = {0, 0};  // unless all goes well
@@ -111,10 +111,10 @@ Pixel SampledPicture::offset() const {
 void SampledPicture::trace_strip(const Source& source, const Block& strip) {
     const int side = sample_side(samples_);
     // Each texel is traced for one point of its pixel: a pixel of the picture that the lists are of.
-    FrameBlock frame = frame_;
+    DrawBlock frame = frame_;
     frame.grid_shift = std::countr_zero(static_cast<unsigned>(side));
     frame.block_origin = {offset().x, offset().y};
-    upload_frame(frame_buffer_, frame);
+    upload_draw_block(draw_buffer_, frame);
     tables_.bind();
     glUseProgram(trace_.name());
     PixelRange covered;
@@ -149,7 +149,7 @@ bool SampledPicture::decide_strip(const Source& source, const Block& strip, cons
 }
 
 void SampledPicture::add_strip(const Source& source, const Block& strip) {
-    FrameBlock frame = frame_;
+    DrawBlock frame = frame_;
     frame.background = shown_background(background_);
     frame.checkerboard = checkerboard_shift;
     frame.picture_size = {sums_size_.width, sums_size_.height};
@@ -162,7 +162,7 @@ void SampledPicture::add_strip(const Source& source, const Block& strip) {
     frame.axis_toward = source.shown.axis_toward;
     frame.point_offset = {offset().x, offset().y};
     frame.point_shift = std::countr_zero(static_cast<unsigned>(sample_side(samples_)));
-    upload_frame(frame_buffer_, frame);
+    upload_draw_block(draw_buffer_, frame);
     tables_.bind();
     visible_.bind(TextureUnit::visible_spheres);
     glUseProgram(shade_.name());

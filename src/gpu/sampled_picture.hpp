@@ -34,7 +34,7 @@ public:
         std::span<const ShownColor> colors;
         const ShaderFiles& shaders;
         Shading shading;
-        const FrameBlock& shown;  // the window's: how it is shaded
+        const DrawBlock& shown;  // the window's: how it is shaded
     };
 
     explicit SampledPicture(const TextureBounds& bounds = {});
@@ -55,7 +55,7 @@ public:
     // Another thread is making lists, for which refine() only waits.
     bool waits() const { return lists_in_work_.valid(); }
 
-    // Draws the average into `area` of the bound framebuffer with a program made from average.frag; the window's FrameBlock is
+    // Draws the average into `area` of the bound framebuffer with a program made from average.frag; the window's DrawBlock is
     // uploaded.
     void draw(const Program& average, const VertexArray& no_vertices, const Block& area) const;
 
@@ -88,8 +88,8 @@ private:
     Program trace_;
     Program shade_;
     VertexArray no_vertices_;
-    Buffer frame_buffer_;
-    FrameBlock frame_;
+    Buffer draw_buffer_;
+    DrawBlock frame_;
     NumberTarget visible_;
     Texture sums_;
     Framebuffer sums_framebuffer_;

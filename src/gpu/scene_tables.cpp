@@ -67,8 +67,8 @@ glm::vec4 shown_background(const Background& background) {
     return {channel(color.r), channel(color.g), channel(color.b), background.transparent ? 0.0F : 1.0F};
 }
 
-FrameBlock frame_of(const CandidateLists& lists, const Camera& camera, PictureSize size) {
-    FrameBlock frame;
+DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size) {
+    DrawBlock frame;
     const FloatView view = float_view(camera, size, gpu_unit);
     frame.forward = glm::vec4(view.rays.forward, 0.0F);
     frame.right = glm::vec4(view.rays.right, 0.0F);
@@ -86,9 +86,9 @@ FrameBlock frame_of(const CandidateLists& lists, const Camera& camera, PictureSi
     return frame;
 }
 
-void upload_frame(const Buffer& buffer, const FrameBlock& frame) {
+void upload_draw_block(const Buffer& buffer, const DrawBlock& frame) {
     put_into(buffer, &frame, sizeof frame, sizeof frame);
-    bind_block(buffer, BlockBinding::frame);
+    bind_block(buffer, BlockBinding::draw);
 }
 
 SceneTables::SceneTables(const TextureBounds& bounds, std::size_t spare_spheres) : bounds_(bounds), spare_spheres_(spare_spheres) {
@@ -153,7 +153,7 @@ void SceneTables::upload_colors(std::span<const ShownColor> colors) {
     check_gl("uploading the colours");
 }
 
-void SceneTables::update(const DrawnSpheres& spheres, const CandidateLists& lists, const EditedScene::Changed& changed) {
+void SceneTables::update(const DrawnSpheres& spheres, const CandidateLists& lists, const LiveLists::Changed& changed) {
     assert(!storage_.in_block);
     for (const auto& [first, count] : runs(changed.spheres)) sphere_table_.update(&spheres.center_radius[first], first, count);
     for (const auto& [first, count] : joined(changed.candidates)) candidate_table_.update(&lists.candidates[first], first, count);

@@ -16,7 +16,7 @@
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 #include "tiles/build_lists.hpp"
-#include "tiles/edited_scene.hpp"
+#include "tiles/live_lists.hpp"
 
 namespace sphereview {
 
@@ -40,10 +40,10 @@ ShownColor shown_color(const Scene& scene, std::int32_t number, Shading shading)
 glm::vec4 shown_background(const Background& background);
 
 // What trace.frag must know of a picture, but for the part that is drawn.
-FrameBlock frame_of(const CandidateLists& lists, const Camera& camera, PictureSize size);
+DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size);
 
 // Uploads it and binds it for the next draw.
-void upload_frame(const Buffer& buffer, const FrameBlock& frame);
+void upload_draw_block(const Buffer& buffer, const DrawBlock& frame);
 
 class SceneTables {
 public:
@@ -65,7 +65,7 @@ public:
     // buffer is quickly uploaded anew.
     bool take_edits_of(const DrawnSpheres& spheres) const { return !fits_in_block(spheres); }
     // Uploads what changed, if it takes edits. The lists must have kept their sizes.
-    void update(const DrawnSpheres& spheres, const CandidateLists& lists, const EditedScene::Changed& changed);
+    void update(const DrawnSpheres& spheres, const CandidateLists& lists, const LiveLists::Changed& changed);
     // Of the spheres with these indices, in any order.
     void update_colors(std::span<const ShownColor> colors, std::span<const std::uint32_t> indices);
 

@@ -82,7 +82,7 @@ std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std
 PictureShader::PictureShader(const Scene& scene, PictureSize size, Shading shading, const Background& background)
     : scene_(scene), size_(size), shading_(shading), background_(background) {
     if (!depends_on_hit(shading)) return;
-    rays_ = ray_frame<double>(scene.camera, size);
+    rays_ = ray_basis<double>(scene.camera, size);
     axes_ = camera_axes(scene.camera);
     if (shading == Shading::normal) return;
     range_ = depth_range(scene, scene.camera.eye);

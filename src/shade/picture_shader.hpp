@@ -32,7 +32,7 @@ private:
     PictureSize size_;
     Shading shading_;
     Background background_;
-    RayFrame<double> rays_;
+    RayBasis<double> rays_;
     CameraAxes axes_;
     DepthRange range_;
     double inverse_range_ = 1.0;

@@ -34,7 +34,7 @@ PixelPlanes::Axis PixelPlanes::make_axis(const glm::dvec3& forward, const glm::d
 }
 
 PixelPlanes::PixelPlanes(const Camera& camera, PictureSize size) {
-    const RayFrame<double> frame = ray_frame<double>(camera, size);
+    const RayBasis<double> frame = ray_basis<double>(camera, size);
     columns_ = make_axis(frame.forward, frame.right, frame.up, size.width);
     rows_ = make_axis(frame.forward, -frame.up, frame.right, size.height);
     const glm::dvec3 normal = glm::cross(frame.right, frame.up);

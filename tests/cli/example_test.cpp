@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "support/folders.hpp"
 #include "support/render.hpp"
 
 namespace sphereview::test {
@@ -20,7 +21,7 @@ std::string content_of(const std::string& path) {
 Outcome script(const std::string& name, const std::vector<std::string>& arguments = {}) {
     Command command;
     command.program = PYTHON;
-    command.arguments = {std::string(SOURCE_DIR) + "/scenes/make/" + name};
+    command.arguments = {source_file("scenes/make/") + name};
     command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
     return run(command);
 }
@@ -38,13 +39,13 @@ std::string first_line_as_text(const std::string& scene, const std::vector<std::
 TEST(Examples, AreWhatTheirScriptsWrite) {
     for (const auto& [made_by, example, count] : std::vector<std::array<std::string, 3>>{
              {"helix.py", "helix.xyz", "200"}, {"crystal.py", "crystal.extxyz", "1247"}, {"packing.py", "packing.csv", "827"}}) {
-        const std::string path = std::string(SOURCE_DIR) + "/scenes/" + example;
+        const std::string path = source_file("scenes/") + example;
         const Outcome outcome = script(made_by);
         EXPECT_EQ(outcome.status, 0) << outcome;
         EXPECT_TRUE(outcome.output == content_of(path)) << made_by << " writes another " << example;
         EXPECT_EQ(first_line_as_text(path), count);
     }
-    EXPECT_EQ(first_line_as_text(std::string(SOURCE_DIR) + "/scenes/helix.xyz", {"--frame", "15"}), "200");
+    EXPECT_EQ(first_line_as_text(source_file("scenes/helix.xyz"), {"--frame", "15"}), "200");
 }
 
 TEST(Examples, TheSphereflakeHasItsSpheres) {

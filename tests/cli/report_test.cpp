@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-const std::vector<std::string> phases = {"read",  "context",   "shaders", "lists",  "upload",
+const std::vector<std::string> phases = {"read",  "context",   "shaders", "lists",  "prepare",
                                          "trace", "read back", "resolve", "encode", "write"};
 
 const std::string one_tile = "red.txt: tiles of 8 pixels, candidates: 1, in the longest list: 1; spheres in memory";

@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -59,9 +60,9 @@ TEST(Streams, AMissingStandardOutputOrInputIsAnError) {
     folder.write("red.txt", red_scene);
     Command command = cpu_render(folder, {});
     command.program = "/bin/sh";
-    command.arguments = {"-c", "exec \"$0\" render --backend cpu red.txt -s 3x3 -o - >&-", BINARY_DIR "/sphereview"};
+    command.arguments = {"-c", "exec \"$0\" render --backend cpu red.txt -s 3x3 -o - >&-", build_file("sphereview")};
     EXPECT_EQ(run(command).status, 4);
-    command.arguments = {"-c", "exec \"$0\" render --backend cpu - -s 3x3 <&-", BINARY_DIR "/sphereview"};
+    command.arguments = {"-c", "exec \"$0\" render --backend cpu - -s 3x3 <&-", build_file("sphereview")};
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.status, 2) << outcome;
     EXPECT_TRUE(outcome.errors.starts_with("stdin: cannot be read: ")) << outcome;

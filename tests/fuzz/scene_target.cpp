@@ -1,6 +1,6 @@
 #include "base/error.hpp"
+#include "formats/scene_format.hpp"
 #include "fuzz/targets.hpp"
-#include "scene/scene_format.hpp"
 #include "unit/scene_difference.hpp"
 
 namespace sphereview {

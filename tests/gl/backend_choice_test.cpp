@@ -135,7 +135,7 @@ TEST_F(BackendChoice, SeveralScenesShareOneContext) {
             EXPECT_GT(Json::parse(rows[0])["timings_ms"][phase].get<double>(), 0.0);
             EXPECT_EQ(Json::parse(rows[1])["timings_ms"][phase].get<double>(), 0.0);
         }
-        for (const char* phase : {"read", "upload", "trace", "read back", "resolve", "encode", "write"}) {
+        for (const char* phase : {"read", "prepare", "trace", "read back", "resolve", "encode", "write"}) {
             EXPECT_GT(Json::parse(rows[1])["timings_ms"][phase].get<double>(), 0.0) << phase;
         }
         EXPECT_EQ(decode_png(folder_.read("blue.png")).at(2, 2), (std::vector<int>{0, 0, 250}));

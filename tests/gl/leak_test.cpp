@@ -1,6 +1,7 @@
 // Leaks of the GPU path, which a build with AddressSanitizer reports when the program ends.
 #include <gtest/gtest.h>
 
+#include "support/folders.hpp"
 #include "support/render.hpp"
 
 namespace sphereview::test {
@@ -14,7 +15,7 @@ TEST(Leaks, AreNotLeftByTheGpuPath) {
     Command command;
     command.arguments = {"render", "red.txt", "bad.txt", "blue.txt", "--backend", "osmesa", "-s", "50x50"};
     command.folder = folder.path();
-    command.environment = {{"LSAN_OPTIONS", "suppressions=" SOURCE_DIR "/tests/lsan.supp"}};
+    command.environment = {{"LSAN_OPTIONS", "suppressions=" + source_file("tests/lsan.supp")}};
     const Outcome outcome = run(command);
     EXPECT_EQ(outcome.status, 2) << outcome;  // the bad scene's
     EXPECT_EQ(outcome.errors.find("LeakSanitizer"), std::string::npos) << outcome;

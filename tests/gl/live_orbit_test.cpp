@@ -1,8 +1,8 @@
 // The picture of the window while the camera moves about many spheres.
 #include <gtest/gtest.h>
 
+#include "camera/navigation.hpp"
 #include "gl/live_export.hpp"
-#include "scene/navigation.hpp"
 #include "tiles/pixel_grid.hpp"
 
 namespace sphereview::test {

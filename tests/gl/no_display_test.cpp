@@ -7,6 +7,7 @@
 
 #include <cerrno>
 
+#include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -85,7 +86,7 @@ TEST(NoDisplay, ListenerNoticesAVisitor) {
 TEST(NoDisplay, LibraryIsLinked) {
     Command command;
     command.program = "/usr/bin/env";
-    command.arguments = {"ldd", BINARY_DIR "/sphereview"};
+    command.arguments = {"ldd", build_file("sphereview")};
     const Outcome outcome = run(command);
     ASSERT_EQ(outcome.status, 0) << outcome;
     EXPECT_TRUE(contains(outcome.output, "libc."));

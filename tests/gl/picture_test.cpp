@@ -1,6 +1,7 @@
 // The four scenes of scenes/, known by the sums of their pixels from an independent implementation in double precision.
 #include <gtest/gtest.h>
 
+#include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/sha256.hpp"
 
@@ -25,7 +26,8 @@ class KnownPicture : public testing::TestWithParam<std::tuple<Known, std::string
 
 TEST_P(KnownPicture, HasTheSumOfAnIndependentImplementation) {
     const auto& [known, backend] = GetParam();
-    const Outcome outcome = run({"render", SOURCE_DIR "/scenes/" + known.scene + ".txt", "--backend", backend, "-o", "-"});
+    const Outcome outcome =
+        run({"render", source_file(std::string("scenes/") + known.scene) + ".txt", "--backend", backend, "-o", "-"});
     ASSERT_EQ(outcome.status, 0) << outcome;
     const Picture picture = decode_png(outcome.output);
     EXPECT_EQ(picture.channels, 3);

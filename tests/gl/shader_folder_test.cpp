@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "gl/contexts.hpp"
 #include "gl/live.hpp"
+#include "support/folders.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_match.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 class ShaderFolderTest : public testing::TestWithParam<ContextKind> {
 protected:
     ShaderFolderTest() {
-        for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/shaders")) {
+        for (const auto& entry : std::filesystem::directory_iterator(source_file("shaders"))) {
             std::filesystem::copy(entry.path(), folder_.path(entry.path().filename().string()));
         }
     }

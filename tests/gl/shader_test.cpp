@@ -10,6 +10,7 @@
 #include "gl/contexts.hpp"
 #include "gpu/program.hpp"
 #include "gpu/shader_source.hpp"
+#include "support/folders.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview {
@@ -37,7 +38,7 @@ namespace {
 class ShaderTest : public testing::Test {
 protected:
     ShaderTest() {
-        for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/shaders")) {
+        for (const auto& entry : std::filesystem::directory_iterator(source_file("shaders"))) {
             std::ifstream file(entry.path());
             shader_texts()[entry.path().filename().string()].assign(std::istreambuf_iterator<char>(file), {});
         }
@@ -77,12 +78,12 @@ protected:
 TEST_P(ShaderInContext, AsItIsCompiles) { EXPECT_EQ(fault(), ""); }
 
 TEST_P(ShaderInContext, WithAFrameThatTheProgramDoesNotShareIsRefused) {
-    replace("frame.glsl", "    vec4 right;\n    vec4 up;\n", "    vec4 up;\n    vec4 right;\n");
+    replace("draw.glsl", "    vec4 right;\n    vec4 up;\n", "    vec4 up;\n    vec4 right;\n");
     EXPECT_EQ(fault(), "trace.frag: GL has Frame.right at byte 32, the program at 16");
 }
 
 TEST_P(ShaderInContext, WithAFrameThatLacksAMemberIsRefused) {
-    replace("frame.glsl", "vec4 background;", "vec4 backdrop;");
+    replace("draw.glsl", "vec4 background;", "vec4 backdrop;");
     EXPECT_EQ(fault(), "trace.frag: GL has Frame.background at byte -1, the program at 48");
 }
 
@@ -134,13 +135,13 @@ TEST_F(ShaderTest, AMissingFileIsNamed) {
 }
 
 TEST(ShaderLog, NamesFilesWhoeverWroteIt) {
-    const std::vector<std::string> files = {"trace.frag", "frame.glsl"};
+    const std::vector<std::string> files = {"trace.frag", "draw.glsl"};
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"0:12(5): error: `x' undeclared", "trace.frag:12(5): error: `x' undeclared\n"},                               // Mesa
-        {"1:3(1): warning: unused\n", "frame.glsl:3(1): warning: unused\n"},                                           // Mesa
+        {"1:3(1): warning: unused\n", "draw.glsl:3(1): warning: unused\n"},                                            // Mesa
         {"0(12) : error C1008: undefined variable \"x\"", "trace.frag:12 : error C1008: undefined variable \"x\"\n"},  // NVIDIA
         {"ERROR: 0:12: 'x' : undeclared identifier", "ERROR: trace.frag:12: 'x' : undeclared identifier\n"},           // Apple, AMD
-        {"ERROR: 1:3: bad\nERROR: 0:4: worse", "ERROR: frame.glsl:3: bad\nERROR: trace.frag:4: worse\n"},
+        {"ERROR: 1:3: bad\nERROR: 0:4: worse", "ERROR: draw.glsl:3: bad\nERROR: trace.frag:4: worse\n"},
         {"7:12(5): error: another source", "7:12(5): error: another source\n"},  // no such file
         {"error C0000: version 330:1", "error C0000: version 330:1\n"},
         {"1 error generated", "1 error generated\n"},

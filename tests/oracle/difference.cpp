@@ -1,6 +1,6 @@
 #include "oracle/difference.hpp"
 
-#include "scene/toml_format.hpp"
+#include "formats/toml_format.hpp"
 
 namespace sphereview::oracle {
 

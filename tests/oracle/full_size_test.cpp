@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "formats/toml_format.hpp"
 #include "oracle/backends.hpp"
-#include "scene/toml_format.hpp"
 
 namespace sphereview::oracle {
 

@@ -7,10 +7,11 @@
 #include <iostream>
 #include <iterator>
 
+#include "formats/scene_format.hpp"
 #include "oracle/backends.hpp"
 #include "oracle/long_filter.hpp"
 #include "oracle/oracle.hpp"
-#include "scene/scene_format.hpp"
+#include "support/folders.hpp"
 
 namespace sphereview::oracle {
 
@@ -24,7 +25,7 @@ constexpr bool is_long = false;
 
 Trial shipped_scene(int number) {
     const std::string name = "input" + std::to_string(number) + ".txt";
-    std::ifstream file(std::string(SOURCE_DIR) + "/scenes/" + name, std::ios::binary);
+    std::ifstream file(test::source_file("scenes/") + name, std::ios::binary);
     EXPECT_TRUE(file) << name;
     const std::string content{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
     return {name, parse_scene(content, name), {1000, 1000}};

@@ -4,6 +4,7 @@
 #include "base/input_file.hpp"
 #include "panels/commands.hpp"
 #include "panels/help.hpp"
+#include "support/folders.hpp"
 
 namespace sphereview::test {
 namespace {
@@ -23,7 +24,7 @@ std::string tables() {
 }  // namespace
 
 TEST(Readme, HasTheTablesOfKeysAndMouse) {
-    const InputFile readme(std::string(SOURCE_DIR) + "/README.md");
+    const InputFile readme(source_file("README.md"));
     EXPECT_NE(readme.bytes().find(tables()), std::string_view::npos) << "expected in README.md:\n" << tables();
 }
 

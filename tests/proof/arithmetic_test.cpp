@@ -45,7 +45,7 @@ Bounds bounds_in_float(const Trial& trial, EyeSide side, double factor) {
 }
 
 Bounds bounds_in_double(const Trial& trial, EyeSide side, double factor) {
-    const RayFrame<double> frame = ray_frame<double>(trial.camera, trial.size);
+    const RayBasis<double> frame = ray_basis<double>(trial.camera, trial.size);
     const RayCoefficients k = ray_coefficients(trial.size, trial.pixel);
     const FilterInputs<double> inputs = {vector(frame.forward),
                                          vector(frame.right),

@@ -41,7 +41,7 @@ class PerturbedTrial {
 public:
     explicit PerturbedTrial(const Trial& trial)
         : truth_(true_hit(trial)),
-          frame_(ray_frame<double>(trial.camera, trial.size)),
+          frame_(ray_basis<double>(trial.camera, trial.size)),
           coefficients_(ray_coefficients(trial.size, trial.pixel)),
           center_(trial.sphere.center - trial.camera.eye),
           radius_(trial.sphere.radius),
@@ -106,7 +106,7 @@ public:
 
 private:
     Truth truth_;
-    RayFrame<double> frame_;
+    RayBasis<double> frame_;
     RayCoefficients coefficients_;
     glm::dvec3 center_;
     double radius_;

@@ -1,4 +1,5 @@
 #include "support/program.hpp"
+#include "support/folders.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -109,7 +110,7 @@ std::ostream& operator<<(std::ostream& stream, const Outcome& outcome) {
 }
 
 Running::Running(const Command& command) : input_stays_open_(command.input_stays_open), unwritten_input_(command.input) {
-    const std::string program = command.program.empty() ? BINARY_DIR "/sphereview" : command.program;
+    const std::string program = command.program.empty() ? build_file("sphereview") : command.program;
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& argument : command.arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);

@@ -3,6 +3,7 @@
 #include <exception>
 #include <fstream>
 
+#include "support/folders.hpp"
 #include "ui/viewer_window.hpp"
 #include "ui/x_client.hpp"
 
@@ -25,14 +26,14 @@ void take(const std::string& folder) {
     const TemporaryFolder files;
     const ScreenOptions screen{1280, 800, 96};
     {
-        ViewerWindow window(files, {SOURCE_DIR "/scenes/planets.toml"}, screen);
+        ViewerWindow window(files, {source_file("scenes/planets.toml")}, screen);
         window.click_widget("row 3");
         window.wait_for("selection", {3});
         window.move_to(at(window, 0.72, 0.42));
         window.wait_until("a rest", [](const Json&) { return true; });
         save(window, folder + "/viewer.png");
     }
-    ViewerWindow window(files, {SOURCE_DIR "/scenes/input4.txt"}, screen);
+    ViewerWindow window(files, {source_file("scenes/input4.txt")}, screen);
     window.key("i");
     window.move_to(at(window, 0.665, 0.334));
     window.wait_until("a pixel of a sphere", [](const Json& frame) { return !frame.at("hovered").is_null(); });

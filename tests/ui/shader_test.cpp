@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "support/folders.hpp"
 #include "support/text_match.hpp"
 #include "ui/editing.hpp"
 
@@ -11,7 +12,7 @@ namespace sphereview::test {
 TEST(LiveShaders, AreInThePictureWhenSaved) {
     const TemporaryFolder folder;
     const std::string shaders = folder.path("shaders");
-    std::filesystem::copy(SOURCE_DIR "/shaders", shaders, std::filesystem::copy_options::recursive);
+    std::filesystem::copy(source_file("shaders"), shaders, std::filesystem::copy_options::recursive);
     const std::string good = folder.read("shaders/shade.frag");
     const std::string scene = folder.write("scene.txt", two_spheres);
     ViewerWindow window(folder, {scene, "--shader-dir", shaders});

@@ -41,7 +41,7 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
     std::filesystem::remove(folder.path(log_name));
     Command command;
     command.arguments = arguments;
-    command.arguments.insert(command.arguments.end(), {"--frame-log", folder.path(log_name)});
+    command.arguments.insert(command.arguments.end(), {"--redraw-log", folder.path(log_name)});
     command.folder = folder.path();
     command.input = input;
     command.input_stays_open = !input.empty();

@@ -33,7 +33,7 @@ public:
     ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen = {},
                  const std::string& input = "");
 
-    // The last frame of the log (app/viewer/frame_log.hpp).
+    // The last frame of the log (app/viewer/redraw_log.hpp).
     const Json& frame();
     // Waits until a frame at rest (refined, nothing more to do) fulfils the condition.
     const Json& wait_until(const std::string& what, const std::function<bool(const Json&)>& condition);

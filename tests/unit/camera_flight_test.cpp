@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "scene/framing.hpp"
+#include "camera/fit.hpp"
 #include "viewer/perform.hpp"
 
 namespace sphereview {

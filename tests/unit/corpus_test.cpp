@@ -6,6 +6,7 @@
 
 #include "base/input_file.hpp"
 #include "fuzz/targets.hpp"
+#include "support/folders.hpp"
 
 namespace sphereview {
 
@@ -13,7 +14,7 @@ namespace {
 
 void replay(const std::string& kind, std::string (*target)(std::string_view)) {
     int replayed = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/tests/fuzz/corpus/" + kind)) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::source_file("tests/fuzz/corpus/" + kind))) {
         SCOPED_TRACE(entry.path().filename());
         EXPECT_EQ(target(InputFile(entry.path().string(), Content::binary).bytes()), "");
         ++replayed;

@@ -1,4 +1,4 @@
-#include "scene/document.hpp"
+#include "edit/document.hpp"
 
 #include <gtest/gtest.h>
 
@@ -171,7 +171,7 @@ TEST(Document, ForgetsTheOldestStepsForWantOfMemory) {
 }
 
 TEST(Document, SaysThatEverythingChangedWhereItCannotKnow) {
-    const auto everything = [](const SceneChanges& changes) {
+    const auto everything = [](const ChangesSince& changes) {
         return changes.order && changes.geometry && changes.camera && changes.background && changes.spheres.empty();
     };
     Document document(row(1000));
@@ -211,7 +211,7 @@ TEST(Document, TakesAChangeOfVeryManyForOneOfAll) {
     }
     const std::uint64_t begin = document.revision();
     document.apply(edit, "Recolour", 1);
-    SceneChanges changes = document.changes_since(begin);
+    ChangesSince changes = document.changes_since(begin);
     EXPECT_FALSE(changes.order);
     EXPECT_FALSE(changes.geometry) << "colours alone";
     ASSERT_EQ(changes.spheres.size(), count);

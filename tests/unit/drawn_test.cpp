@@ -64,9 +64,9 @@ TEST(DrawnSpheres, KnowOnWhichSideTheEyeIs) {
     EXPECT_EQ(drawn.side(2), EyeSide::outside);
 }
 
-TEST(RayFrame, RoundsNothingForTheDefaultCamera) {
+TEST(RayBasis, RoundsNothingForTheDefaultCamera) {
     for (const PictureSize size : {PictureSize{1000, 1000}, {1, 1}, {333, 77}, {3, 16384}}) {
-        const RayFrame<float> frame = ray_frame<float>({}, size);
+        const RayBasis<float> frame = ray_basis<float>({}, size);
         EXPECT_GE(frame.forward.z, 0.5F);
         EXPECT_LT(frame.forward.z, 1.0F);
         // forward : right is m 100 : 50, exactly.
@@ -76,8 +76,8 @@ TEST(RayFrame, RoundsNothingForTheDefaultCamera) {
     }
 }
 
-TEST(RayFrame, IsTheSameForACameraOfAnyScale) {
-    const RayFrame<float> usual = ray_frame<float>({}, {1000, 1000});
+TEST(RayBasis, IsTheSameForACameraOfAnyScale) {
+    const RayBasis<float> usual = ray_basis<float>({}, {1000, 1000});
     for (const int exponent : {-900, -100, 100, 1016}) {
         const auto scaled = [&](const glm::dvec3& v) {
             return glm::dvec3(std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent));
@@ -85,7 +85,7 @@ TEST(RayFrame, IsTheSameForACameraOfAnyScale) {
         const Camera usual_camera;
         const Camera camera{scaled(usual_camera.eye), scaled(usual_camera.center), scaled(usual_camera.right),
                             scaled(usual_camera.up)};
-        const RayFrame<float> frame = ray_frame<float>(camera, {1000, 1000});
+        const RayBasis<float> frame = ray_basis<float>(camera, {1000, 1000});
         EXPECT_EQ(frame.forward, usual.forward) << exponent;
         EXPECT_EQ(frame.right, usual.right) << exponent;
         EXPECT_EQ(frame.up, usual.up) << exponent;

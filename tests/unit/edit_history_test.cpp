@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "scene/document.hpp"
+#include "edit/document.hpp"
 #include "scene/same_bits.hpp"
 #include "unit/random_edit.hpp"
 #include "unit/random_scene.hpp"
@@ -90,7 +90,7 @@ public:
 
     void expect_changes(const Document& document, std::size_t which) const {
         const Remembered& old = remembered_[which % remembered_.size()];
-        const SceneChanges changes = document.changes_since(old.revision);
+        const ChangesSince changes = document.changes_since(old.revision);
         const Scene& now = document.scene();
         if (changes.order && changes.camera && changes.background && may_be_forgotten(document.revision() - old.revision)) return;
         ASSERT_EQ(changes.camera, !same_bits(old.scene.camera, now.camera));
@@ -130,7 +130,7 @@ private:
     };
 
     // What is left of the old spheres without those that went are the new ones without those that came.
-    static void expect_others_kept(const SceneChanges& changes, const Scene& old, const Scene& now) {
+    static void expect_others_kept(const ChangesSince& changes, const Scene& old, const Scene& now) {
         ASSERT_TRUE(changes.spheres.empty());
         std::vector<Sphere> stayed;
         for (std::uint32_t i = 0; i < old.spheres.size(); ++i) {

@@ -1,4 +1,4 @@
-#include "scene/edit.hpp"
+#include "edit/edit.hpp"
 
 #include <gtest/gtest.h>
 

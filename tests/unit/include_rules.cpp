@@ -13,21 +13,23 @@ using Names = std::vector<std::string_view>;
 // What a room may include beside itself and the C++ standard library: rooms, libraries, and "system".
 const std::map<std::string_view, Names> allowed = {
     {"base", {"system", "zlib"}},
-    {"scene", {"base", "glm", "toml++"}},
-    {"formats", {"base", "scene", "glm", "gemmi"}},
+    {"scene", {"base", "glm"}},
+    {"camera", {"base", "scene", "glm"}},
+    {"edit", {"base", "scene", "glm"}},
+    {"formats", {"base", "scene", "glm", "toml++", "gemmi"}},
     {"image", {"base", "stb", "libdeflate"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact", "glm"}},
-    {"tiles", {"base", "scene", "exact", "glm"}},
+    {"tiles", {"base", "scene", "edit", "exact", "glm"}},
     {"cpu", {"base", "scene", "exact", "tiles", "glm"}},
-    {"gpu", {"base", "scene", "image", "exact", "shade", "tiles", "glad", "glm"}},
+    {"gpu", {"base", "scene", "edit", "image", "exact", "shade", "tiles", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
-    {"panels", {"base", "scene", "exact", "glm", "imgui"}},
+    {"panels", {"base", "scene", "camera", "edit", "exact", "glm", "imgui"}},
     {"viewer",
-     {"base", "scene", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app", "glm", "glad",
-      "json", "imgui"}},
-    {"app", {"base",   "scene", "formats",    "image", "exact", "shade", "tiles",  "cpu",  "gpu",   "platform", "glm",
-             "toml++", "stb",   "libdeflate", "boost", "glad",  "EGL",   "OSMesa", "GLFW", "CLI11", "json"}},
+     {"base", "scene", "camera", "edit", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app",
+      "glm", "glad", "json", "imgui"}},
+    {"app", {"base", "scene",  "camera", "edit",       "formats", "image", "exact", "shade",  "tiles", "cpu",   "gpu", "platform",
+             "glm",  "toml++", "stb",    "libdeflate", "boost",   "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.

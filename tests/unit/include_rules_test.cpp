@@ -1,4 +1,5 @@
 #include "unit/include_rules.hpp"
+#include "support/folders.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const fs::path source = SOURCE_DIR;
+const fs::path source = test::source_file("");
 
 std::vector<fs::path> files_below(const std::string& folder) {
     std::vector<fs::path> files;
@@ -61,7 +62,7 @@ TEST(IncludeRules, AllowWhatTheTableSays) {
         {"base", "#include \"base/error.hpp\""},
         {"base", "#include <unistd.h>"},
         {"base", "#include <sys/wait.h>"},
-        {"scene", "#include <toml++/toml.h>"},
+        {"formats", "#include <toml++/toml.h>"},
         {"scene", "  #  include   <glm/vec3.hpp>  // why"},
         {"image", "#include <stb_image.h>"},
         {"exact", "#include <boost/multiprecision/cpp_int.hpp>"},

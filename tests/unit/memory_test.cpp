@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 #include "unit/largest_allocation.hpp"
 
 namespace sphereview {

@@ -1,4 +1,4 @@
-#include "scene/navigation.hpp"
+#include "camera/navigation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -67,7 +67,7 @@ TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
 }
 
 TEST_F(Commands, WhatIsShownIsMarked) {
-    for (const CommandId toggle : {CommandId::toggle_panel, CommandId::toggle_inspector, CommandId::toggle_export_frame}) {
+    for (const CommandId toggle : {CommandId::toggle_panel, CommandId::toggle_inspector, CommandId::toggle_export_area}) {
         const bool was = is_checked(state, toggle);
         run_command(state, toggle);
         EXPECT_NE(is_checked(state, toggle), was);

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "scene/edit.hpp"
+#include "edit/edit.hpp"
 
 namespace sphereview {
 

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "base/input_file.hpp"
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 #include "support/environment.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/random_scene.hpp"

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
 

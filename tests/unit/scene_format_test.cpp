@@ -1,4 +1,4 @@
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 
 #include <gtest/gtest.h>
 

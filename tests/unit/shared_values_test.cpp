@@ -1,4 +1,4 @@
-#include "scene/shared_values.hpp"
+#include "edit/shared_values.hpp"
 
 #include <gtest/gtest.h>
 

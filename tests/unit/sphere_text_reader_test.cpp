@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "scene/text_format.hpp"
+#include "formats/text_format.hpp"
 
 namespace sphereview {
 

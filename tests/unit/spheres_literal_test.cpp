@@ -1,9 +1,9 @@
-#include "scene/spheres_literal.hpp"
+#include "formats/spheres_literal.hpp"
 
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "scene/toml_format.hpp"
+#include "formats/toml_format.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "scene/text_format.hpp"
+#include "formats/text_format.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {

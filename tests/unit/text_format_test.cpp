@@ -1,4 +1,4 @@
-#include "scene/text_format.hpp"
+#include "formats/text_format.hpp"
 
 #include <gtest/gtest.h>
 

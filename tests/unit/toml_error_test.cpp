@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "scene/toml_format.hpp"
+#include "formats/toml_format.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {

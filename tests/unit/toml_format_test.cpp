@@ -1,4 +1,4 @@
-#include "scene/toml_format.hpp"
+#include "formats/toml_format.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "scene/framing.hpp"
+#include "camera/fit.hpp"
 
 namespace sphereview {
 
-struct FramingOptions {
-    std::optional<bool> fit{};       // to everything; none: only if nobody has chosen the scene's camera
+struct FitOptions {
+    std::optional<bool> wanted{};    // to everything; none: only if nobody has chosen the scene's camera
     std::optional<ViewAxes> view{};  // none: the way that the scene's camera looks
 };
 

@@ -7,14 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "scene/edit.hpp"
+#include "edit/edit.hpp"
 
 namespace sphereview {
 
 // What differs between the scenes of two revisions, to the bit, except that spheres that came and went again, or changed places
 // and changed back, are `order` all the same, and that after a change of very many spheres all count as changed. Names are left
 // out: no picture shows them.
-struct SceneChanges {
+struct ChangesSince {
     bool order = false;  // spheres came, went or changed places: nothing of the old numbers holds
     // With `order`, where one edit that let few come or go is all that happened to the spheres: the numbers that those have that
     // came, or had that went, ascending. The others kept their values, and their order.
@@ -29,9 +29,9 @@ struct SceneChanges {
 };
 
 // What one edit changed: the old values.
-struct SceneChange {
+struct LoggedChange {
     bool order = false;
-    std::vector<std::uint32_t> came;  // as in SceneChanges
+    std::vector<std::uint32_t> came;  // as in ChangesSince
     std::vector<std::uint32_t> went;
     ChangeSpheres spheres;  // unless `order`
     // So many spheres that their old values are not kept, which a million of them would be in memory a second time; and whether
@@ -43,7 +43,7 @@ struct SceneChange {
 };
 
 // Of the edit that led to `scene` and that `inverse` takes back.
-SceneChange change_undone_by(const Edit& inverse, const Scene& scene);
+LoggedChange change_undone_by(const Edit& inverse, const Scene& scene);
 
 class ChangeLog {
 public:
@@ -52,19 +52,19 @@ public:
     static constexpr std::size_t most_spheres = 65536;
 
     // The change led from that revision to the next one. Revisions ascend.
-    void add(std::uint64_t revision, SceneChange change);
+    void add(std::uint64_t revision, LoggedChange change);
 
     // How `scene`, the present one, differs from that earlier revision's. Everything, where that is not, or no longer, known.
-    SceneChanges since(std::uint64_t revision, const Scene& scene) const;
+    ChangesSince since(std::uint64_t revision, const Scene& scene) const;
 
 private:
     struct Entry {
         std::uint64_t revision;  // of the scene before the change
-        SceneChange change;
+        LoggedChange change;
     };
 
     std::deque<Entry> entries_;
-    static std::size_t weight(const SceneChange& change);
+    static std::size_t weight(const LoggedChange& change);
 
     std::size_t sphere_count_ = 0;  // in all entries
 };

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <string>
 
+#include "camera/fit.hpp"
 #include "oracle/random.hpp"
-#include "scene/framing.hpp"
 
 namespace sphereview {
 namespace {
@@ -46,7 +46,7 @@ Scene some_scene() {
 
 }  // namespace
 
-TEST(FramingBits, OfSinesAndCosines) {
+TEST(FitBits, OfSinesAndCosines) {
     Digest digest;
     for (int i = -4000; i <= 4000; ++i) {
         const auto [sine, cosine] = sine_cosine(0.1 * i);
@@ -60,7 +60,7 @@ TEST(FramingBits, OfSinesAndCosines) {
     EXPECT_EQ(sine_cosine(-123.456).cosine, -0x1.1a43870d371f9p-1);
 }
 
-TEST(FramingBits, OfOneCamera) {
+TEST(FitBits, OfOneCamera) {
     const Camera camera = fitted(some_scene(), parse_view("30,20").value()).value();
     EXPECT_EQ(camera.eye, glm::dvec3(0x1.cc527e878af41p+3, 0x1.0adbc54878626p+3, -0x1.8887cda5ffc7bp+4));
     EXPECT_EQ(camera.center, glm::dvec3(-0x1.04cbe69b2076dp+5, -0x1.9dcd90bd3ef9bp+4, 0x1.c6c5dd0d3d0fcp+5));
@@ -68,7 +68,7 @@ TEST(FramingBits, OfOneCamera) {
     EXPECT_EQ(camera.up, glm::dvec3(-0x1.119db9b0bd957p+3, 0x1.77e0863d0333ep+5, 0x1.d9eac15277438p+3));
 }
 
-TEST(FramingBits, OfManyCameras) {
+TEST(FitBits, OfManyCameras) {
     Digest digest;
     oracle::Random random(18);
     const Scene scene = some_scene();

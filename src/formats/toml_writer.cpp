@@ -3,8 +3,8 @@
 #include <cstdio>
 
 #include "base/text.hpp"
-#include "scene/text_format.hpp"
-#include "scene/toml_format.hpp"
+#include "formats/text_format.hpp"
+#include "formats/toml_format.hpp"
 
 namespace sphereview {
 

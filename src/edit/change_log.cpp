@@ -1,4 +1,4 @@
-#include "scene/change_log.hpp"
+#include "edit/change_log.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -22,7 +22,7 @@ ChangeSpheres differing(const std::vector<Sphere>& before, const std::vector<Sph
 }
 
 // Of `scene`, which has other values now.
-void note_spheres(const ChangeSpheres& old, const Scene& scene, SceneChange& change) {
+void note_spheres(const ChangeSpheres& old, const Scene& scene, LoggedChange& change) {
     if (old.numbers.size() <= ChangeLog::most_spheres) {
         change.spheres = old;
         return;
@@ -36,7 +36,7 @@ void note_spheres(const ChangeSpheres& old, const Scene& scene, SceneChange& cha
 // Adds the spheres that differ from their old values.
 class Comparison {
 public:
-    Comparison(const Scene& scene, SceneChanges& changes) : scene_(scene), changes_(changes) {}
+    Comparison(const Scene& scene, ChangesSince& changes) : scene_(scene), changes_(changes) {}
 
     void compare(std::uint32_t number, const Sphere& before) {
         const Sphere& now = scene_.spheres[number];
@@ -47,7 +47,7 @@ public:
 
 private:
     const Scene& scene_;
-    SceneChanges& changes_;
+    ChangesSince& changes_;
 };
 
 // `changes`: one after another, the oldest first. Of a sphere that changed several times, the first has the old value.
@@ -73,8 +73,8 @@ void compare_spheres(const std::vector<const ChangeSpheres*>& changes, Compariso
 
 }  // namespace
 
-SceneChange change_undone_by(const Edit& inverse, const Scene& scene) {
-    SceneChange change;
+LoggedChange change_undone_by(const Edit& inverse, const Scene& scene) {
+    LoggedChange change;
     if (const auto* spheres = std::get_if<ChangeSpheres>(&inverse)) {
         note_spheres(*spheres, scene, change);
     } else if (const auto* camera = std::get_if<ChangeCamera>(&inverse)) {
@@ -96,11 +96,11 @@ SceneChange change_undone_by(const Edit& inverse, const Scene& scene) {
     return change;
 }
 
-std::size_t ChangeLog::weight(const SceneChange& change) {
+std::size_t ChangeLog::weight(const LoggedChange& change) {
     return change.spheres.numbers.size() + change.came.size() + change.went.size();
 }
 
-void ChangeLog::add(std::uint64_t revision, SceneChange change) {
+void ChangeLog::add(std::uint64_t revision, LoggedChange change) {
     sphere_count_ += weight(change);
     entries_.push_back({revision, std::move(change)});
     while (entries_.size() > most_changes || sphere_count_ > most_spheres) {
@@ -109,21 +109,21 @@ void ChangeLog::add(std::uint64_t revision, SceneChange change) {
     }
 }
 
-SceneChanges ChangeLog::since(std::uint64_t revision, const Scene& scene) const {
+ChangesSince ChangeLog::since(std::uint64_t revision, const Scene& scene) const {
     const auto first = std::ranges::lower_bound(entries_, revision, {}, &Entry::revision);
     if (first == entries_.end() || first->revision != revision) {
         return {.order = true, .came = {}, .went = {}, .spheres = {}, .geometry = true, .camera = true, .background = true};
     }
-    SceneChanges result;
+    ChangesSince result;
     const Camera* old_camera = &scene.camera;
     const Background* old_background = &scene.background;
     bool many = false;
     bool many_geometry = false;
     std::vector<const ChangeSpheres*> sphere_changes;
-    const SceneChange* order = nullptr;  // the only change of it
+    const LoggedChange* order = nullptr;  // the only change of it
     int order_changes = 0;
     for (auto entry = entries_.end(); entry != first;) {
-        const SceneChange& change = (--entry)->change;
+        const LoggedChange& change = (--entry)->change;
         if (change.order) {
             order = &change;
             ++order_changes;

@@ -1,4 +1,4 @@
-#include "scene/spheres_literal.hpp"
+#include "formats/spheres_literal.hpp"
 
 #include <algorithm>
 

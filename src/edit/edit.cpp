@@ -1,4 +1,4 @@
-#include "scene/edit.hpp"
+#include "edit/edit.hpp"
 
 #include <algorithm>
 #include <cassert>

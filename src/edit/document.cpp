@@ -1,4 +1,4 @@
-#include "scene/document.hpp"
+#include "edit/document.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -33,7 +33,7 @@ Document::Document(Scene scene, std::size_t history_bytes)
 const std::string& Document::undo_name() const { return name_of(history_.last_done()); }
 const std::string& Document::redo_name() const { return name_of(history_.last_undone()); }
 
-void Document::advance(SceneChange change) {
+void Document::advance(LoggedChange change) {
     log_.add(revision_, std::move(change));
     revision_ = next_revision();
 }

@@ -1,4 +1,4 @@
-#include "scene/history.hpp"
+#include "edit/history.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "scene/selection.hpp"
+#include "edit/selection.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/edit.hpp"
+#include "edit/edit.hpp"
 
 namespace sphereview {
 

@@ -1,13 +1,13 @@
 // Lists and drawn spheres that followed edits show what those show that are built from nothing.
-#include "tiles/edited_scene.hpp"
+#include "tiles/live_lists.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#include "edit/document.hpp"
 #include "exact/resolve.hpp"
-#include "scene/document.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {
@@ -87,7 +87,7 @@ Edit random_edit_of(Random& random, const Scene& scene) {
 }
 
 // In order, nothing twice, nothing that is gone, and after the first free place only free ones.
-void expect_lists_whole(const EditedScene& edited) {
+void expect_lists_whole(const LiveLists& edited) {
     const CandidateLists& lists = edited.lists();
     for (std::size_t tile = 0; tile + 1 < lists.begins.size(); ++tile) {
         for (std::size_t i = lists.begins[tile]; i < lists.begins[tile + 1]; ++i) {
@@ -121,12 +121,12 @@ struct Uploaded {
     std::vector<glm::vec4> spheres;
     std::vector<Candidate> candidates;
 
-    void all(const EditedScene& edited) {
+    void all(const LiveLists& edited) {
         spheres = edited.drawn().center_radius;
         candidates.assign(edited.lists().candidates.begin(), edited.lists().candidates.end());
     }
-    void update(EditedScene& edited) {
-        const EditedScene::Changed changed = edited.take_changed();
+    void update(LiveLists& edited) {
+        const LiveLists::Changed changed = edited.take_changed();
         spheres.resize(edited.drawn().size());
         ASSERT_TRUE(std::ranges::is_sorted(changed.spheres));
         for (const std::uint32_t index : changed.spheres) spheres[index] = edited.drawn().center_radius[index];
@@ -135,13 +135,13 @@ struct Uploaded {
                         candidates.begin() + static_cast<std::ptrdiff_t>(places.first));
         }
     }
-    void expect_the_same(const EditedScene& edited) const {
+    void expect_the_same(const LiveLists& edited) const {
         EXPECT_EQ(spheres, edited.drawn().center_radius);
         EXPECT_TRUE(std::ranges::equal(candidates, edited.lists().candidates));
     }
 };
 
-EditedScene built_from(const Scene& scene, const PixelGrid& grid) {
+LiveLists built_from(const Scene& scene, const PixelGrid& grid) {
     DrawnSpheres drawn = drawn_spheres(scene);
     CandidateLists lists = build_grid_lists(drawn, scene.camera, grid, costs, EditedLists::spare(grid));
     return {std::move(drawn), EditedLists(std::move(lists), scene.camera, grid), scene.camera};
@@ -160,7 +160,7 @@ TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
         const std::size_t count = seed % 3 == 0 ? 3000 : seed % 3 == 1 ? 300 : 20;
         Document document(random_scene_of(random, count));
         const Camera camera = document.scene().camera;
-        std::optional<EditedScene> edited;
+        std::optional<LiveLists> edited;
         Uploaded uploaded;
         std::uint64_t revision = 0;
         const auto build = [&] {
@@ -180,7 +180,7 @@ TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
                 document.apply(random_edit_of(random, document.scene()), "edit");
             }
             if (random() % 4 == 0) continue;  // several at once
-            const SceneChanges changes = document.changes_since(revision);
+            const ChangesSince changes = document.changes_since(revision);
             revision = document.revision();
             if (changes.none()) continue;
             ++edits;
@@ -213,14 +213,14 @@ TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
     EXPECT_LT(followed, edits);
 }
 
-TEST(EditedScene, SaysWhenATileHasNoRoom) {
+TEST(LiveLists, SaysWhenATileHasNoRoom) {
     Random random(3);
     const PixelGrid grid{{100, 100}, 1};
     Scene scene;
     for (int i = 0; i < 500; ++i) scene.spheres.push_back(random_sphere(random, 3.0));
     Document document(std::move(scene));
     for (const int together : {EditedLists::room_in_tile, EditedLists::room_in_tile + 1}) {
-        EditedScene edited = built_from(document.scene(), grid);
+        LiveLists edited = built_from(document.scene(), grid);
         const std::uint64_t revision = document.revision();
         ChangeSpheres change;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(together); ++i) {
@@ -233,14 +233,14 @@ TEST(EditedScene, SaysWhenATileHasNoRoom) {
 }
 
 // Both would be tried, and every pixel of them be in doubt.
-TEST(EditedScene, LeavesToBuildingWhatEqualsAnother) {
+TEST(LiveLists, LeavesToBuildingWhatEqualsAnother) {
     Random random(6);
     const PixelGrid grid{{100, 100}, 1};
     Scene scene;
     for (int i = 0; i < 300; ++i) scene.spheres.push_back(random_sphere(random, 3.0));
     scene.spheres[7] = {{1, 2, 300}, 5.0, {}, false};
     Document document(std::move(scene));
-    EditedScene edited = built_from(document.scene(), grid);
+    LiveLists edited = built_from(document.scene(), grid);
     const std::uint64_t revision = document.revision();
     const Sphere nearly = {{1, 2, std::nextafter(300.0, 301.0)}, 5.0, {}, false};
     document.apply(ChangeSpheres{{3}, {nearly}}, "move");
@@ -253,14 +253,14 @@ TEST(EditedScene, LeavesToBuildingWhatEqualsAnother) {
     EXPECT_FALSE(edited.follow(document.scene(), document.changes_since(equal)));  // of no use any more
 }
 
-TEST(EditedScene, LeavesToBuildingWhatIsMuch) {
+TEST(LiveLists, LeavesToBuildingWhatIsMuch) {
     Random random(4);
     const PixelGrid grid{{400, 400}, 1};
-    Document document(random_scene_of(random, 2 * EditedScene::most_changes));
-    EditedScene edited = built_from(document.scene(), grid);
+    Document document(random_scene_of(random, 2 * LiveLists::most_changes));
+    LiveLists edited = built_from(document.scene(), grid);
     const std::uint64_t revision = document.revision();
     ChangeSpheres change;
-    for (std::uint32_t i = 0; i <= EditedScene::most_changes; ++i) {
+    for (std::uint32_t i = 0; i <= LiveLists::most_changes; ++i) {
         change.numbers.push_back(i);
         change.spheres.push_back(random_sphere(random, 0.1));
     }
@@ -270,14 +270,14 @@ TEST(EditedScene, LeavesToBuildingWhatIsMuch) {
 }
 
 // In a million spheres, by some thousands of edits one after the other; the lists are those of all spheres.
-TEST(EditedScene, OfAMillionSpheresFollowsManyEdits) {
+TEST(LiveLists, OfAMillionSpheresFollowsManyEdits) {
     Random random(5);
     const PixelGrid grid{{1000, 1000}, 1};
     Scene scene;
     for (int i = 0; i < 1'000'000; ++i) scene.spheres.push_back(random_sphere(random, 0.3));
     const Camera camera = scene.camera;
     Document document(std::move(scene));
-    EditedScene edited = built_from(document.scene(), grid);
+    LiveLists edited = built_from(document.scene(), grid);
     std::uint64_t revision = document.revision();
     int followed = 0;
     for (int i = 0; i < 300; ++i) {
@@ -290,7 +290,7 @@ TEST(EditedScene, OfAMillionSpheresFollowsManyEdits) {
         } else {
             document.apply(random_change(random, document.scene()), "change");
         }
-        const SceneChanges changes = document.changes_since(revision);
+        const ChangesSince changes = document.changes_since(revision);
         revision = document.revision();
         if (edited.follow(document.scene(), changes)) {
             ++followed;
@@ -301,7 +301,7 @@ TEST(EditedScene, OfAMillionSpheresFollowsManyEdits) {
     EXPECT_GT(followed, 250);
     expect_lists_whole(edited);
     expect_numbers_right(edited.drawn(), document.scene());
-    const EditedScene fresh = built_from(document.scene(), grid);
+    const LiveLists fresh = built_from(document.scene(), grid);
     const Resolver by_fresh(document.scene(), fresh.drawn(), camera, grid.picture, &fresh.lists());
     const Resolver by_edited(document.scene(), edited.drawn(), camera, grid.picture, &edited.lists());
     DecisionLevel level{};

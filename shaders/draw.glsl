@@ -1,5 +1,5 @@
-// What one draw needs to know. Twin: FrameBlock in src/gpu/layouts.hpp.
-layout(std140) uniform Frame {
+// What one draw needs to know. Twin: DrawBlock in src/gpu/layouts.hpp.
+layout(std140) uniform Draw {
     vec4 forward;        // a pixel's ray is forward + across right + upward up (xyz)
     vec4 right;
     vec4 up;

@@ -1,4 +1,4 @@
-#include "viewer/frame_log.hpp"
+#include "viewer/redraw_log.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -21,13 +21,13 @@ std::vector<std::uint32_t> first_of(const std::vector<std::uint32_t>& numbers) {
 
 }  // namespace
 
-FrameLog::FrameLog(const std::string& path) : file_(nullptr, std::fclose) {
+RedrawLog::RedrawLog(const std::string& path) : file_(nullptr, std::fclose) {
     if (path.empty()) return;
     file_.reset(std::fopen(path.c_str(), "w"));
     if (!file_) throw OutputError(path + ": the frame log cannot be written");
 }
 
-void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const WidgetRectangles& widgets) {
+void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const WidgetRectangles& widgets) {
     if (!file_) return;
     Json rectangles = Json::object();
     for (const auto& [name, r] : widgets) rectangles[name] = {r.left, r.top, r.right, r.bottom};
@@ -63,7 +63,7 @@ void FrameLog::add(const ViewerState& state, const LoggedFrame& frame, const Wid
         {"shown",
          {{"panel", state.panel_shown},
           {"inspector", state.inspector_shown},
-          {"export frame", state.export_frame_shown},
+          {"export area", state.export_area_shown},
           {"help", state.help_shown}}},
         {"loading", state.messages.work && state.loading ? Json(state.messages.work->fraction.value_or(0.0)) : Json(nullptr)},
         {"saving", state.saving.has_value()},

@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
-#include "scene/number.hpp"
-#include "scene/text_format.hpp"
+#include "formats/text_format.hpp"
 
 namespace sphereview {
 

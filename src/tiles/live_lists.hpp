@@ -6,23 +6,23 @@
 #include <optional>
 #include <vector>
 
+#include "edit/change_log.hpp"
 #include "exact/drawn.hpp"
 #include "scene/camera.hpp"
-#include "scene/change_log.hpp"
 #include "scene/scene.hpp"
 #include "tiles/edited_lists.hpp"
 
 namespace sphereview {
 
 // Built anew now and then, always when it says so: what it finds after edits, all find that build everything anew.
-class EditedScene {
+class LiveLists {
 public:
     // How many spheres may change at once, and how many gaps and late indices may gather.
     static constexpr std::size_t most_changes = DrawnSpheres::room_for_late;
 
-    EditedScene() = default;
+    LiveLists() = default;
     // `lists`: of the spheres and the camera.
-    EditedScene(DrawnSpheres drawn, EditedLists lists, const Camera& camera);
+    LiveLists(DrawnSpheres drawn, EditedLists lists, const Camera& camera);
     // The same spheres again, but seen otherwise; if nothing was edited.
     void replace_lists(EditedLists lists, const Camera& camera);
 
@@ -33,7 +33,7 @@ public:
 
     // Takes over how `scene`, as it is now, differs from the one that this is of, but for colours. False where building anew is
     // the only or the quicker way; then this is of no use any more, and it stays false.
-    bool follow(const Scene& scene, const SceneChanges& changes);
+    bool follow(const Scene& scene, const ChangesSince& changes);
 
     // What changed since this was asked last: indices of spheres, ascending, and places among the candidates.
     struct Changed {
@@ -43,7 +43,7 @@ public:
     Changed take_changed();
 
 private:
-    bool take_over(const Scene& scene, const SceneChanges& changes);
+    bool take_over(const Scene& scene, const ChangesSince& changes);
     bool change(const Scene& scene, std::uint32_t number);
     bool remove(const Scene& scene, const std::vector<std::uint32_t>& numbers);
     bool take_out(const Scene& scene, std::size_t index);

@@ -9,9 +9,9 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "scene/spheres_literal.hpp"
-#include "scene/text_format.hpp"
-#include "scene/toml_format.hpp"
+#include "formats/spheres_literal.hpp"
+#include "formats/text_format.hpp"
+#include "formats/toml_format.hpp"
 
 namespace sphereview {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "formats/text_format.hpp"
 #include "scene/scene.hpp"
-#include "scene/text_format.hpp"
 
 namespace sphereview {
 

@@ -1,4 +1,4 @@
-#include "scene/scene_format.hpp"
+#include "formats/scene_format.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
-#include "scene/number.hpp"
-#include "scene/toml_format.hpp"
+#include "formats/toml_format.hpp"
 
 namespace sphereview {
 

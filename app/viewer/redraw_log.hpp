@@ -10,7 +10,7 @@
 
 namespace sphereview {
 
-struct LoggedFrame {
+struct LoggedRedraw {
     std::uint64_t number = 0;
     int step = 1;              // of the picture's grid
     std::uint64_t builds = 0;  // how often the picture's lists were built from nothing
@@ -23,13 +23,13 @@ struct LoggedFrame {
     std::string renderer;
 };
 
-class FrameLog {
+class RedrawLog {
 public:
     // Does nothing for an empty path. Throws OutputError.
-    explicit FrameLog(const std::string& path);
+    explicit RedrawLog(const std::string& path);
 
     bool wanted() const { return file_ != nullptr; }
-    void add(const ViewerState& state, const LoggedFrame& frame, const WidgetRectangles& widgets);
+    void add(const ViewerState& state, const LoggedRedraw& frame, const WidgetRectangles& widgets);
 
 private:
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;

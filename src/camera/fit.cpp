@@ -1,4 +1,4 @@
-#include "scene/framing.hpp"
+#include "camera/fit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <mutex>
 #include <numbers>
 
+#include "base/number.hpp"
 #include "base/parallel.hpp"
+#include "camera/navigation.hpp"
 #include "scene/bounds.hpp"
-#include "scene/navigation.hpp"
-#include "scene/number.hpp"
 
 namespace sphereview {
 

@@ -1,4 +1,4 @@
-#include "scene/number.hpp"
+#include "base/number.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "scene/framing.hpp"
+#include "camera/fit.hpp"
 
 #include <gtest/gtest.h>
 
@@ -116,7 +116,7 @@ TEST(ViewAxes, KeepToTheHandOfThePresentOnes) {
     }
 }
 
-TEST(Framing, EverythingIsInsideAndTouchesTheMargin) {
+TEST(Fit, EverythingIsInsideAndTouchesTheMargin) {
     for (std::uint64_t seed = 0; seed < 300; ++seed) {
         SCOPED_TRACE(seed);
         Random random(7000 + seed);
@@ -138,7 +138,7 @@ TEST(Framing, EverythingIsInsideAndTouchesTheMargin) {
     }
 }
 
-TEST(Framing, ASphereIsInTheMiddle) {
+TEST(Fit, ASphereIsInTheMiddle) {
     for (const std::string& name : views) {
         SCOPED_TRACE(name);
         const Scene scene = scene_of({{{0.0, 0.0, 0.0}, 16.0, {}, false}});
@@ -151,12 +151,12 @@ TEST(Framing, ASphereIsInTheMiddle) {
     }
 }
 
-TEST(Framing, NothingToSeeHasNoCamera) {
+TEST(Fit, NothingToSeeHasNoCamera) {
     EXPECT_FALSE(fitted({}, {}));
     EXPECT_FALSE(fitted(scene_of({{{0.0, 0.0, 200.0}, 20.0, {}, true}}), {}));
 }
 
-TEST(Framing, HoldsAtTheEndsOfDoubles) {
+TEST(Fit, HoldsAtTheEndsOfDoubles) {
     constexpr double most = std::numeric_limits<double>::max();
     constexpr double smallest = std::numeric_limits<double>::denorm_min();
     const std::vector<Scene> scenes = {
@@ -188,7 +188,7 @@ TEST(Framing, HoldsAtTheEndsOfDoubles) {
     }
 }
 
-TEST(Framing, ViewsLookFromTheirSides) {
+TEST(Fit, ViewsLookFromTheirSides) {
     const glm::dvec3 x{1.0, 0.0, 0.0};
     const glm::dvec3 y{0.0, 1.0, 0.0};
     const glm::dvec3 z{0.0, 0.0, 1.0};
@@ -222,7 +222,7 @@ TEST(Framing, ViewsLookFromTheirSides) {
     EXPECT_NEAR(ahead.z, std::sqrt(1.0 / 3.0), 1e-15);
 }
 
-TEST(Framing, AViewsWordsAreRefusedUnlessTheySayOne) {
+TEST(Fit, AViewsWordsAreRefusedUnlessTheySayOne) {
     for (const char* text :
          {"", "Front", "side", "1", "1,", ",1", "1,2,3", "1;2", "nan,0", "inf,0", "0,90.1", "0,-91", "a,b", "1 ,2"}) {
         EXPECT_FALSE(parse_view(text)) << text;
@@ -230,7 +230,7 @@ TEST(Framing, AViewsWordsAreRefusedUnlessTheySayOne) {
     for (const char* text : {"1,2", "-1.5e2,+90", "1e300,0"}) EXPECT_TRUE(parse_view(text)) << text;
 }
 
-TEST(Framing, ACamerasAxesAreThoseItWasMadeOf) {
+TEST(Fit, ACamerasAxesAreThoseItWasMadeOf) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         Random random(9000 + seed);
         const ViewAxes axes = axes_from(random.between(-400.0, 400.0), random.between(-90.0, 90.0));
@@ -247,7 +247,7 @@ TEST(Framing, ACamerasAxesAreThoseItWasMadeOf) {
     EXPECT_EQ(axes_of({}).ahead, ViewAxes().ahead);
 }
 
-TEST(Framing, SinesAndCosinesAreWithinTheirBounds) {
+TEST(Fit, SinesAndCosinesAreWithinTheirBounds) {
     const auto check = [](double degrees) {
         // Reduced exactly, as doubles allow.
         const double turn = std::fmod(degrees, 360.0);
@@ -271,7 +271,7 @@ TEST(Framing, SinesAndCosinesAreWithinTheirBounds) {
     }
 }
 
-TEST(Framing, TheOrderOfSpheresDoesNotMatter) {
+TEST(Fit, TheOrderOfSpheresDoesNotMatter) {
     Random random(1);
     Scene scene;
     for (int i = 0; i < 100000; ++i) scene.spheres.push_back({random.in_cube(1.0), random.between(1e-4, 1e-2), {}, false});

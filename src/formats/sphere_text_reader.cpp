@@ -5,8 +5,8 @@
 #include "base/count.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "scene/text_format.hpp"
-#include "scene/token_reader.hpp"
+#include "formats/text_format.hpp"
+#include "formats/token_reader.hpp"
 
 namespace sphereview {
 

@@ -1,4 +1,4 @@
-#include "tiles/edited_scene.hpp"
+#include "tiles/live_lists.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -14,22 +14,22 @@ constexpr std::size_t most_twin_tests = 1 << 18;
 
 }  // namespace
 
-EditedScene::EditedScene(DrawnSpheres drawn, EditedLists lists, const Camera& camera)
+LiveLists::LiveLists(DrawnSpheres drawn, EditedLists lists, const Camera& camera)
     : drawn_(std::move(drawn)), lists_(std::move(lists)), camera_(camera), built_size_(drawn_.size()) {}
 
-void EditedScene::replace_lists(EditedLists lists, const Camera& camera) {
+void LiveLists::replace_lists(EditedLists lists, const Camera& camera) {
     assert(!edited_);
     lists_ = std::move(lists);
     camera_ = camera;
 }
 
-bool EditedScene::follow(const Scene& scene, const SceneChanges& changes) {
+bool LiveLists::follow(const Scene& scene, const ChangesSince& changes) {
     edited_ = true;
     whole_ = whole_ && take_over(scene, changes);
     return whole_;
 }
 
-bool EditedScene::take_over(const Scene& scene, const SceneChanges& changes) {
+bool LiveLists::take_over(const Scene& scene, const ChangesSince& changes) {
     const std::size_t count = changes.spheres.size() + changes.came.size() + changes.went.size();
     if (count > most_changes || count * drawn_.twins.size() > most_twin_tests) return false;
     if (changes.order) {
@@ -42,7 +42,7 @@ bool EditedScene::take_over(const Scene& scene, const SceneChanges& changes) {
            drawn_.gone.size() <= most_changes && drawn_.size() - built_size_ <= most_changes;
 }
 
-bool EditedScene::remove(const Scene& scene, const std::vector<std::uint32_t>& numbers) {
+bool LiveLists::remove(const Scene& scene, const std::vector<std::uint32_t>& numbers) {
     std::vector<std::size_t> indices;
     for (const std::uint32_t number : numbers) {
         if (const auto index = drawn_.index_of(number)) indices.push_back(*index);
@@ -56,7 +56,7 @@ bool EditedScene::remove(const Scene& scene, const std::vector<std::uint32_t>& n
 }
 
 // Of a sphere that is in the scene, now with these values.
-bool EditedScene::change(const Scene& scene, std::uint32_t number) {
+bool LiveLists::change(const Scene& scene, std::uint32_t number) {
     const Sphere& sphere = scene.spheres[number];
     const auto index = drawn_.index_of(number);
     std::erase(drawn_.twins, static_cast<std::int32_t>(number));
@@ -70,7 +70,7 @@ bool EditedScene::change(const Scene& scene, std::uint32_t number) {
 }
 
 // Also false for one that hides a twin, which is seen now.
-bool EditedScene::take_out(const Scene& scene, std::size_t index) {
+bool LiveLists::take_out(const Scene& scene, std::size_t index) {
     const glm::vec4& values = drawn_.center_radius[index];
     if (drawn_.beyond_float.contains(static_cast<std::uint32_t>(index))) return false;
     const bool has_twin = std::ranges::any_of(drawn_.twins, [&](std::int32_t number) {
@@ -80,7 +80,7 @@ bool EditedScene::take_out(const Scene& scene, std::size_t index) {
 }
 
 // Also false for one that has a twin, of which only the first would be drawn.
-bool EditedScene::put_in(const Scene& scene, std::uint32_t number, std::optional<std::size_t> index, const glm::vec4& values) {
+bool LiveLists::put_in(const Scene& scene, std::uint32_t number, std::optional<std::size_t> index, const glm::vec4& values) {
     const Sphere& sphere = scene.spheres[number];
     const bool is_twin = lists_.any_like(values, [&](std::uint32_t other) {
         const Sphere& candidate = scene.spheres[static_cast<std::size_t>(drawn_.number(other))];
@@ -96,7 +96,7 @@ bool EditedScene::put_in(const Scene& scene, std::uint32_t number, std::optional
     return lists_.put_in(static_cast<std::uint32_t>(*index), values);
 }
 
-EditedScene::Changed EditedScene::take_changed() {
+LiveLists::Changed LiveLists::take_changed() {
     Changed changed{std::exchange(changed_spheres_, {}), lists_.take_changes()};
     std::ranges::sort(changed.spheres);
     changed.spheres.erase(std::unique(changed.spheres.begin(), changed.spheres.end()), changed.spheres.end());

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "scene/change_log.hpp"
-#include "scene/edit.hpp"
-#include "scene/history.hpp"
+#include "edit/change_log.hpp"
+#include "edit/edit.hpp"
+#include "edit/history.hpp"
 
 namespace sphereview {
 
@@ -31,8 +31,8 @@ public:
     // Grows, like revision(), with what may change the name that goes with a number: names, and which spheres there are.
     std::uint64_t names_revision() const { return names_revision_; }
     // Of a revision that is another document's, or too old (ChangeLog says how old): everything.
-    SceneChanges changes_since(std::uint64_t revision) const {
-        return revision == revision_ ? SceneChanges{} : log_.since(revision, scene_);
+    ChangesSince changes_since(std::uint64_t revision) const {
+        return revision == revision_ ? ChangesSince{} : log_.since(revision, scene_);
     }
 
     // Makes a step of its own, or with the same gesture (not 0) as the last one, so long as nothing was undone or saved since,
@@ -60,7 +60,7 @@ public:
     bool is_changed() const { return !history_.at_saved(); }
 
 private:
-    void advance(SceneChange change);
+    void advance(LoggedChange change);
     // Applies the step's edits and makes it the one that takes them back.
     Touched apply_step(HistoryStep& step);
 
