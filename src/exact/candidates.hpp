@@ -38,14 +38,14 @@ struct Candidate {
     bool operator==(const Candidate&) const = default;
 };
 
-// No hit is as far away as this. Twin: `never` in shaders/filter.glsl.
+// A distance beyond every hit. Twin: `never` in shaders/filter.glsl.
 inline constexpr float farthest_hit = 3.0e38F;
 
-// What may stand at the end of a list in place of spheres that went, or that may come (tiles/edited_lists.hpp).
+// Fills the free places at the end of a list (tiles/edited_lists.hpp).
 inline constexpr Candidate no_candidate = {0, std::numeric_limits<float>::max()};
 static_assert(no_candidate.nearest > farthest_hit);
 
-// Whether a walk along a list stops at this candidate, when a hit is sure at that distance, which may be infinite.
+// Whether a walk along a list stops at this candidate, given the distance of the nearest sure hit, or infinity.
 template <typename Real>
 bool ends_walk(const Candidate& candidate, Real sure_hit) {
     return candidate.nearest > std::min(sure_hit, Real{farthest_hit});

@@ -20,7 +20,7 @@ constexpr std::size_t spheres_at_once = 4096;
 constexpr double smallest_size = 0x1p-31;
 constexpr double largest_size = 0x1p57;
 constexpr int middle_exponent = 13;
-constexpr double smallest_radius = 0x1p-100;  // anything smaller differs from it by less than any bound
+constexpr double smallest_radius = 0x1p-100;  // a smaller radius differs from this one by less than any bound
 
 // The largest of a sphere's numbers, relative to the eye; infinite when a difference overflows.
 double size_of(const Sphere& sphere, const glm::dvec3& eye) {
@@ -36,7 +36,7 @@ struct Numbers {
     bool all = false;
 };
 
-// Of the spheres that may be seen, and of those that equal one.
+// The numbers of the spheres that may be seen, and of the spheres that equal one of them.
 Numbers numbers_of(const std::vector<Sphere>& spheres) {
     const std::vector<std::uint8_t> unseen = never_seen(spheres);
     Numbers numbers;
@@ -54,7 +54,8 @@ Numbers numbers_of(const std::vector<Sphere>& spheres) {
     return numbers;
 }
 
-// A power of two changes nothing but the range: only where most spheres need it. `numbers` as for drawn_of().
+// The scale, other than 0 only where most spheres need it: a power of two changes nothing but the range.
+// `numbers` as for drawn_of().
 int scale_for(const Scene& scene, const glm::dvec3& eye, const std::vector<std::int32_t>& numbers) {
     const std::size_t all = numbers.empty() ? scene.spheres.size() : numbers.size();
     std::atomic<std::size_t> out_of_range = 0;
@@ -90,7 +91,7 @@ float signed_radius(double radius, EyeSide side) {
     return side == EyeSide::outside ? size : side == EyeSide::inside ? -size : 0.0F;
 }
 
-// As DrawnSpheres::center_radius has it; none for a sphere that is beyond float.
+// The sphere in the form of DrawnSpheres::center_radius; none for a sphere that is beyond float.
 std::optional<glm::vec4> in_float(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, const Scaling& scaled) {
     if (!in_range(scaled(size_of(sphere, eye)))) return std::nullopt;
     const glm::dvec3 c = sphere.center - eye;
@@ -153,7 +154,7 @@ std::optional<std::size_t> DrawnSpheres::index_of(std::uint32_t number) const {
     const auto is_gone = [&](std::size_t index) { return std::ranges::binary_search(gone, static_cast<std::uint32_t>(index)); };
     if (numbers.empty()) return number < size() && !is_gone(number) ? std::optional<std::size_t>(number) : std::nullopt;
     const auto in_order = numbers.end() - static_cast<std::ptrdiff_t>(late);
-    // Of those with the same number all but the last are gaps.
+    // Of several indices with the same number all but the last are gaps.
     const auto found = std::upper_bound(numbers.begin(), in_order, wanted);
     if (found != numbers.begin() && *(found - 1) == wanted) {
         const auto index = static_cast<std::size_t>(found - 1 - numbers.begin());

@@ -9,7 +9,7 @@ namespace sphereview {
 // Stays loaded until the process ends: graphics drivers leave threads and exit handlers behind.
 class DynamicLibrary {
 public:
-    // Opens the first of `names` that is there; otherwise empty, and error() says why.
+    // Opens the first of `names` that exists. When none does, the object is empty and error() says why.
     explicit DynamicLibrary(const std::vector<std::string>& names);
 
     explicit operator bool() const { return handle_ != nullptr; }

@@ -7,7 +7,7 @@ namespace sphereview {
 
 enum class FontFamily {
     sans_serif,
-    monospaced  // all letters equally wide: for what stands in columns
+    monospaced  // all letters equally wide: for columns
 };
 
 // The file of the system's usual font of a family that ImGui can read (TrueType or OpenType outlines, not a collection's later

@@ -7,7 +7,7 @@
 
 namespace sphereview {
 
-// Current, with the GL functions loaded for it, from construction to destruction. One at a time.
+// The context is current, with the GL functions loaded for it, from construction to destruction. One at a time.
 class GlContext {
 public:
     virtual ~GlContext() = default;
@@ -29,7 +29,7 @@ struct EglDevice {
     Kind kind = Kind::device;
     int index = 0;  // of an EGL device, as `--device` counts
     std::string name;
-    bool software = false;  // it says so itself
+    bool software = false;  // by the device's own word
 };
 
 inline constexpr const char* default_display_name = "EGL default display";

@@ -105,7 +105,7 @@ void listen(GLFWwindow* window, std::vector<InputEvent>& events) {
     glfw().SetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { events_of(w).push_back(WindowChanged{}); });
 }
 
-// Keeps a window that was last seen on a screen that is gone reachable: its title bar must lie on some screen.
+// Moves a window whose last screen is gone so that its title bar lies on a screen.
 bool is_on_a_screen(const WindowPlace& place) {
     int count = 0;
     GLFWmonitor** monitors = glfw().GetMonitors(&count);
@@ -121,12 +121,12 @@ bool is_on_a_screen(const WindowPlace& place) {
     return false;
 }
 
-// As large as wanted on a usual screen, larger where text is, and no larger than the screen.
+// The wanted size times the screen's scale, and no larger than the screen.
 WindowPlace fitting(WindowPlace place) {
     GLFWmonitor* monitor = glfw().GetPrimaryMonitor();
     if (monitor == nullptr) return place;
 #ifndef __APPLE__    // where a window's size is in screen coordinates anyway
-    if (!place.x) {  // it has never been anywhere
+    if (!place.x) {  // the window's first time
         float scale = 1.0F;
         glfw().GetMonitorContentScale(monitor, &scale, nullptr);
         place.width = static_cast<int>(static_cast<float>(place.width) * std::max(scale, 1.0F));
@@ -190,7 +190,7 @@ void Window::show() {
 }
 
 std::vector<InputEvent> Window::wait_events(std::optional<double> seconds) {
-    // What came while something else was asked of GLFW is here already.
+    // GLFW may have called back before, while another of its functions ran.
     if (!state_->events.empty() || (seconds && *seconds <= 0.0)) {
         glfw().PollEvents();
     } else if (seconds) {

@@ -35,7 +35,7 @@ struct Band {
     }
 };
 
-// A sphere in the tiles of a band that it can be seen through.
+// A sphere, and the tiles of a band through which it can be seen.
 struct Entry {
     Candidate candidate;
     TileRange tiles;
@@ -88,7 +88,7 @@ private:
     std::uint32_t tiles_ = 0;
 };
 
-// How much of a band comes from each piece of the spheres, and later where it goes.
+// How many entries of a band come from one piece of the spheres; later, where those entries begin.
 struct Share {
     std::size_t entries = 0;
     std::size_t candidates = 0;
@@ -110,7 +110,7 @@ void fill(const Band& band, const Entry* begin, const Entry* end, std::size_t fi
     for_each_tile([&](std::uint32_t tile, const Candidate&) { ++begins[tile]; });
     auto sum = static_cast<std::uint32_t>(first_candidate);
     for (std::uint32_t tile = first_tile; tile < end_tile; ++tile) begins[tile] = sum += begins[tile];
-    // Backwards from each list's end, so that the places end as the beginnings.
+    // Fill each list from its end: `begins` then holds the lists' beginnings.
     for_each_tile([&](std::uint32_t tile, const Candidate& candidate) { lists.candidates[--begins[tile]] = candidate; });
     for (std::uint32_t tile = first_tile; tile < end_tile; ++tile) {
         sort(lists.candidates.data() + begins[tile], lists.candidates.data() + (tile + 1 < end_tile ? begins[tile + 1] : sum));
@@ -133,7 +133,7 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, Pi
     return build_grid_lists(spheres, camera, {size, 1}, costs);
 }
 
-// All ranges and tiles are of texels, until the end.
+// Ranges and tiles count texels of the grid; the end of the function turns them into pixels.
 CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
                                 std::size_t spare) {
     CandidateLists lists;
@@ -142,7 +142,7 @@ CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camer
     const TilePlan plan = plan_by_sample(spheres, planes, grid, costs);
     const Bands bands(plan, grid.size());
 
-    // Into the bands first: writing straight into lists all over memory would take most of the time.
+    // Put the spheres into bands of tiles first: writing straight into lists all over memory takes twice as long.
     UninitializedVector<PixelRange> ranges(spheres.size());
     const std::size_t piece = std::max(spheres_at_once, ranges.size() / 64 + 1);
     const std::size_t pieces = (ranges.size() + piece - 1) / piece;

@@ -11,12 +11,13 @@
 
 namespace sphereview {
 
-// What tiles cost a renderer: they are chosen so that one picture costs least. It is the same whatever they are.
+// What tiles cost a renderer. Tiles are chosen so that one picture costs least; the picture does not depend on them.
 struct TileCosts {
     int smallest_shift = 0;  // no tile's side is below 2^this pixels
     double candidate = 1.0;  // of listing one sphere in one tile
     double test = 1.0;       // of trying one candidate for one pixel
-    // A sphere that would be listed in more tiles than its equal part of this, and in more than 16, is listed in larger ones.
+    // The lists of a scene hold about so many candidates. A sphere that covers more tiles than its equal part of the budget, and
+    // more than 16, is listed in a level of larger tiles.
     std::int64_t shared_budget = 1 << 22;
 };
 
@@ -27,8 +28,8 @@ inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
 // larger ones. Throws RenderError when they are too long all the same: billions of spheres.
 CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs);
 
-// The lists for the pixels that a grid traces, and only for those: of many small spheres most pass between them. There will be
-// room in memory for `spare` more candidates.
+// The lists for the pixels that a grid traces, and only for those pixels: most of many small spheres lie between their rays.
+// `spare`: for so many more candidates the memory is reserved.
 CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
                                 std::size_t spare = 0);
 

@@ -37,14 +37,14 @@ TileRange EditedLists::tiles_in(const TileLevel& level, const PixelRange& texels
     return tiles_of(texels, level.shift - grid_.shift());
 }
 
-// Levels in which nothing was listed are not there, and nothing would be now: an empty level between others changes nothing.
+// The finest level that takes the sphere. Empty levels are not in `levels`; skipping them finds the same level.
 EditedLists::Listing EditedLists::built_listing(const PixelRange& texels) const {
     std::size_t level = built_levels_ - 1;  // the finest
     while (level > 0 && tiles_in(lists_.levels[level], texels).count() > lists_.most_tiles) --level;
     return {lists_.levels[level], tiles_in(lists_.levels[level], texels)};
 }
 
-// Until visit(tile) returns false; returns whether none did.
+// Calls visit(tile) for each tile until visit returns false; returns whether no call did.
 template <typename Visit>
 bool EditedLists::for_each_tile(const Listing& listing, const Visit& visit) {
     const TileRange& tiles = listing.tiles;

@@ -18,21 +18,22 @@
 
 namespace sphereview {
 
-// Places of a long array, in no order.
+// A range of places in a long array.
 struct Places {
     std::size_t first = 0;
     std::size_t count = 0;
 };
 
-// Spheres leave the lists that they were built into, and the places at those lists' ends become free. Those that come or move are
-// loose: in a level of their own, behind the others, whose tiles have room for a few spheres each. So an edit costs what it
-// touches, whatever the scene has, and no list ever moves.
+// A sphere that is edited leaves the lists that it was built into, whose last places become free. From then on the sphere is
+// loose: it is listed in a level of its own behind the others, of 32 x 32 pixels with room for 32 spheres each. No list ever
+// moves or grows, and the shaders know nothing of it. So an edit costs what it touches, also among a million spheres. Lists are
+// built anew when a tile has no room, or when building is as quick (LiveLists).
 class EditedLists {
 public:
     static constexpr int room_in_tile = 32;
 
     EditedLists() = default;
-    // Takes no edits.
+    // Lists that take no edits.
     explicit EditedLists(CandidateLists built) : lists_(std::move(built)) {}
     // `built`: build_grid_lists() of the camera and grid, with spare() candidates to spare.
     EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid);
@@ -42,17 +43,17 @@ public:
 
     const CandidateLists& lists() const { return lists_; }
 
-    // Takes a sphere that is in them out of the lists. False if it is not where it should be: then they must be built anew.
+    // Takes a listed sphere out of the lists. False when the sphere is not where it should be: the lists must be built anew.
     bool take_out(std::uint32_t index, const glm::vec4& sphere);
-    // Lists a sphere that is not in them. False where a tile has no room: then they must be built anew.
+    // Lists a sphere that is not listed. False when a tile has no room: the lists must be built anew.
     bool put_in(std::uint32_t index, const glm::vec4& sphere);
 
-    // Calls visit(index) for each listed sphere that may have the same values, until it returns true; returns whether it did. What
-    // no ray hits is not found.
+    // Calls visit(index) for each listed sphere that may have the same values until visit returns true; returns whether it did.
+    // Does not find spheres that no ray hits.
     template <typename Visit>
     bool any_like(const glm::vec4& sphere, const Visit& visit) const;
 
-    // The candidates that changed since this was asked last.
+    // The places of the candidates that changed since the last call.
     std::vector<Places> take_changes();
 
 private:
@@ -69,7 +70,7 @@ private:
     Candidate* begin_of(std::size_t tile) { return lists_.candidates.data() + lists_.begins[tile]; }
     Candidate* end_of(std::size_t tile) { return lists_.candidates.data() + lists_.begins[tile + 1]; }
     void note_change(const Candidate* begin, const Candidate* end);
-    // The candidates of a listing's first tile that are as near as that.
+    // The candidates of a listing's first tile whose distance is `nearest`.
     std::span<const Candidate> as_near(const Listing& listing, float nearest) const;
 
     CandidateLists lists_;

@@ -23,8 +23,8 @@ inline float nearest_distance(const glm::vec4& sphere) {
     return static_cast<float>(std::max(0.0, std::fabs(glm::length(center) - radius) - tolerance * all));
 }
 
-// Lists ascend by this: nearest first; of equally near ones the order does not matter, but it is the same each time. Floats that
-// are not negative are in the order of their bits.
+// The key by which lists ascend: nearest first, equally near ones by index. Floats that are not negative are in the order of their
+// bits.
 inline std::uint64_t place_in_list(const Candidate& candidate) {
     static_assert(std::endian::native == std::endian::little && sizeof(Candidate) == sizeof(std::uint64_t));
     return std::bit_cast<std::uint64_t>(candidate);

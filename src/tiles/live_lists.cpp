@@ -55,7 +55,7 @@ bool LiveLists::remove(const Scene& scene, const std::vector<std::uint32_t>& num
     return true;
 }
 
-// Of a sphere that is in the scene, now with these values.
+// Lists a sphere of the scene with the values that it has now.
 bool LiveLists::change(const Scene& scene, std::uint32_t number) {
     const Sphere& sphere = scene.spheres[number];
     const auto index = drawn_.index_of(number);
@@ -69,7 +69,7 @@ bool LiveLists::change(const Scene& scene, std::uint32_t number) {
     return values && put_in(scene, number, index, *values);
 }
 
-// Also false for one that hides a twin, which is seen now.
+// Also false for a sphere that has hidden an equal one: that one can be seen now.
 bool LiveLists::take_out(const Scene& scene, std::size_t index) {
     const glm::vec4& values = drawn_.center_radius[index];
     if (drawn_.beyond_float.contains(static_cast<std::uint32_t>(index))) return false;
@@ -79,7 +79,7 @@ bool LiveLists::take_out(const Scene& scene, std::size_t index) {
     return !has_twin && lists_.take_out(static_cast<std::uint32_t>(index), values);
 }
 
-// Also false for one that has a twin, of which only the first would be drawn.
+// Also false for a sphere that equals another: only the first of the two is drawn.
 bool LiveLists::put_in(const Scene& scene, std::uint32_t number, std::optional<std::size_t> index, const glm::vec4& values) {
     const Sphere& sphere = scene.spheres[number];
     const bool is_twin = lists_.any_like(values, [&](std::uint32_t other) {

@@ -1,4 +1,4 @@
-// A scene as renderers take it, with its lists, that follows edits in proportion to what they touch.
+// Drawn spheres and their lists, which follow a scene's edits at a cost in proportion to what the edits touch.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,9 @@
 
 namespace sphereview {
 
-// Built anew now and then, always when it says so: what it finds after edits, all find that build everything anew.
+// After any edits a renderer finds in them what it would find in lists that are built from nothing. follow() says when only
+// building from nothing will do: more than most_changes spheres changed, a sphere equals another or hides an equal one, a sphere
+// is beyond float, or a tile has no room.
 class LiveLists {
 public:
     // How many spheres may change at once, and how many gaps and late indices may gather.
@@ -23,19 +25,19 @@ public:
     LiveLists() = default;
     // `lists`: of the spheres and the camera.
     LiveLists(DrawnSpheres drawn, EditedLists lists, const Camera& camera);
-    // The same spheres again, but seen otherwise; if nothing was edited.
+    // The same spheres seen by another camera or on another grid. Only while edited() is false.
     void replace_lists(EditedLists lists, const Camera& camera);
 
     const DrawnSpheres& drawn() const { return drawn_; }
     const CandidateLists& lists() const { return lists_.lists(); }
-    // Whether anything of the scene may be another than when this was built.
+    // Whether the scene may differ from the one that the lists were built of.
     bool edited() const { return edited_; }
 
-    // Takes over how `scene`, as it is now, differs from the one that this is of, but for colours. False where building anew is
-    // the only or the quicker way; then this is of no use any more, and it stays false.
+    // Takes over the changes, colours apart, that led to `scene` as it is now. False when building anew is the only way or the
+    // quicker one; the object is of no use from then on, and every later call returns false.
     bool follow(const Scene& scene, const ChangesSince& changes);
 
-    // What changed since this was asked last: indices of spheres, ascending, and places among the candidates.
+    // What changed since the last call: indices of drawn spheres, ascending, and places among the candidates.
     struct Changed {
         std::vector<std::uint32_t> spheres;
         std::vector<Places> candidates;
@@ -54,7 +56,7 @@ private:
     Camera camera_;
     std::size_t built_size_ = 0;
     bool edited_ = false;
-    bool whole_ = true;  // what is drawn and what is listed fit together
+    bool whole_ = true;  // false: follow() has failed, and spheres and lists do not fit together
     std::vector<std::uint32_t> changed_spheres_;
 };
 

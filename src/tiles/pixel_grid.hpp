@@ -9,7 +9,9 @@
 
 namespace sphereview {
 
-// Of each step x step pixels one is traced, the texel of a grid; `step` is a power of two, 1 for the picture itself.
+// One pixel of each step x step pixels is traced: a texel of the grid. `step` is a power of two, 1 for the picture itself.
+// A camera that moves through many spheres makes lists for the traced pixels alone: most small spheres are missed by all of
+// them, so that lists, uploads and drawing shrink with the grid.
 struct PixelGrid {
     PictureSize picture;
     int step = 1;
@@ -37,7 +39,7 @@ private:
     int side(int count) const { return (count + step - 1) / step; }
     int traced(int texel, int count) const { return std::min(texel * step + step / 2, count - 1); }
     int first(int pixel) const { return (pixel - step / 2 + step - 1) >> shift(); }
-    // The last texel's pixel may be nearer than a step, at the picture's edge.
+    // At the picture's edge the last texel's pixel may be nearer than a step.
     int last(int pixel, int count) const { return pixel == count - 1 ? side(count) - 1 : (pixel - step / 2) >> shift(); }
 };
 

@@ -1,4 +1,5 @@
-// Which pixels a sphere can cover, conservatively. Derivation: docs/exactness.md, "Tiles".
+// Which pixels a sphere can cover, conservatively. Only pixels' centres count, not their areas: a sphere smaller than a pixel is
+// listed only where a ray can hit it. Derivation: docs/exactness.md, "Tiles".
 #pragma once
 
 #include <array>
@@ -46,7 +47,7 @@ private:
         double before;
         double beyond;
     };
-    // Whole numbers, as doubles: SIMD likes to do without conversions.
+    // Whole numbers, kept as doubles: without conversions the compiler can use SIMD.
     struct Interval {
         double first;
         double last;

@@ -1,4 +1,6 @@
-// Which sizes of tiles suit a scene.
+// Which sizes of tiles suit a scene. One size for all spheres explodes when some are large, so tiles have levels, each four times
+// as wide as the one before. Every level that has spheres costs each pixel a walk, so few spheres had better share one. The
+// finest size is chosen by a sample of the spheres and a model of the renderer's costs; a level without spheres costs nothing.
 #pragma once
 
 #include <array>
@@ -42,7 +44,7 @@ struct TilePlan {
     }
 };
 
-// The plan with the finest tiles that pay for `count` spheres, judged by the ranges of a sample of them (at least one).
+// The plan that costs least for `count` spheres, judged by the pixel ranges of a sample of them (at least one).
 TilePlan plan_tiles(std::span<const PixelRange> sample, std::size_t count, PictureSize size, const TileCosts& costs);
 
 }  // namespace sphereview
