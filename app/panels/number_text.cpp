@@ -1,10 +1,8 @@
 #include "panels/number_text.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 
-#include "base/text.hpp"
+#include "base/number.hpp"
 
 namespace sphereview {
 
@@ -25,11 +23,9 @@ double rounded_to(double value, int exponent) {
         return std::fabs(value) < 0.5 * unit ? 0.0 : std::copysign(unit, value);
     }
     // Through text, which rounds in decimal: no power of ten is inexact there.
-    std::array<char, 64> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, digits);
     double rounded = value;
-    std::from_chars(text.data(), end.ptr, rounded);
-    return std::isfinite(rounded) ? rounded : value;
+    parse_double(decimal(value, std::chars_format::scientific, digits), rounded);
+    return rounded;
 }
 
 int last_digit(double value, int digits) { return leading_digit(value) - digits + 1; }
@@ -39,10 +35,6 @@ std::string rounded_text(double value, int exponent) {
     return shortest(rounded_to(value, exponent));
 }
 
-std::string short_text(double value, int digits) {
-    std::array<char, 64> text{};
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value + 0.0, std::chars_format::general, digits);
-    return {text.data(), end.ptr};
-}
+std::string short_text(double value, int digits) { return decimal(value + 0.0, std::chars_format::general, digits); }
 
 }  // namespace sphereview

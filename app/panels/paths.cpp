@@ -8,17 +8,6 @@ namespace sphereview {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view white = " \t\r\n";
-    const std::size_t begin = text.find_first_not_of(white);
-    if (begin == std::string_view::npos) return "";
-    return text.substr(begin, text.find_last_not_of(white) + 1 - begin);
-}
-
-}  // namespace
-
 fs::path path_from(std::string_view text) { return fs::path(std::u8string(text.begin(), text.end())); }
 
 std::string text_from(const fs::path& path) {

@@ -10,12 +10,6 @@ namespace sphereview {
 
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(' ');
-    if (begin == std::string_view::npos) return "";
-    return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
-
 // The digits in "12", "#12", "sphere 12" and "re 12"; "" if the filter is none of those.
 std::string_view digits_of(std::string_view filter) {
     const std::size_t begin = filter.find_last_not_of("0123456789") + 1;  // npos + 1 is 0

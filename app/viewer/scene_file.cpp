@@ -283,13 +283,6 @@ void look_at_file(ViewerState& state) {
 }
 
 void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept) {
-    if (SystemFileDialog::available()) {
-        if (state.system_dialog) return;  // one at a time
-        const FileDialogRequest request{
-            question.saving, question.title, question.folder, question.name, {{"Scenes", question.endings}, {"All files", {}}}};
-        state.system_dialog.emplace(std::make_unique<SystemFileDialog>(request, state.wake), std::move(accept));
-        return;
-    }
     FileBrowser browser;
     browser.saving = question.saving;
     browser.title = question.title;

@@ -79,7 +79,6 @@ Viewer::Viewer(ViewerState& state, Window& window)
       files_(state.options.shader_folder),
       log_(state.options.redraw_log),
       renderer_(window.renderer()) {
-    state_.wake = Window::wake;
     facts_.status.renderer = renderer_;
     state_.messages.shader_error = picture_.shader_log();
 }
@@ -116,7 +115,6 @@ void Viewer::wait_for_work() {
     if (changes.scene) look_at_file(state_);
     if (changes.shaders) state_.messages.shader_error = picture_.reload_shaders();
     if (changes.scene || changes.shaders) pacing_.touch();
-    finish_system_dialog();
     follow_work();
     end_announcement();
 }
@@ -128,18 +126,6 @@ void Viewer::follow_work() {
         pacing_.touch();
     }
     state_.messages.work = work_of(state_);
-}
-
-void Viewer::finish_system_dialog() {
-    if (!state_.system_dialog) return;
-    const auto result = state_.system_dialog->dialog->result();
-    if (!result) return;
-    const auto accept = std::move(state_.system_dialog->accept);
-    state_.system_dialog.reset();
-    if (const auto* chosen = std::get_if<FileChosen>(&*result)) accept(chosen->path);
-    if (const auto* failed = std::get_if<FileDialogFailed>(&*result))
-        report_error(state_, "The file dialog failed", failed->reason);
-    pacing_.touch();
 }
 
 void Viewer::end_announcement() {

@@ -42,7 +42,6 @@ private:
     void refine();
     void show(const Rectangle& area);
     void note_facts();
-    void finish_system_dialog();
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <functional>
 #include <glm/vec3.hpp>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +17,6 @@
 #include "panels/panel_context.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/status_bar.hpp"
-#include "platform/file_dialog.hpp"
 #include "viewer/autosave.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/scene_work.hpp"
@@ -27,15 +25,6 @@
 namespace sphereview {
 
 using Clock = std::chrono::steady_clock;
-
-// A dialog of the system that is open, and what its answer is for.
-struct OpenSystemDialog {
-    OpenSystemDialog(std::unique_ptr<SystemFileDialog> opened, std::function<void(const std::string&)> on_accept)
-        : dialog(std::move(opened)), accept(std::move(on_accept)) {}
-
-    std::unique_ptr<SystemFileDialog> dialog;
-    std::function<void(const std::string& path)> accept;
-};
 
 // Dialogs remember where it is: it is not moved.
 struct ViewerState {
@@ -74,8 +63,6 @@ struct ViewerState {
     Messages messages;
     std::optional<Clock::time_point> announcement_ends;
     Dialogs dialogs;
-    std::optional<OpenSystemDialog> system_dialog;
-    std::function<void()> wake = [] {};  // makes the window's loop look again; from any thread
 
     bool panel_shown = true;
     bool inspector_shown = false;

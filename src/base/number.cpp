@@ -1,10 +1,9 @@
 #include "base/number.hpp"
 
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <locale>
 #include <sstream>
-#include <string>
 #include <system_error>
 
 namespace sphereview {
@@ -12,13 +11,13 @@ namespace sphereview {
 NumberFault parse_double(std::string_view token, double& value) {
     const char* first = token.data();
     const char* last = first + token.size();
-    // std::from_chars takes no '+'.
+    // read_double() takes no '+'.
     if (first != last && *first == '+' && (first + 1 == last || first[1] != '-')) ++first;
     double read = 0.0;
-    const auto result = std::from_chars(first, last, read);
+    const auto result = read_double(first, last, read);
     if (result.ptr != last || first == last) return NumberFault::not_a_number;
     if (result.ec == std::errc::result_out_of_range) {
-        // from_chars does not say whether it met the top or the bottom of the range, and strtod heeds the locale.
+        // read_double() does not say whether it met the top or the bottom of the range, and strtod heeds the locale.
         std::istringstream text(std::string(first, last));
         text.imbue(std::locale::classic());
         text >> read;
@@ -32,5 +31,19 @@ NumberFault parse_double(std::string_view token, double& value) {
     value = read;
     return NumberFault::none;
 }
+
+std::string shortest(double value) {
+    std::array<char, 32> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
+}
+
+std::string decimal(double value, std::chars_format format, int digits) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, digits);
+    return {buffer.data(), end.ptr};
+}
+
+std::string fixed(double value, int places) { return decimal(value, std::chars_format::fixed, places); }
 
 }  // namespace sphereview

@@ -1,14 +1,31 @@
-// Decimal text to double, bit for bit, whatever the locale. Back: shortest() in base/text.hpp.
+// Decimal text to double and back, bit for bit, whatever the locale. Nothing else calls std::from_chars and std::to_chars for
+// floating point, which some C++ libraries lack.
 #pragma once
 
+#include <charconv>
+#include <string>
 #include <string_view>
 
 namespace sphereview {
 
 enum class NumberFault { none, not_a_number, not_finite, too_large };
 
+// Reads the number that [begin, end) begins with, as std::from_chars does. Inline: scenes are made of these.
+inline std::from_chars_result read_double(const char* begin, const char* end, double& value) {
+    return std::from_chars(begin, end, value);
+}
+
 // Reads the whole of `token` as the nearest double; what is too small for a double gives the nearest one, 0 included.
 // A leading '+' is allowed. On a fault `value` is left alone; too_large means beyond the largest double.
 NumberFault parse_double(std::string_view token, double& value);
+
+// The shortest decimal text that reads back as the same double; "inf" and "nan" where there is none.
+std::string shortest(double value);
+
+// `value` with that many digits, as printf writes it in the "C" locale. digits: 0..50.
+std::string decimal(double value, std::chars_format format, int digits);
+
+// `value` with decimal places. places: 0..9.
+std::string fixed(double value, int places);
 
 }  // namespace sphereview

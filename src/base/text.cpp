@@ -1,8 +1,6 @@
 #include "base/text.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <vector>
 
 #include "base/count.hpp"
@@ -28,6 +26,14 @@ TextPosition position_at(std::string_view text, std::size_t offset, TextPosition
     return {origin.line + line_ends, (line_begin == 0 ? origin.column : 1) + characters};
 }
 
+std::string place_in(std::string_view name, TextPosition position) {
+    return std::string(name) + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+}
+
+std::string found_expected(std::string_view found, std::string_view expected) {
+    return "found " + in_quotes(found) + ", expected " + std::string(expected);
+}
+
 std::string in_quotes(std::string_view found) {
     constexpr std::size_t longest = 40;
     constexpr std::string_view digits = "0123456789abcdef";
@@ -47,6 +53,19 @@ std::string in_quotes(std::string_view found) {
         }
     }
     return text + "'";
+}
+
+std::string_view take_line(std::string_view& text) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    const std::string_view line = text.substr(0, end);
+    text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
+    return line;
+}
+
+std::string_view trimmed(std::string_view text, std::string_view white) {
+    const std::size_t begin = text.find_first_not_of(white);
+    if (begin == std::string_view::npos) return "";
+    return text.substr(begin, text.find_last_not_of(white) + 1 - begin);
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {
@@ -99,18 +118,6 @@ std::string closest_match(std::string_view word, std::span<const std::string> ca
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
     const std::string match = closest_match(word, candidates);
     return match.empty() ? "" : "; did you mean '" + match + "'?";
-}
-
-std::string fixed(double value, int places) {
-    std::array<char, 400> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, places);
-    return {buffer.data(), end.ptr};
-}
-
-std::string shortest(double value) {
-    std::array<char, 32> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-    return {buffer.data(), end.ptr};
 }
 
 std::string in_groups(std::uint64_t value) {

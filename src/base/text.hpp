@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/number.hpp"
+
 namespace sphereview {
 
 // A place in a text file, counted from 1. Columns count characters (UTF-8 code points), as editors do.
@@ -18,6 +20,12 @@ struct TextPosition {
 // The place of byte `offset` in `text`, whose first character stands at `origin`. Lines end with LF, CR or CR LF.
 TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin = {});
 
+// "NAME:LINE:COLUMN: ", which a message about a file begins with.
+std::string place_in(std::string_view name, TextPosition position);
+
+// "found 'FOUND', expected EXPECTED", which it ends with.
+std::string found_expected(std::string_view found, std::string_view expected);
+
 // `found` in single quotes, made safe for one terminal line: control and non-ASCII bytes as \xNN, at most 40 characters.
 std::string in_quotes(std::string_view found);
 
@@ -27,14 +35,14 @@ std::string closest_match(std::string_view word, std::span<const std::string> ca
 // "; did you mean 'CANDIDATE'?" for the closest candidate, or "" when there is none.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
-// `value` with decimal places, in the "C" locale whatever the process's locale is. places: 0..9.
-std::string fixed(double value, int places);
-
-// The shortest decimal text that reads back as the same double; "inf" and "nan" where there is none.
-std::string shortest(double value);
-
 // 1234567 as "1,234,567".
 std::string in_groups(std::uint64_t value);
+
+// The first line of `text`, which loses that line and its end (LF, CR or CR LF).
+std::string_view take_line(std::string_view& text);
+
+// `text` without white space at both ends.
+std::string_view trimmed(std::string_view text, std::string_view white = " \t\r\n");
 
 // `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
 std::string_view without_byte_order_mark(std::string_view text);

@@ -79,12 +79,11 @@ const char* CsvRecords::plain_field(const char* begin, const char* stop) {
 }
 
 std::string CsvRecords::place(const char* where) const {
-    const TextPosition position = position_at(source_.text, static_cast<std::size_t>(where - source_.text.data()), source_.origin);
-    return source_.name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+    return place_in(source_.name, position_at(source_.text, static_cast<std::size_t>(where - source_.text.data()), source_.origin));
 }
 
 void CsvRecords::fail(const CsvField& field, const std::string& expected) const {
-    throw InputError(place(field.text.data()) + "found " + in_quotes(field.text) + ", expected " + expected);
+    throw InputError(place(field.text.data()) + found_expected(field.text, expected));
 }
 
 void CsvRecords::fail_at_end(const std::string& expected) const {

@@ -55,8 +55,7 @@ Scene scene_of(std::span<const MoleculeAtom> atoms, const DataOptions& options) 
 }
 
 void fail_at(std::string_view content, const std::string& name, std::size_t offset, const std::string& message) {
-    const TextPosition place = position_at(content, offset);
-    throw InputError(name + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " + message);
+    throw InputError(place_in(name, position_at(content, offset)) + message);
 }
 
 void fail_without_atoms(std::string_view content, const std::string& name, const std::string& expected) {

@@ -50,9 +50,8 @@ bool starts_a_toml_line(std::string_view words) {
 // Of a text scene that begins with one.
 [[noreturn]] void refuse_comment(std::string_view content, std::string_view name) {
     content = without_byte_order_mark(content);
-    const TextPosition place = position_at(content, content.find('#'));
-    throw InputError(std::string(name) + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-                     ": found a comment, expected the number of spheres: only TOML has comments, the text format has none");
+    throw InputError(place_in(name, position_at(content, content.find('#'))) +
+                     "found a comment, expected the number of spheres: only TOML has comments, the text format has none");
 }
 
 // What separates the words of a line in a data file.
@@ -64,13 +63,6 @@ std::vector<std::string_view> words_of(std::string_view line, const char* separa
         begin = end;
     }
     return words;
-}
-
-std::string_view take_line(std::string_view& text) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + (text.substr(end).starts_with("\r\n") ? 2 : 1), text.size()));
-    return line;
 }
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }

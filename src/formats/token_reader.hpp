@@ -72,7 +72,7 @@ public:
     double number(const Expected& expected, const IsGood& is_good, const char* what_is_good) {
         if (at_end()) fail_at_end(end_found_, expected());
         double value = 0.0;
-        const auto result = std::from_chars(next_, end_, value);
+        const auto result = read_double(next_, end_, value);
         const char* last = result.ptr;
         if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
             last = next_ + token().size();
@@ -97,7 +97,7 @@ public:
 
     // Says that the next token is wrong.
     [[noreturn]] void fail(const std::string& expected) const {
-        throw InputError(place(offset()) + "found " + in_quotes(token()) + ", expected " + expected);
+        throw InputError(place(offset()) + found_expected(token(), expected));
     }
 
     [[noreturn]] void fail_at_end(const std::string& found, const std::string& expected) const {
@@ -117,8 +117,7 @@ private:
     }
 
     std::string place(std::size_t offset) const {
-        const TextPosition position = position_at(source_.text, offset, source_.origin);
-        return source_.name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+        return place_in(source_.name, position_at(source_.text, offset, source_.origin));
     }
 
     const TextSource& source_;

@@ -26,8 +26,7 @@ struct Document {
 
 // "NAME:LINE:COLUMN: "
 std::string in_words(const Document& document, const toml::source_position& place) {
-    return document.name + ":" + std::to_string(std::max<toml::source_index>(1, place.line)) + ":" +
-           std::to_string(std::max<toml::source_index>(1, place.column)) + ": ";
+    return place_in(document.name, {std::max<toml::source_index>(1, place.line), std::max<toml::source_index>(1, place.column)});
 }
 
 // The byte at `place`: its column counts characters.

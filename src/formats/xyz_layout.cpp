@@ -109,13 +109,12 @@ private:
 
     std::string place_of(std::string_view piece) const {
         const auto offset = static_cast<std::size_t>(piece.data() - source_.text.data());
-        const TextPosition position = position_at(source_.text, offset, source_.origin);
-        return source_.name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+        return place_in(source_.name, position_at(source_.text, offset, source_.origin));
     }
 
     [[noreturn]] void fail(const std::string& expected) const {
         const auto length = static_cast<std::size_t>(rest_.data() - entry_.data()) - (ended_ ? 0 : 1);
-        throw InputError(place_of(entry_) + "found " + in_quotes(entry_.substr(0, length)) + ", expected " + expected);
+        throw InputError(place_of(entry_) + found_expected(entry_.substr(0, length), expected));
     }
 
     const TextSource& source_;

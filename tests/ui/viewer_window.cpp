@@ -28,8 +28,7 @@ std::vector<std::pair<std::string, std::optional<std::string>>> environment_for(
             {"XDG_STATE_HOME", home + "/state"},
             {"XDG_PICTURES_DIR", std::nullopt},
             {"WAYLAND_DISPLAY", std::nullopt},
-            {"LIBGL_ALWAYS_SOFTWARE", "1"},
-            {"SPHEREVIEW_FILE_DIALOG", "none"}};
+            {"LIBGL_ALWAYS_SOFTWARE", "1"}};
 }
 
 }  // namespace

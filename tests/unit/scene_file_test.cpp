@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "support/environment.hpp"
 #include "support/temporary_folder.hpp"
 #include "viewer/perform.hpp"
 
@@ -74,7 +73,6 @@ TEST_F(DataInViewer, AStepAsksAboutEdits) {
 }
 
 TEST_F(DataInViewer, SavingAsksForAnotherName) {
-    const test::Variable no_desktop("SPHEREVIEW_FILE_DIALOG", "none");
     add_sphere();
     run_command(state, CommandId::file_save);
     ASSERT_FALSE(state.dialogs.empty());

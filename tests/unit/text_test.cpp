@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sphereview {
@@ -42,6 +43,22 @@ TEST(PositionAt, StopsAtTheEndOfTheText) { EXPECT_EQ(place("ab", 100), "1:3"); }
 TEST(PositionAt, StartsWhereTheTextStandsInItsFile) {
     EXPECT_EQ(place("abc", 1, {4, 12}), "4:13");
     EXPECT_EQ(place("a\nbc", 3, {4, 12}), "5:2");
+}
+
+TEST(TakeLine, TakesLinesWithEveryKindOfEnd) {
+    std::string_view text = "a\nb\r\n\rlast";
+    for (const std::string_view line : {"a", "b", "", "last", ""}) EXPECT_EQ(take_line(text), line);
+    EXPECT_EQ(text, "");
+}
+
+TEST(Trimmed, TakesWhiteSpaceAwayAtBothEnds) {
+    EXPECT_EQ(trimmed(" \t a b\r\n"), "a b");
+    EXPECT_EQ(trimmed("\t a ", " "), "\t a");
+    EXPECT_EQ(trimmed(" \n"), "");
+}
+
+TEST(FoundExpected, MakesAMessageAboutAPlace) {
+    EXPECT_EQ(place_in("a.txt", {2, 30}) + found_expected("x\n", "a number"), "a.txt:2:30: found 'x\\x0a', expected a number");
 }
 
 TEST(InQuotes, ShowsPrintableCharactersAsTheyAre) { EXPECT_EQ(in_quotes("a ~'\""), "'a ~'\"'"); }
