@@ -1,13 +1,26 @@
-// What lies in a folder, for the file browser.
+// Paths as a person types and reads them, and what lies in a folder, for the file dialog.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "panels/dialogs.hpp"
 
 namespace sphereview {
+
+std::filesystem::path path_from(std::string_view text);
+std::string text_from(const std::filesystem::path& path);
+
+// The user's home folder; empty when the system names none.
+std::filesystem::path home_folder();
+
+// What was typed, without white space around it, as an absolute path: ~ is the home folder, a relative path lies in `folder`.
+std::filesystem::path typed_path(std::string_view typed, const std::filesystem::path& folder);
+
+// Whether a file's name has one of the endings (".txt"), in capitals or not.
+bool has_ending(std::string_view name, std::string_view ending);
 
 struct Listing {
     std::vector<FileBrowser::Entry> entries;  // folders first, each kind by name without regard to capitals; ".." before all

@@ -39,6 +39,9 @@ std::string in_groups(std::uint64_t value);
 // `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
 std::string_view without_byte_order_mark(std::string_view text);
 
+// `text` without white space around it.
+std::string_view trimmed(std::string_view text);
+
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 
-#include "panels/dialog_harness.hpp"
+#include "panels/file_listing.hpp"
+#include "panels/harness.hpp"
+#include "panels/panel_context.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sphereview {
@@ -10,6 +13,84 @@ namespace sphereview {
 namespace fs = std::filesystem;
 
 namespace {
+
+TEST(Paths, AreTypedAbsoluteRelativeOrFromHome) {
+    EXPECT_EQ(typed_path("/a/b", "/x"), "/a/b");
+    EXPECT_EQ(typed_path("b/c", "/x"), "/x/b/c");
+    EXPECT_EQ(typed_path("../c", "/x/y"), "/x/c");
+    EXPECT_EQ(typed_path("  /a/b/ \n", "/x"), "/a/b");
+    EXPECT_EQ(typed_path("/", "/x"), "/");
+    EXPECT_EQ(typed_path("", "/x"), "/x");
+    EXPECT_EQ(typed_path("..", "/"), "/");
+    EXPECT_EQ(typed_path("~", "/x"), home_folder());
+    EXPECT_EQ(typed_path("~/c", "/x"), home_folder() / "c");
+    EXPECT_EQ(typed_path("~c", "/x"), "/x/~c") << "another user's home is not looked up";
+}
+
+TEST(Paths, KeepTheirBytes) {
+    for (const std::string text : {"/a/Kugeln äöü.txt", "/球/四.toml", "/bad \xff utf"})
+        EXPECT_EQ(text_from(path_from(text)), text);
+}
+
+TEST(Paths, HaveEndings) {
+    EXPECT_TRUE(has_ending("a.txt", ".txt"));
+    EXPECT_TRUE(has_ending("A.TXT", ".txt"));
+    EXPECT_FALSE(has_ending("a.txt.png", ".txt"));
+    EXPECT_FALSE(has_ending("txt", ".txt"));
+}
+
+TEST(Labels, AreFitForImGui) {
+    EXPECT_EQ(as_label("a##b###c"), "a# #b# # #c");
+    EXPECT_EQ(as_label("a\nb\tc\x7f"), "a b c ");
+    EXPECT_EQ(as_label("ä"), "ä");
+    EXPECT_EQ(on_one_line("##\r\n"), "##  ");
+}
+
+std::vector<std::string> names_of(const Listing& listing) {
+    std::vector<std::string> names;
+    for (const FileBrowser::Entry& entry : listing.entries) names.push_back(entry.name + (entry.is_folder ? "/" : ""));
+    return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(FileListing, HasFoldersFirstAndDoesNotMindCapitals) {
+    const test::TemporaryFolder folder;
+    for (const char* name :
+         {"b.txt", "A.txt", "c.TOML", "a.txt", "picture.png", ".hidden.txt", "Zoo/x", "ape/x", ".git/x", "ä.txt"}) {
+        folder.write(name, "");
+    }
+    const Listing listing = list_folder(folder.path(), {".txt", ".toml"}, false);
+    EXPECT_EQ(listing.error, "");
+    EXPECT_EQ(names_of(listing), (Names{"../", "ape/", "Zoo/", "A.txt", "a.txt", "b.txt", "c.TOML", "ä.txt"}));
+    EXPECT_EQ(names_of(list_folder(folder.path(), {".txt"}, true)),
+              (Names{"../", ".git/", "ape/", "Zoo/", ".hidden.txt", "A.txt", "a.txt", "b.txt", "ä.txt"}));
+    EXPECT_EQ(names_of(list_folder(folder.path(), {}, false)).size(), 9U);
+}
+
+TEST(FileListing, FollowsLinksAndShowsThoseThatLeadNowhere) {
+    const test::TemporaryFolder folder;
+    folder.write("real/x", "");
+    fs::create_directory_symlink(folder.path("real"), folder.path("link"));
+    fs::create_symlink(folder.path("nothing"), folder.path("broken"));
+    EXPECT_EQ(names_of(list_folder(folder.path(), {}, false)), (Names{"../", "link/", "real/", "broken"}));
+}
+
+TEST(FileListing, SaysWhyThereIsNone) {
+    const test::TemporaryFolder folder;
+    folder.write("file", "");
+    EXPECT_EQ(list_folder(folder.path("missing"), {}, false).error,
+              "Cannot read " + folder.path("missing") + ": No such file or directory");
+    EXPECT_EQ(list_folder(folder.path("file"), {}, false).error, "Cannot read " + folder.path("file") + ": Not a directory");
+    EXPECT_EQ(list_folder(folder.path("missing"), {}, false).entries.size(), 0U);
+}
+
+TEST(FileListing, TheRootHasNothingAbove) {
+    const Listing listing = list_folder("/", {}, false);
+    EXPECT_EQ(listing.error, "");
+    EXPECT_FALSE(listing.entries.empty());
+    EXPECT_NE(listing.entries.at(0).name, "..");
+}
 
 class BrowserDialog : public testing::Test {
 protected:
@@ -34,8 +115,6 @@ protected:
 };
 
 using Accepted = std::vector<std::string>;
-
-}  // namespace
 
 TEST_F(BrowserDialog, ListsAndOpensByDoubleClick) {
     open();
@@ -178,5 +257,7 @@ TEST_F(BrowserDialog, DrawsOnlyWhatIsSeenOfManyFiles) {
     harness.panels.double_click("entry ##\n%s.txt");
     EXPECT_EQ(accepted, Accepted{folder.path("many/##\n%s.txt")});
 }
+
+}  // namespace
 
 }  // namespace sphereview
