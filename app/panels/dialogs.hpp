@@ -41,29 +41,55 @@ struct ExportForm {
 // What is wrong with the form as it is; "" if nothing is.
 std::string fault_of(const ExportForm& form);
 
-// A file browser of our own, for where the system has no dialog of its own. `accept` gets an absolute path; a new one only when
-// `saving`, an existing one then only when the person agrees to replace it. Widgets: "browser path", "browser name", "browser ok",
-// "browser cancel", "browser up", "browser home", "browser hidden", "entry NAME".
+// What a folder holds.
+struct FileEntry {
+    std::string name;
+    bool is_folder = false;
+    std::uint64_t bytes = 0;
+    std::int64_t changed = 0;  // seconds since 1970
+};
+
+// How entries are sorted: folders always come first.
+enum class FileColumn { name, size, date };
+struct FileOrder {
+    FileColumn by = FileColumn::name;
+    bool descending = false;
+
+    bool operator==(const FileOrder&) const = default;
+};
+
+// Files that belong together: "TOML" with ".toml".
+struct FileKind {
+    std::string name;
+    std::vector<std::string> endings;  // none: all files
+};
+
+// The file dialog. `accept` gets an absolute path; a new one only when `saving`, an existing one then only when the person agrees
+// to replace it. Widgets: "browser path", "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0",
+// "browser hidden", "browser kind", "kind TOML", "browser sort name" ("size", "date"), "entry NAME".
 struct FileBrowser {
     bool saving = false;  // a name may be new
     std::string title;
     std::string folder;  // absolute; "" for the home folder
     std::string name;
-    std::vector<std::string> endings;  // shown files: ".txt", ".toml"; empty: all. A new name without one of them gets the first.
-    std::string listed_folder;         // of `entries`
-    struct Entry {
-        std::string name;
-        bool is_folder = false;
-
-        bool operator==(const Entry&) const = default;
-    };
-    std::vector<Entry> entries;
-    std::string error;
+    // One of them is chosen. To open, the files of that one are shown; to save, those of all: there the name's ending chooses, and
+    // a name with none of the endings gets the first of the chosen kind.
+    std::vector<FileKind> kinds;
+    std::size_t kind = 0;
+    std::vector<std::string> places;  // folders to go to by a click
     std::function<void(const std::string& path)> accept;
-    std::string typed_folder;    // what the path box holds
-    bool hidden_files = false;   // shown too
-    bool listed_hidden = false;  // whether `entries` has them
-    bool focus_name = false;     // the name box gets the keyboard in the next frame
+
+    // What the dialog remembers from frame to frame.
+    std::vector<FileEntry> entries;
+    std::string listed_folder;  // of `entries`
+    std::size_t listed_kind = 0;
+    bool listed_hidden = false;  // whether `entries` has hidden files
+    FileOrder order;
+    bool hidden_files = false;  // shown too
+    bool to_top = false;        // the list begins at its top in the next frame
+    std::string typed_folder;   // what the path box holds
+    std::string error;
+    enum class Focus { none, name, path } focus = Focus::name;  // the box that gets the keyboard in the next frame
 };
 
 using Dialog = std::variant<Question, ExportForm, FileBrowser>;

@@ -2,18 +2,115 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
+#include "base/text.hpp"
 #include "panels/dialog_parts.hpp"
-#include "panels/file_choice.hpp"
-#include "panels/labels.hpp"
-#include "panels/paths.hpp"
+#include "panels/file_listing.hpp"
+#include "panels/panel_context.hpp"
+#include "panels/widgets.hpp"
 
 namespace sphereview {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+bool fits(const FileKind& kind, std::string_view name) {
+    return std::ranges::any_of(kind.endings, [&](const std::string& ending) { return has_ending(name, ending); });
+}
+
+std::vector<std::string> listed_endings(const FileBrowser& browser) {
+    if (browser.kinds.empty()) return {};
+    if (!browser.saving) return browser.kinds[browser.kind].endings;
+    std::vector<std::string> endings;
+    for (const FileKind& kind : browser.kinds) endings.insert(endings.end(), kind.endings.begin(), kind.endings.end());
+    return endings;
+}
+
+// What the name box says, as a file; a new name gets an ending.
+fs::path chosen_file(const FileBrowser& browser) {
+    fs::path path = typed_path(browser.name, path_from(browser.folder));
+    const std::string name = text_from(path.filename());
+    std::error_code none;
+    const bool complete = std::ranges::any_of(browser.kinds, [&](const FileKind& kind) { return fits(kind, name); });
+    if (!browser.saving || complete || browser.kinds.empty() || fs::exists(path, none)) return path;
+    const FileKind& kind = browser.kinds[browser.kind];
+    return kind.endings.empty() ? path : path += path_from(kind.endings.front());
+}
+
+void note_listed(FileBrowser& browser, const fs::path& folder) {
+    browser.folder = text_from(folder);
+    browser.typed_folder = browser.folder;
+    browser.listed_folder = browser.folder;
+    browser.listed_hidden = browser.hidden_files;
+    browser.listed_kind = browser.kind;
+}
+
+// Goes to a folder if it can be read; else stays, and says why.
+bool enter(FileBrowser& browser, const fs::path& folder) {
+    Listing listing = list_folder(folder, listed_endings(browser), browser.hidden_files);
+    browser.error = listing.error;
+    if (!listing.error.empty()) return false;
+    note_listed(browser, folder);
+    browser.entries = std::move(listing.entries);
+    sort_entries(browser.entries, browser.order);
+    browser.to_top = true;
+    browser.focus = FileBrowser::Focus::name;
+    return true;
+}
+
+// The first listing, or another after the owner set `folder`: of the nearest folder above that can be read.
+void enter_nearest(FileBrowser& browser) {
+    fs::path folder = typed_path(browser.folder, home_folder());
+    std::string error;
+    while (!enter(browser, folder) && folder.has_relative_path()) {
+        if (error.empty()) error = browser.error;
+        folder = folder.parent_path();
+    }
+    if (!error.empty()) browser.error = error;
+    note_listed(browser, folder);  // where not even the root can be read, there is nothing to try again
+}
+
+// Says what is wrong; the box with the fault keeps the keyboard.
+Decision refuse(FileBrowser& browser, const std::string& why, FileBrowser::Focus focus = FileBrowser::Focus::name) {
+    browser.error = why;
+    browser.focus = focus;
+    return {};
+}
+
+// The button, Enter or a double click: goes where the path box says if something new stands there, or into a folder that
+// was named; else this is the file.
+Decision confirm(FileBrowser& browser, Dialogs& dialogs) {
+    std::error_code none;
+    browser.error.clear();
+    if (browser.typed_folder != browser.folder) {
+        const fs::path typed = typed_path(browser.typed_folder, path_from(browser.folder));
+        const bool is_file = fs::is_regular_file(typed, none);
+        const bool entered = enter(browser, is_file ? typed.parent_path() : typed);
+        if (!entered) return refuse(browser, browser.error, FileBrowser::Focus::path);
+        if (!is_file) return {};
+        browser.name = text_from(typed.filename());  // as if the folder and the name had been chosen
+    }
+    if (trimmed(browser.name).empty()) return refuse(browser, browser.saving ? "The file needs a name." : "Choose a file.");
+    const fs::path path = chosen_file(browser);
+    if (fs::is_directory(path, none)) {
+        if (!enter(browser, path)) return refuse(browser, browser.error);
+        browser.name.clear();
+        return {};
+    }
+    const bool exists = fs::exists(path, none);
+    if (!browser.saving && !exists) return refuse(browser, "There is no file " + text_from(path) + ".");
+    if (browser.saving && !fs::is_directory(path.parent_path(), none)) {
+        return refuse(browser, "There is no folder " + text_from(path.parent_path()) + ".");
+    }
+    auto accept = [give = browser.accept, text = text_from(path)] {
+        if (give) give(text);
+    };
+    if (!browser.saving || !exists) return {true, std::move(accept)};
+    return {false, [&dialogs, text = text_from(path), accept = std::move(accept)] { ask_to_replace(dialogs, text, accept); }};
+}
 
 // A text box that is being typed into does not see that its text was replaced; that of another folder is another box.
 bool text_box(const FileBrowser& browser, const char* label, std::string& text, ImGuiInputTextFlags flags) {
@@ -23,97 +120,198 @@ bool text_box(const FileBrowser& browser, const char* label, std::string& text, 
     return edited;
 }
 
-void draw_places(const PanelContext& context, FileBrowser& browser) {
+// The keyboard goes to the next item if it was promised to that box.
+void focus_next(FileBrowser& browser, FileBrowser::Focus box) {
+    if (browser.focus != box) return;
+    ImGui::SetKeyboardFocusHere();
+    browser.focus = FileBrowser::Focus::none;
+}
+
+void draw_path(const PanelContext& context, FileBrowser& browser) {
     const bool up = ImGui::Button("Up");
     note_widget(context, "browser up");
     ImGui::SameLine();
-    ImGui::BeginDisabled(home_folder().empty());
-    const bool home = ImGui::Button("Home");
-    ImGui::EndDisabled();
-    note_widget(context, "browser home");
-    ImGui::SameLine();
     ImGui::SetNextItemWidth(-1.0F);
+    focus_next(browser, FileBrowser::Focus::path);
     text_box(browser, "##path", browser.typed_folder, ImGuiInputTextFlags_None);
     note_widget(context, "browser path");
     if (up) enter(browser, path_from(browser.folder).parent_path());
-    if (home) enter(browser, home_folder());
+}
+
+// The home folder and the owner's places.
+void draw_places(const PanelContext& context, FileBrowser& browser, const ImVec2& size) {
+    fs::path chosen;
+    const auto place = [&](const std::string& label, const std::string& widget, const fs::path& folder) {
+        const std::string path = text_from(folder);
+        if (ImGui::Selectable((as_label(label) + "###" + widget).c_str(), path == browser.folder)) chosen = folder;
+        note_widget(context, widget);
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", on_one_line(path).c_str());
+    };
+    if (ImGui::BeginChild("places", size, true)) {
+        if (!home_folder().empty()) place("Home", "browser home", home_folder());
+        if (!browser.places.empty()) ImGui::TextDisabled("Recent");
+        for (std::size_t i = 0; i < browser.places.size(); ++i) {
+            const fs::path folder = path_from(browser.places[i]);
+            place(folder.has_filename() ? text_from(folder.filename()) : browser.places[i], "place " + std::to_string(i), folder);
+        }
+    }
+    ImGui::EndChild();
+    if (!chosen.empty()) enter(browser, chosen);
 }
 
 enum class Clicked { nothing, entry, twice };
 
-Clicked draw_entry(const PanelContext& context, const FileBrowser::Entry& entry, bool chosen) {
+void right_aligned(const std::string& text) {
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, ImGui::GetContentRegionAvail().x - width_of(text)));
+    ImGui::TextUnformatted(text.c_str());
+}
+
+Clicked draw_entry(const PanelContext& context, const FileEntry& entry, bool chosen) {
     Clicked clicked = Clicked::nothing;
+    ImGui::TableNextColumn();
     const ImVec2 begin = ImGui::GetCursorScreenPos();
     // The name is drawn apart, because a label must not hold every character that a file's name may.
-    if (ImGui::Selectable("##entry", chosen, ImGuiSelectableFlags_AllowDoubleClick)) {
+    if (ImGui::Selectable("##entry", chosen, ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_SpanAllColumns)) {
         clicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ? Clicked::twice : Clicked::entry;
     }
     note_widget(context, "entry " + entry.name);
     const std::string shown = on_one_line(entry.name) + (entry.is_folder ? "/" : "");
     const ImU32 color = ImGui::GetColorU32(entry.is_folder ? ImGuiCol_CheckMark : ImGuiCol_Text);
     ImGui::GetWindowDrawList()->AddText(begin, color, shown.data(), shown.data() + shown.size());
+    if (entry.name == "..") return clicked;
+    ImGui::TableNextColumn();
+    if (!entry.is_folder) right_aligned(size_text(entry.bytes));
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(date_text(entry.changed).c_str());
     return clicked;
 }
 
-// Returns the entry that was clicked, with how.
-std::pair<Clicked, FileBrowser::Entry> draw_entries(const PanelContext& context, FileBrowser& browser, float height) {
-    std::pair<Clicked, FileBrowser::Entry> result{Clicked::nothing, {}};
-    ImGui::PushID(browser.listed_folder.c_str());  // another folder's list begins at its top
-    if (ImGui::BeginChild("entries", {0.0F, height}, true)) {
-        ImGuiListClipper clipper;
-        clipper.Begin(static_cast<int>(browser.entries.size()));
-        while (clipper.Step()) {
-            for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
-                const FileBrowser::Entry& entry = browser.entries[static_cast<std::size_t>(i)];
-                ImGui::PushID(i);
-                const Clicked clicked = draw_entry(context, entry, !entry.is_folder && entry.name == browser.name);
-                ImGui::PopID();
-                if (clicked != Clicked::nothing) result = {clicked, entry};
-            }
-        }
-        if (browser.entries.empty()) ImGui::TextDisabled("Nothing here.");
+// A click on a column's head sorts by that column; a second one the other way round.
+void draw_heads(const PanelContext& context, FileBrowser& browser) {
+    const ImGuiTableColumnFlags fixed_column = ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending;
+    const float arrow = ImGui::GetFontSize();
+    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
+    ImGui::TableSetupColumn("Size", fixed_column, width_of("Size") + 1.5F * arrow);
+    ImGui::TableSetupColumn("Changed", fixed_column, width_of("2026-12-28 00:00"));
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (const auto& [head, widget] : {std::pair("Name", "name"), {"Size", "size"}, {"Changed", "date"}}) {
+        ImGui::TableNextColumn();
+        ImGui::TableHeader(head);
+        note_widget(context, std::string("browser sort ") + widget);
     }
-    ImGui::EndChild();
-    ImGui::PopID();
+    const ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
+    if (specs == nullptr || specs->SpecsCount == 0) return;
+    const FileOrder order{static_cast<FileColumn>(specs->Specs[0].ColumnIndex),
+                          specs->Specs[0].SortDirection == ImGuiSortDirection_Descending};
+    if (order == browser.order) return;
+    browser.order = order;
+    sort_entries(browser.entries, order);
+}
+
+// Returns the entry that was clicked, with how.
+std::pair<Clicked, FileEntry> draw_entries(const PanelContext& context, FileBrowser& browser, float height) {
+    std::pair<Clicked, FileEntry> result{Clicked::nothing, {}};
+    const ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuter |
+                                  ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
+    if (!ImGui::BeginTable("entries", 3, flags, {0.0F, height})) return result;
+    if (std::exchange(browser.to_top, false)) ImGui::SetScrollY(0.0F);
+    draw_heads(context, browser);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(browser.entries.size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const FileEntry& entry = browser.entries[static_cast<std::size_t>(i)];
+            ImGui::TableNextRow();
+            ImGui::PushID(i);
+            const Clicked clicked = draw_entry(context, entry, !entry.is_folder && entry.name == browser.name);
+            ImGui::PopID();
+            if (clicked != Clicked::nothing) result = {clicked, entry};
+        }
+    }
+    ImGui::EndTable();
     return result;
 }
 
-void draw_name(const PanelContext& context, FileBrowser& browser) {
+std::string label_of(const FileKind& kind) {
+    std::string endings;
+    for (const std::string& ending : kind.endings) endings += (endings.empty() ? " (" : ", ") + ending;
+    return as_label(kind.name + (kind.endings.empty() || kind.endings.size() > 3 ? "" : endings + ")"));
+}
+
+void choose_kind(FileBrowser& browser, std::size_t kind) {
+    const auto old = std::ranges::find_if(browser.kinds, [&](const FileKind& one) { return fits(one, browser.name); });
+    browser.kind = kind;
+    if (!browser.saving || old == browser.kinds.end() || browser.kinds[kind].endings.empty()) return;
+    const auto ending = std::ranges::find_if(old->endings, [&](const std::string& one) { return has_ending(browser.name, one); });
+    browser.name.resize(browser.name.size() - ending->size());
+    browser.name += browser.kinds[kind].endings.front();
+}
+
+// To save, the kind is the one that the name says.
+void follow_name(FileBrowser& browser) {
+    const auto named = std::ranges::find_if(browser.kinds, [&](const FileKind& kind) { return fits(kind, browser.name); });
+    if (browser.saving && named != browser.kinds.end()) browser.kind = static_cast<std::size_t>(named - browser.kinds.begin());
+}
+
+void draw_kinds(const PanelContext& context, FileBrowser& browser, float width) {
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##kind", label_of(browser.kinds[browser.kind]).c_str());
+    note_widget(context, "browser kind");
+    if (!open) return;
+    for (std::size_t i = 0; i < browser.kinds.size(); ++i) {
+        if (ImGui::Selectable(label_of(browser.kinds[i]).c_str(), i == browser.kind)) choose_kind(browser, i);
+        note_widget(context, "kind " + browser.kinds[i].name);
+    }
+    ImGui::EndCombo();
+}
+
+void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
+    float kinds = 0.0F;
+    for (const FileKind& kind : browser.kinds) kinds = std::max(kinds, width_of(label_of(kind)) + 2.0F * ImGui::GetFrameHeight());
+    kinds = browser.kinds.size() > 1 ? std::min(kinds, 0.4F * width) : 0.0F;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
-    const float check_box =
-        ImGui::CalcTextSize("Hidden files").x + ImGui::GetFrameHeight() + 3.0F * ImGui::GetStyle().ItemSpacing.x;
-    ImGui::SetNextItemWidth(-check_box);
-    if (std::exchange(browser.focus_name, false) || ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    // What was typed last is meant: a name here, or a folder above.
-    if (text_box(browser, "##name", browser.name, ImGuiInputTextFlags_AutoSelectAll)) browser.typed_folder = browser.folder;
+    ImGui::SetNextItemWidth(-(kinds > 0.0F ? kinds + ImGui::GetStyle().ItemSpacing.x : 1.0F));
+    if (ImGui::IsWindowAppearing()) browser.focus = FileBrowser::Focus::name;
+    focus_next(browser, FileBrowser::Focus::name);
+    if (text_box(browser, "##name", browser.name, ImGuiInputTextFlags_AutoSelectAll)) {
+        browser.typed_folder = browser.folder;  // what was typed last is meant: a name here, or a folder above
+        follow_name(browser);
+    }
     note_widget(context, "browser name");
+    if (kinds <= 0.0F) return;
     ImGui::SameLine();
-    ImGui::Checkbox("Hidden files", &browser.hidden_files);
-    note_widget(context, "browser hidden");
+    draw_kinds(context, browser, kinds);
 }
 
 }  // namespace
 
 Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs) {
-    if (browser.listed_folder.empty() || browser.folder != browser.listed_folder) enter_nearest(browser);
-    if (browser.hidden_files != browser.listed_hidden) enter_nearest(browser);
-    draw_places(context, browser);
+    const bool other_files =
+        browser.hidden_files != browser.listed_hidden || (!browser.saving && browser.kind != browser.listed_kind);
+    if (browser.listed_folder.empty() || browser.folder != browser.listed_folder || other_files) enter_nearest(browser);
+    draw_path(context, browser);
     const float width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 padding = ImGui::GetStyle().ItemSpacing;
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     // The name, the buttons and what is wrong stand below the list; that line is always there, so that nothing jumps.
     const float error_height = std::max(fault_height(browser.error, width), ImGui::GetTextLineHeight());
-    const float below = 2.0F * ImGui::GetFrameHeight() + error_height + 3.0F * padding.y;
-    const float least = 3.0F * ImGui::GetTextLineHeightWithSpacing();
-    const auto [clicked, entry] = draw_entries(context, browser, std::max(least, ImGui::GetContentRegionAvail().y - below));
-    draw_name(context, browser);
+    const float below = 2.0F * ImGui::GetFrameHeight() + error_height + 3.0F * spacing.y;
+    const float height = std::max(5.0F * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y - below);
+    draw_places(context, browser, {0.22F * width, height});
+    ImGui::SameLine();
+    const auto [clicked, entry] = draw_entries(context, browser, height);
+    draw_name(context, browser, width);
     if (browser.error.empty()) {
         ImGui::Dummy({0.0F, error_height});
     } else {
         draw_fault(browser.error, width);
     }
     const FormEnd end = draw_form_end(context, "browser", browser.saving ? "Save" : "Open", true, keys);
+    ImGui::SameLine();
+    ImGui::Checkbox("Hidden files", &browser.hidden_files);
+    note_widget(context, "browser hidden");
 
     if (end == FormEnd::cancel) return {true, {}};
     if (end == FormEnd::ok) return confirm(browser, dialogs);
@@ -125,6 +323,7 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
         return {};
     }
     browser.name = entry.name;
+    follow_name(browser);
     return clicked == Clicked::twice ? confirm(browser, dialogs) : Decision{};
 }
 

@@ -1,21 +1,41 @@
-// What lies in a folder, for the file browser.
+// Paths as a person types and reads them, and what lies in a folder, for the file dialog.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "panels/dialogs.hpp"
 
 namespace sphereview {
 
+std::filesystem::path path_from(std::string_view text);
+std::string text_from(const std::filesystem::path& path);
+
+// The user's home folder; empty when the system names none.
+std::filesystem::path home_folder();
+
+// What was typed, without white space around it, as an absolute path: ~ is the home folder, a relative path lies in `folder`.
+std::filesystem::path typed_path(std::string_view typed, const std::filesystem::path& folder);
+
+// Whether a file's name has one of the endings (".txt"), in capitals or not.
+bool has_ending(std::string_view name, std::string_view ending);
+
 struct Listing {
-    std::vector<FileBrowser::Entry> entries;  // folders first, each kind by name without regard to capitals; ".." before all
-    std::string error;                        // why there is no listing: no such folder, not to be read
+    std::vector<FileEntry> entries;  // ".." first, then folders, then files; unsorted
+    std::string error;               // why there is no listing: no such folder, not to be read
 };
 
 // Folders, and files with one of the endings (empty: all). Hidden ones, whose names begin with a dot, only if asked for.
 // Throws nothing that a file system can cause.
 Listing list_folder(const std::filesystem::path& folder, const std::vector<std::string>& endings, bool hidden_files);
+
+// ".." first, then folders, then files; names without regard to capitals, and where size or date are equal.
+void sort_entries(std::vector<FileEntry>& entries, const FileOrder& order);
+
+// "812 B", "3.4 kB", "132 MB"; "2026-11-29 04:35" in local time.
+std::string size_text(std::uint64_t bytes);
+std::string date_text(std::int64_t seconds);
 
 }  // namespace sphereview

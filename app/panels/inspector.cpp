@@ -4,7 +4,7 @@
 
 #include "base/text.hpp"
 #include "exact/explain_words.hpp"
-#include "panels/sphere_row.hpp"
+#include "panels/widgets.hpp"
 
 namespace sphereview {
 
@@ -16,37 +16,30 @@ const ImVec4 above_zero{0.40F, 0.85F, 0.45F, 1.0F};
 const ImVec4 zero{1.00F, 0.75F, 0.25F, 1.0F};
 const ImVec4 below_zero{1.00F, 0.42F, 0.40F, 1.0F};
 
-// What does not fit is continued below.
-void line(const std::string& text) {
-    ImGui::PushTextWrapPos();
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
-}
-
-void line(const std::string& text, const ImVec4& color) {
+void colored_line(const std::string& text, const ImVec4& color) {
     ImGui::PushStyleColor(ImGuiCol_Text, color);
-    line(text);
+    wrapped_text(text);
     ImGui::PopStyleColor();
 }
 
-void dim_line(const std::string& text) { line(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
-
 void draw_ray(const PixelExplanation& e) {
-    line("P = O + t D");
-    line("O = " + vector_in_words(e.origin) + "  the eye");
-    line("D = " + vector_in_words(e.direction) + "  through the pixel's centre");
+    wrapped_text("P = O + t D");
+    wrapped_text("O = " + vector_in_words(e.origin) + "  the eye");
+    wrapped_text("D = " + vector_in_words(e.direction) + "  through the pixel's centre");
     ImGui::Spacing();
-    dim_line("||P - C||^2 = r^2, with P = O + t D:");
-    line("D.D t^2 + 2 D.(O - C) t + (O - C).(O - C) - r^2 = 0");
-    dim_line("a = D.D,  b = 2 D.(O - C),  c = (O - C).(O - C) - r^2");
-    dim_line("discriminant = b^2 - 4 a c,  t1, t2 = (-b -+ sqrt(discriminant)) / (2 a)");
+    dim_text("||P - C||^2 = r^2, with P = O + t D:");
+    wrapped_text("D.D t^2 + 2 D.(O - C) t + (O - C).(O - C) - r^2 = 0");
+    dim_text("a = D.D,  b = 2 D.(O - C),  c = (O - C).(O - C) - r^2");
+    dim_text("discriminant = b^2 - 4 a c,  t1, t2 = (-b -+ sqrt(discriminant)) / (2 a)");
 }
 
 void draw_title(const PanelContext& context, const ExplainedHit& hit, bool seen) {
     const Scene& scene = context.document.scene();
     const auto number = static_cast<std::uint32_t>(hit.number);
     const Sphere& sphere = scene.spheres[number];
-    draw_swatch(context, sphere.color);
+    const float side = ImGui::GetTextLineHeight();
+    draw_swatch(sphere.color, ImGui::GetCursorScreenPos(), side, context.scale);
+    ImGui::Dummy({side, side});
     ImGui::SameLine();
     ImGui::TextUnformatted(title_of(scene, number).c_str());
     note_widget(context, "hit " + std::to_string(number));
@@ -54,46 +47,46 @@ void draw_title(const PanelContext& context, const ExplainedHit& hit, bool seen)
         ImGui::SameLine();
         ImGui::TextColored(above_zero, "seen");
     }
-    dim_line("C = " + vector_in_words(sphere.center) + ", r = " + shortest(sphere.radius));
+    dim_text("C = " + vector_in_words(sphere.center) + ", r = " + shortest(sphere.radius));
 }
 
 void draw_hit(const PanelContext& context, const ExplainedHit& hit, bool seen) {
     ImGui::Separator();
     draw_title(context, hit, seen);
     const HitInWords words = in_words(hit);
-    line("a = " + words.a);
-    line("b = " + words.b);
-    line("c = " + words.c);
-    line("discriminant = " + words.discriminant + "  " + words.roots, hit.discriminant_sign > 0 ? above_zero : zero);
-    line("t1 = " + words.t1);
-    line("t2 = " + words.t2);
-    dim_line(why(hit));
-    line("t = " + words.t);
-    line("point = " + words.point);
-    line("normal = " + words.normal);
-    if (hit.as_near_as_last) line("exactly as near as the sphere before it, which comes first in the file", zero);
+    wrapped_text("a = " + words.a);
+    wrapped_text("b = " + words.b);
+    wrapped_text("c = " + words.c);
+    colored_line("discriminant = " + words.discriminant + "  " + words.roots, hit.discriminant_sign > 0 ? above_zero : zero);
+    wrapped_text("t1 = " + words.t1);
+    wrapped_text("t2 = " + words.t2);
+    dim_text(why(hit));
+    wrapped_text("t = " + words.t);
+    wrapped_text("point = " + words.point);
+    wrapped_text("normal = " + words.normal);
+    if (hit.as_near_as_last) colored_line("exactly as near as the sphere before it, which comes first in the file", zero);
 }
 
 void draw_rest(const PixelExplanation& e) {
-    if (e.missed > 0) line(in_groups(static_cast<std::uint64_t>(e.missed)) + " missed: discriminant < 0", below_zero);
-    if (e.behind > 0) line(in_groups(static_cast<std::uint64_t>(e.behind)) + " behind the eye: no positive root");
-    if (e.hidden > 0) dim_line(in_groups(static_cast<std::uint64_t>(e.hidden)) + " hidden");
+    if (e.missed > 0) colored_line(in_groups(static_cast<std::uint64_t>(e.missed)) + " missed: discriminant < 0", below_zero);
+    if (e.behind > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.behind)) + " behind the eye: no positive root");
+    if (e.hidden > 0) dim_text(in_groups(static_cast<std::uint64_t>(e.hidden)) + " hidden");
 }
 
 }  // namespace
 
 void draw_inspector(const PanelContext& context, const std::optional<InspectedPixel>& pixel) {
     if (!pixel) {
-        dim_line("Point at the picture to see the arithmetic of a pixel.");
+        dim_text("Point at the picture to see the arithmetic of a pixel.");
         return;
     }
     const Scene& scene = context.document.scene();
     const PixelExplanation& e = pixel->explanation;
-    line("pixel " + std::to_string(pixel->pixel.x) + ", " + std::to_string(pixel->pixel.y) + " of " +
-         std::to_string(pixel->size.width) + " x " + std::to_string(pixel->size.height));
+    wrapped_text("pixel " + std::to_string(pixel->pixel.x) + ", " + std::to_string(pixel->pixel.y) + " of " +
+                 std::to_string(pixel->size.width) + " x " + std::to_string(pixel->size.height));
     draw_ray(e);
     ImGui::Spacing();
-    if (e.hits.empty()) line("No hit: the pixel shows the background, " + to_string(scene.background) + ".");
+    if (e.hits.empty()) wrapped_text("No hit: the pixel shows the background, " + to_string(scene.background) + ".");
     std::size_t shown = 0;
     for (const ExplainedHit& hit : e.hits) {
         // An explanation may be of the scene of the last frame.
@@ -104,11 +97,11 @@ void draw_inspector(const PanelContext& context, const std::optional<InspectedPi
     }
     if (e.hits.size() > shown) {
         ImGui::Separator();
-        dim_line("and " + in_groups(e.hits.size() - shown) + " more hits, farther away");
+        dim_text("and " + in_groups(e.hits.size() - shown) + " more hits, farther away");
     }
     ImGui::Separator();
     draw_rest(e);
-    dim_line(std::string("Decided: ") + level_in_words(e.level) + ".");
+    dim_text(std::string("Decided: ") + level_in_words(e.level) + ".");
 }
 
 }  // namespace sphereview

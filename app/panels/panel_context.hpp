@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -67,5 +68,11 @@ void note_widget(const PanelContext& context, const std::string& name);
 std::string title_of(const Scene& scene, std::uint32_t number);
 // And several, or one: "1,234 spheres".
 std::string title_of(const Scene& scene, const Selection& selection);
+
+// On one line: control characters, such as a line's end in a file's name, become spaces.
+std::string on_one_line(std::string_view text);
+
+// For a label, in which ImGui takes "##" for the end of what is shown.
+std::string as_label(std::string_view text);
 
 }  // namespace sphereview

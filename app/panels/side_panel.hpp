@@ -4,10 +4,9 @@
 #include <string>
 
 #include "edit/shared_values.hpp"
-#include "panels/list_scroll.hpp"
+#include "panels/listed_spheres.hpp"
 #include "panels/panel_context.hpp"
-#include "panels/sphere_filter.hpp"
-#include "panels/value_slider.hpp"
+#include "panels/widgets.hpp"
 
 namespace sphereview {
 
@@ -52,5 +51,17 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state);
 
 // Begins typing the name of a sphere in the list.
 void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number);
+
+// Its parts, in files of their own. The list is as wide as the window and so high, and scrolls in itself. It does work for the
+// visible rows alone, and for what changed when there is a filter.
+void draw_sphere_list(const PanelContext& context, SidePanelState& state, float height);
+
+// The editor is of all selected spheres: where their values differ, the ranges are shown, and the sliders and the colour stand at
+// the primary sphere's. A drag moves all by the same difference or scales all by the same factor; a typed number is set for all.
+// Each is one step.
+void draw_sphere_editor(const PanelContext& context, SidePanelState& state);
+
+// What the selected spheres have in common; nothing while the selection is not of the scene. Kept until either changes.
+const SharedValues& shared_of_selection(const PanelContext& context, SidePanelState& state);
 
 }  // namespace sphereview

@@ -1,15 +1,14 @@
-#include "panels/sphere_editor.hpp"
 
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
 
 #include "base/text.hpp"
-#include "panels/color_edit.hpp"
-#include "panels/field.hpp"
-#include "panels/text_input.hpp"
+#include "panels/side_panel.hpp"
+#include "panels/widgets.hpp"
 
 namespace sphereview {
 
@@ -63,7 +62,7 @@ private:
         const std::string old = found == scene.names.end() ? "" : found->second;
         if (!state_.name_active) state_.name = old;
         begin_field(context_, "name");
-        input_text("##name", "none", state_.name);
+        ImGui::InputTextWithHint("##name", "none", &state_.name);
         note_widget(context_, "name");
         state_.name_active = ImGui::IsItemActive();
         if (ImGui::IsItemDeactivated() && state_.name != old) {  // Escape gave the old name back
@@ -155,17 +154,11 @@ void draw_sphere_editor(const PanelContext& context, SidePanelState& state) {
         state.name_active = false;
     }
     if (!primary || *primary >= count || context.selection.numbers().back() >= count) {
-        ImGui::PushTextWrapPos();
-        ImGui::TextDisabled("Click a sphere, in the picture or in the list, to change it.");
-        ImGui::PopTextWrapPos();
+        dim_text("Click a sphere, in the picture or in the list, to change it.");
         return;
     }
     const SharedValues& shared = shared_of_selection(context, state);
-    if (shared.count > 1) {
-        ImGui::PushTextWrapPos();
-        ImGui::TextDisabled("%s", in_words(shared).c_str());
-        ImGui::PopTextWrapPos();
-    }
+    if (shared.count > 1) dim_text(in_words(shared));
     ImGui::PushID(static_cast<int>(*primary));
     SphereEditor(context, state, shared, *primary).draw();
     ImGui::PopID();

@@ -1,19 +1,212 @@
-#include "panels/sphere_list.hpp"
-
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
-#include "panels/row_drag.hpp"
-#include "panels/row_menu.hpp"
-#include "panels/sphere_filter.hpp"
-#include "panels/sphere_row.hpp"
-#include "panels/text_input.hpp"
+#include "panels/listed_spheres.hpp"
+#include "panels/side_panel.hpp"
+#include "panels/widgets.hpp"
 
 namespace sphereview {
 
 namespace {
+
+// Where rows are, in screen coordinates. In double: ImGui's float cursor has no pixels left behind a million rows.
+struct RowPlaces {
+    double top;  // of row 0
+    float left;
+    float width;
+    float height;  // of a row
+
+    float of(std::size_t row) const { return static_cast<float>(top + static_cast<double>(row) * height); }
+    // The row whose upper edge is nearest to y, 0..rows.
+    std::size_t gap_at(float y, std::size_t rows) const {
+        return static_cast<std::size_t>(std::clamp(std::round((y - top) / height), 0.0, static_cast<double>(rows)));
+    }
+};
+
+// What was done with a row.
+struct RowResult {
+    bool eye = false;             // pressed
+    bool pressed = false;         // left button, elsewhere
+    bool double_clicked = false;  // likewise
+    bool menu = false;            // right button
+    bool dragging = false;        // the row is held and was moved
+};
+
+// Two lids and a pupil, or one closed lid.
+void draw_eye(ImVec2 middle, float size, bool open, ImU32 color) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float half = 0.32F * size;
+    const float line = std::max(1.0F, 0.06F * size);
+    const ImVec2 left{middle.x - half, middle.y};
+    const ImVec2 right{middle.x + half, middle.y};
+    const auto lid = [&](float height) {
+        const ImVec2 bend{middle.x, middle.y + height};
+        list.AddBezierQuadratic(left, bend, right, color, line);
+    };
+    lid(0.36F * size);
+    if (!open) return;
+    lid(-0.36F * size);
+    list.AddCircleFilled(middle, 0.1F * size, color);
+}
+
+// Ends the renaming that goes on.
+void accept_name(const PanelContext& context, SidePanelState& state) {
+    const std::uint32_t number = *state.renaming;
+    const Scene& scene = context.document.scene();
+    const auto old = scene.names.find(number);
+    if (state.new_name != (old == scene.names.end() ? "" : old->second)) {
+        context.actions.emplace_back(EditScene{RenameSphere{number, state.new_name}, "Rename " + title_of(scene, number)});
+    }
+    state.renaming.reset();
+}
+
+void draw_name_field(const PanelContext& context, SidePanelState& state, ImVec2 place, float width) {
+    ImGui::SetCursorScreenPos(place);
+    ImGui::SetNextItemWidth(width);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0F * context.scale, ImGui::GetStyle().FramePadding.y});
+    if (state.focus_rename) ImGui::SetKeyboardFocusHere();
+    ImGui::InputTextWithHint("##rename", "name", &state.new_name, ImGuiInputTextFlags_AutoSelectAll);
+    note_widget(context, "rename");
+    ImGui::PopStyleVar();
+    if (ImGui::IsItemActive()) state.focus_rename = false;
+    if (ImGui::IsItemDeactivated()) accept_name(context, state);  // Escape gave the old name back
+}
+
+// Hidden spheres are dimmed. A title that does not fit is cut off, and told in full by a tooltip.
+void draw_words(const PanelContext& context, std::uint32_t number, ImVec2 place, float right, bool hovered) {
+    const Scene& scene = context.document.scene();
+    const Sphere& sphere = scene.spheres[number];
+    const auto name = scene.names.find(number);
+    const std::string title = name == scene.names.end() ? "sphere " + std::to_string(number) : name->second;
+    const std::string radius = short_text(sphere.radius);
+    const float radius_left = right - ImGui::CalcTextSize(radius.c_str()).x;
+    const float title_right = radius_left - ImGui::GetStyle().ItemSpacing.x;
+    const ImVec4 dim = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
+    ImGui::PushStyleColor(ImGuiCol_Text, sphere.hidden ? dim : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    ImGui::SetCursorScreenPos(place);
+    ImGui::PushClipRect(place, {std::max(place.x, title_right), place.y + ImGui::GetTextLineHeight()}, true);
+    ImGui::TextUnformatted(title.c_str());
+    ImGui::PopClipRect();
+    ImGui::PopStyleColor();
+    ImGui::SetCursorScreenPos({radius_left, place.y});
+    ImGui::PushStyleColor(ImGuiCol_Text, dim);
+    ImGui::TextUnformatted(radius.c_str());
+    ImGui::PopStyleColor();
+    if (hovered && place.x + ImGui::CalcTextSize(title.c_str()).x > title_right) ImGui::SetTooltip("%s", title.c_str());
+}
+
+// At a place in screen coordinates. Draws the field for the name instead of the title while the sphere is renamed.
+RowResult draw_sphere_row(const PanelContext& context, SidePanelState& state, std::uint32_t number, ImVec2 place, ImVec2 size) {
+    const Sphere& sphere = context.document.scene().spheres[number];
+    const std::string row = context.rectangles != nullptr ? "row " + std::to_string(number) : "";
+    const float padding = ImGui::GetStyle().FramePadding.x;
+    const float line = ImGui::GetTextLineHeight();
+    const float text_top = place.y + 0.5F * (size.y - line);
+    RowResult result;
+    ImGui::PushID(static_cast<int>(number));
+
+    ImGui::SetCursorScreenPos(place);
+    result.eye = ImGui::InvisibleButton("eye", {size.y, size.y});
+    note_widget(context, row + " eye");
+    const bool eye_hovered = ImGui::IsItemHovered();
+    if (eye_hovered) ImGui::SetTooltip("%s", sphere.hidden ? "Show" : "Hide");
+
+    const bool renaming = state.renaming == number;
+    bool hovered = eye_hovered;
+    ImGui::SetCursorScreenPos({place.x + size.y, place.y});
+    const ImVec2 rest{std::max(1.0F, size.x - size.y), size.y};
+    if (renaming) {
+        ImGui::Dummy(rest);
+    } else {
+        ImGui::InvisibleButton("row", rest);
+        hovered = hovered || ImGui::IsItemHovered();
+        result.pressed = ImGui::IsItemActivated();
+        result.double_clicked = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+        result.menu = ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+        result.dragging = ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left);
+    }
+    note_widget(context, row);
+
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end{place.x + size.x, place.y + size.y};
+    if (context.selection.contains(number)) list.AddRectFilled(place, end, ImGui::GetColorU32(ImGuiCol_Header));
+    if (hovered || context.hovered == number) list.AddRectFilled(place, end, ImGui::GetColorU32(ImGuiCol_HeaderHovered, 0.6F));
+    if (hovered) context.hovered = number;
+    draw_eye({place.x + 0.5F * size.y, place.y + 0.5F * size.y}, size.y, !sphere.hidden,
+             ImGui::GetColorU32(sphere.hidden || !eye_hovered ? ImGuiCol_TextDisabled : ImGuiCol_Text));
+    const ImVec2 corner{place.x + size.y + padding, text_top};
+    draw_swatch(sphere.color, corner, line, context.scale, sphere.hidden ? 0.4F : 1.0F);
+    const float title_left = corner.x + line + 2.0F * padding;
+    if (renaming) {
+        draw_name_field(context, state, {title_left, place.y + 0.5F * (size.y - ImGui::GetFrameHeight())},
+                        std::max(1.0F, end.x - title_left));
+    } else {
+        draw_words(context, number, {title_left, text_top}, end.x - padding, hovered);
+    }
+    ImGui::PopID();
+    return result;
+}
+
+// Draws a line where the sphere that is being dragged would go, and moves the sphere there when the button goes up. Escape
+// cancels.
+void drag_row(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed, const RowPlaces& places) {
+    const bool down = ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    if (state.dragged && key_pressed(ImGuiKey_Escape)) {
+        state.dragged.reset();
+        state.drag_cancelled = true;
+    }
+    state.drag_cancelled = state.drag_cancelled && down;
+    if (!state.dragged || listed.size() == 0) return;
+    const float mouse = ImGui::GetMousePos().y;
+    const std::size_t gap = places.gap_at(mouse, listed.size());
+    const float y = places.of(gap);
+    ImGui::GetWindowDrawList()->AddLine({places.left, y}, {places.left + places.width, y}, ImGui::GetColorU32(ImGuiCol_CheckMark),
+                                        2.0F * context.scale);
+    const std::uint32_t from = *state.dragged;
+    if (down) {
+        ImGui::SetTooltip("%s", title_of(context.document.scene(), from).c_str());
+        // Near the ends the list runs along.
+        const double step = 20.0 * static_cast<double>(ImGui::GetIO().DeltaTime);
+        const float low = ImGui::GetWindowPos().y + 0.5F * places.height;
+        const float high = ImGui::GetWindowPos().y + ImGui::GetWindowHeight() - 0.5F * places.height;
+        if (mouse < low) state.scroll.by(-step);
+        if (mouse > high) state.scroll.by(step);
+        return;
+    }
+    const std::uint32_t before = gap < listed.size() ? listed[gap] : listed[listed.size() - 1] + 1;
+    const std::uint32_t to = before > from ? before - 1 : before;
+    if (to != from)
+        context.actions.emplace_back(EditScene{ReorderSphere{from, to}, "Reorder " + title_of(context.document.scene(), from)});
+    state.dragged.reset();
+}
+
+constexpr const char* row_menu = "row menu";
+
+// Returns whether the item was chosen.
+bool draw_row_menu_item(const PanelContext& context, CommandId id) {
+    const CommandInfo& info = info_of(id);
+    const std::string label(info.label);
+    const bool chosen = ImGui::MenuItem(label.c_str(), first_shortcut(info.shortcut).c_str(), false, context.enabled(id));
+    note_widget(context, "row menu " + label);
+    return chosen;
+}
+
+// What a right click on a row offers for the selected spheres.
+void draw_row_menu(const PanelContext& context, SidePanelState& state) {
+    if (!ImGui::BeginPopup(row_menu)) return;
+    const std::optional<std::uint32_t> primary = context.selection.primary();
+    if (draw_row_menu_item(context, CommandId::rename) && primary) start_renaming(state, context.document.scene(), *primary);
+    for (const CommandId id : {CommandId::duplicate, CommandId::hide, CommandId::remove, CommandId::move_up, CommandId::move_down,
+                               CommandId::center_on_selection}) {
+        if (id == CommandId::move_up || id == CommandId::center_on_selection) ImGui::Separator();
+        if (draw_row_menu_item(context, id)) context.actions.emplace_back(RunCommand{id});
+    }
+    ImGui::EndPopup();
+}
 
 constexpr double rows_per_click = 3.0;  // of the wheel
 
@@ -106,7 +299,7 @@ void draw_rows(const PanelContext& context, SidePanelState& state, const ListedS
         if (result.dragging && !state.drag_cancelled) state.dragged = number;
         opens_menu = opens_menu || result.menu;
     }
-    if (opens_menu) open_row_menu();
+    if (opens_menu) ImGui::OpenPopup(row_menu);
     draw_row_menu(context, state);
     const std::optional<std::size_t> renamed =
         state.renaming && !state.focus_rename ? listed.row_of(*state.renaming) : std::nullopt;

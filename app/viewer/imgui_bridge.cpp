@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "panels/style.hpp"
+#include "panels/widgets.hpp"
 #include "platform/font_file.hpp"
 
 namespace sphereview {

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "panels/inspector.hpp"
-#include "panels/menu_bar.hpp"
-#include "panels/status_bar.hpp"
+#include "panels/menus.hpp"
+#include "panels/status.hpp"
 
 namespace sphereview {
 

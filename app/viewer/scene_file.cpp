@@ -1,5 +1,6 @@
 #include "viewer/scene_file.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "app/failure.hpp"
@@ -91,6 +92,36 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
 
+// A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
+FileBrowser file_dialog(const ViewerState& state) {
+    FileBrowser browser;
+    browser.folder = usual_folder(state);
+    for (const std::string& path : state.settings.recent) {
+        const std::string folder = fs::path(path).parent_path().string();
+        if (std::ranges::find(browser.places, folder) == browser.places.end()) browser.places.push_back(folder);
+    }
+    return browser;
+}
+
+const std::vector<FileKind>& written_kinds() {
+    static const std::vector<FileKind> kinds = {{"TOML", {".toml"}}, {"Text", {".txt"}}};
+    return kinds;
+}
+
+// The first is all of them, packed or not.
+std::vector<FileKind> read_kinds() {
+    std::vector<FileKind> kinds = {{"All scenes", {}}};
+    kinds.insert(kinds.end(), written_kinds().begin(), written_kinds().end());
+    kinds.insert(kinds.end(),
+                 {{"XYZ", {".xyz", ".extxyz"}}, {"CSV", {".csv"}}, {"PDB", {".pdb", ".ent"}}, {"mmCIF", {".cif", ".mmcif"}}});
+    for (std::size_t i = 1; i < kinds.size(); ++i) {
+        kinds.front().endings.insert(kinds.front().endings.end(), kinds[i].endings.begin(), kinds[i].endings.end());
+    }
+    kinds.front().endings.emplace_back(".gz");
+    kinds.push_back({"All files", {}});
+    return kinds;
+}
+
 bool is_packed(const std::string& path) { return without_gzip_ending(path) != path; }
 
 void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
@@ -112,8 +143,13 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
     const std::string ending = format == SceneFormat::text ? ".txt" : ".toml";
     const fs::path stem = state.path.empty() ? "scene" : fs::path(without_gzip_ending(state.path)).stem();
-    const FileQuestion question{true, "Save the scene", usual_folder(state), stem.string() + ending, {".txt", ".toml"}};
-    ask_for_file(state, question, [&state, then](const std::string& path) {
+    FileBrowser browser = file_dialog(state);
+    browser.saving = true;
+    browser.title = "Save the scene";
+    browser.name = stem.string() + ending;
+    browser.kinds = written_kinds();
+    browser.kind = format == SceneFormat::text ? 1 : 0;
+    browser.accept = [&state, then](const std::string& path) {
         const std::string absolute = absolute_path(path);
         const SceneFormat named = format_of_name(absolute);
         if (is_data(named)) {
@@ -127,7 +163,8 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
                                     " is a name for gzip, which is only read. Take one that ends with .toml or .txt.");
         }
         write_unless_lost(state, absolute, named, then);
-    });
+    };
+    state.dialogs.push_back(std::move(browser));
 }
 
 void read_frame(ViewerState& state, std::int64_t frame) {
@@ -238,12 +275,11 @@ void open_scene(ViewerState& state, const std::string& path) {
 }
 
 void ask_for_scene(ViewerState& state) {
-    const FileQuestion question{false,
-                                "Open a scene",
-                                usual_folder(state),
-                                "",
-                                {".txt", ".toml", ".xyz", ".extxyz", ".csv", ".pdb", ".ent", ".cif", ".mmcif", ".gz"}};
-    ask_for_file(state, question, [&state](const std::string& path) { open_scene(state, path); });
+    FileBrowser browser = file_dialog(state);
+    browser.title = "Open a scene";
+    browser.kinds = read_kinds();
+    browser.accept = [&state](const std::string& path) { open_scene(state, path); };
+    state.dialogs.push_back(std::move(browser));
 }
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
@@ -280,17 +316,6 @@ void look_at_file(ViewerState& state) {
     request.cancel = [&state] { state.document.mark_unsaved(); };
     request.reload = true;
     start_loading(state, std::move(request));
-}
-
-void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept) {
-    FileBrowser browser;
-    browser.saving = question.saving;
-    browser.title = question.title;
-    browser.folder = question.folder;
-    browser.name = question.name;
-    browser.endings = question.endings;
-    browser.accept = std::move(accept);
-    state.dialogs.push_back(std::move(browser));
 }
 
 std::string usual_folder(const ViewerState& state) {

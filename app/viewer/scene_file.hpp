@@ -39,16 +39,6 @@ bool has_frame(const ViewerState& state, std::int64_t frame);
 // not saved are lost only if the person says so.
 void look_at_file(ViewerState& state);
 
-// By the system's dialog where there is one, else by our own. `accept` gets a path; of a save, overwriting was confirmed.
-struct FileQuestion {
-    bool saving = false;
-    std::string title;
-    std::string folder;
-    std::string name;
-    std::vector<std::string> endings;
-};
-void ask_for_file(ViewerState& state, const FileQuestion& question, std::function<void(const std::string&)> accept);
-
 // Where a file of the scene's would be looked for first.
 std::string usual_folder(const ViewerState& state);
 

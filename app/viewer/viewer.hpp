@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gpu/live_picture.hpp"
-#include "panels/hidden_spheres.hpp"
+#include "panels/status.hpp"
 #include "viewer/imgui_bridge.hpp"
 #include "viewer/input_queue.hpp"
 #include "viewer/layout.hpp"

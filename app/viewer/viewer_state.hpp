@@ -16,7 +16,7 @@
 #include "panels/inspector.hpp"
 #include "panels/panel_context.hpp"
 #include "panels/side_panel.hpp"
-#include "panels/status_bar.hpp"
+#include "panels/status.hpp"
 #include "viewer/autosave.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/scene_work.hpp"

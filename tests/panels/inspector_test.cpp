@@ -1,7 +1,6 @@
-#include "panels/inspector.hpp"
-
 #include <gtest/gtest.h>
 
+#include "panels/inspector.hpp"
 #include "support/panel_harness.hpp"
 
 namespace sphereview {

@@ -1,8 +1,10 @@
+#include <gtest/gtest.h>
+
 #include <bit>
 #include <cmath>
 
 #include "base/text.hpp"
-#include "panels/side_panel_harness.hpp"
+#include "panels/harness.hpp"
 
 namespace sphereview {
 

@@ -1,8 +1,10 @@
-// The list of all shortcuts and of what the mouse does.
+// The menu bar, and the list of all shortcuts and of what the mouse does.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "panels/panel_context.hpp"
 
@@ -17,5 +19,9 @@ std::span<const MouseHelp> mouse_help();
 
 // As a window that `open` shows; its close button makes `open` false.
 void draw_help(const PanelContext& context, bool& open);
+
+// Draws ImGui's main menu bar; returns its height. `recent`: paths, the latest first. Widgets: "menu File", "item Save as...",
+// "menu Open recent", "recent 0".
+float draw_menu_bar(const PanelContext& context, const std::vector<std::string>& recent);
 
 }  // namespace sphereview

@@ -1,4 +1,6 @@
-#include "panels/side_panel_harness.hpp"
+#include <gtest/gtest.h>
+
+#include "panels/harness.hpp"
 
 namespace sphereview {
 

@@ -1,11 +1,12 @@
-#include "panels/commands.hpp"
-
 #include <gtest/gtest.h>
 
 #include <set>
 #include <vector>
 
 #include "base/text.hpp"
+#include "panels/commands.hpp"
+#include "panels/menus.hpp"
+#include "support/panel_harness.hpp"
 
 namespace sphereview {
 
@@ -19,8 +20,6 @@ std::vector<std::string> all_keys() {
     for (int i = 1; i <= 12; ++i) keys.push_back("f" + std::to_string(i));
     return keys;
 }
-
-}  // namespace
 
 TEST(Commands, AreEachDescribedOnce) {
     std::set<CommandId> seen;
@@ -113,5 +112,105 @@ TEST(Shortcuts, AreFoundForKeysAndCharacters) {
     EXPECT_EQ(command_for_character(U'ä'), std::nullopt);
     EXPECT_EQ(command_for_character(0), std::nullopt);
 }
+
+class MenuBar : public testing::Test {
+protected:
+    std::vector<std::string> recent;
+    float height = 0.0F;
+    PanelHarness harness{[this](const PanelContext& context) { height = draw_menu_bar(context, recent); }};
+
+    // The commands that clicking through the menu asks for.
+    std::vector<CommandId> choose(const std::string& menu, const std::string& item) {
+        harness.take_actions();
+        harness.click("menu " + menu);
+        for (const CommandInfo& info : all_commands()) {
+            if (info.label == item && !info.submenu.empty()) harness.click("menu " + std::string(info.submenu));
+        }
+        harness.click("item " + item);
+        std::vector<CommandId> commands;
+        for (const RunCommand& run : harness.taken<RunCommand>()) commands.push_back(run.command);
+        return commands;
+    }
+};
+
+TEST_F(MenuBar, RunsEveryCommand) {
+    for (const CommandInfo& info : all_commands()) {
+        EXPECT_EQ(choose(std::string(info.menu), std::string(info.label)), std::vector{info.id}) << info.label;
+    }
+    EXPECT_GT(height, 10.0F);
+    EXPECT_LT(height, 60.0F);
+}
+
+TEST_F(MenuBar, DisabledItemsDoNothing) {
+    harness.enabled = [](CommandId id) { return id != CommandId::undo; };
+    EXPECT_EQ(choose("Edit", "Undo"), std::vector<CommandId>{});
+    harness.click(ImVec2(700.0F, 500.0F));
+    EXPECT_EQ(choose("Edit", "Redo"), std::vector{CommandId::redo});
+}
+
+TEST_F(MenuBar, NamesTheStepsToUndoAndRedo) {
+    harness.document.apply(InsertSpheres{{0}, {{}}}, "Add sphere ##0", 0);
+    harness.click("menu Edit");
+    // The second "#" is set apart, for ImGui shows nothing from "##" on.
+    EXPECT_NE(harness.text().find("Undo Add sphere # #0"), std::string::npos) << harness.text();
+    harness.document.undo();
+    harness.frames(2);
+    EXPECT_NE(harness.text().find("Redo Add sphere # #0"), std::string::npos) << harness.text();
+    EXPECT_EQ(harness.text().find("Undo Add"), std::string::npos);
+}
+
+TEST_F(MenuBar, OpensRecentFiles) {
+    recent = {"/scenes/a/four.txt", "/scenes/b/four.txt", "/odd/##%s\n.toml"};
+    for (std::size_t i = 0; i < recent.size(); ++i) {
+        harness.take_actions();
+        harness.click("menu File");
+        harness.click("menu Open recent");
+        harness.click("recent " + std::to_string(i));
+        const std::vector<OpenFile> opened = harness.taken<OpenFile>();
+        ASSERT_EQ(opened.size(), 1U);
+        EXPECT_EQ(opened[0].path, recent[i]);
+    }
+}
+
+TEST_F(MenuBar, HasNoRecentFilesAtFirst) {
+    harness.click("menu File");
+    harness.click("menu Open recent");
+    EXPECT_FALSE(harness.has("recent 0"));
+}
+
+TEST(Help, ListsEveryShortcutAndTheMouse) {
+    bool open = true;
+    // High enough for all of it: what is clipped is still in the text, but so a test of the layout too.
+    PanelHarness harness([&](const PanelContext& context) { draw_help(context, open); }, {}, 1000.0F, 1600.0F);
+    const std::string text = harness.text();
+    for (const CommandInfo& info : all_commands()) {
+        EXPECT_NE(text.find(every_shortcut(info.shortcut)), std::string::npos) << info.label;
+        EXPECT_NE(text.find(info.label), std::string::npos) << info.label;
+    }
+    EXPECT_GE(mouse_help().size(), 9U);
+    for (const MouseHelp& line : mouse_help()) {
+        EXPECT_NE(text.find(line.mouse), std::string::npos) << line.mouse;
+        EXPECT_NE(text.find(line.help), std::string::npos) << line.help;
+    }
+}
+
+TEST(Help, ClosesByItsButton) {
+    bool open = true;
+    PanelHarness harness([&](const PanelContext& context) { draw_help(context, open); }, {}, 1000.0F, 1000.0F);
+    // The title bar's right end: the window is 860 x 640 in the middle.
+    harness.click(ImVec2(500.0F + 430.0F - 11.0F, 500.0F - 320.0F + 10.0F));
+    EXPECT_FALSE(open);
+    harness.frames(2);
+    EXPECT_EQ(harness.vertices(), 0);
+}
+
+TEST(Help, FitsASmallWindow) {
+    bool open = true;
+    PanelHarness harness([&](const PanelContext& context) { draw_help(context, open); }, {}, 200.0F, 100.0F);
+    EXPECT_GT(harness.vertices(), 0);
+    EXPECT_TRUE(open);
+}
+
+}  // namespace
 
 }  // namespace sphereview

@@ -1,22 +1,42 @@
-#include "panels/messages.hpp"
+#include "panels/status.hpp"
 
 #include <imgui.h>
 
 #include <algorithm>
 
+#include "base/text.hpp"
+#include "panels/panel_context.hpp"
+#include "panels/widgets.hpp"
+
 namespace sphereview {
+
+std::size_t HiddenSpheres::count(const Document& document) {
+    if (revision_ == document.revision()) return count_;
+    const std::vector<Sphere>& spheres = document.scene().spheres;
+    const auto look_at = [&](std::size_t number) {
+        const bool hidden = spheres[number].hidden;
+        if (hidden && !hidden_[number]) ++count_;
+        if (!hidden && hidden_[number]) --count_;
+        hidden_[number] = hidden;
+    };
+    ChangesSince changes;
+    if (revision_ != 0) changes = document.changes_since(revision_);
+    if (revision_ == 0 || changes.order) {
+        hidden_.assign(spheres.size(), false);
+        count_ = 0;
+        for (std::size_t number = 0; number < spheres.size(); ++number) look_at(number);
+    } else {
+        for (const std::uint32_t number : changes.spheres) look_at(number);
+    }
+    revision_ = document.revision();
+    return count_;
+}
 
 namespace {
 
 constexpr ImGuiWindowFlags quiet_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                           ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-
-void wrapped(const std::string& text, float wrap_at) {
-    ImGui::PushTextWrapPos(wrap_at);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
-    ImGui::PopTextWrapPos();
-}
 
 void note_window(const PanelContext& context, const std::string& name) {
     if (context.rectangles == nullptr) return;
@@ -34,7 +54,7 @@ void draw_announcement(const PanelContext& context, const std::string& text, con
     // Clicks go through it to the picture.
     if (ImGui::Begin("###announcement", nullptr,
                      quiet_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs)) {
-        wrapped(text, padding + most);
+        wrapped_text(text, padding + most);
         note_window(context, "message announcement");
     }
     ImGui::End();
@@ -49,7 +69,7 @@ bool draw_work(const PanelContext& context, const WorkShown& work, const Message
     ImGui::SetNextWindowBgAlpha(0.9F);
     bool cancelled = false;
     if (ImGui::Begin("###work", nullptr, quiet_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar)) {
-        wrapped(work.text, width - ImGui::GetStyle().WindowPadding.x);
+        wrapped_text(work.text, width - ImGui::GetStyle().WindowPadding.x);
         const std::string percent = work.fraction ? std::to_string(static_cast<int>(100.0 * *work.fraction)) + " %" : "";
         ImGui::ProgressBar(static_cast<float>(work.fraction.value_or(0.0)), {-1.0F, 0.0F}, percent.c_str());
         if (work.can_cancel) {
@@ -75,7 +95,7 @@ bool draw_heading(const PanelContext& context, const Trouble& trouble) {
     const float button = ImGui::CalcTextSize("Close").x + 2.0F * ImGui::GetStyle().FramePadding.x;
     const float left = ImGui::GetCursorPosX();
     const float width = ImGui::GetContentRegionAvail().x;
-    wrapped(trouble.heading, left + std::max(width - button - ImGui::GetStyle().ItemSpacing.x, button));
+    wrapped_text(trouble.heading, left + std::max(width - button - ImGui::GetStyle().ItemSpacing.x, button));
     ImGui::SameLine(left + std::max(width - button, 0.0F));
     const bool closed = ImGui::SmallButton("Close");
     note_widget(context, std::string("close ") + trouble.name);
@@ -98,7 +118,7 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Me
         const bool monospaced = trouble.log && fonts.Size > 1;
         if (monospaced) ImGui::PushFont(fonts[1]);
         // Wrapped before the scroll bar whether it is there or not, or it would come and go.
-        wrapped(trouble.text, width - ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize);
+        wrapped_text(trouble.text, width - ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize);
         if (monospaced) ImGui::PopFont();
         note_window(context, std::string("message ") + trouble.name);
         bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
@@ -127,6 +147,78 @@ ClosedMessages draw_messages(const PanelContext& context, const Messages& messag
     if (messages.work) closed.work = draw_work(context, *messages.work, area);
     if (!messages.announcement.empty()) draw_announcement(context, messages.announcement, area);
     return closed;
+}
+
+namespace {
+
+// Columns from left to right, each as wide as the widest text it may ever hold.
+class Columns {
+public:
+    explicit Columns(float scale) : origin_(ImGui::GetCursorScreenPos()), gap_(24.0F * scale) {
+        right_ = origin_.x + ImGui::GetContentRegionAvail().x;
+    }
+
+    // Text that does not fit is cut off at the column's edge. `right`: numbers, whose last digits stay in place.
+    void put(const std::string& text, float width, bool right = false) {
+        const float end = std::min(left_ + origin_.x + width, right_);
+        const float begin = origin_.x + left_ + (right ? std::max(0.0F, width - width_of(text)) : 0.0F);
+        if (begin < end) {
+            ImGui::PushClipRect({begin, origin_.y}, {end, origin_.y + ImGui::GetTextLineHeight()}, true);
+            ImGui::SetCursorScreenPos({begin, origin_.y});
+            ImGui::TextUnformatted(text.c_str());
+            ImGui::PopClipRect();
+        }
+        left_ += width + gap_;
+    }
+
+    float rest() const { return std::max(0.0F, right_ - origin_.x - left_); }
+
+private:
+    ImVec2 origin_;
+    float gap_;
+    float left_ = 0.0F;
+    float right_ = 0.0F;
+};
+
+std::string spheres_text(std::size_t spheres, std::size_t hidden, std::size_t selected) {
+    std::string text = in_groups(spheres) + (spheres == 1 ? " sphere" : " spheres");
+    if (hidden > 0) text += ", " + in_groups(hidden) + " hidden";
+    if (selected > 0) text += ", " + in_groups(selected) + " selected";
+    return text;
+}
+
+// As --frame counts them.
+std::string frame_text(std::int64_t frame, std::int64_t frames) {
+    return "frame " + std::to_string(frame) + " of 0.." + std::to_string(frames - 1);
+}
+
+std::string pixel_text(int x, int y) { return std::to_string(x) + ", " + std::to_string(y); }
+
+// Seconds can be anything a driver says, also before the first frame.
+std::string time_text(double seconds) { return fixed(std::clamp(seconds * 1000.0, 0.0, 99'999.9), 1) + " ms"; }
+
+std::string under_pointer(const PanelContext& context, const Status& status) {
+    if (!status.pixel) return "";
+    const Scene& scene = context.document.scene();
+    if (!status.sphere || *status.sphere >= scene.spheres.size()) return "background";
+    return on_one_line(title_of(scene, *status.sphere));
+}
+
+}  // namespace
+
+void draw_status_bar(const PanelContext& context, const Status& status) {
+    const std::size_t spheres = context.document.scene().spheres.size();
+    Columns columns(context.scale);
+    columns.put(status.renderer, std::min(width_of(status.renderer), 0.3F * columns.rest()));
+    columns.put(spheres_text(spheres, status.hidden, context.selection.size()),
+                width_of(spheres_text(spheres, std::max<std::size_t>(spheres, 1), std::max<std::size_t>(spheres, 1))));
+    if (context.frames > 1) {
+        columns.put(frame_text(context.frame, context.frames), width_of(frame_text(context.frames - 1, context.frames)));
+    }
+    columns.put(time_text(status.frame_seconds), width_of("9,999.9 ms"), true);
+    columns.put(status.step > 1 ? "1/" + std::to_string(status.step) : "", width_of("1/16"));
+    columns.put(status.pixel ? pixel_text(status.pixel->x, status.pixel->y) : "", width_of(pixel_text(99'999, 99'999)), true);
+    columns.put(under_pointer(context, status), columns.rest());
 }
 
 }  // namespace sphereview

@@ -1,12 +1,26 @@
-// What is told over the picture.
+// What the window tells: the line at its bottom, and messages over the picture.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "edit/document.hpp"
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
+
+class HiddenSpheres {
+public:
+    std::size_t count(const Document& document);
+
+private:
+    std::uint64_t revision_ = 0;  // of what follows; 0: none yet
+    std::vector<bool> hidden_;
+    std::size_t count_ = 0;
+};
 
 // What goes on beside the window's loop.
 struct WorkShown {
@@ -41,5 +55,18 @@ struct ClosedMessages {
 // Widgets: "message announcement", "message scene error", "message shader error", "close scene error", "close shader error",
 // "message work", "cancel work".
 ClosedMessages draw_messages(const PanelContext& context, const Messages& messages, const MessageArea& area);
+
+struct Status {
+    std::string renderer;        // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    double frame_seconds = 0.0;  // of the last traced frame
+    int step = 1;                // its grid; more than 1: coarse
+    std::optional<Pixel> pixel;  // under the pointer
+    PictureSize size;
+    std::optional<std::uint32_t> sphere;  // that the pixel shows
+    std::size_t hidden = 0;               // spheres: HiddenSpheres counts them
+};
+
+// Draws into the current ImGui window, one line high. Its columns stay where they are while numbers change.
+void draw_status_bar(const PanelContext& context, const Status& status);
 
 }  // namespace sphereview

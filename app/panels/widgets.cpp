@@ -1,0 +1,286 @@
+#include "panels/widgets.hpp"
+
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/number.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+ImVec4 grey(float brightness, float opacity = 1.0F) {
+    // A trace of blue, so that the greys of the panels differ from those of a picture.
+    return {brightness * 0.97F, brightness, brightness * 1.05F, opacity};
+}
+
+ImVec4 accent(float opacity) { return {0.29F, 0.56F, 0.89F, opacity}; }
+
+void set_colors(ImGuiStyle& style) {
+    const auto set = [&style](ImGuiCol what, const ImVec4& color) { style.Colors[what] = color; };
+    set(ImGuiCol_Text, grey(0.90F));
+    set(ImGuiCol_TextDisabled, grey(0.58F));
+    set(ImGuiCol_WindowBg, grey(0.125F));
+    set(ImGuiCol_ChildBg, grey(0.10F, 0.0F));
+    set(ImGuiCol_PopupBg, grey(0.15F));
+    set(ImGuiCol_MenuBarBg, grey(0.16F));
+    set(ImGuiCol_Border, grey(0.30F));
+    set(ImGuiCol_Separator, grey(0.26F));
+    set(ImGuiCol_TitleBg, grey(0.11F));
+    set(ImGuiCol_TitleBgActive, grey(0.18F));
+    set(ImGuiCol_FrameBg, grey(0.20F));
+    set(ImGuiCol_FrameBgHovered, grey(0.25F));
+    set(ImGuiCol_FrameBgActive, grey(0.28F));
+    set(ImGuiCol_Button, grey(0.25F));
+    set(ImGuiCol_ButtonHovered, grey(0.31F));
+    set(ImGuiCol_ButtonActive, grey(0.37F));
+    set(ImGuiCol_Header, accent(0.38F));
+    set(ImGuiCol_HeaderHovered, accent(0.26F));
+    set(ImGuiCol_HeaderActive, accent(0.50F));
+    set(ImGuiCol_CheckMark, {0.45F, 0.68F, 0.96F, 1.0F});
+    set(ImGuiCol_SliderGrab, accent(0.85F));
+    set(ImGuiCol_SliderGrabActive, accent(1.0F));
+    set(ImGuiCol_ScrollbarBg, grey(0.10F, 0.5F));
+    set(ImGuiCol_ScrollbarGrab, grey(0.32F));
+    set(ImGuiCol_ScrollbarGrabHovered, grey(0.40F));
+    set(ImGuiCol_ScrollbarGrabActive, grey(0.46F));
+    set(ImGuiCol_TableRowBgAlt, {1.0F, 1.0F, 1.0F, 0.03F});
+    set(ImGuiCol_TableBorderLight, grey(0.22F));
+    set(ImGuiCol_TableHeaderBg, grey(0.17F));
+    set(ImGuiCol_TextSelectedBg, accent(0.45F));
+    set(ImGuiCol_ModalWindowDimBg, {0.0F, 0.0F, 0.0F, 0.50F});
+}
+
+int leading_digit(double value) {
+    return value == 0.0 || !std::isfinite(value) ? 0 : static_cast<int>(std::floor(std::log10(std::fabs(value))));
+}
+
+constexpr int radius_digits = 4;  // significant, of what a logarithmic slider gives
+
+// ImGui's own sliders take no range as wide as a double's, and round to a format. So ours slides from 0 to 1.
+double part_of(const SliderRange& range, double value) {
+    const double part = range.logarithmic ? std::log(value / range.low) / std::log(range.high / range.low)
+                                          : (0.5 * value - 0.5 * range.low) / (0.5 * range.high - 0.5 * range.low);
+    return std::clamp(part, 0.0, 1.0);
+}
+
+// The last digit that a drag gives: some 10,000 steps or more for the whole range.
+int digit_of(const SliderRange& range, double value) {
+    if (range.logarithmic) return last_digit(value, radius_digits);
+    return last_digit(0.5 * range.high - 0.5 * range.low, 5);
+}
+
+double value_at(const SliderRange& range, double part) {
+    const double value =
+        range.logarithmic ? range.low * std::pow(range.high / range.low, part) : (1.0 - part) * range.low + part * range.high;
+    return rounded_to(value, digit_of(range, value)) + 0.0;  // -0 becomes 0
+}
+
+std::optional<double> parsed(std::string_view text, const SliderRange& range) {
+    double value = 0.0;
+    if (parse_double(trimmed(text), value) != NumberFault::none || !std::isfinite(value)) return std::nullopt;
+    return range.above_zero && !(value > 0.0) ? std::nullopt : std::optional(value);
+}
+
+// The mouse went down with Ctrl where the next item will be.
+bool is_ctrl_clicked() {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high{low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()};
+    return ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered() &&
+           ImGui::IsMouseHoveringRect(low, high);
+}
+
+SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value, bool several) {
+    const bool refused = !parsed(typed.text, range);
+    if (typed.focus) ImGui::SetKeyboardFocusHere();
+    ImGui::PushStyleColor(ImGuiCol_Text, refused ? ImVec4(1.0F, 0.4F, 0.4F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    ImGui::InputText("##typed", &typed.text, ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopStyleColor();
+    note_widget(context, "slider " + typed.field);
+    if (ImGui::IsItemActive()) typed.focus = false;
+    const bool ended = ImGui::IsItemDeactivated();
+    if (refused && !ended) ImGui::SetTooltip("%s", range.above_zero ? "A number above 0 is expected." : "A number is expected.");
+    if (!ended) return SliderChange::none;
+    const std::optional<double> given = parsed(typed.text, range);  // Escape gave the old text back
+    typed = {};
+    if (!given || (*given == value && !several)) return SliderChange::none;
+    value = *given;
+    return SliderChange::typed;
+}
+
+}  // namespace
+
+void apply_style(float scale) {
+    ImGuiStyle style;
+    ImGui::StyleColorsDark(&style);
+    set_colors(style);
+    style.WindowPadding = ImVec2(10.0F, 10.0F);
+    style.FramePadding = ImVec2(8.0F, 4.0F);
+    style.ItemSpacing = ImVec2(8.0F, 6.0F);
+    style.ItemInnerSpacing = ImVec2(6.0F, 4.0F);
+    style.CellPadding = ImVec2(6.0F, 3.0F);
+    style.ScrollbarSize = 13.0F;
+    style.GrabMinSize = 10.0F;
+    style.WindowRounding = 6.0F;
+    style.PopupRounding = 6.0F;
+    style.ChildRounding = 4.0F;
+    style.FrameRounding = 4.0F;
+    style.GrabRounding = 4.0F;
+    style.ScrollbarRounding = 6.0F;
+    style.WindowTitleAlign = ImVec2(0.5F, 0.5F);
+    style.ScaleAllSizes(scale);
+    // Lines are whole pixels, or they blur; ScaleAllSizes() leaves them alone.
+    const float line = std::max(1.0F, std::floor(scale));
+    style.WindowBorderSize = line;
+    style.PopupBorderSize = line;
+    style.ChildBorderSize = line;
+    style.FrameBorderSize = 0.0F;
+    ImGui::GetStyle() = style;
+}
+
+void begin_field(const PanelContext& context, const char* label) {
+    const float column = ImGui::CalcTextSize("background").x + 10.0F * context.scale;  // the longest
+    const float left = ImGui::GetCursorPosX();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(left + column);
+    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x));
+}
+
+void draw_command_button(const PanelContext& context, CommandId id, const char* label, const std::string& widget, float width) {
+    ImGui::BeginDisabled(!context.enabled(id));
+    const bool pressed = ImGui::Button(label, {width, 0.0F});
+    ImGui::EndDisabled();
+    note_widget(context, widget);
+    if (pressed) context.actions.emplace_back(RunCommand{id});
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const CommandInfo& info = info_of(id);
+    const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
+    ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
+}
+
+std::vector<float> button_widths(std::initializer_list<const char*> labels) {
+    const auto count = static_cast<float>(labels.size());
+    float left = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x * (count - 1.0F);
+    std::vector<float> widths;
+    for (const char* label : labels) {
+        widths.push_back(ImGui::CalcTextSize(label, nullptr, true).x);
+        left -= widths.back();
+    }
+    for (float& width : widths) width = std::max(1.0F, width + left / count);
+    return widths;
+}
+
+void wrapped_text(std::string_view text, float wrap_at) {
+    ImGui::PushTextWrapPos(wrap_at);
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::PopTextWrapPos();
+}
+
+void dim_text(const std::string& text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    wrapped_text(text);
+    ImGui::PopStyleColor();
+}
+
+float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
+
+void draw_swatch(const Color& color, ImVec2 place, float side, float scale, float opacity) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end{place.x + side, place.y + side};
+    const ImU32 fill = IM_COL32(color.r, color.g, color.b, static_cast<int>(std::lround(255.0F * opacity)));
+    list.AddRectFilled(place, end, fill, 2.0F * scale);
+    list.AddRect(place, end, ImGui::GetColorU32(ImGuiCol_Border), 2.0F * scale);
+}
+
+bool key_pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM < 18700
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#else
+    return ImGui::IsKeyPressed(key);
+#endif
+}
+
+std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const char* label, Color& color, bool numbers) {
+    std::array<float, 3> parts = {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
+    for (float& part : parts) part /= static_cast<float>(color_max);
+    const ImGuiColorEditFlags flags =
+        ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoDragDrop | (numbers ? 0 : ImGuiColorEditFlags_NoInputs);
+    const bool changed = ImGui::ColorEdit3(label, parts.data(), flags);
+    // Its parts, and its picker, count as the item: a drag in one of them activates it.
+    if (ImGui::IsItemActivated()) ++context.gesture;
+    if (!changed) return std::nullopt;
+    const auto byte = [](float part) {
+        return static_cast<std::uint8_t>(std::lround(std::clamp(part, 0.0F, 1.0F) * static_cast<float>(color_max)));
+    };
+    const Color edited{byte(parts[0]), byte(parts[1]), byte(parts[2])};
+    if (edited == color) return std::nullopt;
+    color = edited;
+    // What comes from no drag, such as a pasted colour, is a step of its own.
+    return ImGui::IsItemActive() || ImGui::IsItemDeactivated() ? context.gesture : 0;
+}
+
+double rounded_to(double value, int exponent) {
+    if (value == 0.0 || !std::isfinite(value)) return value;
+    const int digits = leading_digit(value) - exponent;  // behind the first
+    if (digits > 16) return value;
+    if (digits < 0) {
+        const double unit = std::pow(10.0, exponent);
+        return std::fabs(value) < 0.5 * unit ? 0.0 : std::copysign(unit, value);
+    }
+    // Through text, which rounds in decimal: no power of ten is inexact there.
+    double rounded = value;
+    parse_double(decimal(value, std::chars_format::scientific, digits), rounded);
+    return rounded;
+}
+
+int last_digit(double value, int digits) { return leading_digit(value) - digits + 1; }
+
+std::string rounded_text(double value, int exponent) {
+    if (exponent <= 0 && exponent >= -9 && std::fabs(value) < 1e9) return fixed(value, -exponent);
+    return shortest(rounded_to(value, exponent));
+}
+
+std::string short_text(double value, int digits) { return decimal(value + 0.0, std::chars_format::general, digits); }
+
+SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
+                               double& value, const std::string& several) {
+    ImGui::PushID(name.c_str());
+    SliderChange change = SliderChange::none;
+    if (typed.field != name && is_ctrl_clicked()) typed = {name, several.empty() ? shortest(value) : "", true};
+    if (typed.field == name) {
+        change = draw_typed(context, typed, range, value, !several.empty());
+    } else {
+        constexpr double zero = 0.0;
+        constexpr double one = 1.0;
+        double part = part_of(range, value);
+        const std::string shown = several.empty() ? rounded_text(value, digit_of(range, value)) : several;
+        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &part, &zero, &one, shown.c_str(),
+                                               ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput);
+        note_widget(context, "slider " + name);
+        if (ImGui::IsItemActivated()) ++context.gesture;
+        const double dragged = moved ? value_at(range, part) : value;
+        if (dragged != value) {
+            value = dragged;
+            change = SliderChange::dragged;
+        }
+        if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+            ImGui::SetTooltip("%s = %s\nCtrl+click to type a number.", name.c_str(),
+                              several.empty() ? shortest(value).c_str() : several.c_str());
+        }
+    }
+    ImGui::PopID();
+    return change;
+}
+
+std::string range_text(const SliderRange& range, double low, double high) {
+    return rounded_text(low, digit_of(range, low)) + " to " + rounded_text(high, digit_of(range, high));
+}
+
+}  // namespace sphereview

@@ -1,0 +1,83 @@
+// How panels look and what they are made of: the theme, fields, buttons, sliders, numbers as text.
+#pragma once
+
+#include <imgui.h>
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "panels/panel_context.hpp"
+
+namespace sphereview {
+
+// Gives the current ImGui context our dark theme. Sizes are times `scale`; may be called again for another.
+void apply_style(float scale);
+
+// Writes the label at the left; the next item takes the rest of the line.
+void begin_field(const PanelContext& context, const char* label);
+
+// A button so wide that runs the command, with its help and its shortcut as a tooltip. `label` may be another than the menu's.
+void draw_command_button(const PanelContext& context, CommandId id, const char* label, const std::string& widget, float width);
+
+// The widths of buttons side by side that fill the line: each as much wider than its label as the others.
+std::vector<float> button_widths(std::initializer_list<const char*> labels);
+
+// Text that is continued below where the line ends, or at a place in the window.
+void wrapped_text(std::string_view text, float wrap_at = 0.0F);
+void dim_text(const std::string& text);
+
+// Of a text on one line, in pixels.
+float width_of(std::string_view text);
+
+// A square of a sphere's colour, at a place in screen coordinates.
+void draw_swatch(const Color& color, ImVec2 place, float side, float scale, float opacity = 1.0F);
+
+// Whether a key, as ImGui calls it (ImGuiKey_UpArrow), went down or repeats.
+bool key_pressed(ImGuiKey key);
+
+// The gesture that the change of `color` belongs to; nothing while it does not change. Begins a gesture with each drag. The
+// widget is ImGui's last item afterwards.
+std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const char* label, Color& color, bool numbers = true);
+
+// The nearest multiple of 10^exponent, as the nearest double; 0 where that is nearest.
+double rounded_to(double value, int exponent);
+
+// The exponent of the last of so many significant digits; of 0 that of 1.
+int last_digit(double value, int digits);
+
+// With decimal places down to 10^exponent, "12.50" for -2; as short as it can be where that would be long.
+std::string rounded_text(double value, int exponent);
+
+// With so many significant digits at most: "0.3333", "1e+20".
+std::string short_text(double value, int digits = 4);
+
+// The number that is being typed instead of dragged.
+struct TypedNumber {
+    std::string field;  // the slider's name; "" for none
+    std::string text;
+    bool focus = false;
+};
+
+// What a drag covers; values outside are shown as they are, and can be typed.
+struct SliderRange {
+    double low = 0.0;
+    double high = 1.0;         // more than low
+    bool logarithmic = false;  // low > 0
+    bool above_zero = false;   // what may be typed
+};
+
+enum class SliderChange { none, dragged, typed };
+
+// As wide as the next item's width. A drag gives `value` a short number of the range and begins a gesture of its own; Ctrl+click
+// types any finite number in full, and what is none, or not allowed, is refused. Noted as "slider NAME". `several`: where the
+// value stands for others, too, which differ from it, what is shown instead; "" where they do not.
+SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
+                               double& value, const std::string& several = "");
+
+// "1.5 to 20", rounded as the slider rounds.
+std::string range_text(const SliderRange& range, double low, double high);
+
+}  // namespace sphereview
