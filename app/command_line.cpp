@@ -1,11 +1,22 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
 
-#include "app/argument_check.hpp"
-#include "app/typed_options.hpp"
+#include "app/options.hpp"
+#include "app/render_picture.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/number.hpp"
+#include "base/output_file.hpp"
+#include "base/text.hpp"
+#include "image/image.hpp"
+#include "scene/samples.hpp"
 
 namespace sphereview {
 
@@ -48,179 +59,364 @@ constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
+// What CLI11 makes one line of: "NAME: found 'FOUND', expected EXPECTED".
+[[noreturn]] void wrong(const std::string& name, const std::string& found, std::string_view expected) {
+    throw CLI::ValidationError(name, "found " + found + ", expected " + std::string(expected));
+}
+
+// How an option is called, what --help says of it and its value, and what a message says that its value should have been.
+struct Words {
+    std::string names;
+    std::string type;
+    std::string help;
+    std::string expected;
+};
+
+// Declares an option. `read` gives the field's value for a text, or nothing for a text that makes no sense.
+template <typename Field, typename Read>
+CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Read read) {
+    const std::string name = words.names.substr(words.names.find(',') + 1);
+    const auto take = [&command, &field, read, name, expected = words.expected](const CLI::results_t& found) {
+        if (found.size() > 1) wrong(name, in_quotes(found[0]) + " and " + in_quotes(found[1]), "only one value");
+        const bool option = found[0].starts_with('-') && command.get_option_no_throw(found[0]) != nullptr;
+        if (option) wrong(name, "the option " + in_quotes(found[0]), expected);
+        auto value = read(found[0]);
+        if (!value) wrong(name, in_quotes(found[0]), expected);
+        field = *std::move(value);
+        return true;
+    };
+    return command.add_option(words.names, CLI::callback_t(take), words.help)
+        ->type_name(words.type)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+// Declares an option without a value, which sets the field to `value`.
+template <typename Field>
+CLI::Option* add_flag(CLI::App& command, Field& field, const std::string& name, const std::string& help, bool value = true) {
+    const auto set = [&field, value] { field = value; };
+    return command.add_flag_callback(name, set, help);
+}
+
+// The whole text as a number from `least` to the type's largest.
+template <typename Number>
+std::optional<Number> whole_number(std::string_view text, Number least) {
+    Number number{};
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_one = read.ec == std::errc{} && read.ptr == text.data() + text.size() && number >= least;
+    return is_one ? std::optional(number) : std::nullopt;
+}
+
+std::optional<double> number_above_0(std::string_view text, double most = std::numeric_limits<double>::max()) {
+    double number = 0.0;
+    const bool is_one = parse_double(text, number) == NumberFault::none && number > 0.0 && number <= most;
+    return is_one ? std::optional(number) : std::nullopt;
+}
+
+// Two numbers with one of the separators between them.
+std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const char* separators, int least) {
+    const std::size_t middle = std::min(text.find_first_of(separators), text.size());
+    const auto first = whole_number(text.substr(0, middle), least);
+    const auto second = whole_number(text.substr(std::min(middle + 1, text.size())), least);
+    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+}
+
+// An empty name is mostly a script's variable that was never set.
+std::optional<std::string> file_name(const std::string& text) { return text.empty() ? std::nullopt : std::optional(text); }
+
+constexpr const char* a_file = "the name of a file";
 constexpr const char* scene_files = "Scene file: text, TOML, XYZ, CSV; - is standard input";
 
-// For files of atoms and particles.
-void add_data_options(CLI::App& command, TypedOptions& typed) {
-    command.add_option("--frame", typed.frame, "Which frame of an XYZ file of several, from 0 [0]")->type_name("N");
-    command.add_option("--radius", typed.radius, "Of spheres of which an XYZ or CSV file says none [the element's, in CSV 1]")
-        ->type_name("R");
+template <typename Field>
+CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, const std::string& type, const std::string& help) {
+    return add_option(command, field, {name, type, help, a_file}, file_name);
 }
 
-void add_fit_options(CLI::App& command, TypedOptions& typed) {
-    command.add_flag("--fit", typed.fit,
-                     "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
-    command.add_flag("--no-fit", typed.no_fit, "Look at data, too, from (0, 0, 0) along z");
-    command.add_option("--view", typed.view_from, "Fit, from another side: " + std::string(view_syntax))->type_name("SIDE");
+// How a scene is read and from where it is seen: options of every command with scenes.
+void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& fit) {
+    add_option(command, data.frame,
+               {"--frame", "N", "Which frame of an XYZ file of several, from 0 [0]", "the number of a frame, from 0"},
+               [](const std::string& text) { return whole_number<std::int64_t>(text, 0); });
+    add_option(command, data.radius,
+               {"--radius", "R", "Of spheres of which an XYZ or CSV file says none [the element's, in CSV 1]", "a number above 0"},
+               [](const std::string& text) { return number_above_0(text); });
+    CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
+                                   "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
+    CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);
+    const std::string sides(view_syntax);
+    CLI::Option* side = add_option(command, fit, {"--view", "SIDE", "Fit, from another side: " + sides, sides},
+                                   [](const std::string& text) -> std::optional<FitOptions> {
+                                       const std::optional<ViewAxes> view = parse_view(text);
+                                       if (!view) return std::nullopt;
+                                       return FitOptions{true, view};
+                                   });
+    forbidden->excludes(wanted)->excludes(side);
 }
 
-void add_shade(CLI::App* command, TypedOptions& typed, const std::string& otherwise) {
-    command->add_option("--shade", typed.shading, std::string(shading_syntax) + " [" + otherwise + "]")->type_name("MODE");
+template <typename Size>
+void add_size(CLI::App& command, Size& size, const std::string& help) {
+    const std::string expected =
+        "WIDTHxHEIGHT, such as 1000x1000: sides of at least 1 pixel, at most " + std::to_string(most_pixels) + " pixels";
+    add_option(command, size, {"-s,--size", "WxH", help, expected}, [](const std::string& text) -> std::optional<PictureSize> {
+        const auto sides = whole_numbers(text, "xX,", 1);
+        if (!sides || sides->first > most_pixels / sides->second) return std::nullopt;
+        return PictureSize{sides->first, sides->second};
+    });
 }
 
-CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
-    CLI::App* view = app.add_subcommand("view", "Open a scene in a window (what is done when no command is named)");
-    view->add_option("SCENE", typed.view.scene, std::string(scene_files) + "; none: an empty scene");
-    add_data_options(*view, typed);
-    add_fit_options(*view, typed);
-    view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
-        ->type_name("WxH");
-    view->add_option("--samples", typed.samples,
-                     "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 1]")
-        ->type_name("N");
-    view->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
-        ->type_name("COLOR");
-    add_shade(view, typed, "as last time, at first flat");
-    view->add_option("--shader-dir", typed.view.shader_folder,
-                     "Use the shaders in this folder, and each that is saved there at once")
-        ->type_name("FOLDER");
-    view->add_option("--redraw-log", typed.view.redraw_log)->type_name("FILE")->group("");  // hidden: for tests
-    view->footer(std::string(view_examples) + exit_codes);
-    return view;
+template <typename Samples>
+void add_samples(CLI::App& command, Samples& samples, const std::string& help) {
+    add_option(command, samples, {"--samples", "N", help, sample_counts_text}, [](const std::string& text) -> std::optional<int> {
+        const auto count = whole_number(text, 1);
+        return count && std::ranges::find(sample_counts, *count) != sample_counts.end() ? count : std::nullopt;
+    });
 }
 
-void add_render(CLI::App& app, TypedOptions& typed) {
-    CLI::App* render = app.add_subcommand("render", "Render scenes to PNG files, without a window");
-    RenderOptions& options = typed.render;
-    render->add_option("SCENE", options.scenes, scene_files)->required();
-    render->add_option("-o,--output", options.output, "PNG file, or a pattern with {name}; - is standard output")
-        ->type_name("FILE");
-    render->add_option("-s,--size", typed.size, "Width and height in pixels [1000x1000]")->type_name("WxH");
-    render->add_option("--samples", typed.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]")
-        ->type_name("N");
-    add_data_options(*render, typed);
-    add_fit_options(*render, typed);
-    render->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
-        ->type_name("COLOR");
-    add_shade(render, typed, "flat");
-    render->add_option("--backend", typed.backend, std::string(backend_names) + " [auto, or SPHEREVIEW_BACKEND]")
-        ->type_name("NAME");
-    render->add_option("--device", typed.device, "Number of an EGL device, as 'doctor' lists them")->type_name("N");
-    render->add_option("--expect", options.expect, "Compare with this PNG ({name} with several scenes)")->type_name("GOLDEN");
-    render->add_option("--diff", options.diff, "With --expect: write a picture of the difference")->type_name("FILE");
-    render->add_flag("--no-certify", typed.no_certify,
-                     "For comparison: keep float's best guess where float cannot tell which sphere is seen. What is lost: the "
-                     "picture may differ by a few pixels from one machine to the next");
-    render->add_flag("--timings", options.timings, "Say on stderr how long each phase took, in ms");
-    render->add_flag("--json", options.json, "Report each scene as one JSON line on stdout");
-    render->add_flag(
-        "--verbose", options.verbose,
-        "Say on stderr which backend is used and why, in which tiles the spheres are, and how the pixels were decided");
-    render->footer(std::string(render_examples) + exit_codes);
+template <typename Mode>
+void add_colors(CLI::App& command, std::optional<Background>& background, Mode& shading, const std::string& otherwise) {
+    const std::string colors(background_syntax);
+    add_option(command, background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors},
+               [](const std::string& text) -> std::optional<Background> {
+                   Background found;
+                   return parse_background(text, found) ? std::optional(found) : std::nullopt;
+               });
+    const std::string modes(shading_syntax);
+    add_option(command, shading, {"--shade", "MODE", modes + " [" + otherwise + "]", modes},
+               [](const std::string& text) { return shading_named(text); });
 }
 
-void add_convert(CLI::App& app, TypedOptions& typed) {
-    CLI::App* convert = app.add_subcommand("convert", "Convert a scene to the text format or TOML");
-    convert->add_option("IN", typed.convert.input, scene_files)->required();
-    convert->add_option("OUT", typed.convert.output, "Scene file: .toml is TOML, all else text; - is standard output")->required();
-    convert->add_option("--to", typed.to, "text or toml, whatever OUT is called")->type_name("FORMAT");
-    add_data_options(*convert, typed);
-    add_fit_options(*convert, typed);
-    convert->footer(std::string(convert_examples) + exit_codes);
+// Of each command: its options, and a check of what they are together, which throws CLI::ParseError.
+
+template <typename Options>
+void check(const CLI::App&, const Options&) {}  // where each option stands for itself
+
+void declare(CLI::App& command, ViewOptions& options) {
+    add_file(command, options.scene, "SCENE", "", std::string(scene_files) + "; none: an empty scene");
+    add_scene_options(command, options.data, options.fit);
+    add_size(command, options.size, "Width and height of exports in pixels [as last time, at first 1000x1000]");
+    add_samples(command, options.samples,
+                "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 1]");
+    add_colors(command, options.background, options.shading, "as last time, at first flat");
+    add_option(command, options.shader_folder,
+               {"--shader-dir", "FOLDER", "Use the shaders in this folder, and each that is saved there at once", "a folder"},
+               [](const std::string& text) {
+                   std::error_code ignored;
+                   return std::filesystem::is_directory(text, ignored) ? std::optional(text) : std::nullopt;
+               });
+    add_file(command, options.redraw_log, "--redraw-log", "FILE", "")->group("");  // hidden: for tests
+    command.footer(std::string(view_examples) + exit_codes);
 }
 
-void add_explain(CLI::App& app, TypedOptions& typed) {
-    CLI::App* explain =
-        app.add_subcommand("explain", "Everything about one pixel: its ray, every hit, which sphere it shows and why");
-    explain->add_option("SCENE", typed.explain.scene, scene_files)->required();
-    explain->add_option("-p,--pixel", typed.pixel, "Column from the left and row from the top, from 0")
+void declare(CLI::App& command, RenderOptions& options) {
+    command.add_option("SCENE", options.scenes, scene_files)
         ->required()
-        ->type_name("X,Y");
-    explain->add_option("-s,--size", typed.size, "Width and height of the picture in pixels [1000x1000]")->type_name("WxH");
-    add_data_options(*explain, typed);
-    add_fit_options(*explain, typed);
-    explain->add_option("--background", typed.background, "Instead of the scene's: " + std::string(background_syntax))
-        ->type_name("COLOR");
-    add_shade(explain, typed, "flat");
-    explain->add_flag("--json", typed.explain.json, "The same as one JSON line");
-    explain->footer(std::string(explain_examples) + exit_codes);
+        ->type_name("")
+        ->check(
+            CLI::Validator([](std::string& name) { return name.empty() ? std::string("found '', expected ") + a_file : ""; }, ""));
+    add_file(command, options.output, "-o,--output", "FILE", "PNG file, or a pattern with {name}; - is standard output");
+    add_size(command, options.size, "Width and height in pixels [1000x1000]");
+    add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
+    add_scene_options(command, options.data, options.fit);
+    add_colors(command, options.background, options.shading, "flat");
+    const std::string backends(backend_names);
+    add_option(command, options.backend, {"--backend", "NAME", backends + " [auto, or SPHEREVIEW_BACKEND]", backends},
+               [](const std::string& text) { return backend_named(text); });
+    add_option(command, options.device,
+               {"--device", "N", "Number of an EGL device, as 'doctor' lists them",
+                "the number of an EGL device, as 'sphereview doctor' lists them"},
+               [](const std::string& text) { return whole_number(text, 0); });
+    CLI::Option* expect =
+        add_file(command, options.expect, "--expect", "GOLDEN", "Compare with this PNG ({name} with several scenes)");
+    add_file(command, options.diff, "--diff", "FILE", "With --expect: write a picture of the difference")->needs(expect);
+    add_flag(command, options.certify, "--no-certify",
+             "For comparison: keep float's best guess where float cannot tell which sphere is seen. What is lost: the "
+             "picture may differ by a few pixels from one machine to the next",
+             false);
+    add_flag(command, options.timings, "--timings", "Say on stderr how long each phase took, in ms");
+    add_flag(command, options.json, "--json", "Report each scene as one JSON line on stdout");
+    add_flag(command, options.verbose, "--verbose",
+             "Say on stderr which backend is used and why, in which tiles the spheres are, and how the pixels were decided");
+    command.footer(std::string(render_examples) + exit_codes);
 }
 
-void add_doctor(CLI::App& app, TypedOptions& typed) {
-    CLI::App* doctor = app.add_subcommand("doctor", "Try every backend and say what works here, and why others do not");
-    doctor->add_flag("--json", typed.doctor.json, "The report as JSON on stdout");
-    doctor->add_option("--timeout", typed.timeout, "Seconds that each probe may take [20]")->type_name("S");
-    doctor->add_option("--probe", typed.doctor.probe)->group("");  // hidden: what doctor's child processes run
-    doctor->footer(doctor_examples);
-}
-
-std::string one_line(std::string text) {
-    while (!text.empty() && text.back() == '\n') text.pop_back();
-    for (char& c : text) {
-        if (c == '\n' || c == '\r') c = ' ';
+void check(const CLI::App& command, RenderOptions& options) {
+    const int longest = longest_side(options.samples);
+    if (std::max(options.size.width, options.size.height) > longest) {
+        wrong("--size", in_quotes(std::to_string(options.size.width) + "x" + std::to_string(options.size.height)),
+              "sides of at most " + std::to_string(longest) + " pixels with --samples " + std::to_string(options.samples));
     }
-    return text;
+    const bool named = command.count("--backend") > 0;
+    const char* variable = std::getenv("SPHEREVIEW_BACKEND");
+    if (!named && variable != nullptr && *variable != '\0') {
+        const std::optional<Backend> backend = backend_named(variable);
+        if (!backend) wrong("SPHEREVIEW_BACKEND", in_quotes(variable), backend_names);
+        options.backend = *backend;
+    }
+    if (!options.device) return;
+    if (named && options.backend != Backend::automatic && options.backend != Backend::egl) {
+        wrong("--backend", in_quotes(name_of(options.backend)), "egl with --device, which picks an EGL device");
+    }
+    options.backend = Backend::egl;  // a device named on the command line counts more than the environment
 }
 
-// The command of that name, or null.
-const CLI::App* command_named(const CLI::App& app, const std::string& name) {
-    const auto named = app.get_subcommands([&](const CLI::App* command) { return command->get_name() == name; });
-    return named.empty() ? nullptr : named.front();
+void declare(CLI::App& command, ConvertOptions& options) {
+    add_file(command, options.input, "IN", "", scene_files)->required();
+    add_file(command, options.output, "OUT", "", "Scene file: .toml is TOML, all else text; - is standard output")->required();
+    add_option(command, options.to, {"--to", "FORMAT", "text or toml, whatever OUT is called", "text or toml"},
+               [](const std::string& text) -> std::optional<SceneFormat> {
+                   if (text == "text") return SceneFormat::text;
+                   return text == "toml" ? std::optional(SceneFormat::toml) : std::nullopt;
+               });
+    add_scene_options(command, options.data, options.fit);
+    command.footer(std::string(convert_examples) + exit_codes);
 }
 
-// What `app` makes of the words; throws WrongUsage.
-Command parse(CLI::App& app, TypedOptions& typed, int argc, const char* const* argv) {
-    const CLI::App* command = command_named(app, argv[1]);
-    Arguments arguments;
-    if (command != nullptr) arguments = check_options(*command, {argv + 2, static_cast<std::size_t>(argc - 2)});
-    if (arguments.help) return PrintText{command->help(app.get_name())};
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        return PrintText{app.help()};
-    } catch (const CLI::CallForVersion&) {
-        return PrintText{app.version() + "\n"};
-    } catch (const CLI::ParseError& error) {
-        if (command != nullptr) check_complete(*command);
-        throw WrongUsage(one_line(error.what()));
+void check(const CLI::App&, const ConvertOptions& options) {
+    if (options.output == standard_stream && !options.to) {
+        throw CLI::ValidationError("OUT", "standard output has no name to tell the format; add --to text or --to toml");
     }
-    command = app.get_subcommands().front();
-    check_complete(*command);
-    if (command->get_name() == "render") {
-        typed.render.scenes = arguments.files;  // CLI11 takes a file called [a,b] for two
-        return checked_render(typed);
+}
+
+void declare(CLI::App& command, ExplainOptions& options) {
+    add_file(command, options.scene, "SCENE", "", scene_files)->required();
+    add_option(command, options.pixel,
+               {"-p,--pixel", "X,Y", "Column from the left and row from the top, from 0", "X,Y, such as 500,500"},
+               [](const std::string& text) -> std::optional<Pixel> {
+                   const auto place = whole_numbers(text, ",", std::numeric_limits<int>::min());
+                   return place ? std::optional(Pixel{place->first, place->second}) : std::nullopt;
+               })
+        ->required();
+    add_size(command, options.size, "Width and height of the picture in pixels [1000x1000]");
+    add_scene_options(command, options.data, options.fit);
+    add_colors(command, options.background, options.shading, "flat");
+    add_flag(command, options.json, "--json", "The same as one JSON line");
+    command.footer(std::string(explain_examples) + exit_codes);
+}
+
+void check(const CLI::App&, const ExplainOptions& options) {
+    const auto& [pixel, size] = std::pair(options.pixel, options.size);
+    if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height) return;
+    wrong("--pixel", in_quotes(std::to_string(pixel.x) + "," + std::to_string(pixel.y)),
+          "a pixel from 0,0 to " + std::to_string(size.width - 1) + "," + std::to_string(size.height - 1));
+}
+
+void declare(CLI::App& command, DoctorOptions& options) {
+    add_flag(command, options.json, "--json", "The report as JSON on stdout");
+    add_option(command, options.timeout_seconds,
+               {"--timeout", "S", "Seconds that each probe may take [20]", "a number of seconds above 0, at most 3600"},
+               [](const std::string& text) { return number_above_0(text, 3600.0); });
+    add_file(command, options.probe, "--probe", "", "")->group("");  // hidden: what doctor's child processes run
+    command.footer(doctor_examples);
+}
+
+// Adds a command, which leaves in `chosen` what it does.
+template <typename Options>
+void add_command(CLI::App& app, Run& chosen, const std::string& name, ExitCode (*run)(const Options&), const std::string& help) {
+    CLI::App* command = app.add_subcommand(name, help);
+    const auto options = std::make_shared<Options>();
+    declare(*command, *options);
+    command->callback([=, &chosen] {
+        check(*command, *options);
+        chosen = [=] { return run(*options); };
+    });
+}
+
+Run print(const std::string& text) {
+    return [text] {
+        write_output(std::string(standard_stream), text);
+        return ExitCode::done;
+    };
+}
+
+bool is_option(const std::string& word) { return word.starts_with('-') && word != standard_stream; }
+
+// "; did you mean 'NAME'?" for an option of the command or of the program.
+std::string similar_option(const CLI::App& command, const std::string& unknown) {
+    std::vector<std::string> names = {"--version"};
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_group().empty()) continue;
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
     }
-    if (command->get_name() == "view") return checked_view(typed);
-    if (command->get_name() == "convert") return checked_convert(typed);
-    if (command->get_name() == "explain") return checked_explain(typed);
-    return checked_doctor(typed);
+    // Of two letters every other option is near: only the other case was likely meant.
+    if (unknown.size() == 2) std::erase_if(names, [&](const std::string& name) { return lower_case(name) != lower_case(unknown); });
+    return did_you_mean(unknown, names);
+}
+
+// The command named by the first word; else adds `view`, which need not be named before its scene or options.
+const CLI::App& named_command(const CLI::App& app, std::vector<std::string>& words) {
+    const std::string first = words.empty() ? "" : words.front();
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    if (std::ranges::find(names, first) != names.end()) return *app.get_subcommand(first);
+    if (is_option(first) && app.get_option_no_throw(first) != nullptr) return app;
+    std::error_code ignored;
+    const bool path = first.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(first, ignored);
+    if (!words.empty() && !first.starts_with('-') && !path) {
+        throw CLI::ValidationError("unknown command " + in_quotes(first) + did_you_mean(first, names));
+    }
+    words.insert(words.begin(), "view");
+    return *app.get_subcommand("view");
+}
+
+// CLI11 would take the next word for the value that is missing behind "--output=".
+void require_values(const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        if (word == "--") return;
+        if (word.starts_with("--") && word.find('=') == word.size() - 1) {
+            throw CLI::ArgumentMismatch(word.substr(0, word.size() - 1) + ":", CLI::ExitCodes::ArgumentMismatch);
+        }
+    }
+}
+
+// What is wrong, in this program's words where CLI11's are hard to understand.
+std::string in_words(const CLI::App& command, const CLI::ParseError& error) {
+    std::vector<std::string> left = command.remaining();
+    std::erase(left, "--");  // that what follows are no options, CLI11 has heeded
+    const auto unknown = std::ranges::find_if(left, is_option);
+    if (unknown != left.end()) {
+        const std::string name = unknown->substr(0, unknown->find('='));
+        return "unknown option " + in_quotes(name) + similar_option(command, name);
+    }
+    const std::string said = error.what();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
+        const std::string name = said.substr(0, said.find(':'));
+        const CLI::Option* option = command.get_option_no_throw(name);
+        if (option != nullptr) return name + ": found no value, expected " + option->get_type_name();
+    }
+    return left.empty() ? said : "unexpected argument " + in_quotes(left.front());
 }
 
 }  // namespace
 
-Command parse_command_line(int argc, const char* const* argv) {
+Run parse_command_line(int argc, const char* const* argv) {
     CLI::App app(
         "sphereview ray traces scenes of spheres.\n\n  sphereview [SCENE]        opens a scene in a window\n  sphereview COMMAND "
         "...    works without one\n",
         "sphereview");
     app.set_version_flag("--version", "sphereview " + std::string(version));
     app.footer(exit_codes);
-    TypedOptions typed;
-    const CLI::App* view = add_view(app, typed);
-    add_render(app, typed);
-    add_convert(app, typed);
-    add_explain(app, typed);
-    add_doctor(app, typed);
-    for (CLI::App* command : app.get_subcommands({})) command->allow_extras();
     app.require_subcommand(1);  // and no second: "doctor" behind it is a file's name
-    std::vector<const char*> words(argv, argv + argc);
+    Run chosen;
+    add_command(app, chosen, "view", run_view, "Open a scene in a window (what is done when no command is named)");
+    add_command(app, chosen, "render", run_render, "Render scenes to PNG files, without a window");
+    add_command(app, chosen, "convert", run_convert, "Convert a scene to the text format or TOML");
+    add_command(app, chosen, "explain", run_explain,
+                "Everything about one pixel: its ray, every hit, which sphere it shows and why");
+    add_command(app, chosen, "doctor", run_doctor, "Try every backend and say what works here, and why others do not");
+    std::vector<std::string> words(argv + 1, argv + argc);
+    const CLI::App* command = &app;
     try {
-        if (words.size() < 2 || begins_usual_command(app, *view, words[1])) words.insert(words.begin() + 1, "view");
-        return parse(app, typed, static_cast<int>(words.size()), words.data());
-    } catch (const WrongUsage& mistake) {
-        const bool known = words.size() > 1 && command_named(app, words[1]) != nullptr;
-        const std::string command = known ? std::string(words[1]) + " " : "";
-        throw InputError(std::string("sphereview: ") + mistake.what() + " (see 'sphereview " + command + "--help')");
+        command = &named_command(app, words);
+        const bool help = std::ranges::any_of(words, [](const auto& word) { return word == "-h" || word == "--help"; });
+        if (help) return print(command->help(command == &app ? "" : app.get_name()));  // whatever else is wrong
+        require_values(words);
+        app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+        return chosen;
+    } catch (const CLI::CallForVersion&) {
+        return print(app.version() + "\n");
+    } catch (const CLI::ParseError& error) {
+        throw InputError("sphereview: " + in_words(*command, error) + " (see 'sphereview " +
+                         (command == &app ? "" : command->get_name() + " ") + "--help')");
     }
 }
 

@@ -1,11 +1,16 @@
-// The command line as typed -> options.
+// The command line as typed -> what is to be done.
 #pragma once
 
-#include "app/options.hpp"
+#include <functional>
+
+#include "app/exit_code.hpp"
 
 namespace sphereview {
 
+// Does a command; returns the exit status, or throws before it has done anything.
+using Run = std::function<ExitCode()>;
+
 // Reads the command line and SPHEREVIEW_BACKEND. Throws InputError with one line that says what is wrong.
-Command parse_command_line(int argc, const char* const* argv);
+Run parse_command_line(int argc, const char* const* argv);
 
 }  // namespace sphereview

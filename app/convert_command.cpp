@@ -1,8 +1,8 @@
 // sphereview convert: one scene from one format to another.
 #include <cstdio>
 
-#include "app/commands.hpp"
 #include "app/load_scene.hpp"
+#include "app/options.hpp"
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "app/commands.hpp"
+#include "app/options.hpp"
 #include "app/probe.hpp"
 #include "app/version.hpp"
 #include "base/child_process.hpp"

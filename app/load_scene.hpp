@@ -3,11 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
-#include "app/fit_options.hpp"
 #include "base/background_job.hpp"
 #include "base/progress.hpp"
+#include "camera/fit.hpp"
 #include "formats/scene_format.hpp"
 #include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
@@ -21,6 +22,12 @@ struct LoadedScene {
     SceneFormat format = SceneFormat::text;
     bool has_camera = true;   // its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden
     std::int64_t frames = 1;  // in the file
+};
+
+// From where a scene is seen, if not by its own camera.
+struct FitOptions {
+    std::optional<bool> wanted{};    // to everything; none: only if nobody has chosen the scene's camera
+    std::optional<ViewAxes> view{};  // none: the way that the scene's camera looks
 };
 
 struct LoadOptions {

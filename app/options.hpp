@@ -1,15 +1,15 @@
-// What the command line asks for.
+// The commands: what the command line asks for, and what does it. Each returns the exit status, or throws before it has done
+// anything.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "app/backend.hpp"
-#include "app/fit_options.hpp"
+#include "app/exit_code.hpp"
+#include "app/load_scene.hpp"
 #include "formats/scene_format.hpp"
-#include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 
@@ -71,11 +71,10 @@ struct ViewOptions {
     std::string redraw_log;           // hidden: a JSON line for each frame goes there
 };
 
-// A text to print, then done: --help, --version.
-struct PrintText {
-    std::string text;
-};
-
-using Command = std::variant<ViewOptions, RenderOptions, ConvertOptions, ExplainOptions, DoctorOptions, PrintText>;
+ExitCode run_view(const ViewOptions& options);  // in app/viewer/
+ExitCode run_render(const RenderOptions& options);
+ExitCode run_convert(const ConvertOptions& options);
+ExitCode run_explain(const ExplainOptions& options);
+ExitCode run_doctor(const DoctorOptions& options);
 
 }  // namespace sphereview

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/commands.hpp"
 #include "app/failure.hpp"
 #include "app/load_scene.hpp"
+#include "app/options.hpp"
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "app/render_report.hpp"

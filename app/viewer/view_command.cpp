@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/commands.hpp"
+#include "app/options.hpp"
 #include "app/load_scene.hpp"
 #include "base/error.hpp"
 #include "base/freed_memory.hpp"

@@ -78,7 +78,7 @@ TEST(Samples, AreReported) {
 
 TEST(Samples, ThatCannotBeAreRefused) {
     const TemporaryFolder folder;
-    for (const char* count : {"0", "2", "3", "-4", "04", "4.0", "64", "many", "", "4 ", "99999999999999999999"}) {
+    for (const char* count : {"0", "2", "3", "-4", "4.0", "64", "many", "", "4 ", "99999999999999999999"}) {
         const Outcome outcome = render(folder, {"missing.txt", std::string("--samples=") + count + "", "-s", "5x5"});
         if (std::string(count).empty()) {
             EXPECT_TRUE(contains(outcome.errors, "--samples: found no value, expected N"));
