@@ -1,27 +1,70 @@
 #include "ui/editing.hpp"
 
+#include <filesystem>
+
+#include "support/text_match.hpp"
+
 namespace sphereview::test {
 
 namespace {
 
 // The same two spheres in the program's own format.
-std::string in_native_format() {
-    return "[[sphere]]\ncenter = [0, 0, 300]\nradius = 60\ncolor = [255, 0, 0]\n\n"
-           "[[sphere]]\ncenter = [100, 0, 300]\nradius = 30\ncolor = [0, 255, 0]\n";
-}
+constexpr const char* two_spheres_in_toml =
+    "[[sphere]]\ncenter = [0, 0, 300]\nradius = 60\ncolor = [255, 0, 0]\n\n"
+    "[[sphere]]\ncenter = [100, 0, 300]\nradius = 30\ncolor = [0, 255, 0]\n";
 
 }  // namespace
 
+void edit(ViewerWindow& window) {
+    const double spheres = window.at("spheres").number();
+    window.key("Insert");
+    window.wait_for("spheres", spheres + 1);
+    window.wait_for("changed", true);
+}
+
+void choose_file(ViewerWindow& window, const std::string& name) {
+    window.wait_for("dialogs", {"browser"});
+    window.click_widget("browser name");
+    window.key("ctrl+a");
+    window.type(name);
+    window.click_widget("browser ok");
+}
+
+void answer(ViewerWindow& window, const std::string& question, const std::string& answer) {
+    window.wait_until("the question " + question,
+                      [&](const Json& f) { return !f.at("dialogs").empty() && f.at("dialogs").back() == question; });
+    window.click_widget("answer " + answer);
+}
+
+void wait_for_no_dialogs(ViewerWindow& window) { window.wait_for("dialogs", Json::array()); }
+
+std::string announced(ViewerWindow& window, const std::string& part, const std::string& member) {
+    const auto holds = [&](const Json& f) { return f.at(member).text().find(part) != std::string::npos; };
+    return window.wait_until(member + " with " + part, holds).at(member).text();
+}
+
+const Json& take_marks_away(ViewerWindow& window) {
+    window.keys({"ctrl+shift+a", "Escape"});
+    window.move_to({5, 5});
+    return window.wait_until("no marks", [](const Json& f) {
+        return f.at("selection").empty() && f.at("hovered").is_null() && f.at("announcement") == "" && f.at("exact") == true;
+    });
+}
+
+void replace_by_rename(const TemporaryFolder& folder, const std::string& name, const std::string& bytes) {
+    std::filesystem::rename(folder.write("." + name + ".new", bytes), folder.path(name));
+}
+
 Editing::Editing(const std::string& name)
     : name_(name),
-      scene_(folder_.write(name, name.ends_with(".toml") ? in_native_format() : two_spheres)),
+      scene_(folder_.write(name, name.ends_with(".toml") ? two_spheres_in_toml : two_spheres)),
       window_(folder_, {scene_}) {
     window_.key("m");  // else the frame of the export is drawn over the picture
 }
 
 Place Editing::red(double right, double down) {
-    const Json& size = window_.frame().at("picture_size");
-    return window_.pixel(size[0].get<int>() / 2 + right, size[1].get<int>() / 2 + down);
+    const Place middle = window_.on_screen(0, 0);
+    return {middle.x + right, middle.y + down};
 }
 
 void Editing::select_red() {
@@ -34,31 +77,13 @@ void Editing::select(int number) {
     window_.wait_for("selection", {number});
 }
 
-const Json& Editing::take_marks_away() {
-    window_.key("ctrl+shift+a");
-    window_.key("Escape");
-    window_.move_to({5, 5});
-    return window_.wait_until("no marks", [](const Json& f) {
-        return f.at("selection").empty() && f.at("hovered").is_null() && f.at("announcement") == "" && f.at("exact") == true;
-    });
-}
-
 void Editing::expect_rendered() {
-    if (window_.frame().at("changed") == true) {
+    if (window_.at("changed") == true) {
         window_.key("ctrl+s");
         window_.wait_for("changed", false);
     }
-    const Json& frame = take_marks_away();
+    const Json frame = take_marks_away();
     EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, scene_, frame)));
-}
-
-void Editing::undo_all() {
-    while (window_.frame().at("undo") != "") {
-        const Json before = window_.frame().at("undo");
-        window_.key("ctrl+z");
-        const Json revision = window_.frame().at("revision");
-        window_.wait_until("an undo", [&](const Json& f) { return f.at("undo") == "" || f.at("undo") != before; });
-    }
 }
 
 }  // namespace sphereview::test

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "support/text_match.hpp"
-#include "ui/file_steps.hpp"
+#include "ui/editing.hpp"
 
 namespace sphereview::test {
 

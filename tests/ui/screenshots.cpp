@@ -5,14 +5,13 @@
 
 #include "support/folders.hpp"
 #include "ui/viewer_window.hpp"
-#include "ui/x_client.hpp"
 
 namespace {
 
 using namespace sphereview::test;
 
 void save(ViewerWindow& window, const std::string& path) {
-    std::ofstream(path, std::ios::binary) << encode_png(read_screen(window.server().display()));
+    std::ofstream(path, std::ios::binary) << encode_png(window.server().screen());
     std::printf("%s\n", path.c_str());
 }
 

@@ -1,73 +1,166 @@
-// Starts: without a display, with a bad scene, with what the last run kept.
+// Starts that are refused, ends that nobody asked for, and shaders that are edited while the program runs.
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <filesystem>
+
+#include "support/folders.hpp"
 #include "support/text_match.hpp"
-#include "ui/file_steps.hpp"
+#include "ui/editing.hpp"
 
 namespace sphereview::test {
 
 namespace {
 
-Outcome start(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const std::optional<std::string>& display) {
+// Starts the program, which must refuse in one line.
+std::string refused(const TemporaryFolder& folder, const std::string& scene, const std::optional<std::string>& display,
+                    int status) {
     Command command;
-    command.arguments = arguments;
+    command.arguments = {scene};
     command.folder = folder.path();
     command.environment = {{"DISPLAY", display}, {"WAYLAND_DISPLAY", std::nullopt}, {"HOME", folder.path("home")}};
-    return run(command);
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, status) << outcome;
+    EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+    return outcome.errors;
+}
+
+// Waits until the running window has kept its changes, or has forgotten them.
+void wait_for_kept(ViewerWindow& window, const TemporaryFolder& folder, bool kept) {
+    window.wait_until(kept ? "changes that are kept" : "no changes that are kept", [&](const Json&) {
+        const std::string state = folder.path("home/state/sphereview");
+        return kept == (std::filesystem::exists(state) && !std::filesystem::is_empty(state));
+    });
+}
+
+void kill(ViewerWindow& window) {
+    window.send(SIGKILL);
+    window.wait_for_end();
 }
 
 }  // namespace
 
-TEST(Starting, WithoutADisplayIsRefusedInOneLine) {
+TEST(Starting, IsRefusedInOneLineWithoutADisplayOrAScene) {
     const TemporaryFolder folder;
-    const std::string scene = folder.write("scene.txt", one_sphere);
+    folder.write("scene.txt", one_sphere);
     for (const std::optional<std::string>& display : {std::optional<std::string>(), std::optional<std::string>(":65000")}) {
-        const Outcome outcome = start(folder, {scene}, display);
-        EXPECT_EQ(outcome.status, 3) << outcome;
-        EXPECT_EQ(lines(outcome.errors).size(), 1u) << outcome;
-        EXPECT_TRUE(contains(outcome.errors, "sphereview render"));
-        EXPECT_TRUE(contains(outcome.errors, "sphereview doctor"));
+        const std::string errors = refused(folder, "scene.txt", display, 3);
+        EXPECT_TRUE(contains(errors, "sphereview render"));
+        EXPECT_TRUE(contains(errors, "sphereview doctor"));
     }
     EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.txt"});
-}
-
-TEST(Starting, WithASceneThatCannotBeReadIsRefusedInOneLine) {
-    const TemporaryFolder folder;
     folder.write("broken.txt", "1\n255 0 0\n0 0 three\n60\n");
-    Outcome outcome = start(folder, {"broken.txt"}, std::nullopt);
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_EQ(lines(outcome.errors).size(), 1u) << outcome;
-    EXPECT_TRUE(contains(outcome.errors, "broken.txt:3:5: "));
-    outcome = start(folder, {"missing.txt"}, std::nullopt);
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_EQ(lines(outcome.errors).size(), 1u) << outcome;
+    EXPECT_TRUE(contains(refused(folder, "broken.txt", std::nullopt, 2), "broken.txt:3:5: "));
+    refused(folder, "missing.txt", std::nullopt, 2);
 }
 
-TEST(Starting, BringsBackTheWindowAsItWas) {
+// Each start offers what the last end has kept.
+TEST(Recovery, OffersChangesUntilTheyAreSavedOrDiscarded) {
     const TemporaryFolder folder;
-    const std::string scene = folder.write("scenes/scene.txt", one_sphere);
-    Json picture;
+    const std::string scene = folder.write("scene.txt", one_sphere);
     {
         ViewerWindow window(folder, {scene});
-        const Json before = window.frame().at("picture");
-        const Place edge = window.widget("splitter");
-        window.drag(edge, {edge.x - 120, edge.y});
-        picture =
-            window.wait_until("a wider panel", [&](const Json& f) { return f.at("picture")[2] < before[2].get<double>() - 100; })
-                .at("picture");
+        window.step("a display that is lost");
+        edit(window);
+        window.server().kill();
+        const Outcome outcome = window.wait_for_end();
+        EXPECT_EQ(outcome.status, 3) << outcome;
+        ASSERT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+        EXPECT_TRUE(contains(outcome.errors, "sphereview render"));
+        EXPECT_TRUE(contains(outcome.errors, "doctor"));
+        EXPECT_TRUE(contains(outcome.errors, "unsaved changes of scene.txt are kept"));
+        EXPECT_EQ(folder.read("scene.txt"), one_sphere);
+    }
+    {
+        ViewerWindow window(folder, {});
+        window.step("later");
+        answer(window, "recover", "Later");
+        wait_for_no_dialogs(window);
+        window.send(SIGTERM);  // nothing new to keep
+        EXPECT_EQ(window.wait_for_end().errors, "");
+    }
+    for (const bool saved : {false, true}) {  // what was recovered is not lost either
+        ViewerWindow window(folder, {});
+        window.step("recovered");
+        answer(window, "recover", "Recover");
+        window.wait_for("spheres", 2);
+        EXPECT_EQ(window.at("path"), scene);
+        EXPECT_EQ(window.at("changed"), true);
+        if (saved) {
+            window.key("ctrl+s");
+            announced(window, "Saved " + scene);
+            EXPECT_EQ(lines(folder.read("scene.txt")).front(), "2");
+            wait_for_kept(window, folder, false);
+        }
+        kill(window);
+    }
+    {
+        ViewerWindow window(folder, {scene});
+        window.step("a killed window");
+        EXPECT_EQ(window.at("dialogs"), Json::array());
+        edit(window);
+        wait_for_kept(window, folder, true);
+        kill(window);
+    }
+    {
+        ViewerWindow window(folder, {});
+        window.step("a terminated window");
+        answer(window, "recover", "Recover");
+        window.wait_for("spheres", 3);
+        window.choose("File", "New");
+        answer(window, "save-changes", "Don't save");
+        window.wait_for("spheres", 0);
+        edit(window);
+        window.send(SIGTERM);
+        EXPECT_EQ(window.wait_for_end().status, 128 + SIGTERM);
+    }
+    {
+        ViewerWindow window(folder, {});
+        window.step("discarded");
+        answer(window, "recover", "Discard");
+        wait_for_no_dialogs(window);
+        EXPECT_EQ(window.at("spheres"), 0);
         window.press_close_button();
         EXPECT_EQ(window.wait_for_end().status, 0);
     }
-    // All that was written lies in the home folder.
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"frames.log", "home", "scenes"}));
-    EXPECT_TRUE(folder.has("home/config/sphereview"));
     ViewerWindow window(folder, {});
-    EXPECT_EQ(window.frame().at("picture"), picture);
-    window.click_widget("menu File");
-    window.click_widget("menu Open recent");
-    window.click_widget("recent 0");
-    window.wait_for("path", scene);
-    EXPECT_EQ(window.frame().at("camera")[0], Json({0.0, 0.0, 0.0}));
+    EXPECT_EQ(window.at("dialogs"), Json::array());
+}
+
+// A saved shader is in the picture at once, a broken one leaves the last good one.
+TEST(LiveShaders, AreInThePictureWhenSaved) {
+    const TemporaryFolder folder;
+    const std::string shaders = folder.path("shaders");
+    std::filesystem::copy(source_file("shaders"), shaders, std::filesystem::copy_options::recursive);
+    const std::string good = folder.read("shaders/shade.frag");
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    ViewerWindow window(folder, {scene, "--shader-dir", shaders});
+    window.key("m");
+    window.move_to({5, 5});
+    const auto shows = [&](const Picture& picture, bool same) {
+        window.wait_until("the picture", [&](const Json& f) {
+            return f.at("hovered").is_null() && static_cast<bool>(same_picture(window.picture(), picture)) == same;
+        });
+    };
+    const Picture first = rendered(folder, scene, window.frame());
+    shows(first, true);
+
+    const std::size_t end = good.rfind('}');
+    ASSERT_NE(end, std::string::npos);
+    folder.write("shaders/shade.frag", good.substr(0, end) + "    color = vec4(0.25, 0.5, 0.75, 1.0);\n}\n");
+    shows(first, false);
+    EXPECT_EQ(window.at("shader_error"), "");
+    const Picture changed = window.picture();
+
+    folder.write("shaders/shade.frag", "#version 330 core\nnonsense\n");
+    announced(window, "shade.frag:2", "shader_error");
+    window.click_widget("close shader error");
+    window.wait_for("shader_error", "");
+    shows(changed, true);
+
+    folder.write("shaders/shade.frag", good);
+    shows(first, true);
+    EXPECT_EQ(window.at("shader_error"), "");
 }
 
 }  // namespace sphereview::test

@@ -8,8 +8,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "ui/x_client.hpp"
-
 namespace sphereview::test {
 
 namespace {
@@ -47,8 +45,8 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
     command.environment = environment_for(folder, server_.display());
     program_.emplace(command);
     if (!input.empty()) program_->close_input();
-    wait_meanwhile("a first frame",
-                   [](const Json& frame) { return frame["resting"] == true || frame["widgets"].contains("cancel work"); });
+    wait_meanwhile("a first picture",
+                   [](const Json& frame) { return frame.at("resting") == true || frame.at("widgets").contains("cancel work"); });
 }
 
 bool ViewerWindow::read_log() {
@@ -68,15 +66,13 @@ bool ViewerWindow::read_log() {
     return true;
 }
 
-std::string ViewerWindow::described() const { return frame_.is_null() ? "no frame was drawn" : "last frame: " + frame_.dump(); }
-
 const Json& ViewerWindow::frame() {
     read_log();
     return frame_;
 }
 
 const Json& ViewerWindow::wait_until(const std::string& what, const std::function<bool(const Json&)>& condition) {
-    return wait_meanwhile(what, [&](const Json& frame) { return frame["resting"] == true && condition(frame); });
+    return wait_meanwhile(what, [&](const Json& frame) { return frame.at("resting") == true && condition(frame); });
 }
 
 const Json& ViewerWindow::wait_meanwhile(const std::string& what, const std::function<bool(const Json&)>& condition) {
@@ -87,11 +83,16 @@ const Json& ViewerWindow::wait_meanwhile(const std::string& what, const std::fun
         if (!frame_.is_null() && condition(frame_)) return frame_;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    throw std::runtime_error("waited in vain for " + what + "; " + described());
+    const std::string last = frame_.is_null() ? "nothing was drawn" : "last redraw: " + frame_.dump();
+    throw std::runtime_error((step_.empty() ? "" : step_ + ": ") + "waited in vain for " + what + "; " + last);
 }
 
 const Json& ViewerWindow::wait_for(const std::string& member, const Json& value) {
     return wait_until(member + " to be " + value.dump(), [&](const Json& frame) { return frame.at(member) == value; });
+}
+
+Json ViewerWindow::wait_for_other(const std::string& member, const Json& value) {
+    return wait_until("another " + member, [&](const Json& frame) { return frame.at(member) != value; }).at(member);
 }
 
 void ViewerWindow::xdotool(std::vector<std::string> arguments) {
@@ -105,30 +106,22 @@ void ViewerWindow::xdotool(std::vector<std::string> arguments) {
 
 void ViewerWindow::move_to(const Place& place) { xdotool({"mousemove", number(place.x), number(place.y)}); }
 
-void ViewerWindow::click(const Place& place, int button) {
-    xdotool({"mousemove", number(place.x), number(place.y), "click", std::to_string(button)});
+void ViewerWindow::click_many(const Place& place, int times, int button) {
+    xdotool({"mousemove", number(place.x), number(place.y), "click", "--repeat", std::to_string(times), "--delay", "0",
+             std::to_string(button)});
 }
 
-void ViewerWindow::click_many(const Place& place, int times) {
-    xdotool({"mousemove", number(place.x), number(place.y), "click", "--repeat", std::to_string(times), "--delay", "0", "1"});
-}
-
-void ViewerWindow::double_click(const Place& place) {
-    xdotool({"mousemove", number(place.x), number(place.y), "click", "--repeat", "2", "--delay", "20", "1"});
-}
-
-void ViewerWindow::press(int button) { xdotool({"mousedown", std::to_string(button)}); }
-
-void ViewerWindow::release(int button) { xdotool({"mouseup", std::to_string(button)}); }
-
-void ViewerWindow::drag(const Place& from, const Place& to, int button) {
-    std::vector<std::string> words{"mousemove", number(from.x), number(from.y), "mousedown", std::to_string(button)};
+void ViewerWindow::drag(const Place& from, const Place& to, int button, const std::vector<std::string>& held) {
+    std::vector<std::string> words;
+    for (const std::string& key : held) words.insert(words.end(), {"keydown", key});
+    words.insert(words.end(), {"mousemove", number(from.x), number(from.y), "mousedown", std::to_string(button)});
     constexpr int steps = 5;
     for (int i = 1; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
         words.insert(words.end(), {"mousemove", number(from.x + part * (to.x - from.x)), number(from.y + part * (to.y - from.y))});
     }
     words.insert(words.end(), {"mouseup", std::to_string(button)});
+    for (const std::string& key : held) words.insert(words.end(), {"keyup", key});
     xdotool(words);
 }
 
@@ -136,35 +129,31 @@ void ViewerWindow::wheel(int clicks) {
     if (clicks != 0) xdotool({"click", "--repeat", std::to_string(std::abs(clicks)), "--delay", "2", clicks > 0 ? "4" : "5"});
 }
 
-void ViewerWindow::key(const std::string& name) { xdotool({"key", name}); }
 void ViewerWindow::keys(const std::vector<std::string>& names) {
     // GLFW takes two presses of a key within a millisecond for one that the input method has doubled.
     std::vector<std::string> words{"key", "--delay", "3"};
     words.insert(words.end(), names.begin(), names.end());
     xdotool(words);
 }
+
 void ViewerWindow::resize(int width, int height) {
     xdotool({"search", "--onlyvisible", "--name", "sphereview", "windowsize", std::to_string(width), std::to_string(height)});
 }
 
-void ViewerWindow::key_down(const std::string& name) { xdotool({"keydown", name}); }
-void ViewerWindow::key_up(const std::string& name) { xdotool({"keyup", name}); }
-void ViewerWindow::type(const std::string& text) { xdotool({"type", "--delay", "1", "--", text}); }
-void ViewerWindow::press_close_button() { test::press_close_button(server_.display()); }
-
 bool ViewerWindow::drop(const std::vector<std::string>& paths) {
     const Place middle = pixel(100, 100);
-    return drop_files(server_.display(), paths, static_cast<int>(middle.x), static_cast<int>(middle.y));
+    return server_.drop(paths, static_cast<int>(middle.x), static_cast<int>(middle.y));
+}
+
+std::vector<double> ViewerWindow::rectangle(const std::string& widget) {
+    const Json sides = frame_.at("widgets").at(widget);
+    return {sides[0].number(), sides[1].number(), sides[2].number(), sides[3].number()};
 }
 
 Place ViewerWindow::widget(const std::string& name, double along) {
-    const Json& drawn = wait_until("the widget " + name, [&](const Json& frame) { return frame.at("widgets").contains(name); });
-    const Json& r = drawn.at("widgets").at(name);
-    const double left = r[0];
-    const double top = r[1];
-    const double right = r[2];
-    const double bottom = r[3];
-    return {left + along * (right - left), 0.5 * (top + bottom)};
+    wait_until("the widget " + name, [&](const Json& frame) { return frame.at("widgets").contains(name); });
+    const std::vector<double> sides = rectangle(name);
+    return {sides[0] + along * (sides[2] - sides[0]), 0.5 * (sides[1] + sides[3])};
 }
 
 void ViewerWindow::choose(const std::string& menu, const std::string& item) {
@@ -173,33 +162,42 @@ void ViewerWindow::choose(const std::string& menu, const std::string& item) {
 }
 
 Place ViewerWindow::pixel(double x, double y) {
-    const Json& area = frame_.at("picture");
-    return {area[0].get<double>() + x, area[1].get<double>() + y};
+    const Json area = frame_.at("picture");
+    return {area[0].number() + x, area[1].number() + y};
+}
+
+Place ViewerWindow::on_screen(double x, double y) {
+    const Json size = frame_.at("picture_size");
+    const double unit = std::min(size[0].number(), size[1].number()) / 100.0;
+    return pixel(size[0].number() / 2 + unit * x, size[1].number() / 2 - unit * y);
 }
 
 Picture ViewerWindow::picture() {
-    const Picture screen = read_screen(server_.display());
-    const Json& area = frame_.at("picture");
-    const auto left = static_cast<std::size_t>(area[0].get<double>());
-    const auto top = static_cast<std::size_t>(area[1].get<double>());
-    Picture picture{frame_.at("picture_size")[0], frame_.at("picture_size")[1], 3, {}};
+    const Picture screen = server_.screen();
+    const Json area = frame_.at("picture");
+    const auto left = area[0].get<std::size_t>();
+    const auto top = area[1].get<std::size_t>();
+    Picture picture{frame_.at("picture_size")[0].get<int>(), frame_.at("picture_size")[1].get<int>(), 3, {}};
     const auto row_bytes = static_cast<std::size_t>(picture.width) * 3;
     for (std::size_t row = 0; row < static_cast<std::size_t>(picture.height); ++row) {
-        picture.bytes += screen.bytes.substr(((top + row) * static_cast<std::size_t>(screen.width) + left) * 3, row_bytes);
+        picture.bytes.append(screen.bytes, ((top + row) * static_cast<std::size_t>(screen.width) + left) * 3, row_bytes);
     }
     return picture;
 }
 
-Outcome ViewerWindow::wait_for_end() { return program_->wait(); }
+namespace {
 
-double ViewerWindow::processor_seconds() const { return program_->processor_seconds(); }
+std::string size_of(const Json& frame) {
+    const Json size = frame.at("picture_size");
+    return std::to_string(size[0].get<int>()) + "x" + std::to_string(size[1].get<int>());
+}
+
+}  // namespace
+
+std::string ViewerWindow::picture_size() { return size_of(frame_); }
 
 Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame) {
-    const std::string size =
-        std::to_string(frame.at("picture_size")[0].get<int>()) + "x" + std::to_string(frame.at("picture_size")[1].get<int>());
-    Command command;
-    command.arguments = {"render", scene, "--backend", "cpu", "-s", size, "-o", folder.path("expected.png")};
-    const Outcome outcome = run(command);
+    const Outcome outcome = run({"render", scene, "--backend", "cpu", "-s", size_of(frame), "-o", folder.path("expected.png")});
     if (outcome.status != 0) throw std::runtime_error("render failed: " + outcome.errors);
     return decode_png(folder.read("expected.png"));
 }
@@ -209,6 +207,7 @@ testing::AssertionResult same_picture(const Picture& found, const Picture& expec
         return testing::AssertionFailure() << found.width << " x " << found.height << " pixels instead of " << expected.width
                                            << " x " << expected.height;
     }
+    if (found == expected) return testing::AssertionSuccess();
     int count = 0;
     std::string first;
     for (int y = 0; y < found.height; ++y) {
@@ -220,7 +219,6 @@ testing::AssertionResult same_picture(const Picture& found, const Picture& expec
                     testing::PrintToString(should);
         }
     }
-    if (count == 0) return testing::AssertionSuccess();
     return testing::AssertionFailure() << count << " pixels differ, the first at " << first;
 }
 

@@ -1,9 +1,11 @@
-// An X server without a screen, for one test.
+// An X server without a screen, for one test, and what xdotool cannot do there.
 #pragma once
 
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "support/picture.hpp"
 #include "support/program.hpp"
 
 namespace sphereview::test {
@@ -11,7 +13,7 @@ namespace sphereview::test {
 struct ScreenOptions {
     int width = 1400;
     int height = 1000;
-    int dpi = 96;  // twice as many: a screen on which text is twice as large
+    int dpi = 96;  // of text (the resource Xft.dpi); twice as many: text is twice as large
 };
 
 // Xvfb on a display of its own, until destruction.
@@ -23,6 +25,13 @@ public:
     const std::string& display() const { return display_; }
     // As a crash would.
     void kill();
+    // What the screen shows, RGB.
+    Picture screen() const;
+    // What a window manager sends to the program's window when its close button is pressed (WM_DELETE_WINDOW).
+    void press_close_button() const;
+    // Drags files from another program's window to (x, y) in the program's and drops them (XDND, version 5). Returns whether
+    // the window accepted and took them.
+    bool drop(const std::vector<std::string>& paths, int x, int y) const;
 
 private:
     std::unique_ptr<Running> xvfb_;

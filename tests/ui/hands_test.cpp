@@ -1,0 +1,298 @@
+// What hands do: the list, the buttons, the keys and the menus; the mouse in the picture; many spheres at once.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <sstream>
+#include <thread>
+
+#include "support/text_match.hpp"
+#include "ui/editing.hpp"
+
+namespace sphereview::test {
+
+namespace {
+
+class Panels : public Editing {
+protected:
+    Panels() : Editing("scene.toml") {}
+
+    void expect_undone() {
+        window_.key("ctrl+z");
+        window_.wait_for("undo", "");
+        window_.wait_for("spheres", 2);
+    }
+    // Each of so many inputs, faster than redraws, is a step that is undone alone.
+    void expect_steps(int count, const std::function<void()>& act) {
+        const double before = window_.at("revision").number();
+        act();
+        window_.wait_for("revision", before + count);
+        window_.key_many("ctrl+z", count);
+        window_.wait_for("undo", "");
+        EXPECT_EQ(window_.at("revision"), before + 2 * count);
+        EXPECT_EQ(window_.at("changed"), false);
+    }
+    void wait_for_shown(const std::string& what, bool is) {
+        window_.wait_until(what, [&](const Json& f) { return f.at("shown").at(what) == is; });
+    }
+};
+
+class Pointer : public Editing {
+protected:
+    std::string saved() {
+        window_.key("ctrl+s");
+        window_.wait_for("changed", false);
+        return folder_.read(name_);
+    }
+    std::vector<double> saved_numbers() {
+        std::istringstream text(saved());
+        std::vector<double> numbers;
+        for (double number = 0.0; text >> number;) numbers.push_back(number);
+        return numbers;
+    }
+    Place at(double x, double y) { return window_.on_screen(x, y); }
+    void click_with_ctrl(const Place& place) {
+        window_.key_down("ctrl");
+        window_.click(place);
+        window_.key_up("ctrl");
+    }
+};
+
+}  // namespace
+
+TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
+    const auto by_button = [&](const std::string& name) { return [&, name] { window_.click_widget(name); }; };
+    const auto by_key = [&](const std::string& name) { return [&, name] { window_.key(name); }; };
+    const auto by_menu = [&](const std::string& item) { return [&, item] { window_.choose("Edit", item); }; };
+    struct Ways {
+        std::string undo;
+        int spheres;
+        std::vector<std::function<void()>> ways;
+    };
+    const std::vector<Ways> commands = {
+        {"Add sphere 2", 3, {by_button("add"), by_key("Insert"), by_menu("Add sphere")}},
+        {"Duplicate sphere 0", 3, {by_button("duplicate"), by_key("ctrl+d"), by_menu("Duplicate")}},
+        {"Delete sphere 0", 1, {by_button("delete"), by_key("Delete"), by_menu("Delete")}},
+        {"Hide sphere 0", 2, {by_button("hide"), by_key("h"), by_menu("Hide or show"), by_button("row 0 eye")}},
+        {"Move sphere 0 down", 2, {by_key("ctrl+Down"), by_menu("Move down")}},
+    };
+    for (const Ways& command : commands) {
+        window_.step(command.undo);
+        SCOPED_TRACE(command.undo);
+        for (const auto& way : command.ways) {
+            select(0);
+            way();
+            window_.wait_for("undo", command.undo);
+            EXPECT_EQ(window_.at("spheres"), command.spheres);
+            expect_undone();
+        }
+    }
+
+    window_.step("windows open and close by key and menu");
+    for (const std::string key : {"F1", "question"}) {
+        window_.key(key);
+        wait_for_shown("help", true);
+        window_.key(key);
+        wait_for_shown("help", false);
+    }
+    window_.choose("Help", "Keys and mouse");
+    wait_for_shown("help", true);
+    window_.key("F1");
+    wait_for_shown("help", false);
+    window_.key("i");
+    wait_for_shown("inspector", true);
+    window_.move_to(red(0, 60));
+    window_.widget("hit 0");
+    window_.choose("View", "Pixel inspector");
+    wait_for_shown("inspector", false);
+    const double wide = window_.at("picture_size")[0].number();
+    window_.key("Tab");
+    wait_for_shown("panel", false);
+    EXPECT_GT(window_.at("picture_size")[0].number(), wide);
+    window_.key("Tab");
+    wait_for_shown("panel", true);
+    EXPECT_EQ(window_.at("picture_size")[0], wide);
+
+    window_.step("the panel's width and the text's size");
+    const Place edge = window_.widget("splitter");
+    window_.drag(edge, {edge.x - 100, edge.y});
+    window_.wait_until("a wider panel", [&](const Json& f) { return f.at("picture_size")[0] == wide - 100; });
+    const auto height = [&] { return window_.rectangle("add")[3] - window_.rectangle("add")[1]; };
+    const double usual = height();
+    window_.key("ctrl+plus");
+    window_.wait_until("larger text", [&](const Json&) { return height() > usual; });
+    window_.key("ctrl+minus");
+    window_.wait_until("usual text", [&](const Json&) { return height() == usual; });
+    expect_rendered();
+
+    window_.step("quick clicks and keys");
+    const Place eye = window_.widget("row 0 eye");
+    expect_steps(20, [&] { window_.click_many(eye, 20); });
+    select(0);
+    const Place hidden = window_.widget("hidden");
+    expect_steps(11, [&] { window_.click_many(hidden, 11); });
+    expect_steps(20, [&] { window_.key_many("Insert", 20); });
+
+    window_.step("a row that is dragged");
+    const Place first = window_.widget("row 0");
+    const Place second = window_.widget("row 1");
+    window_.drag(first, {second.x, second.y + 0.4 * (second.y - first.y)});
+    window_.wait_for("undo", "Reorder sphere 0");
+    window_.wait_for("selection", {1});
+    window_.key("ctrl+s");
+    window_.wait_for("changed", false);
+    const std::string saved = folder_.read(name_);
+    EXPECT_LT(saved.find("[0, 255, 0]"), saved.find("[255, 0, 0]")) << saved;
+    expect_undone();
+
+    window_.step("a name is typed, and its letters are no shortcuts");
+    select(0);
+    window_.key("F2");
+    window_.widget("rename");
+    window_.type("him?");  // hide, inspector, mark of the export, help
+    window_.key("Return");
+    window_.wait_for("undo", "Rename sphere 0");
+    EXPECT_EQ(window_.at("shown").at("inspector"), false);
+    EXPECT_EQ(window_.at("shown").at("help"), false);
+    expect_rendered();
+    EXPECT_TRUE(contains(folder_.read(name_), "\"him?\""));
+
+    window_.step("what a button does is in the picture");
+    window_.click_widget("add");
+    window_.wait_for("spheres", 3);
+    expect_rendered();
+    select(1);
+    window_.click_widget("hide");
+    window_.wait_for("undo", "Hide sphere 1");
+    expect_rendered();
+    select(0);
+    window_.click_widget("delete");
+    window_.wait_for("spheres", 2);
+    expect_rendered();
+
+    // An idle window draws nothing. Nothing to wait for: what is to happen is nothing, for three seconds. The server may still
+    // have had something to say before.
+    window_.move_to(red());
+    Json last;
+    double before = 0.0;
+    for (int i = 0; i < 5 && last != window_.at("frame"); ++i) {
+        last = window_.at("frame");
+        before = window_.processor_seconds();
+        std::this_thread::sleep_for(std::chrono::seconds(3));
+    }
+    EXPECT_EQ(window_.at("frame"), last);
+    EXPECT_LT(window_.processor_seconds() - before, 0.06);  // two ticks of the clock in which it is counted, and some
+}
+
+TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
+    window_.step("a drag moves a sphere under the pointer");
+    select_red();
+    window_.drag(at(0, 0), at(-20, 10));
+    window_.wait_for("undo", "Move sphere 0");
+    std::vector<double> numbers = saved_numbers();
+    // What was grabbed, at z = 240, follows the pointer: 20 on the screen, at z = 100, is 48 there.
+    EXPECT_NEAR(numbers[4], -48.0, 1.5);
+    EXPECT_NEAR(numbers[5], 24.0, 1.5);
+    EXPECT_EQ(numbers[6], 300.0);
+    window_.key("ctrl+z");
+    window_.wait_for("undo", "");
+
+    window_.step("with shift in depth");
+    window_.drag(at(0, 0), at(0, 15), 1, {"shift"});
+    window_.wait_for("undo", "Move sphere 0");
+    numbers = saved_numbers();
+    EXPECT_EQ(numbers[4], 0.0);
+    EXPECT_GT(numbers[6], 400.0);  // up is away
+    window_.key("ctrl+z");
+    window_.wait_for("undo", "");
+    saved();
+
+    window_.step("Escape takes a drag back");
+    window_.move_to(at(0, 0));
+    window_.press();
+    window_.move_to(at(-10, 0));
+    window_.move_to(at(-20, 0));
+    window_.wait_for("undo", "Move sphere 0");
+    window_.key("Escape");
+    window_.wait_for("undo", "");
+    window_.move_to(at(10, 0));
+    window_.release();
+    window_.wait_for("selection", {0});
+    EXPECT_EQ(window_.at("changed"), false);
+
+    window_.step("turns of the wheel with control change the radius in one step");
+    window_.move_to(at(0, 0));
+    window_.key_down("ctrl");
+    window_.wheel(3);
+    window_.key_up("ctrl");
+    window_.wait_for("undo", "Change the radius of sphere 0");
+    EXPECT_NEAR(saved_numbers()[7], 60.0 * std::pow(1.06, 3), 1e-9);
+    window_.key("ctrl+z");
+    window_.wait_for("undo", "");
+    saved();
+
+    // In a row from left to right, the fourth behind the third; two of them blue.
+    const std::string five_spheres =
+        "5\n255 0 0\n-100 0 300\n25\n0 0 255\n-40 0 300\n25\n0 255 0\n20 0 300\n25\n255 255 0\n40 0 600\n20\n"
+        "0 0 255\n100 0 300\n25\n";
+    name_ = "five.txt";
+    ASSERT_TRUE(window_.drop({folder_.write(name_, five_spheres)}));
+    window_.wait_for("spheres", 5);
+
+    window_.step("a box selects what is seen in it");
+    const Json camera = window_.at("camera");
+    window_.drag(at(-20, 20), at(12, -20), 1, {"ctrl"});
+    window_.wait_for("selection", {1, 2});  // not the yellow one behind
+    window_.drag(at(25, -20), at(48, 20), 1, {"ctrl", "shift"});
+    window_.wait_for("selection", {1, 2, 4});
+    window_.drag(at(4, 5), at(8, -5), 1, {"ctrl", "shift"});
+    window_.wait_for("selection", {1, 4});
+    click_with_ctrl(at(-33, 0));
+    window_.wait_for("selection", {0, 1, 4});
+    click_with_ctrl(at(-33, 0));
+    window_.wait_for("selection", {1, 4});
+    EXPECT_EQ(window_.at("camera"), camera);
+    EXPECT_EQ(window_.at("changed"), false);
+    window_.drag(at(-48, 45), at(48, 40), 1, {"ctrl"});
+    window_.wait_for("selection", Json::array());
+
+    window_.step("what is selected moves together, and one undo brings the bytes back");
+    window_.key("ctrl+a");
+    window_.wait_for("selection", {0, 1, 2, 3, 4});
+    const Place from = at(-33, 0);
+    window_.drag(from, {from.x + 40, from.y - 25});
+    window_.wait_for("undo", "Move 5 spheres");
+    EXPECT_NE(saved(), five_spheres);
+    window_.drag(window_.widget("slider radius", 0.5), window_.widget("slider radius", 0.6));
+    window_.wait_for("undo", "Change radius of 5 spheres");
+    window_.drag(window_.widget("slider y", 0.5), window_.widget("slider y", 0.6));
+    window_.wait_for("undo", "Move 5 spheres");
+    window_.key("Delete");
+    window_.wait_for("spheres", 0);
+    window_.key_many("ctrl+z", 3);
+    window_.wait_until("the first move alone",
+                       [](const Json& f) { return f.at("undo") == "Move 5 spheres" && f.at("changed") == false; });
+    window_.key("ctrl+z");
+    window_.wait_for("undo", "");
+    EXPECT_EQ(saved(), five_spheres);
+
+    window_.step("commands select all, none, inverse and by colour");
+    window_.key("ctrl+a");
+    window_.wait_for("selection", {0, 1, 2, 3, 4});
+    window_.key("ctrl+i");
+    window_.wait_for("selection", Json::array());
+    window_.click(at(-13, 0));
+    window_.wait_for("selection", {1});
+    window_.key("ctrl+l");
+    window_.wait_for("selection", {1, 4});
+    window_.key("ctrl+i");
+    window_.wait_for("selection", {0, 2, 3});
+    window_.key("h");
+    window_.wait_for("undo", "Hide 3 spheres");
+    window_.key("Escape");
+    window_.wait_for("selection", Json::array());
+    window_.key("ctrl+h");
+    window_.wait_for("selection", {0, 2, 3});
+}
+
+}  // namespace sphereview::test

@@ -1,0 +1,188 @@
+// The view: by hand, by keys, of data, on any screen. It is what `render` makes of the scene saved with it, or of a fit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/render.hpp"
+#include "ui/editing.hpp"
+
+namespace sphereview::test {
+
+namespace {
+
+// The scene as `render` shows it, in the size of the window's picture.
+Picture rendered_as(const std::string& scene, ViewerWindow& window, std::vector<std::string> options) {
+    options.insert(options.end(), {"-s", window.picture_size()});
+    return picture_of(scene, "cpu", options);
+}
+
+class View : public Editing {
+protected:
+    View() : Editing("scene.toml"), home_(window_.at("camera")) {}
+
+    // The view is another than home; saved as the scene's camera, it is rendered as it is shown; undo and Home lead back.
+    Json expect_view_rendered(const std::string& step) {
+        window_.step(step);
+        SCOPED_TRACE(step);
+        const Json view = window_.wait_for_other("camera", home_);
+        EXPECT_EQ(window_.at("undo"), "");  // views are no edits
+        window_.key("ctrl+Home");
+        window_.wait_for("undo", "Use of this view as the camera");
+        expect_rendered();
+        window_.key("ctrl+z");
+        window_.wait_for("undo", "");
+        window_.key("Home");
+        window_.wait_for("camera", home_);
+        return view;
+    }
+
+    Json home_;
+};
+
+}  // namespace
+
+TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
+    // Drags that orbit, pan, pan by shift, and zoom.
+    window_.drag(window_.pixel(50, 50), window_.pixel(150, 90));
+    EXPECT_LT(expect_view_rendered("orbit")[0][0].number(), -10.0);  // the scene turns with the pointer
+    window_.drag(red(), red(70, 33), 2);
+    expect_view_rendered("pan");
+    window_.drag(red(), red(-70, 33), 1, {"shift"});
+    expect_view_rendered("pan by shift");
+    window_.drag(red(), red(0, -80), 3);
+    expect_view_rendered("zoom");
+
+    // The wheel zooms at the pointer: what is there stays there, here the edge of a sphere and the small one's middle.
+    window_.move_to(red(50, 20));
+    window_.wheel(3);
+    expect_view_rendered("wheel in");
+    window_.move_to(red(50, 20));
+    window_.wheel(-3);
+    expect_view_rendered("wheel out");
+    const Place green = window_.on_screen(100.0 / 3, 0);
+    window_.move_to(green);
+    window_.wait_for("hovered", 1);
+    window_.wheel(4);
+    window_.wait_for_other("camera", home_);
+    window_.move_to({green.x, green.y + 1});
+    window_.move_to(green);
+    window_.wait_for("hovered", 1);
+
+    // A double click centres.
+    window_.double_click(green);
+    window_.wait_for("selection", {1});
+    window_.wait_until("the green sphere in the middle",
+                       [](const Json& f) { return std::abs(f.at("camera")[0][0].number() - 100.0) < 1.0; });
+    window_.move_to(red());
+    window_.wait_for("hovered", 1);
+    expect_view_rendered("double click");
+
+    window_.step("sizes of the window");
+    for (const auto& [width, height] : {std::pair{1001, 701}, std::pair{700, 951}, std::pair{1399, 555}, std::pair{1300, 701}}) {
+        SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
+        const Json before = window_.at("picture_size");
+        window_.resize(width, height);
+        window_.wait_for_other("picture_size", before);
+        expect_rendered();
+    }
+
+    window_.step("the mark of the area that is exported");
+    const Picture plain = window_.picture();
+    window_.key("m");
+    window_.wait_until("a frame", [&](const Json&) { return !same_picture(window_.picture(), plain); });
+    window_.key("m");
+    window_.wait_until("no frame", [&](const Json&) { return static_cast<bool>(same_picture(window_.picture(), plain)); });
+
+    window_.step("fits by keys");
+    const auto expect_fitted = [&](const std::string& view) {
+        take_marks_away();
+        EXPECT_TRUE(same_picture(window_.picture(), rendered_as(two_spheres, window_, {"--view", view}))) << view;
+    };
+    Json last = home_;
+    for (const auto& [key, view] : {std::pair{"4", "iso"}, {"2", "right"}, {"3", "top"}, {"1", "front"}}) {
+        window_.key(key);
+        last = window_.wait_for_other("camera", last);
+        expect_fitted(view);
+    }
+    window_.move_to(window_.pixel(20, 20));
+    window_.wheel(-1);
+    last = window_.wait_for_other("camera", last);
+    window_.key("f");  // from where the view is
+    window_.wait_for_other("camera", last);
+    expect_fitted("front");
+    EXPECT_EQ(window_.at("changed"), false);
+    window_.key("Home");
+    window_.wait_for("camera", home_);
+    // A flight ends when anything else is done.
+    window_.keys({"4", "Home", "ctrl+a"});
+    EXPECT_EQ(window_.wait_for("selection", {0, 1}).at("camera"), home_);
+    expect_rendered();
+}
+
+TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
+    const TemporaryFolder folder;
+    const std::string first = "3\n\nO 100 100 100\nH 101 100 100\nH 100 101 100\n";
+    const std::string second = "3\n\nN 100 100 100\nH 101 100 100\nH 100 101 100\n";
+    const std::string third = "4\n\nN 100 100 100\nH 101 100 100\nH 100 101 100\nH 100 100 101\n";
+    const auto height_of_add = [](ViewerWindow& window) {
+        const std::vector<double> sides = window.rectangle("add");
+        return sides[3] - sides[1];
+    };
+    double usual = 0.0;
+    {
+        ViewerWindow window(folder, {folder.write("atoms.xyz", first + second + third), "--frame", "1"});
+        usual = height_of_add(window);
+        window.step("fit");
+        EXPECT_EQ(window.at("scene_frame"), Json({1, 3}));
+        const Json camera = window.at("camera");
+        window.key("m");
+        take_marks_away(window);
+        const Picture nitrogen = window.picture();
+        EXPECT_TRUE(same_picture(nitrogen, rendered_as(second, window, {})));
+        window.key("3");
+        window.wait_for_other("camera", camera);
+        take_marks_away(window);
+        EXPECT_TRUE(same_picture(window.picture(), rendered_as(second, window, {"--view", "top"})));
+        window.key("Home");
+        window.wait_for("camera", camera);
+
+        window.step("frames by keys, menu and slider");
+        window.key("Page_Up");
+        window.wait_for("scene_frame", {0, 3});
+        take_marks_away(window);
+        EXPECT_FALSE(same_picture(window.picture(), nitrogen));
+        window.key("Page_Up");  // there is none before
+        window.choose("View", "Next frame");
+        window.wait_for("scene_frame", {1, 3});
+        take_marks_away(window);
+        EXPECT_TRUE(same_picture(window.picture(), nitrogen));
+        window.key("Page_Down");
+        window.wait_for("scene_frame", {2, 3});
+        EXPECT_EQ(window.at("spheres"), 4);
+        EXPECT_EQ(window.at("camera"), camera);
+        EXPECT_EQ(window.at("changed"), false);
+        window.click(window.widget("frame", 0.05));
+        window.wait_for("scene_frame", {0, 3});
+        edit(window);
+        window.key("Page_Down");
+        answer(window, "save-changes", "Don't save");
+        window.wait_for("scene_frame", {1, 3});
+        EXPECT_EQ(window.at("spheres"), 3);
+    }
+
+    // A scene that has a camera is fitted as a view only, and text is as large as the screen wants it: no panel reaches into
+    // the picture.
+    ViewerWindow window(folder, {folder.write("scene.txt", two_spheres), "--view", "right"}, {2400, 1600, 192});
+    EXPECT_NEAR(height_of_add(window) / usual, 2.0, 0.15);
+    window.key("m");
+    take_marks_away(window);
+    EXPECT_TRUE(same_picture(window.picture(), rendered_as(two_spheres, window, {"--view", "right"})));
+    EXPECT_EQ(window.at("changed"), false);
+    const Json fitted = window.at("camera");
+    window.key("Home");
+    window.wait_for_other("camera", fitted);
+    take_marks_away(window);
+    EXPECT_TRUE(same_picture(window.picture(), rendered_as(two_spheres, window, {})));
+}
+
+}  // namespace sphereview::test
