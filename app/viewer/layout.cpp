@@ -14,7 +14,6 @@ namespace sphereview {
 namespace {
 
 constexpr float splitter_width = 6.0F;
-constexpr float narrowest_panel = 220.0F;
 constexpr float narrowest_picture = 100.0F;
 
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -58,6 +57,10 @@ void draw_inspector_window(ViewerState& state, const PanelContext& context, cons
 
 }  // namespace
 
+double panel_width_within(double wanted, double room) {
+    return std::min(panel_width_range.nearest(wanted), panel_width_range.nearest(room));
+}
+
 Rectangle draw_panels(ViewerState& state, const PanelContext& context, const RedrawFacts& facts) {
     // The windows around the picture have no border: ImGui's, if it is wider than a pixel, reaches beyond its window.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
@@ -68,9 +71,9 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
 
     if (state.panel_shown) {
         const float splitter = splitter_width * context.scale;
-        const float widest = std::max(whole.x - splitter - narrowest_picture * context.scale, narrowest_panel);
-        state.settings.panel_width = std::clamp(state.settings.panel_width, static_cast<double>(narrowest_panel),
-                                                static_cast<double>(std::max(widest / context.scale, narrowest_panel)));
+        const float room = whole.x - splitter - narrowest_picture * context.scale;
+        state.settings.panel_width = panel_width_within(state.settings.panel_width, room / context.scale);
+        const float widest = std::max(room, static_cast<float>(panel_width_range.least));
         const float width = std::floor(std::min(static_cast<float>(state.settings.panel_width) * context.scale, widest));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
         place_window(panel);

@@ -20,6 +20,10 @@ struct RedrawFacts {
     DialogKeys keys;
 };
 
+// The width of the side panel, in its setting's range, that is nearest to `wanted` and leaves the picture its place where `room`
+// is.
+double panel_width_within(double wanted, double room);
+
 // Draws all panels and returns where that leaves the picture.
 Rectangle draw_panels(ViewerState& state, const PanelContext& context, const RedrawFacts& facts);
 

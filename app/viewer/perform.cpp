@@ -21,7 +21,7 @@ void select_touched(ViewerState& state, const Touched& touched) {
 }
 
 void scale_text(ViewerState& state, double factor) {
-    state.settings.text_scale = std::clamp(state.settings.text_scale * factor, 0.5, 3.0);
+    state.settings.text_scale = text_scale_range.nearest(state.settings.text_scale * factor);
 }
 
 void center_on_selection(ViewerState& state) {

@@ -58,7 +58,17 @@ void read(const Json& json, const char* key, SettingRange<double> range, double&
     const auto value = json.find(key);
     if (value == json.end() || !value->is_number()) return;
     const auto number = value->get<double>();
-    if (number >= range.least && number <= range.most) setting = number;
+    if (range.has(number)) setting = number;
+}
+
+// Every number with its key and its range, for reading and for writing.
+template <typename Settings, typename Visit>
+void each_number(Settings& settings, const Visit& visit) {
+    visit("panel_width", settings.panel_width, panel_width_range);
+    visit("text_scale", settings.text_scale, text_scale_range);
+    visit("export_width", settings.export_width, export_side_range);
+    visit("export_height", settings.export_height, export_side_range);
+    visit("samples", settings.samples, SettingRange<int>{sample_counts.front(), sample_counts.back()});
 }
 
 void read_place(const Json& json, WindowPlace& place) {
@@ -105,11 +115,7 @@ void update(Json& json, const ViewerSettings& settings) {
     window["width"] = settings.place.width;
     window["height"] = settings.place.height;
     window["maximized"] = settings.place.maximized;
-    json["panel_width"] = settings.panel_width;
-    json["text_scale"] = settings.text_scale;
-    json["export_width"] = settings.export_width;
-    json["export_height"] = settings.export_height;
-    json["samples"] = settings.samples;
+    each_number(settings, [&](const char* key, auto value, auto) { json[key] = value; });
     json["shading"] = name_of(settings.shading);
     Json recent = Json::array();
     std::ranges::copy_if(settings.recent, std::back_inserter(recent), is_utf8);
@@ -137,15 +143,11 @@ ViewerSettings load_settings() {
     const Json json = read_file(settings_file());
     ViewerSettings settings;
     read_place(json, settings.place);
-    read(json, "panel_width", panel_width_range, settings.panel_width);
-    read(json, "text_scale", text_scale_range, settings.text_scale);
-    read(json, "export_width", export_side_range, settings.export_width);
-    read(json, "export_height", export_side_range, settings.export_height);
+    each_number(settings, [&](const char* key, auto& setting, auto range) { read(json, key, range, setting); });
     if (std::int64_t{settings.export_width} * settings.export_height > most_pixels) {
         settings.export_width = ViewerSettings{}.export_width;
         settings.export_height = ViewerSettings{}.export_height;
     }
-    read(json, "samples", {sample_counts.front(), sample_counts.back()}, settings.samples);
     if (std::ranges::find(sample_counts, settings.samples) == sample_counts.end()) settings.samples = ViewerSettings{}.samples;
     const auto shading = json.find("shading");
     if (shading != json.end() && shading->is_string()) {

@@ -1,6 +1,7 @@
 // What the viewer keeps from one run to the next, in the platform's folder for settings.
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,13 @@ template <typename T>
 struct SettingRange {
     T least;
     T most;
+
+    constexpr bool has(T value) const { return value >= least && value <= most; }
+    constexpr T nearest(T value) const { return std::clamp(value, least, most); }
 };
 inline constexpr SettingRange<int> window_side_range{100, 32767};  // screen coordinates
 inline constexpr SettingRange<int> window_place_range{-32768, 32767};
-inline constexpr SettingRange<double> panel_width_range{100.0, 4000.0};
+inline constexpr SettingRange<double> panel_width_range{220.0, 4000.0};
 inline constexpr SettingRange<double> text_scale_range{0.5, 4.0};
 inline constexpr SettingRange<int> export_side_range{1, 65535};  // both together: at most `most_pixels`
 inline constexpr std::size_t most_recent = 10;

@@ -33,42 +33,29 @@ void note_spheres(const ChangeSpheres& old, const Scene& scene, LoggedChange& ch
     }
 }
 
-// Adds the spheres that differ from their old values.
-class Comparison {
-public:
-    Comparison(const Scene& scene, ChangesSince& changes) : scene_(scene), changes_(changes) {}
-
-    void compare(std::uint32_t number, const Sphere& before) {
-        const Sphere& now = scene_.spheres[number];
+// Adds the spheres that differ from their old values. `changes`: one after another, the oldest first. Of a sphere that changed
+// several times, the first has the old value.
+void compare_spheres(const std::vector<const ChangeSpheres*>& changes, const Scene& scene, ChangesSince& result) {
+    const auto compare = [&](std::uint32_t number, const Sphere& before) {
+        const Sphere& now = scene.spheres[number];
         if (same_bits(before, now)) return;
-        changes_.spheres.push_back(number);
-        changes_.geometry = changes_.geometry || !same_geometry(before, now);
-    }
-
-private:
-    const Scene& scene_;
-    ChangesSince& changes_;
-};
-
-// `changes`: one after another, the oldest first. Of a sphere that changed several times, the first has the old value.
-void compare_spheres(const std::vector<const ChangeSpheres*>& changes, Comparison comparison) {
+        result.spheres.push_back(number);
+        result.geometry = result.geometry || !same_geometry(before, now);
+    };
+    // The usual one needs no sorting.
     if (changes.size() == 1) {
         const ChangeSpheres& only = *changes.front();
-        for (std::size_t i = 0; i < only.numbers.size(); ++i) comparison.compare(only.numbers[i], only.spheres[i]);
+        for (std::size_t i = 0; i < only.numbers.size(); ++i) compare(only.numbers[i], only.spheres[i]);
         return;
     }
-    struct Old {
-        std::uint32_t number;
-        const Sphere* sphere;
-    };
-    std::vector<Old> all;
+    std::vector<std::pair<std::uint32_t, const Sphere*>> all;
     for (const ChangeSpheres* change : changes) {
-        for (std::size_t i = 0; i < change->numbers.size(); ++i) all.push_back({change->numbers[i], &change->spheres[i]});
+        for (std::size_t i = 0; i < change->numbers.size(); ++i) all.emplace_back(change->numbers[i], &change->spheres[i]);
     }
-    std::ranges::stable_sort(all, {}, &Old::number);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (i == 0 || all[i].number != all[i - 1].number) comparison.compare(all[i].number, *all[i].sphere);
-    }
+    const auto number_of = [](const auto& one) { return one.first; };
+    std::ranges::stable_sort(all, {}, number_of);
+    all.erase(std::ranges::unique(all, {}, number_of).begin(), all.end());
+    for (const auto& [number, before] : all) compare(number, *before);
 }
 
 }  // namespace
@@ -146,7 +133,7 @@ ChangesSince ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
     result.background = *old_background != scene.background;
     result.geometry = result.order;
     std::ranges::reverse(sphere_changes);
-    if (!result.order && !sphere_changes.empty()) compare_spheres(sphere_changes, {scene, result});
+    if (!result.order && !sphere_changes.empty()) compare_spheres(sphere_changes, scene, result);
     if (!result.order && many) {
         result.geometry = result.geometry || many_geometry;
         result.spheres.resize(scene.spheres.size());

@@ -64,11 +64,6 @@ void renumber(Names& names, Names::iterator first, Names::iterator last, NewNumb
     }
 }
 
-template <typename NewNumber>
-void renumber_from(Names& names, std::uint32_t first, NewNumber new_number) {
-    renumber(names, names.lower_bound(first), names.end(), std::move(new_number));
-}
-
 [[maybe_unused]] bool ascend_below(const Numbers& numbers, std::size_t count) {
     return std::ranges::adjacent_find(numbers, std::ranges::greater_equal{}) == numbers.end() &&
            (numbers.empty() || numbers.back() < count);
@@ -98,7 +93,7 @@ struct Apply {
             if (!name.empty()) new_names.emplace_hint(new_names.end(), edit.numbers[i], std::move(name));
         }
         scene.spheres.resize(old_count + edit.numbers.size());
-        renumber_from(scene.names, edit.numbers.front(), AfterInsert(edit.numbers));
+        renumber(scene.names, scene.names.lower_bound(edit.numbers.front()), scene.names.end(), AfterInsert(edit.numbers));
         scene.names.merge(new_names);
         // From the back: the old spheres that come after the i-th new one move up by i + 1 places.
         std::size_t end = old_count;
@@ -123,7 +118,7 @@ struct Apply {
             removed[i].name = std::move(name->second);
             name = scene.names.erase(name);
         }
-        renumber_from(scene.names, edit.numbers.front(), AfterRemove(edit.numbers));
+        renumber(scene.names, scene.names.lower_bound(edit.numbers.front()), scene.names.end(), AfterRemove(edit.numbers));
         for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
             const std::size_t begin = edit.numbers[i] + std::size_t{1};
             const std::size_t end = i + 1 < edit.numbers.size() ? edit.numbers[i + 1] : scene.spheres.size();
@@ -161,20 +156,9 @@ struct Apply {
         return std::move(edit);
     }
 
-    Edit operator()(ChangeCamera& edit) const {
-        std::swap(scene.camera, edit.camera);
-        return edit;
-    }
-
-    Edit operator()(ChangeBackground& edit) const {
-        std::swap(scene.background, edit.background);
-        return edit;
-    }
-
-    Edit operator()(ReplaceScene& edit) const {
-        std::swap(scene, edit.scene);
-        return std::move(edit);
-    }
+    Edit operator()(ChangeCamera& edit) const { return std::swap(scene.camera, edit.camera), edit; }
+    Edit operator()(ChangeBackground& edit) const { return std::swap(scene.background, edit.background), edit; }
+    Edit operator()(ReplaceScene& edit) const { return std::swap(scene, edit.scene), std::move(edit); }
 };
 
 struct ChangesNothing {

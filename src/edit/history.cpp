@@ -106,6 +106,7 @@ void History::push_undone(HistoryStep step) {
 void History::push_done(HistoryStep step) {
     done_bytes_ += bytes_of(step);
     done_.push_back(std::move(step));
+    forget_oldest();
 }
 
 void History::mark_saved() {

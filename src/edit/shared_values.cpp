@@ -1,6 +1,7 @@
 #include "edit/shared_values.hpp"
 
 #include <algorithm>
+#include <cfloat>
 
 namespace sphereview {
 
@@ -17,10 +18,7 @@ SharedValues shared_values(const std::vector<Sphere>& spheres, const std::vector
     shared.count = numbers.size();
     if (numbers.empty()) return shared;
     const Sphere& first = spheres[numbers.front()];
-    for (std::size_t i = 0; i < shared.ranges.size(); ++i) {
-        const double value = value_of(first, static_cast<SphereValue>(i));
-        shared.ranges[i] = {value, value};
-    }
+    shared.ranges.fill({DBL_MAX, -DBL_MAX});
     bool one_color = true;
     for (const std::uint32_t number : numbers) {
         const Sphere& sphere = spheres[number];

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "viewer/layout.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -114,6 +116,24 @@ TEST_F(Commands, AShadingIsChosenAndChecked) {
     EXPECT_FALSE(is_checked(state, CommandId::shade_flat));
     EXPECT_FALSE(is_checked(state, CommandId::help));
     EXPECT_FALSE(state.document.is_changed());
+}
+
+TEST_F(Commands, TextIsScaledWithinWhatSettingsMayBe) {
+    state.settings.text_scale = text_scale_range.most;
+    run_command(state, CommandId::larger_text);
+    EXPECT_EQ(state.settings.text_scale, text_scale_range.most);
+    run_command(state, CommandId::smaller_text);
+    EXPECT_NEAR(state.settings.text_scale, text_scale_range.most / 1.1, 1e-12);
+    for (int i = 0; i < 50; ++i) run_command(state, CommandId::smaller_text);
+    EXPECT_EQ(state.settings.text_scale, text_scale_range.least);
+}
+
+TEST(Layout, ThePanelIsNeverWiderThanItsSettingMayBe) {
+    EXPECT_EQ(panel_width_within(360.0, 1000.0), 360.0);
+    EXPECT_EQ(panel_width_within(360.0, 300.0), 300.0);
+    EXPECT_EQ(panel_width_within(360.0, 10.0), panel_width_range.least);
+    EXPECT_EQ(panel_width_within(1.0, 1000.0), panel_width_range.least);
+    EXPECT_EQ(panel_width_within(9000.0, 8000.0), panel_width_range.most) << "or the next start would not believe it";
 }
 
 TEST_F(Commands, SelectByWhatSpheresAre) {

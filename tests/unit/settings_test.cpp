@@ -75,14 +75,26 @@ TEST_F(Settings, AreTheDefaultsForABrokenFile) {
 }
 
 TEST_F(Settings, AreTheDefaultsWhereAFieldIsWrong) {
-    for (const char* wrong :
-         {R"({"window": 3})", R"({"window": {"x": "left", "y": 5}})", R"({"window": {"x": 5}})",
-          R"({"window": {"width": 0, "height": -5, "maximized": 1}})", R"({"window": {"width": 99999999999999999999}})",
-          R"({"window": {"width": 18446744073709551615}})", R"({"window": {"width": 800.5}})", R"({"panel_width": 1e9})",
-          R"({"panel_width": null, "text_scale": 0})", R"({"text_scale": -1e308})", R"({"export_width": 0})",
-          R"({"export_width": 65536})", R"({"export_width": 65535, "export_height": 65535})", R"({"recent": "x"})",
-          R"({"samples": 2})", R"({"samples": 64})", R"({"samples": "4"})", R"({"samples": 4.0})",
-          R"({"recent": [1, null, "relative", ""]})"}) {
+    for (const char* wrong : {R"({"window": 3})",
+                              R"({"window": {"x": "left", "y": 5}})",
+                              R"({"window": {"x": 5}})",
+                              R"({"window": {"width": 0, "height": -5, "maximized": 1}})",
+                              R"({"window": {"width": 99999999999999999999}})",
+                              R"({"window": {"width": 18446744073709551615}})",
+                              R"({"window": {"width": 800.5}})",
+                              R"({"panel_width": 1e9})",
+                              R"({"panel_width": 219})",
+                              R"({"panel_width": null, "text_scale": 0})",
+                              R"({"text_scale": -1e308})",
+                              R"({"export_width": 0})",
+                              R"({"export_width": 65536})",
+                              R"({"export_width": 65535, "export_height": 65535})",
+                              R"({"recent": "x"})",
+                              R"({"samples": 2})",
+                              R"({"samples": 64})",
+                              R"({"samples": "4"})",
+                              R"({"samples": 4.0})",
+                              R"({"recent": [1, null, "relative", ""]})"}) {
         EXPECT_EQ(in_words(loaded_from(wrong)), defaults) << wrong;
     }
     const ViewerSettings settings = loaded_from(R"({"text_scale": "big", "panel_width": 500, "recent": ["/a", 5, "/b", "/a"]})");
