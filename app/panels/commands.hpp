@@ -79,7 +79,7 @@ std::string every_shortcut(std::string_view shortcut);  // "Ctrl+Shift+Z or Ctrl
 bool matches(std::string_view shortcut, std::string_view key_name, bool control, bool shift, bool alt);
 
 // What a pressed key stands for. Symbols without Ctrl and Alt ("?") are left to command_for_character(): a key is named by what
-// it gives without Shift, so which key is "?" only the typed character tells.
+// it gives without Shift, so only the typed character tells which key is "?".
 std::optional<CommandId> command_for_key(std::string_view key_name, bool control, bool shift, bool alt);
 std::optional<CommandId> command_for_character(char32_t character);
 

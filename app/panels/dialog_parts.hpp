@@ -11,7 +11,7 @@ namespace sphereview {
 // What the person decided in this frame.
 struct Decision {
     bool done = false;           // the dialog goes away
-    std::function<void()> then;  // when all dialogs are drawn, and this one is away if it is done; may put others
+    std::function<void()> then;  // called after all dialogs are drawn and this one, if done, is gone; may add dialogs
 };
 
 // Each draws the content of its dialog. `keys`: none but for the dialog on top.
@@ -25,7 +25,7 @@ void ask_to_replace(Dialogs& dialogs, const std::string& path, std::function<voi
 // Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
 void draw_text(const std::string& text, float width, float most);
 
-// What is wrong, in red; nothing for "". How high it is: a few lines at most.
+// Draws the text in red, a few lines high at most; nothing for "". fault_height(): of what is drawn, in pixels.
 void draw_fault(const std::string& text, float width);
 float fault_height(const std::string& text, float width);
 

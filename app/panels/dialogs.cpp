@@ -193,7 +193,7 @@ Decision cancelled(const Dialog& dialog) {
     return question == nullptr ? Decision{true, {}} : answered(*question, question->cancel);
 }
 
-// Draws one dialog and, inside of it as ImGui wants it, those above. What is decided comes from the last.
+// Draws one dialog and, inside of its window as ImGui wants it, the dialogs above. The last one's decision is returned.
 Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t index, const DialogKeys& keys) {
     Dialog& dialog = dialogs[index];
     const bool top = index + 1 == dialogs.size();

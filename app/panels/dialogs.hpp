@@ -38,7 +38,7 @@ struct ExportForm {
     std::string folder;                      // of the first path
 };
 
-// What is wrong with the form as it is; "" if nothing is.
+// Why the form cannot be accepted; "" if it can.
 std::string fault_of(const ExportForm& form);
 
 // What a folder holds.
@@ -97,7 +97,7 @@ using Dialog = std::variant<Question, ExportForm, FileBrowser>;
 // Of the dialog, for tests: a question's id, "export", "browser".
 std::string id_of(const Dialog& dialog);
 
-// The dialogs that wait; the last is the one that can be answered, the others lie dimmed below it.
+// Dialogs that wait for an answer. Only the last can be answered; the others lie dimmed below.
 using Dialogs = std::vector<Dialog>;
 
 // The keys that were pressed, not repeated, since the last frame.
@@ -107,8 +107,8 @@ struct DialogKeys {
     int step = 0;  // through a question's answers: Right and Tab +1, Left and Shift+Tab -1; unless typing somewhere
 };
 
-// Draws the dialogs in the middle of the window, above everything. Takes the last away when it is answered, before it calls
-// what was to be called, which may put others. `dialogs` must stay at its address while it holds any.
+// Draws the dialogs in the middle of the window, above everything. Removes the last one when it is answered, and then calls
+// its callback, which may add dialogs. Not movable: callbacks hold references to `dialogs` while it is not empty.
 void draw_dialogs(const PanelContext& context, Dialogs& dialogs, const DialogKeys& keys);
 
 }  // namespace sphereview

@@ -112,7 +112,7 @@ Decision confirm(FileBrowser& browser, Dialogs& dialogs) {
     return {false, [&dialogs, text = text_from(path), accept = std::move(accept)] { ask_to_replace(dialogs, text, accept); }};
 }
 
-// A text box that is being typed into does not see that its text was replaced; that of another folder is another box.
+// A text box that is typed into does not see that its text was replaced. So each folder has a box of its own.
 bool text_box(const FileBrowser& browser, const char* label, std::string& text, ImGuiInputTextFlags flags) {
     ImGui::PushID(browser.listed_folder.c_str());
     const bool edited = ImGui::InputText(label, &text, flags);
@@ -120,7 +120,7 @@ bool text_box(const FileBrowser& browser, const char* label, std::string& text, 
     return edited;
 }
 
-// The keyboard goes to the next item if it was promised to that box.
+// Gives the keyboard to the next item if `browser.focus` names its box.
 void focus_next(FileBrowser& browser, FileBrowser::Focus box) {
     if (browser.focus != box) return;
     ImGui::SetKeyboardFocusHere();
@@ -278,6 +278,7 @@ void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
     focus_next(browser, FileBrowser::Focus::name);
     if (text_box(browser, "##name", browser.name, ImGuiInputTextFlags_AutoSelectAll)) {
         browser.typed_folder = browser.folder;  // what was typed last is meant: a name here, or a folder above
+        browser.error.clear();                  // of another name nothing is known yet
         follow_name(browser);
     }
     note_widget(context, "browser name");

@@ -52,7 +52,7 @@ bool is_wanted(const FileEntry& entry, const std::vector<std::string>& endings, 
     return std::ranges::any_of(endings, [&](const std::string& ending) { return has_ending(entry.name, ending); });
 }
 
-// Size and time are 0 where the file system does not tell them: of a link that leads nowhere.
+// Size and time are 0 where the file system does not know them: of a link that leads nowhere.
 void add_facts(const fs::directory_entry& entry, FileEntry& found) {
     using namespace std::chrono;
     std::error_code error;

@@ -26,7 +26,7 @@ void FilterSearch::begin(const Scene& scene, std::string_view filter) {
     filter_ = filter;
     wanted_ = lower_case(trimmed(filter));
     count_ = scene.spheres.size();
-    unnamed_ = std::string_view("sphere").find(wanted_) != std::string_view::npos;  // what every one of them is called
+    unnamed_ = std::string_view("sphere").find(wanted_) != std::string_view::npos;  // as every unnamed sphere is titled
     const std::string_view digits = digits_of(wanted_);
     std::uint64_t first = 0;
     const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), first);

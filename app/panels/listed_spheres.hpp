@@ -22,7 +22,7 @@ public:
 
     // From the beginning. The filter is not empty.
     void begin(const Scene& scene, std::string_view filter);
-    // The scene's names and numbers must be those of begin().
+    // The scene's names and numbers must not have changed since begin().
     void go_on(const Scene& scene, std::size_t step = usual_step);
     void finish(const Scene& scene);
 
@@ -50,7 +50,7 @@ private:
     std::vector<std::uint32_t> found_;
 };
 
-// Which spheres the rows of a list stand for: `listed`, or without a filter all, which nobody has to write down.
+// Which spheres the rows of a list stand for: `listed`, or all without a filter, for which no numbers are stored.
 class ListedSpheres {
 public:
     ListedSpheres(const Scene& scene, bool all, const std::vector<std::uint32_t>& listed)
@@ -81,7 +81,7 @@ public:
 
     void by(double rows) { to(above_ + rows); }
     void to(double above);  // at most most()
-    // By as much that the row is seen; where it is not, into the middle.
+    // Scrolls the row into the middle unless it is seen already.
     void show(std::size_t row);
 
     // A scroll bar at a place in screen coordinates, for the mouse. Noted as "list scroll bar".
@@ -92,7 +92,7 @@ private:
     double seen_ = 1.0;
     double above_ = 0.0;
     std::optional<std::size_t> shown_;
-    float grabbed_ = 0.0F;  // where in the thumb the mouse holds it, from its top
+    float grabbed_ = 0.0F;  // from the top of the thumb to the mouse that holds it
 };
 
 }  // namespace sphereview

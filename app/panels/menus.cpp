@@ -143,7 +143,7 @@ void draw_item(const PanelContext& context, const CommandInfo& info) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", history_text(context).c_str());
 }
 
-// A menu's title where it is about to be drawn: once it is open, the last item is another.
+// Notes a menu's title before it is drawn: ImGui's last item is another once the menu is open.
 void note_menu(const PanelContext& context, const std::string& name) {
     if (context.rectangles == nullptr) return;
     const ImVec2 low = ImGui::GetCursorScreenPos();

@@ -13,13 +13,20 @@ void note_widget(const PanelContext& context, const std::string& name) {
     (*context.rectangles)[name] = {low.x, low.y, high.x, high.y};
 }
 
-std::string title_of(const Scene& scene, std::uint32_t number) {
+std::string name_of(const Scene& scene, std::uint32_t number) {
     const auto name = scene.names.find(number);
-    return name == scene.names.end() ? "sphere " + std::to_string(number) : "'" + name->second + "'";
+    return name == scene.names.end() ? "" : name->second;
 }
 
+std::string title_of(const Scene& scene, std::uint32_t number) {
+    const std::string name = name_of(scene, number);
+    return name.empty() ? "sphere " + std::to_string(number) : "'" + name + "'";
+}
+
+std::string spheres_in_words(std::size_t count) { return in_groups(count) + (count == 1 ? " sphere" : " spheres"); }
+
 std::string title_of(const Scene& scene, const Selection& selection) {
-    return selection.size() == 1 ? title_of(scene, selection.numbers().front()) : in_groups(selection.size()) + " spheres";
+    return selection.size() == 1 ? title_of(scene, selection.numbers().front()) : spheres_in_words(selection.size());
 }
 
 std::string on_one_line(std::string_view text) {

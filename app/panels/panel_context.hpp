@@ -61,12 +61,14 @@ struct PanelContext {
     std::int64_t frames = 1;
 };
 
-// Notes the last widget's rectangle, if anyone wants to know.
+// Notes the rectangle of ImGui's last widget where `rectangles` are collected.
 void note_widget(const PanelContext& context, const std::string& name);
 
-// What a person calls a sphere: its name in quotes, else "sphere 3".
+// A sphere's name; "" where it has none.
+std::string name_of(const Scene& scene, std::uint32_t number);
+// What a person calls a sphere: its name in quotes, else "sphere 3"; so many: "1,234 spheres"; and what is selected.
 std::string title_of(const Scene& scene, std::uint32_t number);
-// And several, or one: "1,234 spheres".
+std::string spheres_in_words(std::size_t count);
 std::string title_of(const Scene& scene, const Selection& selection);
 
 // On one line: control characters, such as a line's end in a file's name, become spaces.

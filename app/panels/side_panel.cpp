@@ -75,10 +75,8 @@ void draw_scene_panel(const PanelContext& context) {
     const Scene& scene = context.document.scene();
     if (context.frames > 1) draw_frame_slider(context);
     draw_background(context);
-    const std::vector<float> widths = button_widths({"Use this view", "Home"});
-    draw_command_button(context, CommandId::use_view_as_camera, "Use this view", "use view", widths[0]);
-    ImGui::SameLine();
-    draw_command_button(context, CommandId::go_home, "Home", "home", widths[1]);
+    draw_command_buttons(context,
+                         {{CommandId::use_view_as_camera, "Use this view", "use view"}, {CommandId::go_home, "Home", "home"}});
     const bool open = ImGui::TreeNodeEx("camera", ImGuiTreeNodeFlags_NoTreePushOnOpen);
     note_widget(context, "camera");
     if (!open) return;
@@ -91,17 +89,13 @@ void draw_scene_panel(const PanelContext& context) {
 constexpr float fewest_rows = 5.0F;
 
 void draw_buttons(const PanelContext& context, SidePanelState& state) {
-    // The command shows what it finds all hidden.
+    // The command shows the selected spheres again when all of them are hidden.
     const SharedValues& shared = shared_of_selection(context, state);
     const char* hide = shared.count > 0 && shared.hidden == shared.count ? "Show###hide" : "Hide###hide";
-    const std::vector<float> widths = button_widths({"Add", "Duplicate", "Delete", hide});
-    draw_command_button(context, CommandId::add_sphere, "Add", "add", widths[0]);
-    ImGui::SameLine();
-    draw_command_button(context, CommandId::duplicate, "Duplicate", "duplicate", widths[1]);
-    ImGui::SameLine();
-    draw_command_button(context, CommandId::remove, "Delete", "delete", widths[2]);
-    ImGui::SameLine();
-    draw_command_button(context, CommandId::hide, hide, "hide", widths[3]);
+    draw_command_buttons(context, {{CommandId::add_sphere, "Add", "add"},
+                                   {CommandId::duplicate, "Duplicate", "duplicate"},
+                                   {CommandId::remove, "Delete", "delete"},
+                                   {CommandId::hide, hide, "hide"}});
 }
 
 void select_filtered(const PanelContext& context, SidePanelState& state) {
@@ -140,7 +134,7 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
 
 std::string count_in_words(const PanelContext& context, const SidePanelState& state) {
     const std::size_t count = context.document.scene().spheres.size();
-    const std::string all = in_groups(count) + (count == 1 ? " sphere" : " spheres");
+    const std::string all = spheres_in_words(count);
     if (!state.filter.empty()) {
         const std::string found = in_groups(state.search.found().size()) + " of " + all;
         return state.search.done() ? found : found + ", " + fixed(100.0 * state.search.part(), 0) + " % looked at";

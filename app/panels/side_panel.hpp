@@ -24,18 +24,18 @@ struct SidePanelState {
     std::optional<std::uint32_t> renaming;  // the sphere whose name is being typed in the list
     std::string new_name;
     bool focus_rename = false;
-    FilterSearch search;               // for what passes the filter; it goes on while frames are drawn
-    std::uint64_t searched_names = 0;  // Document::names_revision() of it
+    FilterSearch search;               // for the spheres that pass the filter; goes on from frame to frame
+    std::uint64_t searched_names = 0;  // Document::names_revision() of the search
     bool scroll_to_selection = false;  // set by whoever selects elsewhere
     ListScroll scroll;
     bool list_hovered = false;   // the wheel is the list's
-    bool list_has_keys = false;  // Home, End, Page Up and Page Down are the list's: it was clicked last
+    bool list_has_keys = false;  // Home, End, Page Up and Page Down move in the list, which was clicked last
 
     std::optional<std::uint32_t> anchor;   // where a range of rows begins: the row clicked last
     std::optional<std::uint32_t> dragged;  // the sphere that is being given another place
     bool drag_cancelled = false;
     std::uint64_t drawn_revision = 0;     // of the scene in which these are numbers
-    std::optional<std::uint32_t> edited;  // whom the fields below are about
+    std::optional<std::uint32_t> edited;  // the sphere that the fields below show
     TypedNumber typed;
     ValueDrag value_drag;
     SharedValues shared;  // of the scene and the selection of these revisions

@@ -58,8 +58,7 @@ public:
 private:
     void draw_name() {
         const Scene& scene = context_.document.scene();
-        const auto found = scene.names.find(number_);
-        const std::string old = found == scene.names.end() ? "" : found->second;
+        const std::string old = name_of(scene, number_);
         if (!state_.name_active) state_.name = old;
         begin_field(context_, "name");
         ImGui::InputTextWithHint("##name", "none", &state_.name);
@@ -137,7 +136,7 @@ private:
 };
 
 std::string in_words(const SharedValues& shared) {
-    std::string text = in_groups(shared.count) + " spheres";
+    std::string text = spheres_in_words(shared.count);
     if (!shared.color) text += ", of several colours";
     if (shared.hidden > 0) text += ", " + (shared.hidden == shared.count ? "all" : in_groups(shared.hidden)) + " hidden";
     return text + ". Sliders move all by as much and scale all alike; a number that is typed is set for all.";

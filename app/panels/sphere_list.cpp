@@ -57,8 +57,7 @@ void draw_eye(ImVec2 middle, float size, bool open, ImU32 color) {
 void accept_name(const PanelContext& context, SidePanelState& state) {
     const std::uint32_t number = *state.renaming;
     const Scene& scene = context.document.scene();
-    const auto old = scene.names.find(number);
-    if (state.new_name != (old == scene.names.end() ? "" : old->second)) {
+    if (state.new_name != name_of(scene, number)) {
         context.actions.emplace_back(EditScene{RenameSphere{number, state.new_name}, "Rename " + title_of(scene, number)});
     }
     state.renaming.reset();
@@ -80,8 +79,8 @@ void draw_name_field(const PanelContext& context, SidePanelState& state, ImVec2 
 void draw_words(const PanelContext& context, std::uint32_t number, ImVec2 place, float right, bool hovered) {
     const Scene& scene = context.document.scene();
     const Sphere& sphere = scene.spheres[number];
-    const auto name = scene.names.find(number);
-    const std::string title = name == scene.names.end() ? "sphere " + std::to_string(number) : name->second;
+    const std::string name = name_of(scene, number);
+    const std::string title = name.empty() ? title_of(scene, number) : name;
     const std::string radius = short_text(sphere.radius);
     const float radius_left = right - ImGui::CalcTextSize(radius.c_str()).x;
     const float title_right = radius_left - ImGui::GetStyle().ItemSpacing.x;
@@ -259,7 +258,7 @@ void toggle_hidden(const PanelContext& context, std::uint32_t number) {
         EditScene{ChangeSpheres{{number}, {sphere}}, (sphere.hidden ? "Hide " : "Show ") + title_of(scene, number)});
 }
 
-// Where a key goes to from a row; nothing if it is none of these.
+// The row that a pressed key leads to from a row; nothing where no such key is pressed.
 std::optional<std::size_t> row_for_key(std::optional<std::size_t> row, std::size_t rows, std::size_t page) {
     const std::size_t last = rows - 1;
     if (key_pressed(ImGuiKey_UpArrow)) return row && *row > 0 ? *row - 1 : 0;
@@ -358,9 +357,8 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
 
 void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number) {
     if (number >= scene.spheres.size()) return;
-    const auto name = scene.names.find(number);
     state.renaming = number;
-    state.new_name = name == scene.names.end() ? "" : name->second;
+    state.new_name = name_of(scene, number);
     state.focus_rename = true;
 }
 

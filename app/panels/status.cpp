@@ -51,7 +51,7 @@ void draw_announcement(const PanelContext& context, const std::string& text, con
     const float most = std::max(area.width - 2.0F * (margin + padding), 4.0F * ImGui::GetFontSize());
     ImGui::SetNextWindowPos({area.x + 0.5F * area.width, area.y + area.height - margin}, ImGuiCond_Always, {0.5F, 1.0F});
     ImGui::SetNextWindowBgAlpha(0.9F);
-    // Clicks go through it to the picture.
+    // NoInputs: clicks go through the announcement to the picture.
     if (ImGui::Begin("###announcement", nullptr,
                      quiet_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoInputs)) {
         wrapped_text(text, padding + most);
@@ -90,7 +90,7 @@ struct Trouble {
     float top = 0.0F;  // where its window begins
 };
 
-// The heading, and the button that closes. Returns whether it was pressed.
+// Draws the heading and the button that closes. Returns whether the button was pressed.
 bool draw_heading(const PanelContext& context, const Trouble& trouble) {
     const float button = ImGui::CalcTextSize("Close").x + 2.0F * ImGui::GetStyle().FramePadding.x;
     const float left = ImGui::GetCursorPosX();
@@ -102,7 +102,7 @@ bool draw_heading(const PanelContext& context, const Trouble& trouble) {
     return closed;
 }
 
-// A red-edged box; returns where it ends. `closed`: by its button.
+// Draws a box with a red edge. Returns the y of its lower edge. closed: set when its button is pressed.
 float draw_trouble(const PanelContext& context, const Trouble& trouble, const MessageArea& area, bool& closed) {
     const float margin = 12.0F * context.scale;
     const float width = std::max(area.width - 2.0F * margin, 8.0F * ImGui::GetFontSize());
@@ -117,7 +117,7 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Me
         const auto& fonts = ImGui::GetIO().Fonts->Fonts;
         const bool monospaced = trouble.log && fonts.Size > 1;
         if (monospaced) ImGui::PushFont(fonts[1]);
-        // Wrapped before the scroll bar whether it is there or not, or it would come and go.
+        // Text always leaves room for the scroll bar, or the bar would come and go.
         wrapped_text(trouble.text, width - ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize);
         if (monospaced) ImGui::PopFont();
         note_window(context, std::string("message ") + trouble.name);
@@ -151,7 +151,7 @@ ClosedMessages draw_messages(const PanelContext& context, const Messages& messag
 
 namespace {
 
-// Columns from left to right, each as wide as the widest text it may ever hold.
+// Columns from left to right, each as wide as its widest text can be.
 class Columns {
 public:
     explicit Columns(float scale) : origin_(ImGui::GetCursorScreenPos()), gap_(24.0F * scale) {
@@ -181,7 +181,7 @@ private:
 };
 
 std::string spheres_text(std::size_t spheres, std::size_t hidden, std::size_t selected) {
-    std::string text = in_groups(spheres) + (spheres == 1 ? " sphere" : " spheres");
+    std::string text = spheres_in_words(spheres);
     if (hidden > 0) text += ", " + in_groups(hidden) + " hidden";
     if (selected > 0) text += ", " + in_groups(selected) + " selected";
     return text;

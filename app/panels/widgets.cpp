@@ -153,28 +153,24 @@ void begin_field(const PanelContext& context, const char* label) {
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x));
 }
 
-void draw_command_button(const PanelContext& context, CommandId id, const char* label, const std::string& widget, float width) {
-    ImGui::BeginDisabled(!context.enabled(id));
-    const bool pressed = ImGui::Button(label, {width, 0.0F});
-    ImGui::EndDisabled();
-    note_widget(context, widget);
-    if (pressed) context.actions.emplace_back(RunCommand{id});
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const CommandInfo& info = info_of(id);
-    const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
-    ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
-}
-
-std::vector<float> button_widths(std::initializer_list<const char*> labels) {
-    const auto count = static_cast<float>(labels.size());
+void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons) {
+    const auto count = static_cast<float>(buttons.size());
+    const auto text_width = [](const CommandButton& button) { return ImGui::CalcTextSize(button.label, nullptr, true).x; };
     float left = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x * (count - 1.0F);
-    std::vector<float> widths;
-    for (const char* label : labels) {
-        widths.push_back(ImGui::CalcTextSize(label, nullptr, true).x);
-        left -= widths.back();
+    for (const CommandButton& button : buttons) left -= text_width(button);
+    for (const CommandButton& button : buttons) {
+        if (&button != buttons.data()) ImGui::SameLine();
+        ImGui::BeginDisabled(!context.enabled(button.id));
+        if (ImGui::Button(button.label, {std::max(1.0F, text_width(button) + left / count), 0.0F})) {
+            context.actions.emplace_back(RunCommand{button.id});
+        }
+        ImGui::EndDisabled();
+        note_widget(context, button.widget);
+        if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) continue;
+        const CommandInfo& info = info_of(button.id);
+        const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
+        ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
     }
-    for (float& width : widths) width = std::max(1.0F, width + left / count);
-    return widths;
 }
 
 void wrapped_text(std::string_view text, float wrap_at) {
@@ -213,7 +209,7 @@ std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const 
     const ImGuiColorEditFlags flags =
         ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoDragDrop | (numbers ? 0 : ImGuiColorEditFlags_NoInputs);
     const bool changed = ImGui::ColorEdit3(label, parts.data(), flags);
-    // Its parts, and its picker, count as the item: a drag in one of them activates it.
+    // ImGui counts the three numbers and the picker as one item: a drag in one activates the item.
     if (ImGui::IsItemActivated()) ++context.gesture;
     if (!changed) return std::nullopt;
     const auto byte = [](float part) {

@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,11 +18,14 @@ void apply_style(float scale);
 // Writes the label at the left; the next item takes the rest of the line.
 void begin_field(const PanelContext& context, const char* label);
 
-// A button so wide that runs the command, with its help and its shortcut as a tooltip. `label` may be another than the menu's.
-void draw_command_button(const PanelContext& context, CommandId id, const char* label, const std::string& widget, float width);
-
-// The widths of buttons side by side that fill the line: each as much wider than its label as the others.
-std::vector<float> button_widths(std::initializer_list<const char*> labels);
+// Buttons that run commands, side by side over the whole line, each as much wider than its label as the others. Their tooltips have
+// the command's help and shortcut.
+struct CommandButton {
+    CommandId id;
+    const char* label;   // may differ from the menu's
+    const char* widget;  // as what it is noted
+};
+void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons);
 
 // Text that is continued below where the line ends, or at a place in the window.
 void wrapped_text(std::string_view text, float wrap_at = 0.0F);
@@ -38,14 +40,14 @@ void draw_swatch(const Color& color, ImVec2 place, float side, float scale, floa
 // Whether a key, as ImGui calls it (ImGuiKey_UpArrow), went down or repeats.
 bool key_pressed(ImGuiKey key);
 
-// The gesture that the change of `color` belongs to; nothing while it does not change. Begins a gesture with each drag. The
+// The gesture that a change of `color` belongs to; nothing while the colour stays. Begins a gesture with each drag. The
 // widget is ImGui's last item afterwards.
 std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const char* label, Color& color, bool numbers = true);
 
 // The nearest multiple of 10^exponent, as the nearest double; 0 where that is nearest.
 double rounded_to(double value, int exponent);
 
-// The exponent of the last of so many significant digits; of 0 that of 1.
+// The exponent of the last of `digits` significant digits; 0 counts as 1.
 int last_digit(double value, int digits);
 
 // With decimal places down to 10^exponent, "12.50" for -2; as short as it can be where that would be long.

@@ -51,7 +51,7 @@ void Autosave::finish() {
 }
 
 bool Autosave::keep(const Document& document, const std::string& original) {
-    finish();  // or it would replace what is newer
+    finish();  // or the copy being written would replace this newer one
     const auto begin = Clock::now();
     const bool done = write_recovery(document.scene(), original);
     pause_ = std::max(shortest_pause, pauses_per_write * (Clock::now() - begin));

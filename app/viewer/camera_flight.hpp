@@ -21,7 +21,7 @@ public:
     // The camera at that time; the flight begins with the first call. From `duration` on it is the one to arrive at, to the bit.
     const Camera& advance(Time now);
     bool has_arrived() const { return last_ == to_; }
-    // What advance() gave last: if the view is another, something else has moved it.
+    // What advance() gave last: if the view differs, something else has moved the view.
     const Camera& last() const { return last_; }
 
 private:

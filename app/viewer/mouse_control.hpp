@@ -15,7 +15,7 @@ namespace sphereview {
 // The mouse in one frame. Places are pixels of the picture from its top left corner.
 struct PictureMouse {
     glm::dvec2 place{0.0};
-    bool available = false;  // over the picture, and no panel wants it
+    bool available = false;  // over the picture, and no panel wants the mouse
     // By platform/window.hpp's MouseButton.
     std::array<bool, 3> pressed{};
     std::array<bool, 3> released{};
@@ -39,7 +39,7 @@ struct PictureState {
     std::function<std::vector<std::uint32_t>(Pixel, Pixel)> seen_in{};
 };
 
-// What it did, besides what is in `actions`.
+// What the mouse did to the view; edits are in `actions`.
 struct PictureConsequences {
     std::optional<Camera> camera;
     std::optional<glm::dvec3> pivot;

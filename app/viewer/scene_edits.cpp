@@ -33,10 +33,8 @@ EditScene duplicate_selected(const ViewerState& state) {
     InsertSpheres insert;
     auto next = static_cast<std::uint32_t>(state.scene().spheres.size());
     for (const std::uint32_t number : state.selection.numbers()) {
-        NamedSphere copy{state.scene().spheres[number], ""};
-        if (const auto name = state.scene().names.find(number); name != state.scene().names.end()) {
-            copy.name = name->second + " copy";
-        }
+        NamedSphere copy{state.scene().spheres[number], name_of(state.scene(), number)};
+        if (!copy.name.empty()) copy.name += " copy";
         // Beside the original, where it can be seen.
         const glm::dvec3 right = state.camera.right;
         copy.sphere.center += copy.sphere.radius / glm::length(right) * right;

@@ -100,7 +100,7 @@ bool finish_work(ViewerState& state) {
     const bool loaded = state.loading && state.loading->job.ended();
     const bool saved = state.saving && state.saving->job.ended();
     if (saved) end_saving(state);
-    // What saving led to may have replaced it.
+    // The end of saving may have replaced what was being loaded.
     if (loaded && state.loading && state.loading->job.ended()) end_loading(state);
     return loaded || saved;
 }

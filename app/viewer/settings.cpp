@@ -28,7 +28,7 @@ fs::path settings_file() {
     return folder.empty() ? fs::path() : folder / "viewer.json";
 }
 
-// An empty object when there is no file or it holds something else.
+// An empty object where there is no file, or none with an object.
 Json read_file(const fs::path& file) {
     std::error_code ignored;
     if (file.empty() || !fs::is_regular_file(file, ignored)) return Json::object();
@@ -36,7 +36,7 @@ Json read_file(const fs::path& file) {
         Json json = Json::parse(InputFile(file.string()).bytes(), nullptr, false);
         if (json.is_object()) return json;
     } catch (const std::exception&) {
-        // Unreadable: as if it were not there.
+        // An unreadable file counts as none.
     }
     return Json::object();
 }

@@ -27,7 +27,7 @@ constexpr double slope = half_side / distance * (31.0 / 32.0);
 
 // What is smaller than this part of its distance from the origin counts as larger: an eye's numbers could not place it well enough.
 constexpr double smallest_part = 0x1p-46;
-// Below it squares and reciprocals leave the range of doubles.
+// Squares and reciprocals of smaller radii leave the range of doubles.
 constexpr double smallest_radius = 0x1p-900;
 // For an eye: its screen's numbers must be finite as well.
 constexpr double farthest = 0x1p1023;
@@ -64,7 +64,7 @@ glm::dvec3 unit(glm::dvec3 v) {
     return v / std::sqrt(dot(v, v));
 }
 
-// -0 becomes 0: which of them a sum of nothing gives depends on the order of the spheres.
+// -0 becomes 0: the order of the spheres decides which of the two an empty sum gives.
 glm::dvec3 without_negative_zero(const glm::dvec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
 
 ViewAxes axes_from(const SineCosine& azimuth, const SineCosine& elevation) {

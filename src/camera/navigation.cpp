@@ -10,7 +10,7 @@ namespace sphereview {
 namespace {
 
 constexpr glm::dvec3 world_up{0.0, 1.0, 0.0};
-// How near the poles a tilt comes: so near that nobody sees it, so far that rounding never makes up of down.
+// How near the poles a tilt comes: nobody sees the difference, and rounding never turns up into down.
 constexpr double farthest_tilt = std::numbers::pi / 2.0 - 1e-4;
 // A camera that lies on its side, `right` within this of the world's y, has no poles.
 constexpr double smallest_height = 1e-6;
@@ -80,7 +80,7 @@ Attitude attitude_of(const Directions& directions) {
     return {true, std::fabs(elevation) > std::numbers::pi / 2.0 + 1e-9, elevation};
 }
 
-// How far the camera may be tilted down, at most `tilt`. Beyond the end it is not taken back, but may only turn back.
+// How far the camera may be tilted down, at most `tilt`. A camera beyond the end stays there and may only turn back.
 double allowed_tilt(const Attitude& attitude, double tilt) {
     if (!attitude.has_poles) return tilt;
     // Upside down, what counts is the way from the horizon behind.

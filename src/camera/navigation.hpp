@@ -13,7 +13,7 @@
 namespace sphereview {
 
 // The camera of these vectors, `axis` from the eye to the screen's centre; far from the origin with a larger screen, as above.
-// Unlike the others it may have a fault.
+// Unlike the results of the other functions this camera may have a fault.
 Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up);
 
 // Where a picture of that size shows a point: pixels from the top left corner, pixel (0, 0)'s centre is (0.5, 0.5). Nothing

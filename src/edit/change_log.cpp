@@ -107,7 +107,7 @@ ChangesSince ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
     bool many = false;
     bool many_geometry = false;
     std::vector<const ChangeSpheres*> sphere_changes;
-    const LoggedChange* order = nullptr;  // the only change of it
+    const LoggedChange* order = nullptr;  // the change of the order, where there is one only
     int order_changes = 0;
     for (auto entry = entries_.end(); entry != first;) {
         const LoggedChange& change = (--entry)->change;

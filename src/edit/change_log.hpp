@@ -1,4 +1,4 @@
-// A record of what changed under which revision of a scene, for those who hold something made from an earlier one.
+// A record of what changed under which revision of a scene, for code that keeps something made from an earlier one.
 #pragma once
 
 #include <cstddef>

@@ -9,7 +9,7 @@ namespace sphereview {
 
 namespace {
 
-// One counter for all documents: who holds a picture of one must not take another for it.
+// One counter for all documents: a picture of one document must not be taken for one of another.
 std::uint64_t next_revision() {
     static std::atomic<std::uint64_t> latest = 0;
     return ++latest;

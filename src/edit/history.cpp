@@ -92,7 +92,7 @@ HistoryStep History::take_undone() {
     return step;
 }
 
-// What was put in by a few bytes is held here when it is taken back.
+// Taking inserted spheres back keeps them here, though the step to undo was a few bytes.
 void History::push_undone(HistoryStep step) {
     undone_bytes_ += bytes_of(step);
     undone_.push_back(std::move(step));

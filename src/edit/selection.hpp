@@ -28,9 +28,9 @@ public:
     void set_only(std::uint32_t number);
     void set_all(std::size_t count);  // 0..count - 1
     void toggle(std::uint32_t number);
-    // Those of 0..count - 1 that were not in it.
+    // The numbers of 0..count - 1 that were not selected are selected, and no others.
     void invert(std::size_t count);
-    // These, ascending, come in; when all are in it already, they go out.
+    // Adds these ascending numbers; removes them when all were selected.
     void toggle_all(const std::vector<std::uint32_t>& numbers);
     // Drops what a scene of so many spheres does not have.
     void keep_below(std::size_t count);

@@ -349,6 +349,7 @@ TEST_F(BrowserDialog, TheBoxWithTheFaultKeepsTheKeyboard) {
     type_wrong("browser name", "missing.txt");
     harness.panels.type("four.txt");
     EXPECT_EQ(browser().name, "four.txt");
+    EXPECT_EQ(browser().error, "");
     type_wrong("browser path", folder.path("missing"));
     harness.panels.type("/x");
     EXPECT_EQ(browser().typed_folder, folder.path("missing/x"));

@@ -65,8 +65,8 @@ public:
     SidePanelState& state() { return held; }
 
     // Selects as a click does, without one.
-    void select(std::uint32_t number) {
-        selection.set_only(number);
+    void select(const std::vector<std::uint32_t>& numbers) {
+        selection.set(numbers);
         frames(2);
     }
     const Sphere& sphere(std::uint32_t number) const { return document.scene().spheres.at(number); }

@@ -76,27 +76,16 @@ TEST(Inspector, ShowsTheFormulaeAndTheHitsInOrder) {
     EXPECT_TRUE(panel.take_actions().empty());
 }
 
-TEST(Inspector, ShowsATangentRay) {
-    InspectorHarness panel(of({{{20.0, 0.0, 200.0}, 20.0}}));
-    expect_in_order(panel.text(),
-                    {"discriminant = 0  = 0 exactly: tangent, one root", "the ray is tangent", "t = 2", "only exact"});
-}
-
-TEST(Inspector, ShowsAnEyeInside) {
-    InspectorHarness panel(of({{{0.0, 0.0, 10.0}, 50.0}}));
-    expect_in_order(panel.text(), {"seen", "t1 = -0.4", "t2 = 0.6", "the eye is inside the sphere", "t = 0.6"});
-}
-
-TEST(Inspector, ShowsTheBackground) {
-    Scene scene = of({{{0.0, 90.0, 200.0}, 20.0}});
-    scene.background = {{255, 255, 255}, false};
-    InspectorHarness panel(scene);
-    expect_in_order(panel.text(), {"No hit: the pixel shows the background, white.", "1 missed"});
-}
-
-TEST(Inspector, ShowsEqualHits) {
-    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 210.0}, 30.0}}));
-    expect_in_order(panel.text(), {"sphere 0", "seen", "sphere 1", "exactly as near"});
+TEST(Inspector, ShowsWhatIsSpecialAboutARay) {
+    Scene white = of({{{0.0, 90.0, 200.0}, 20.0}});
+    white.background = {{255, 255, 255}, false};
+    const std::vector<std::pair<Scene, std::vector<std::string>>> cases = {
+        {of({{{20.0, 0.0, 200.0}, 20.0}}),
+         {"discriminant = 0  = 0 exactly: tangent, one root", "the ray is tangent", "t = 2", "only exact"}},
+        {of({{{0.0, 0.0, 10.0}, 50.0}}), {"seen", "t1 = -0.4", "t2 = 0.6", "the eye is inside the sphere", "t = 0.6"}},
+        {white, {"No hit: the pixel shows the background, white.", "1 missed"}},
+        {of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 210.0}, 30.0}}), {"sphere 0", "seen", "sphere 1", "exactly as near"}}};
+    for (const auto& [scene, words] : cases) expect_in_order(InspectorHarness(scene).text(), words);
 }
 
 TEST(Inspector, ShowsTheNearestOfManyHits) {

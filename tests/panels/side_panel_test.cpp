@@ -64,7 +64,7 @@ TEST(ScenePanel, CameraIsShown) {
 
 TEST(ScenePanel, SmallPanelsScroll) {
     SidePanelHarness panel(line_of_spheres(50), 200.0F);
-    panel.select(3);
+    panel.select({3});
     EXPECT_GE(panel.rows(), 4U);
     EXPECT_TRUE(panel.take_actions().empty());
 }

@@ -35,7 +35,7 @@ TEST(SphereEditor, DraggingASliderChangesThatValueAloneInOneGesture) {
     for (const std::size_t which : {0U, 1U, 2U, 3U}) {
         const std::string slider = std::array{"slider x", "slider y", "slider z", "slider radius"}[which];
         SidePanelHarness panel(line_of_spheres(10));
-        panel.select(3);
+        panel.select({3});
         const Bits before = bits(panel.sphere(3));
         drag_slider(panel, slider, 0.4F, 0.8F);
         const auto edits = panel.taken<EditScene>();
@@ -49,27 +49,17 @@ TEST(SphereEditor, DraggingASliderChangesThatValueAloneInOneGesture) {
             for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(after[i] == before[i], i != which) << slider << " " << i;
         }
         EXPECT_EQ(panel.sphere(4), line_of_spheres(10).spheres[4]);
-        panel.document.undo();
-        EXPECT_EQ(bits(panel.sphere(3)), before) << "one step takes all of the drag back";
+        drag_slider(panel, slider, 0.8F, 0.3F);
+        EXPECT_NE(panel.taken<EditScene>().front().gesture, edits.front().gesture) << "each drag is a gesture of its own";
+        for (int i = 0; i < 2; ++i) panel.document.undo();
+        EXPECT_EQ(bits(panel.sphere(3)), before) << "one step takes all of a drag back";
         EXPECT_FALSE(panel.document.can_undo());
     }
 }
 
-TEST(SphereEditor, EachDragIsAGestureOfItsOwn) {
-    SidePanelHarness panel(line_of_spheres(10));
-    panel.select(3);
-    drag_slider(panel, "slider x", 0.4F, 0.8F);
-    const auto first = panel.taken<EditScene>();
-    drag_slider(panel, "slider x", 0.8F, 0.3F);
-    const auto second = panel.taken<EditScene>();
-    ASSERT_FALSE(first.empty());
-    ASSERT_FALSE(second.empty());
-    EXPECT_NE(first.back().gesture, second.front().gesture);
-}
-
 TEST(SphereEditor, NothingIsAskedForWhileAHeldSliderRests) {
     SidePanelHarness panel(line_of_spheres(10));
-    panel.select(3);
+    panel.select({3});
     panel.move(panel.place("slider x", 0.7F));
     panel.press();
     panel.take_actions();
@@ -82,7 +72,7 @@ TEST(SphereEditor, NothingIsAskedForWhileAHeldSliderRests) {
 
 TEST(SphereEditor, DraggedValuesAreShortAndInRange) {
     SidePanelHarness panel(line_of_spheres(10));
-    panel.select(3);
+    panel.select({3});
     drag_slider(panel, "slider x", 0.4F, 0.8F);
     EXPECT_LE(shortest(panel.sphere(3).center.x).size(), 7U) << shortest(panel.sphere(3).center.x);
     const SceneBounds bounds = panel.bounds();
@@ -96,7 +86,7 @@ TEST(SphereEditor, DraggedValuesAreShortAndInRange) {
 
 TEST(SphereEditor, CtrlClickTypesAnyNumberInFull) {
     SidePanelHarness panel(line_of_spheres(10));
-    panel.select(3);
+    panel.select({3});
     type_into(panel, "slider x", "-123456.7890123456");
     EXPECT_EQ(panel.sphere(3).center.x, -123456.7890123456);
     EXPECT_EQ(panel.document.undo_name(), "Move sphere 3");
@@ -107,23 +97,20 @@ TEST(SphereEditor, CtrlClickTypesAnyNumberInFull) {
     EXPECT_EQ(panel.taken<EditScene>().size(), 3U);
 }
 
-TEST(SphereEditor, TypedNonsenseIsRefused) {
+TEST(SphereEditor, NonsenseEscapeAndEnterWithoutTypingChangeNothing) {
     for (const auto& [slider, text] :
          {std::pair("slider x", "abc"), std::pair("slider y", "1e999"), std::pair("slider z", "nan"), std::pair("slider x", "inf"),
           std::pair("slider y", "1 2"), std::pair("slider z", " "), std::pair("slider radius", "0"),
           std::pair("slider radius", "-3"), std::pair("slider radius", "1e-999"), std::pair("slider radius", "2,5")}) {
         SidePanelHarness panel(line_of_spheres(10));
-        panel.select(3);
+        panel.select({3});
         type_into(panel, slider, text);
         EXPECT_TRUE(panel.taken<EditScene>().empty()) << slider << " " << text;
         EXPECT_EQ(bits(panel.sphere(3)), bits(line_of_spheres(10).spheres[3]));
         EXPECT_EQ(panel.state().typed.field, "") << "the slider is back";
     }
-}
-
-TEST(SphereEditor, EscapeAndEnterWithoutTypingRoundNothing) {
     SidePanelHarness panel(line_of_spheres(10));
-    panel.select(7);
+    panel.select({7});
     type_into(panel, "slider x", "", ImGuiKey_Enter);
     type_into(panel, "slider x", "12", ImGuiKey_Escape);
     panel.click("slider y", 1);
@@ -131,24 +118,12 @@ TEST(SphereEditor, EscapeAndEnterWithoutTypingRoundNothing) {
     EXPECT_EQ(bits(panel.sphere(7)), bits(line_of_spheres(10).spheres[7]));
 }
 
-TEST(SphereEditor, ClickOnAnotherSliderAcceptsWhatWasTyped) {
-    SidePanelHarness panel(line_of_spheres(10));
-    panel.select(3);
-    panel.modifiers(true);
-    panel.click("slider x");
-    panel.modifiers(false);
-    panel.type("77.25");
-    drag_slider(panel, "slider y", 0.3F, 0.8F);
-    EXPECT_EQ(panel.sphere(3).center.x, 77.25);
-    EXPECT_NE(panel.sphere(3).center.y, line_of_spheres(10).spheres[3].center.y);
-}
-
 TEST(SphereEditor, ExtremeScenesAreEdited) {
     for (const double size : {1e-300, 1e-9, 1e9, 1e150, 1e300}) {
         Scene scene;
         scene.spheres = {{{size, -size, size}, size}, {{-size, size, size}, 0.1 * size}};
         SidePanelHarness panel(scene);
-        panel.select(1);
+        panel.select({1});
         for (const std::string slider : {"slider x", "slider y", "slider z", "slider radius"})
             drag_slider(panel, slider, 0.3F, 0.6F);
         const Sphere& sphere = panel.sphere(1);
@@ -162,7 +137,7 @@ TEST(SphereEditor, ExtremeScenesAreEdited) {
 
 TEST(SphereEditor, ColorIsEditedInWholeNumbers) {
     SidePanelHarness panel(line_of_spheres(5));
-    panel.select(2);
+    panel.select({2});
     type_into(panel, "color", "");  // focuses nothing typed
     EXPECT_TRUE(panel.taken<EditScene>().empty());
     panel.modifiers(true);
@@ -191,13 +166,13 @@ TEST(SphereEditor, EveryColorIsShownWithoutChange) {
         scene.spheres[i].color = {part, static_cast<std::uint8_t>(255 - part), part};
     }
     SidePanelHarness panel(scene);
-    for (std::uint32_t i = 0; i < 256; ++i) panel.select(i);
+    for (std::uint32_t i = 0; i < 256; ++i) panel.select({i});
     EXPECT_TRUE(panel.take_actions().empty());
 }
 
 TEST(SphereEditor, PickerIsOneGesture) {
     SidePanelHarness panel(line_of_spheres(5));
-    panel.select(2);
+    panel.select({2});
     panel.click(panel.place("color", 0.985F));  // the swatch opens it
     panel.frames(3);
     panel.take_actions();
@@ -214,8 +189,7 @@ TEST(SphereEditor, PickerIsOneGesture) {
 
 TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
     SidePanelHarness panel(line_of_spheres(5));
-    panel.selection.set({4, 1, 2});
-    panel.frames(2);
+    panel.select({4, 1, 2});
     panel.click("hidden");
     EXPECT_EQ(panel.document.undo_name(), "Hide 3 spheres");
     for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(panel.sphere(i).hidden, i == 1 || i == 2 || i == 4) << i;
@@ -228,8 +202,7 @@ TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
 TEST(SphereEditor, SlidersMoveAllByTheSameDifferenceInOneStep) {
     for (const std::size_t which : {0U, 1U, 2U}) {
         SidePanelHarness panel(line_of_spheres(6));
-        panel.selection.set({5, 1, 3});  // the primary one
-        panel.frames(2);
+        panel.select({5, 1, 3});  // the primary one
         drag_slider(panel, std::array{"slider x", "slider y", "slider z"}[which], 0.5F, 0.8F);
         EXPECT_EQ(panel.document.undo_name(), "Move 3 spheres");
         const auto axis = static_cast<glm::length_t>(which);
@@ -249,8 +222,7 @@ TEST(SphereEditor, SlidersMoveAllByTheSameDifferenceInOneStep) {
 
 TEST(SphereEditor, RadiusScalesAllByTheSameFactorAndThereAndBackIsNothing) {
     SidePanelHarness panel(line_of_spheres(6));
-    panel.selection.set({0, 5, 2});
-    panel.frames(2);
+    panel.select({0, 5, 2});
     const Scene before = line_of_spheres(6);
     const float start = 0.9F;
     drag_slider(panel, "slider radius", start, 0.6F);
@@ -266,8 +238,7 @@ TEST(SphereEditor, RadiusScalesAllByTheSameFactorAndThereAndBackIsNothing) {
 
 TEST(SphereEditor, ALongDragAddsNothingUp) {
     SidePanelHarness panel(line_of_spheres(6));
-    panel.selection.set({1, 4, 3});
-    panel.frames(2);
+    panel.select({1, 4, 3});
     panel.move(panel.place("slider x", 0.5F));
     panel.press();
     for (int i = 0; i < 50; ++i) panel.move(panel.place("slider x", i % 2 == 0 ? 0.2F : 0.8F));
@@ -279,8 +250,7 @@ TEST(SphereEditor, ALongDragAddsNothingUp) {
 
 TEST(SphereEditor, ATypedNumberIsSetForAll) {
     SidePanelHarness panel(line_of_spheres(6));
-    panel.selection.set({1, 4, 3});
-    panel.frames(2);
+    panel.select({1, 4, 3});
     type_into(panel, "slider y", "-2.5");
     for (std::uint32_t i = 0; i < 6; ++i) EXPECT_EQ(panel.sphere(i).center.y == -2.5, i == 1 || i == 3 || i == 4) << i;
     type_into(panel, "slider radius", shortest(panel.sphere(3).radius));  // the primary one's own
@@ -293,8 +263,7 @@ TEST(SphereEditor, ATypedNumberIsSetForAll) {
 
 TEST(SphereEditor, TypingAndDraggingInOneFrameKeepsBoth) {
     SidePanelHarness panel(line_of_spheres(6));
-    panel.selection.set({1, 4, 3});
-    panel.frames(2);
+    panel.select({1, 4, 3});
     panel.modifiers(true);
     panel.click("slider x");
     panel.modifiers(false);
@@ -311,8 +280,7 @@ TEST(SphereEditor, ManyAreSummedUp) {
     scene.spheres[2].color = {1, 2, 3};
     scene.spheres[1].hidden = true;
     SidePanelHarness panel(scene);
-    panel.selection.set({0, 3, 4});
-    panel.frames(2);
+    panel.select({0, 3, 4});
     std::string text = panel.text();
     EXPECT_NE(text.find("3 spheres. "), std::string::npos) << text;
     EXPECT_NE(text.find("0 to 1.33"), std::string::npos) << text;
@@ -344,7 +312,7 @@ TEST(SphereEditor, TheButtonSaysWhatTheCommandDoes) {
 
 TEST(SphereEditor, NameIsTyped) {
     SidePanelHarness panel(line_of_spheres(5));
-    panel.select(2);
+    panel.select({2});
     panel.click("name");
     panel.type("venus");
     EXPECT_TRUE(panel.document.scene().names.empty()) << "not before it is done";
@@ -352,7 +320,7 @@ TEST(SphereEditor, NameIsTyped) {
     EXPECT_EQ(panel.document.scene().names.at(2), "venus");
     EXPECT_EQ(panel.selection.primary(), 4U);
     EXPECT_EQ(panel.document.scene().names.size(), 1U);
-    panel.select(2);
+    panel.select({2});
     panel.click("name");
     panel.type("x");
     panel.tap(ImGuiKey_Escape);
@@ -361,7 +329,7 @@ TEST(SphereEditor, NameIsTyped) {
 
 TEST(SphereEditor, SelectionThatTheSceneDoesNotHaveIsNotShown) {
     SidePanelHarness panel(line_of_spheres(5));
-    panel.select(4);
+    panel.select({4});
     EXPECT_TRUE(panel.has("slider x"));
     panel.applies = false;
     panel.document.apply(RemoveSpheres{{3, 4}}, "");

@@ -58,14 +58,8 @@ TEST(MessagesPanel, AnnouncesAtTheBottom) {
     EXPECT_GT(r.top, 450.0F);
     EXPECT_NEAR(0.5F * (r.left + r.right), 400.0F, 2.0F);
     EXPECT_NE(harness.panels.text().find("Saved /home/a/b.png"), std::string::npos);
-}
-
-TEST(MessagesPanel, AnnouncementLetsClicksThrough) {
-    MessageHarness harness;
-    harness.messages.announcement = "Saved /home/a/b.png";
-    harness.panels.frames(4);
     harness.panels.move(harness.panels.place("message announcement"));
-    EXPECT_FALSE(ImGui::GetIO().WantCaptureMouse);
+    EXPECT_FALSE(ImGui::GetIO().WantCaptureMouse) << "clicks go through to the picture";
 }
 
 TEST(MessagesPanel, WrapsAVeryLongPath) {
@@ -95,6 +89,8 @@ TEST(MessagesPanel, ShowsWhatIsReadAndCancelsOnlyWhatCanBe) {
 TEST(MessagesPanel, ShowsWhatIsBrokenUntilItIsClosed) {
     MessageHarness harness;
     harness.messages.scene_error = "four.txt:2:5: expected a number";
+    const WidgetRectangle low = harness.rectangle("message scene error");
+    EXPECT_LT(low.bottom - low.top, 6.0F * ImGui::GetFontSize()) << "as high as a short text needs";
     harness.messages.shader_error = lines(500);
     harness.expect_inside("message scene error");
     harness.expect_inside("message shader error");
@@ -107,13 +103,6 @@ TEST(MessagesPanel, ShowsWhatIsBrokenUntilItIsClosed) {
     EXPECT_FALSE(harness.closed.shader_error);
     harness.panels.click("close shader error");
     EXPECT_TRUE(harness.closed.shader_error);
-}
-
-TEST(MessagesPanel, IsAsHighAsAShortErrorNeeds) {
-    MessageHarness harness;
-    harness.messages.scene_error = "a:1:1: b";
-    const WidgetRectangle r = harness.rectangle("message scene error");
-    EXPECT_LT(r.bottom - r.top, 6.0F * ImGui::GetFontSize());
 }
 
 TEST(MessagesPanel, SurvivesATinyArea) {
@@ -148,6 +137,13 @@ TEST(StatusBar, TellsOfAnEmptyScene) {
     EXPECT_TRUE(bar.says("0.0 ms")) << bar.text();
     EXPECT_FALSE(bar.says("hidden"));
     EXPECT_FALSE(bar.says("background"));
+    EXPECT_FALSE(bar.says("frame "));
+    bar.panels.frame_of_file = 3;
+    bar.panels.frames_of_file = 120;
+    EXPECT_TRUE(bar.says("frame 3 of 0..119")) << bar.text();
+    bar.panels.document = Document(scene_of(1));
+    EXPECT_TRUE(bar.says("1 sphere"));
+    EXPECT_FALSE(bar.says("1 spheres"));
 }
 
 TEST(StatusBar, TellsWhatIsDrawnAndSelected) {
@@ -167,20 +163,6 @@ TEST(StatusBar, TellsWhatIsDrawnAndSelected) {
     bar.status.step = 1;
     EXPECT_TRUE(bar.says("background"));
     EXPECT_FALSE(bar.says("1/"));
-}
-
-TEST(StatusBar, TellsTheFrameOfSeveral) {
-    StatusHarness bar;
-    EXPECT_FALSE(bar.says("frame "));
-    bar.panels.frame_of_file = 3;
-    bar.panels.frames_of_file = 120;
-    EXPECT_TRUE(bar.says("frame 3 of 0..119")) << bar.text();
-}
-
-TEST(StatusBar, OneSphereIsOne) {
-    StatusHarness bar(scene_of(1));
-    EXPECT_TRUE(bar.says("1 sphere"));
-    EXPECT_FALSE(bar.says("1 spheres"));
 }
 
 TEST(StatusBar, SurvivesWhatCannotBe) {
