@@ -150,7 +150,6 @@ void add_doctor(CLI::App& app, TypedOptions& typed) {
     CLI::App* doctor = app.add_subcommand("doctor", "Try every backend and say what works here, and why others do not");
     doctor->add_flag("--json", typed.doctor.json, "The report as JSON on stdout");
     doctor->add_option("--timeout", typed.timeout, "Seconds that each probe may take [20]")->type_name("S");
-    doctor->add_option("--probe", typed.doctor.probe)->group("");  // hidden: what doctor's child processes run
     doctor->footer(doctor_examples);
 }
 
