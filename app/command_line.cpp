@@ -304,7 +304,6 @@ void declare(CLI::App& command, DoctorOptions& options) {
     add_option(command, options.timeout_seconds,
                {"--timeout", "S", "Seconds that each probe may take [20]", "a number of seconds above 0, at most 3600"},
                [](const std::string& text) { return number_above_0(text, 3600.0); });
-    add_file(command, options.probe, "--probe", "", "")->group("");  // hidden: what doctor's child processes run
     command.footer(doctor_examples);
 }
 

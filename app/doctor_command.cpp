@@ -1,13 +1,16 @@
 // sphereview doctor: what works on this machine, and why the rest does not.
 #include <chrono>
-#include <cstdio>
+#include <functional>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "app/options.hpp"
+#include "app/failure.hpp"
 #include "app/probe.hpp"
 #include "app/version.hpp"
-#include "base/child_process.hpp"
+#include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/isolated_call.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "platform/gl_context.hpp"
@@ -18,48 +21,65 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string last_line(std::string text) {
-    while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
-    return text.substr(text.rfind('\n') + 1);
+// What became of a probe: the row's facts, or the reason why it does not work, with its kind.
+struct Probed {
+    Json row;
+    RenderFault fault = RenderFault::other;
+};
+
+// The same as text, which a process hands to another.
+std::string probe(const std::function<Json()>& call) {
+    Json result;
+    try {
+        result = call();
+    } catch (const RenderError& error) {
+        result = {{"works", false}, {"reason", error.what()}, {"fault", error.fault}};
+    } catch (...) {
+        result = {{"works", false}, {"reason", describe_current_exception().message}, {"fault", RenderFault::other}};
+    }
+    return result.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Probes in a child process, so that a driver that hangs or crashes ends only the child.
-Json probe_apart(const std::string& what, double timeout_seconds) {
-    const std::string culprit = what == "cpu" ? "the CPU renderer" : "the driver";
+// Probes in a copy of the process, so that a driver that hangs or crashes ends only the copy.
+Probed probe_apart(const std::string& culprit, double timeout_seconds, const std::function<Json()>& call) {
     const auto limit = std::chrono::milliseconds(static_cast<long long>(timeout_seconds * 1000.0));
-    const ChildResult child = run_self({"doctor", "--probe", what}, limit);
-    const auto failed = [&](const std::string& reason) {
-        const std::string said = last_line(child.errors);
-        return Json{{"works", false}, {"reason", reason + (said.empty() ? "" : "; it said: " + said)}};
+    const IsolatedResult result = call_isolated([&] { return probe(call); }, limit);
+    const auto failed = [&](RenderFault fault, const std::string& reason) {
+        std::string_view said = trimmed(result.errors);
+        said = said.substr(said.find_last_of("\r\n") + 1);
+        const std::string why = culprit + reason + (said.empty() ? "" : "; it said: " + std::string(said));
+        return Probed{{{"works", false}, {"reason", why}}, fault};
     };
-    switch (child.end) {
-        case ChildResult::End::not_started: return probe(what);
-        case ChildResult::End::timed_out: return failed(culprit + " gave no answer within " + shortest(timeout_seconds) + " s");
-        case ChildResult::End::killed_by_signal: return failed(culprit + " crashed (signal " + std::to_string(child.code) + ")");
-        case ChildResult::End::exited: break;
+    using End = IsolatedResult::End;
+    if (result.end == End::timed_out) {
+        return failed(RenderFault::no_answer, " gave no answer within " + shortest(timeout_seconds) + " s");
     }
-    Json result = Json::parse(child.output, nullptr, false);
-    if (result.is_object()) return result;
-    return failed(culprit + " ended the program (status " + std::to_string(child.code) + ")");
+    if (result.end == End::crashed) return failed(RenderFault::crash, " crashed (signal " + std::to_string(result.code) + ")");
+    Probed probed{Json::parse(result.value, nullptr, false)};
+    if (result.end == End::exited || !probed.row.is_object()) {
+        return failed(RenderFault::exit, " ended the program (status " + std::to_string(result.code) + ")");
+    }
+    probed.fault = probed.row.value("fault", RenderFault::other);
+    probed.row.erase("fault");
+    return probed;
 }
 
 // What a person can do about the backend of `row`, which does not work; `earlier` are the rows before it.
-std::string advice(const Json& row, const Json& earlier) {
+std::string advice(const Json& row, RenderFault fault, const Json& earlier) {
     const std::string backend = row["backend"].get<std::string>();
-    const std::string reason = row.value("reason", "");
-    const auto says = [&](const char* words) { return reason.find(words) != std::string::npos; };
+    const bool slow = fault == RenderFault::no_answer;
     if (backend == "cpu") {
-        return says("no answer") ? "allow it more time with --timeout" : "report this: the CPU renderer needs nothing but a CPU";
+        return slow ? "allow it more time with --timeout" : "report this: the CPU renderer needs nothing but a CPU";
     }
-    if (says("libEGL cannot be opened")) return "install libEGL and a driver (Debian: apt install libegl1 libgl1-mesa-dri)";
-    if (says("libOSMesa cannot be opened")) {
-        return "install OSMesa (Debian 12: apt install libosmesa6; Mesa 25.1 and later have none: EGL serves instead)";
+    const bool egl = backend == "egl";
+    if (fault == RenderFault::no_library) {
+        return egl ? "install libEGL and a driver (Debian: apt install libegl1 libgl1-mesa-dri)"
+                   : "install OSMesa (Debian 12: apt install libosmesa6; Mesa 25.1 and later have none: EGL serves instead)";
     }
-    if (says("no answer") || says("crashed") || says("ended the program")) {
-        const std::string patience = says("no answer") ? "; if it is only slow, allow it more time with --timeout" : "";
-        return (backend == "egl" ? "update the driver, or choose another with --device N or --backend"
-                                 : "update Mesa, or use --backend cpu") +
-               patience;
+    if (slow || fault == RenderFault::crash || fault == RenderFault::exit) {
+        return std::string(egl ? "update the driver, or choose another with --device N or --backend"
+                               : "update Mesa, or use --backend cpu") +
+               (slow ? "; if it is only slow, allow it more time with --timeout" : "");
     }
     if (row["name"] == default_display_name) {
         for (const Json& other : earlier) {
@@ -68,32 +88,32 @@ std::string advice(const Json& row, const Json& earlier) {
             }
         }
     }
-    if (says("eglInitialize") || says("opening the display"))
-        return "install a driver for it (Debian: apt install libgl1-mesa-dri)";
-    if (says("3.3")) return "it needs OpenGL 3.3: update the driver, or use --backend cpu";
+    if (fault == RenderFault::no_driver) return "install a driver for it (Debian: apt install libgl1-mesa-dri)";
+    if (fault == RenderFault::old_opengl) return "it needs OpenGL 3.3: update the driver, or use --backend cpu";
     return "update the driver, or use --backend cpu";
 }
 
 Json diagnose(double timeout_seconds) {
     Json rows = Json::array();
-    const auto add = [&](const std::string& backend, const std::string& name, const Json& device, const Json& result) {
+    const auto add = [&](const std::string& backend, const std::string& name, const Json& device, const Probed& probed) {
         Json row = {{"backend", backend}, {"name", name}, {"device", device}};
-        row.update(result);
-        if (!row["works"].get<bool>()) row["advice"] = advice(row, rows);
+        row.update(probed.row);
+        if (!row["works"].get<bool>()) row["advice"] = advice(row, probed.fault, rows);
         rows.push_back(row);
     };
-    const Json egl = probe_apart("egl", timeout_seconds);
-    if (!egl.contains("devices")) {
+    const std::string driver = "the driver";
+    const Probed egl = probe_apart(driver, timeout_seconds, list_egl);
+    if (!egl.row.contains("devices")) {
         add("egl", "EGL", nullptr, egl);
     } else {
-        for (std::size_t i = 0; i < egl["devices"].size(); ++i) {
-            const Json& device = egl["devices"][i];
+        for (std::size_t i = 0; i < egl.row["devices"].size(); ++i) {
+            const Json& device = egl.row["devices"][i];
             add("egl", device["name"].get<std::string>(), device["device"],
-                probe_apart("egl " + std::to_string(i), timeout_seconds));
+                probe_apart(driver, timeout_seconds, [i] { return probe_egl(i); }));
         }
     }
-    add("osmesa", "OSMesa", nullptr, probe_apart("osmesa", timeout_seconds));
-    add("cpu", "CPU", nullptr, probe_apart("cpu", timeout_seconds));
+    add("osmesa", "OSMesa", nullptr, probe_apart(driver, timeout_seconds, probe_osmesa));
+    add("cpu", "CPU", nullptr, probe_apart("the CPU renderer", timeout_seconds, probe_cpu));
     return rows;
 }
 
@@ -126,11 +146,6 @@ std::string in_words(const Json& rows) {
 
 ExitCode run_doctor(const DoctorOptions& options) {
     const std::string out(standard_stream);
-    if (!options.probe.empty()) {
-        end_with_parent();
-        write_output(out, probe(options.probe).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
-        return ExitCode::done;
-    }
     const Json rows = diagnose(options.timeout_seconds);
     bool any = false;
     for (const Json& row : rows) any = any || row["works"].get<bool>();

@@ -56,7 +56,6 @@ struct ExplainOptions {
 struct DoctorOptions {
     bool json = false;
     double timeout_seconds = 20.0;  // for each probe
-    std::string probe;              // hidden: probe only this, in this process ("egl 0", "osmesa", "cpu")
 };
 
 struct ViewOptions {

@@ -1,10 +1,8 @@
 #include "app/probe.hpp"
 
-#include <charconv>
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "app/failure.hpp"
 #include "app/render_picture.hpp"
 #include "base/error.hpp"
 #include "image/compare.hpp"
@@ -54,20 +52,6 @@ void check_pixels(const Image& picture, const Image& expected, const std::string
     if (!comparison.equal()) throw RenderError(what + " is wrong: " + describe(comparison, picture, expected));
 }
 
-Json probe_cpu() {
-    OpenBackend cpu;
-    const Image picture = render_test(cpu);
-    // Where the red sphere, the green one and the background are follows from the scene.
-    const auto is = [&](int x, int y, Color c) {
-        const std::uint8_t* at = picture.at(x, y);
-        return at[0] == c.r && at[1] == c.g && at[2] == c.b;
-    };
-    if (!is(32, 24, {255, 0, 0}) || !is(44, 14, {0, 200, 100}) || !is(0, 0, test_background.color)) {
-        throw RenderError("a test picture came out wrong");
-    }
-    return {{"works", true}, {"renderer", "the CPU renderer"}};
-}
-
 Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>& open_context) {
     OpenBackend cpu;
     const Image expected = render_test(cpu);
@@ -84,6 +68,30 @@ Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>
     return result;
 }
 
+}  // namespace
+
+Json probe_cpu() {
+    OpenBackend cpu;
+    const Image picture = render_test(cpu);
+    // Where the red sphere, the green one and the background are follows from the scene.
+    const auto is = [&](int x, int y, Color c) {
+        const std::uint8_t* at = picture.at(x, y);
+        return at[0] == c.r && at[1] == c.g && at[2] == c.b;
+    };
+    if (!is(32, 24, {255, 0, 0}) || !is(44, 14, {0, 200, 100}) || !is(0, 0, test_background.color)) {
+        throw RenderError("a test picture came out wrong");
+    }
+    return {{"works", true}, {"renderer", "the CPU renderer"}};
+}
+
+Json probe_osmesa() { return probe_gl(Backend::osmesa, open_osmesa); }
+
+Json probe_egl(std::size_t index) {
+    const std::vector<EglDevice> devices = list_egl_devices();
+    if (index >= devices.size()) throw RenderError("EGL no longer offers it");
+    return probe_gl(Backend::egl, [&] { return open_egl(devices[index]); });
+}
+
 Json list_egl() {
     Json devices = Json::array();
     for (const EglDevice& device : list_egl_devices()) {
@@ -92,31 +100,6 @@ Json list_egl() {
                            {"software", device.software}});
     }
     return {{"devices", devices}};
-}
-
-Json run(const std::string& what) {
-    if (what == "cpu") return probe_cpu();
-    if (what == "osmesa") return probe_gl(Backend::osmesa, open_osmesa);
-    if (what == "egl") return list_egl();
-    std::size_t index = 0;
-    const std::string_view number = std::string_view(what).substr(std::min<std::size_t>(4, what.size()));
-    const auto read = std::from_chars(number.data(), number.data() + number.size(), index);
-    if (!what.starts_with("egl ") || read.ec != std::errc{}) throw InputError("sphereview: --probe: unknown backend");
-    const std::vector<EglDevice> devices = list_egl_devices();
-    if (index >= devices.size()) throw RenderError("EGL no longer offers it");
-    return probe_gl(Backend::egl, [&] { return open_egl(devices[index]); });
-}
-
-}  // namespace
-
-Json probe(const std::string& what) {
-    try {
-        return run(what);
-    } catch (const InputError&) {
-        throw;
-    } catch (...) {
-        return {{"works", false}, {"reason", describe_current_exception().message}};
-    }
 }
 
 }  // namespace sphereview

@@ -1,15 +1,17 @@
-// Trying one backend for real, in this process.
+// Trying one backend for real, in this process. The functions throw RenderError where it does not work.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json_fwd.hpp>
-#include <string>
 
 namespace sphereview {
 
-// Does what a child process of `doctor` is for and returns its result for the parent:
-// "egl" lists what EGL offers, {"devices": [{"name", "device", "software"}]} or {"reason"};
-// "egl N" (an index into that list), "osmesa" and "cpu" render a small scene and check every pixel:
-// {"works": true, "renderer", ...limits} or {"works": false, "reason"}.
-nlohmann::ordered_json probe(const std::string& what);
+// What EGL offers: {"devices": [{"name", "device", "software"}]}.
+nlohmann::ordered_json list_egl();
+
+// These render a small scene and check every pixel: {"works": true, "renderer", ...limits}. index: into list_egl().
+nlohmann::ordered_json probe_egl(std::size_t index);
+nlohmann::ordered_json probe_osmesa();
+nlohmann::ordered_json probe_cpu();
 
 }  // namespace sphereview

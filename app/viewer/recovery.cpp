@@ -5,13 +5,15 @@
 #include <cstdint>
 #include <exception>
 #include <filesystem>
+#include <mutex>
 #include <optional>
 #include <string_view>
 #include <system_error>
 
+#include "base/file_lock.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
-#include "base/process_name.hpp"
+#include "base/text.hpp"
 #include "base/user_folders.hpp"
 #include "formats/scene_format.hpp"
 
@@ -21,15 +23,47 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The file is named after the process, and begins with two comments, so that both are replaced in one step with the scene.
+// The file begins with two comments, so that both are replaced in one step with the scene.
 constexpr std::string_view prefix = "recovery-";
 constexpr std::string_view ending = ".toml";
+constexpr std::string_view lock_ending = ".lock";
 constexpr std::string_view time_mark = "# sphereview recovery, milliseconds since 1970: ";
 constexpr std::string_view original_mark = "# of: ";
 
 using Milliseconds = std::chrono::milliseconds;
 
-fs::path own_file(const fs::path& folder) { return folder / (std::string(prefix) + process_name() + std::string(ending)); }
+// A file beside the recovery tells by its lock that the process runs which wrote both: the recovery itself is always replaced.
+fs::path lock_of(fs::path file) { return file.replace_extension(lock_ending); }
+
+// What this process keeps.
+struct Own {
+    std::mutex mutex{};  // edits are kept on a thread of their own
+    fs::path file{};
+    FileLock lock{};
+
+    // The file of this process in `folder`. Where nothing can be locked, others take it for left behind, which is better than
+    // to keep nothing.
+    fs::path in(const fs::path& folder) {
+        const std::lock_guard guard(mutex);
+        if (!file.empty() && file.parent_path() == folder) return file;
+        const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+        file = folder / (std::string(prefix) + std::to_string(now) + std::string(ending));
+        lock = FileLock(lock_of(file));
+        return file;
+    }
+    bool remove() {
+        const std::lock_guard guard(mutex);
+        const bool done = file.empty() || remove_recovery(file.string());
+        lock = FileLock();
+        file.clear();
+        return done;
+    }
+};
+
+Own& own() {
+    static Own own;
+    return own;
+}
 
 // A path may hold any byte, a comment may not: all but plain characters become %XX.
 std::string escaped(std::string_view path) {
@@ -66,12 +100,9 @@ std::optional<std::string> unescaped(std::string_view text) {
 }
 
 // What follows `mark` on the first line of `text`, which loses that line; nothing if the line begins otherwise.
-std::optional<std::string_view> take_line(std::string_view& text, std::string_view mark) {
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos || !text.starts_with(mark)) return {};
-    const std::string_view rest = text.substr(mark.size(), end - mark.size());
-    text.remove_prefix(end + 1);
-    return rest;
+std::optional<std::string_view> marked_line(std::string_view& text, std::string_view mark) {
+    const std::string_view line = take_line(text);
+    return line.starts_with(mark) ? std::optional(line.substr(mark.size())) : std::nullopt;
 }
 
 std::optional<Recovery> read_head(const fs::path& file) {
@@ -79,8 +110,8 @@ std::optional<Recovery> read_head(const fs::path& file) {
     InputStream stream(file.string());
     stream.fill(longest_head);
     std::string_view text = stream.bytes();
-    const auto time = take_line(text, time_mark);
-    const auto original = take_line(text, original_mark);
+    const auto time = marked_line(text, time_mark);
+    const auto original = marked_line(text, original_mark);
     std::int64_t count = 0;
     if (!time || !original || std::from_chars(time->data(), time->data() + time->size(), count).ec != std::errc()) return {};
     const auto path = unescaped(*original);
@@ -88,11 +119,10 @@ std::optional<Recovery> read_head(const fs::path& file) {
     return Recovery{file.string(), *path, std::chrono::system_clock::time_point(Milliseconds(count))};
 }
 
-// Whether the file is named after a process that has ended.
+// Whether the process that wrote it has ended.
 bool is_left_behind(const fs::path& file) {
     const std::string name = file.filename().string();
-    if (!name.starts_with(prefix) || !name.ends_with(ending) || name.size() < prefix.size() + ending.size()) return false;
-    return !process_runs(name.substr(prefix.size(), name.size() - prefix.size() - ending.size()));
+    return name.starts_with(prefix) && name.ends_with(ending) && !FileLock::is_held(lock_of(file));
 }
 
 }  // namespace
@@ -109,7 +139,7 @@ bool write_recovery(const Scene& scene, const std::string& original) noexcept {
         text += escaped(original.empty() ? "" : fs::absolute(original).string());
         text += '\n';
         text += write_scene(scene, SceneFormat::toml);
-        write_output(own_file(folder).string(), text);
+        write_output(own().in(folder).string(), text);
         return true;
     } catch (const std::exception&) {
         return false;
@@ -138,6 +168,8 @@ bool remove_recovery(const std::string& file) noexcept {
     std::error_code error;
     try {
         fs::remove(file, error);
+        std::error_code ignored;
+        fs::remove(lock_of(file), ignored);
         return !error;
     } catch (const std::exception&) {
         return false;
@@ -146,8 +178,7 @@ bool remove_recovery(const std::string& file) noexcept {
 
 bool remove_own_recovery() noexcept {
     try {
-        const fs::path folder = state_folder();
-        return folder.empty() || remove_recovery(own_file(folder).string());
+        return own().remove();
     } catch (const std::exception&) {
         return false;
     }

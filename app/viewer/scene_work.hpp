@@ -8,7 +8,7 @@
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
-#include "base/file_state.hpp"
+#include "base/file_watcher.hpp"
 
 namespace sphereview {
 

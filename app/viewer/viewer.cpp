@@ -76,7 +76,6 @@ Viewer::Viewer(ViewerState& state, Window& window)
       window_(window),
       imgui_(window, state.settings.text_scale),
       picture_(state.options.shader_folder),
-      files_(state.options.shader_folder),
       log_(state.options.redraw_log),
       renderer_(window.renderer()) {
     facts_.status.renderer = renderer_;
@@ -96,11 +95,11 @@ void Viewer::run(const std::function<bool()>& interrupted) {
 }
 
 void Viewer::wait_for_work() {
-    files_.follow_scene(state_.path);
+    files_.watch({state_.path, state_.options.shader_folder});
     std::optional<double> patience = input_.empty() ? pacing_.patience() : 0.0;
     if (!patience && refinement_waits()) patience = picture_.refining_waits() ? Pacing::look_again : 0.0;
     if (!patience) {
-        for (const auto& time : {state_.announcement_ends, state_.autosave.due()}) {
+        for (const auto& time : {state_.announcement_ends, state_.autosave.due(), files_.next_look()}) {
             if (!time) continue;
             const double seconds = std::max(seconds_between(Clock::now(), *time), 0.0);
             patience = std::min(patience.value_or(seconds), seconds);
@@ -111,10 +110,14 @@ void Viewer::wait_for_work() {
     if (!events.empty()) pacing_.touch();
     input_.add(std::move(events));
 
-    const WatchedFiles::Changes changes = files_.take();
-    if (changes.scene) look_at_file(state_);
-    if (changes.shaders) state_.messages.shader_error = picture_.reload_shaders();
-    if (changes.scene || changes.shaders) pacing_.touch();
+    for (const std::string& path : files_.look(Clock::now())) {
+        if (path == state_.path) {
+            look_at_file(state_);
+        } else {
+            state_.messages.shader_error = picture_.reload_shaders();
+        }
+        pacing_.touch();
+    }
     follow_work();
     end_announcement();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/file_watcher.hpp"
 #include "gpu/live_picture.hpp"
 #include "panels/status.hpp"
 #include "viewer/imgui_bridge.hpp"
@@ -14,7 +15,6 @@
 #include "viewer/pacing.hpp"
 #include "viewer/redraw_log.hpp"
 #include "viewer/viewer_state.hpp"
-#include "viewer/watched_files.hpp"
 
 namespace sphereview {
 
@@ -50,7 +50,7 @@ private:
     Window& window_;
     ImguiBridge imgui_;
     LivePicture picture_;
-    WatchedFiles files_;
+    FileWatcher files_;
     RedrawLog log_;
     InputQueue input_;
     MouseControl mouse_;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/options.hpp"
-#include "base/file_state.hpp"
+#include "base/file_watcher.hpp"
 #include "camera/fit.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"

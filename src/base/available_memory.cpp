@@ -9,8 +9,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <array>
 #include <fstream>
+#include <limits>
 #include <string_view>
 #endif
 
@@ -20,10 +20,8 @@ namespace sphereview {
 
 namespace {
 
-using Bytes = std::optional<std::uint64_t>;
-
 // The number in a file, or behind `key` at the start of one of its lines; nothing for other words ("max") and missing files.
-Bytes number_in(const std::string& path, std::string_view key = {}) {
+std::optional<std::uint64_t> number_in(const std::string& path, std::string_view key = {}) {
     std::ifstream file(path);
     std::string word;
     while (!key.empty() && file >> word && word != key) file.ignore(1 << 16, '\n');
@@ -32,71 +30,41 @@ Bytes number_in(const std::string& path, std::string_view key = {}) {
     return number;
 }
 
-Bytes smaller(Bytes a, Bytes b) { return a && b ? std::min(*a, *b) : a ? a : b; }
+constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t difference(std::uint64_t whole, std::uint64_t part) { return whole - std::min(whole, part); }
 
-// How one version of control groups spells things.
-struct Groups {
-    std::string_view line;  // how the group's line in /proc/self/cgroup begins, behind its number
-    std::string mount;
-    std::string limit;
-    std::string used;
-    std::array<std::string_view, 2> file_pages;  // parts of `used` that the system drops when memory is wanted
-};
-
-const std::array<Groups, 2> versions = {{
-    {"::", "/sys/fs/cgroup", "memory.max", "memory.current", {"inactive_file", "active_file"}},
-    {":memory:",
-     "/sys/fs/cgroup/memory",
-     "memory.limit_in_bytes",
-     "memory.usage_in_bytes",
-     {"total_inactive_file", "total_active_file"}},
-}};
-
-Bytes left_in_group(const Groups& groups, const std::string& folder) {
-    const Bytes limit = number_in(folder + "/" + groups.limit);
-    const Bytes used = number_in(folder + "/" + groups.used);
-    if (!limit || !used) return std::nullopt;
-    std::uint64_t kept = *used;
-    for (const std::string_view key : groups.file_pages) {
-        kept = difference(kept, number_in(folder + "/memory.stat", key).value_or(0));
+// What is left in this process's control group (version 2) and those around it.
+std::uint64_t left_in_groups() {
+    std::uint64_t least = unlimited;
+    std::string path;
+    std::ifstream groups("/proc/self/cgroup");
+    while (std::getline(groups, path) && !path.starts_with("0::")) continue;
+    if (!groups) return least;
+    for (path.erase(0, 3);; path.resize(std::min(path.rfind('/'), path.size() - 1))) {
+        const std::string folder = "/sys/fs/cgroup" + path + "/memory.";
+        std::uint64_t used = number_in(folder + "current").value_or(0);
+        // The system drops pages of files when memory is wanted.
+        for (const char* pages : {"inactive_file", "active_file"})
+            used = difference(used, number_in(folder + "stat", pages).value_or(0));
+        if (const auto limit = number_in(folder + "max")) least = std::min(least, difference(*limit, used));
+        if (path.empty()) return least;
     }
-    return difference(*limit, kept);
 }
 
-// The least that is left in this process's group and those around it.
-Bytes left_in_groups() {
-    Bytes least;
-    std::ifstream file("/proc/self/cgroup");
-    for (std::string line; std::getline(file, line);) {
-        const std::string_view entry = std::string_view(line).substr(std::min(line.find(':'), line.size()));
-        for (const Groups& groups : versions) {
-            if (!entry.starts_with(groups.line)) continue;
-            std::string path(entry.substr(groups.line.size()));
-            while (true) {
-                least = smaller(least, left_in_group(groups, groups.mount + path));
-                if (path.empty()) break;
-                path.resize(std::min(path.rfind('/'), path.size() - 1));
-            }
-        }
-    }
-    return least;
-}
-
-Bytes left_of_address_space() {
+std::uint64_t left_of_address_space() {
     rlimit limit{};
-    const Bytes pages = number_in("/proc/self/statm");
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || !pages) return std::nullopt;
+    const auto pages = number_in("/proc/self/statm");
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || !pages) return unlimited;
     return difference(limit.rlim_cur, *pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
 }  // namespace
 
-Bytes available_memory() {
-    Bytes least = number_in("/proc/meminfo", "MemAvailable:");
-    if (least) *least *= 1024;
-    return smaller(least, smaller(left_in_groups(), left_of_address_space()));
+std::optional<std::uint64_t> available_memory() {
+    const auto free = number_in("/proc/meminfo", "MemAvailable:");
+    const std::uint64_t least = std::min({free ? *free * 1024 : unlimited, left_in_groups(), left_of_address_space()});
+    return least != unlimited ? std::optional(least) : std::nullopt;
 }
 
 #else

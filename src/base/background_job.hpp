@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <memory>
 
 namespace sphereview {
@@ -36,18 +37,18 @@ public:
     BackgroundJob(const BackgroundJob&) = delete;
     BackgroundJob& operator=(const BackgroundJob&) = delete;
 
-    const WorkControl& control() const;
+    const WorkControl& control() const { return *control_; }
     // Whether it ended, by itself or by an exception.
-    bool ended() const;
-    void wait() const;
+    bool ended() const { return wait_for(std::chrono::milliseconds(0)); }
+    void wait() const { end_.wait(); }
     // Returns ended() after that time at most.
-    bool wait_for(std::chrono::milliseconds time) const;
+    bool wait_for(std::chrono::milliseconds time) const { return end_.wait_for(time) == std::future_status::ready; }
     // Throws what the work threw; once it has ended.
-    void rethrow() const;
+    void rethrow() const { end_.get(); }
 
 private:
-    struct Shared;
-    std::shared_ptr<Shared> shared_;
+    std::shared_ptr<WorkControl> control_;
+    std::shared_future<void> end_;
 };
 
 }  // namespace sphereview

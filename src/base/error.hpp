@@ -12,9 +12,14 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// What is wrong with something that renders, as far as a person can do something about that.
+enum class RenderFault { other, no_library, no_driver, old_opengl, no_answer, crash, exit };
+
 // Nothing here can render what was asked, and why.
 struct RenderError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit RenderError(const std::string& why, RenderFault what = RenderFault::other) : std::runtime_error(why), fault(what) {}
+
+    RenderFault fault;
 };
 
 // What was asked does not fit in memory; the message has the figures.

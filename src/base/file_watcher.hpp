@@ -1,36 +1,52 @@
-// Noticing that files change on disk.
+// Noticing that files change on disk, by looking from time to time.
 #pragma once
 
-#include <functional>
-#include <memory>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace sphereview {
 
-// Watches files from a thread of its own. A file that is replaced by a rename, or deleted and written again, is followed by
-// its name, also through symbolic links. On Linux the system tells (inotify on the folders), and the thread sleeps until then;
-// elsewhere, and where that fails, it looks twice a second at time, size and identity.
+// What shows that a file was written or replaced without reading it.
+struct FileState {
+    std::filesystem::path target;  // what symbolic links lead to
+    std::uintmax_t size = 0;
+    std::filesystem::file_time_type time;  // of the last write
+
+    bool operator==(const FileState&) const = default;
+};
+
+// Of a file: itself, under the name "". Of a folder: all files in it. Empty when there is none.
+using FileStates = std::map<std::string, FileState>;
+
+FileStates file_states(const std::string& path);
+
 class FileWatcher {
 public:
-    enum class Method { system, looking };
+    using Time = std::chrono::steady_clock::time_point;
 
-    // `on_change` is called from the watcher's thread whenever take_changed() may have something to say.
-    explicit FileWatcher(std::function<void()> on_change, Method method = Method::system);
-    ~FileWatcher();
-    FileWatcher(const FileWatcher&) = delete;
-    FileWatcher& operator=(const FileWatcher&) = delete;
+    // The files to watch from now on, instead of those before; "" stands for none. A folder stands for all files in it.
+    void watch(const std::vector<std::string>& paths);
 
-    // The files to watch from now on, instead of those before. A folder stands for all files in it.
-    void watch(std::vector<std::string> paths);
+    // Which of them were written, replaced or created, and then left alone from one look to the next: a file that is half
+    // written is not told of. Looks at most four times a second. Whether the content is another is for the caller to see.
+    std::vector<std::string> look(Time now);
 
-    // Which of them were written, replaced or created, and then left alone (closed, or unchanged for a moment), since the
-    // last call, as they were named to watch(). Whether the content is another is for the caller to see.
-    std::vector<std::string> take_changed();
+    // When to call look(); nothing while there is nothing to watch.
+    std::optional<Time> next_look() const;
 
 private:
-    class Implementation;
-    std::unique_ptr<Implementation> implementation_;
+    struct Watched {
+        std::string path;
+        FileStates last;
+        bool unsettled = false;  // it had changed when it was last looked at
+    };
+    std::vector<Watched> watched_;
+    Time next_look_;
 };
 
 }  // namespace sphereview

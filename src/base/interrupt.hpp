@@ -2,12 +2,11 @@
 #pragma once
 
 #include <functional>
-#include <string>
 
 namespace sphereview {
 
-// From now on SIGINT, SIGTERM and SIGHUP remove the unfinished file, clear the progress bar and end the process at once
-// with status 128 + signal, wherever it is, also inside a driver. A signal that was ignored stays ignored. Writing beyond a
+// From now on SIGINT, SIGTERM and SIGHUP clear the progress bar and end the process at once with status 128 + signal, wherever
+// it is, also inside a driver. A signal that was ignored stays ignored. Writing beyond a
 // file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
 void install_interrupt_handlers();
 
@@ -16,16 +15,14 @@ void install_interrupt_handlers();
 // nothing. Call once.
 void pass_interrupts_to(std::function<void(int)> act);
 
-// Names a temporary file that an interruption removes, for as long as this object lives. From any thread.
-class UnfinishedFile {
+// While such an object lives, interruptions wait for its end: what is begun is not left unfinished. For a few milliseconds of work,
+// and from any thread.
+class Unfinished {
 public:
-    explicit UnfinishedFile(const std::string& path);
-    ~UnfinishedFile();
-    UnfinishedFile(const UnfinishedFile&) = delete;
-    UnfinishedFile& operator=(const UnfinishedFile&) = delete;
-
-private:
-    int place_ = -1;  // among those that the handler knows
+    Unfinished();
+    ~Unfinished();
+    Unfinished(const Unfinished&) = delete;
+    Unfinished& operator=(const Unfinished&) = delete;
 };
 
 // Whether a progress bar stands on the terminal's last line.

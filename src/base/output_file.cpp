@@ -71,7 +71,7 @@ bool write_and_close(std::FILE* file, std::string_view bytes) {
 void replace(const std::string& path, std::string_view bytes) {
     const fs::path target = follow_links(path);
     const fs::path temporary = hidden_sibling(target);
-    const UnfinishedFile unfinished(temporary.string());
+    const Unfinished unfinished;
     const auto give_up = [&](const std::string& why) {
         std::error_code ignored;
         fs::remove(temporary, ignored);

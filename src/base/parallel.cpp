@@ -36,11 +36,15 @@ struct Job {
     void (*call)(const void*, std::size_t);
     const void* work;
     std::atomic<std::size_t> next = 0;
+    int helpers = 0;  // of the pool's threads; guarded by the pool's mutex
     std::mutex error_mutex{};
     std::exception_ptr error{};
 
-    // Takes part until nothing is left to begin.
-    void run() {
+    bool has_more() const { return next < count; }
+
+    // Takes part until nothing is left to begin or `goes_on` says no.
+    template <typename GoesOn>
+    void run(const GoesOn& goes_on) {
         inside_work = true;
         for (std::size_t i = next++; i < count; i = next++) {
             try {
@@ -50,63 +54,79 @@ struct Job {
                 if (!error) error = std::current_exception();
                 next = count;
             }
+            if (!goes_on()) break;
         }
         inside_work = false;
     }
 };
 
+// Each job is done by the thread that brings it, with the help of the pool's. Several jobs share those: whenever one comes, each
+// helper looks anew for the job that has the fewest.
 class Pool {
 public:
     Pool() {
         try {
-            for (int i = 1; i < worker_count(); ++i) {
-                threads_.emplace_back([this](const std::stop_token& stop) { serve(stop); });
-            }
+            for (int i = 1; i < worker_count(); ++i) threads_.emplace_back([this] { serve(); });
         } catch (const std::system_error&) {
             // The system allows no more threads: those there are do the work.
         }
     }
-
-    // Whether the job was done; not if another thread's is under way.
-    bool run(Job& job) {
-        const std::unique_lock one_at_a_time(jobs_mutex_, std::try_to_lock);
-        if (!one_at_a_time) return false;
+    ~Pool() {
         {
             const std::lock_guard lock(mutex_);
-            job_ = &job;
-            ++job_number_;
+            ending_ = true;
         }
         begin_.notify_all();
-        job.run();
+        for (std::thread& thread : threads_) thread.join();
+    }
+    Pool(const Pool&) = delete;
+    Pool& operator=(const Pool&) = delete;
+
+    void run(Job& job) {
+        {
+            const std::lock_guard lock(mutex_);
+            jobs_.push_back(&job);
+            ++jobs_begun_;
+        }
+        begin_.notify_all();
+        job.run([] { return true; });
         std::unique_lock lock(mutex_);
-        job_ = nullptr;  // who wakes up now is late
-        end_.wait(lock, [this] { return busy_ == 0; });
-        return true;
+        std::erase(jobs_, &job);
+        end_.wait(lock, [&] { return job.helpers == 0; });
     }
 
 private:
-    void serve(const std::stop_token& stop) {
+    void serve() {
         std::unique_lock lock(mutex_);
-        std::size_t last_job = 0;
-        while (begin_.wait(lock, stop, [&] { return job_ != nullptr && job_number_ != last_job; })) {
-            last_job = job_number_;
-            Job& job = *job_;
-            ++busy_;
+        while (true) {
+            Job* job = nullptr;
+            begin_.wait(lock, [&] { return ending_ || (job = neediest()) != nullptr; });
+            if (ending_) return;
+            ++job->helpers;
+            const std::size_t begun = jobs_begun_;
             lock.unlock();
-            job.run();
+            job->run([&] { return jobs_begun_ == begun; });
             lock.lock();
-            if (--busy_ == 0) end_.notify_one();
+            if (--job->helpers == 0) end_.notify_all();
         }
     }
 
-    std::mutex jobs_mutex_;  // held by whose job is under way
-    std::mutex mutex_;       // guards what follows
-    std::condition_variable_any begin_;
+    // The latest of those with the fewest helpers; null when there is nothing to begin.
+    Job* neediest() const {
+        Job* found = nullptr;
+        for (Job* job : jobs_) {
+            if (job->has_more() && (found == nullptr || job->helpers <= found->helpers)) found = job;
+        }
+        return found;
+    }
+
+    std::mutex mutex_;
+    std::condition_variable begin_;
     std::condition_variable end_;
-    Job* job_ = nullptr;
-    std::size_t job_number_ = 0;
-    int busy_ = 0;
-    std::vector<std::jthread> threads_;  // last: they end before what they use
+    std::vector<Job*> jobs_;
+    std::atomic<std::size_t> jobs_begun_ = 0;
+    bool ending_ = false;
+    std::vector<std::thread> threads_;  // last: they use what is above
 };
 
 }  // namespace
@@ -120,10 +140,9 @@ void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t
     if (count > 1 && !inside_work && worker_count() > 1) {
         static Pool pool;
         Job job{count, call, work};
-        if (pool.run(job)) {
-            if (job.error) std::rethrow_exception(job.error);
-            return;
-        }
+        pool.run(job);
+        if (job.error) std::rethrow_exception(job.error);
+        return;
     }
     for (std::size_t i = 0; i < count; ++i) call(work, i);
 }

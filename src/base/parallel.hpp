@@ -16,7 +16,8 @@ void share_work(std::size_t count, void (*call)(const void* work, std::size_t i)
 }  // namespace detail
 
 // Calls work(i) once for each i below `count`, on all cores and in any order, and returns when all calls have. The first
-// exception stops what has not begun and is thrown here. Inside work(), and while another thread is here, it runs alone.
+// exception stops what has not begun and is thrown here. Threads that are here at the same time share the cores. Inside work() it
+// runs alone.
 template <typename Work>
 void parallel_for(std::size_t count, const Work& work) {
     detail::share_work(

@@ -1,11 +1,14 @@
 #include "base/user_folders.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <fstream>
+#include <iomanip>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -30,13 +33,9 @@ fs::path from_environment(const char* variable) {
 fs::path below(const fs::path& folder, const fs::path& name) { return folder.empty() ? fs::path() : folder / name; }
 
 #ifdef _WIN32
-
 fs::path home_folder() { return from_environment(L"USERPROFILE"); }
-
 #else
-
 fs::path home_folder() { return from_environment("HOME"); }
-
 #endif
 
 #if !defined(_WIN32) && !defined(__APPLE__)
@@ -47,35 +46,20 @@ fs::path xdg_folder(const char* variable, const char* otherwise) {
     return chosen.empty() ? below(home_folder(), otherwise) : chosen;
 }
 
-// What a line `XDG_PICTURES_DIR="$HOME/Pictures"` says, "" for any other line. A backslash stands before a character that a
-// shell would take otherwise.
-fs::path pictures_in(std::string_view line) {
-    constexpr std::string_view begin = "XDG_PICTURES_DIR=\"";
-    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
-    if (!line.starts_with(begin)) return {};
-    line.remove_prefix(begin.size());
-    constexpr std::string_view home = "$HOME";
-    const bool in_home = line.starts_with(home);
-    if (in_home) line.remove_prefix(home.size());
-    std::string path;
-    for (std::size_t i = 0; i < line.size() && line[i] != '"'; ++i) {
-        if (line[i] == '\\' && i + 1 < line.size()) ++i;
-        path += line[i];
-    }
-    if (!path.empty() && path[0] != '/') return {};
-    if (in_home) return home_folder().empty() ? fs::path() : fs::path(home_folder().string() + path);
-    return path;
-}
-
-// By the file of xdg-user-dirs; empty when it says nothing. The last line counts, as for a shell.
+// By the file of xdg-user-dirs, which has lines like XDG_PICTURES_DIR="$HOME/Pictures"; empty when it says nothing. The last one
+// counts, as for a shell.
 fs::path chosen_pictures_folder() {
-    const fs::path config = xdg_folder("XDG_CONFIG_HOME", ".config");
-    if (config.empty()) return {};
-    std::ifstream file(config / "user-dirs.dirs");
+    constexpr std::string_view key = "XDG_PICTURES_DIR=";
+    constexpr std::string_view home = "$HOME";
+    std::ifstream file(below(xdg_folder("XDG_CONFIG_HOME", ".config"), "user-dirs.dirs"));
     fs::path chosen;
     for (std::string line; std::getline(file, line);) {
-        const fs::path pictures = pictures_in(line);
-        if (!pictures.empty()) chosen = pictures;
+        const std::string_view setting = trimmed(line);
+        if (!setting.starts_with(key)) continue;
+        std::string path;
+        std::istringstream(std::string(setting.substr(key.size()))) >> std::quoted(path);
+        if ((path + "/").starts_with(std::string(home) + "/")) path.replace(0, home.size(), home_folder().string());
+        if (fs::path(path).is_absolute()) chosen = path;
     }
     return chosen;
 }

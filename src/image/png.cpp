@@ -1,6 +1,6 @@
 #include "image/png.hpp"
 
-#include <libdeflate.h>
+#include <isa-l/crc.h>
 #include <stb_image.h>
 #include <stb_image_write.h>
 
@@ -10,7 +10,6 @@
 #include <new>
 
 #include "base/error.hpp"
-#include "image/stb.hpp"
 
 namespace sphereview {
 
@@ -31,11 +30,12 @@ std::uint32_t number_at(std::string_view bytes, std::size_t at) {
 // Whether every chunk up to the last (IEND) is there and has the sum that it says. stb_image looks at no sum.
 bool chunks_are_whole(std::string_view bytes) {
     constexpr std::size_t signature = 8;
+    const auto* data = reinterpret_cast<const unsigned char*>(bytes.data());
     constexpr std::size_t frame = 12;  // a chunk's length, type and sum
     for (std::size_t at = signature; bytes.size() >= at + frame;) {
         const std::size_t length = number_at(bytes, at);
         if (bytes.size() - at - frame < length) return false;
-        if (libdeflate_crc32(0, bytes.data() + at + 4, length + 4) != number_at(bytes, at + length + 8)) return false;
+        if (crc32_gzip_refl(0, data + at + 4, length + 4) != number_at(bytes, at + length + 8)) return false;
         if (bytes.substr(at + 4, 4) == "IEND") return true;
         at += length + frame;
     }
@@ -48,8 +48,6 @@ std::string encode_png(const Image& image) {
     assert(static_cast<std::int64_t>(image.width()) * image.height() <= most_pixels);
     // No filter: rows of flat colours compress best as they are, and trying all five costs more than compressing.
     stbi_write_force_png_filter = 0;
-    const auto pixel = static_cast<std::size_t>(image.channels());
-    png_layout() = {pixel, pixel * static_cast<std::size_t>(image.width()) + 1};
     std::string bytes;
     const int done =
         stbi_write_png_to_func(append, &bytes, image.width(), image.height(), image.channels(), image.bytes().data(), 0);

@@ -8,7 +8,8 @@
 
 namespace sphereview {
 
-// The picture as an 8-bit RGB or RGBA PNG; the same bytes for the same picture and compressor. At most `most_pixels`.
+// The picture as an 8-bit RGB or RGBA PNG; the same bytes for the same picture on the same
+// kind of processor, whose instructions the compressor uses. At most `most_pixels`.
 // Throws std::bad_alloc when memory does not suffice.
 std::string encode_png(const Image& image);
 

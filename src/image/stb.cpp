@@ -1,44 +1,37 @@
-// The one place that compiles the stb libraries, with compressors of our choice for written PNGs.
-#include "image/stb.hpp"
+// The one place that compiles the stb libraries, with a compressor of our choice for written PNGs.
+#include <isa-l/igzip_lib.h>
 
-#include <libdeflate.h>
-
-#include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <memory>
-
-namespace sphereview {
-
-RowLayout& png_layout() {
-    static thread_local RowLayout layout;
-    return layout;
-}
-
-}  // namespace sphereview
+#include <new>
 
 namespace {
 
-// The fastest, for pictures that are not flat: higher levels gain a tenth for half as much time again.
-constexpr int compression_level = 1;
-
 // stb's hook: data -> a zlib stream from std::malloc, its size in *compressed_size; null when memory does not suffice.
+// ISA-L's level 1 takes 0.3 ms for a flat picture of a million pixels and 1 ms for a shaded one, where libdeflate's takes 8 ms;
+// the files are a tenth to a third larger.
 unsigned char* compress(unsigned char* data, int size, int* compressed_size, int /*quality*/) {
-    if (const auto runs = sphereview::run_deflate({data, static_cast<std::size_t>(size)}, sphereview::png_layout())) {
-        auto* out = static_cast<unsigned char*>(std::malloc(runs->size()));
-        if (out == nullptr) return nullptr;
-        std::ranges::copy(*runs, out);
-        *compressed_size = static_cast<int>(runs->size());
-        return out;
-    }
-    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-        libdeflate_alloc_compressor(compression_level), &libdeflate_free_compressor);
-    if (compressor == nullptr) return nullptr;
-    const std::size_t bound = libdeflate_zlib_compress_bound(compressor.get(), static_cast<std::size_t>(size));
-    auto* out = static_cast<unsigned char*>(std::malloc(bound));
-    if (out == nullptr) return nullptr;
-    *compressed_size =
-        static_cast<int>(libdeflate_zlib_compress(compressor.get(), data, static_cast<std::size_t>(size), out, bound));
-    return out;
+    const std::unique_ptr<std::uint8_t[]> level_buffer(new (std::nothrow) std::uint8_t[ISAL_DEF_LVL1_DEFAULT]);
+    const auto length = static_cast<std::uint32_t>(size);
+    const std::uint32_t room = length + length / 8 + 1024;  // noise grows by far less
+    std::unique_ptr<void, decltype(&std::free)> out(std::malloc(room), &std::free);
+    if (level_buffer == nullptr || out == nullptr) return nullptr;
+    isal_zstream stream;
+    isal_deflate_init(&stream);
+    stream.level = 1;
+    stream.level_buf = level_buffer.get();
+    stream.level_buf_size = ISAL_DEF_LVL1_DEFAULT;
+    stream.gzip_flag = IGZIP_ZLIB;
+    stream.end_of_stream = 1;
+    stream.next_in = data;
+    stream.avail_in = length;
+    stream.next_out = static_cast<std::uint8_t*>(out.get());
+    stream.avail_out = room;
+    constexpr std::uint32_t most = std::numeric_limits<int>::max();
+    if (isal_deflate(&stream) != COMP_OK || stream.internal_state.state != ZSTATE_END || stream.total_out > most) return nullptr;
+    *compressed_size = static_cast<int>(stream.total_out);
+    return static_cast<unsigned char*>(out.release());
 }
 
 }  // namespace

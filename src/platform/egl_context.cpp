@@ -30,15 +30,15 @@ Function load_function(const char* name) {
     return get_proc_address != nullptr ? get_proc_address(name) : nullptr;
 }
 
-[[noreturn]] void fail(const std::string& step) {
+[[noreturn]] void fail(const std::string& step, RenderFault fault = RenderFault::other) {
     std::array<char, 16> code{};
     std::snprintf(code.data(), code.size(), "0x%04x", static_cast<unsigned>(eglGetError()));
-    throw RenderError(step + " failed (EGL error " + code.data() + ")");
+    throw RenderError(step + " failed (EGL error " + code.data() + ")", fault);
 }
 
 // Loads EGL's client functions; what needs a display is loaded again with it.
 void load_client() {
-    if (!library()) throw RenderError("libEGL cannot be opened: " + library().error());
+    if (!library()) throw RenderError("libEGL cannot be opened: " + library().error(), RenderFault::no_library);
     if (gladLoadEGL(nullptr, load_function) == 0) throw RenderError("libEGL lacks functions that every EGL has");
 }
 
@@ -85,8 +85,8 @@ public:
     explicit EglContext(const EglDevice& device) {
         load_client();
         display_ = display_of(device);
-        if (display_ == EGL_NO_DISPLAY) fail("opening the display");
-        if (eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) fail("eglInitialize");
+        if (display_ == EGL_NO_DISPLAY) fail("opening the display", RenderFault::no_driver);
+        if (eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) fail("eglInitialize", RenderFault::no_driver);
         try {
             create();
         } catch (...) {
@@ -109,7 +109,7 @@ private:
             EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version.data());
-        if (context_ == EGL_NO_CONTEXT) fail("eglCreateContext for OpenGL 3.3 core");
+        if (context_ == EGL_NO_CONTEXT) fail("eglCreateContext for OpenGL 3.3 core", RenderFault::old_opengl);
         if (!has_extension(eglQueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
             constexpr std::array<EGLint, 5> size = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
             surface_ = eglCreatePbufferSurface(display_, config, size.data());
@@ -117,7 +117,8 @@ private:
         }
         if (eglMakeCurrent(display_, surface_, surface_, context_) == EGL_FALSE) fail("eglMakeCurrent");
         // Anew for each context: another driver has other functions.
-        if (gladLoadGL(load_function) == 0 || !GLAD_GL_VERSION_3_3) throw RenderError("the context has no OpenGL 3.3 functions");
+        if (gladLoadGL(load_function) == 0 || !GLAD_GL_VERSION_3_3)
+            throw RenderError("the context has no OpenGL 3.3 functions", RenderFault::old_opengl);
     }
 
     void close() {

@@ -45,7 +45,8 @@ const Osmesa& osmesa() {
 class OsmesaContext final : public GlContext {
 public:
     OsmesaContext() {
-        if (!osmesa().library) throw RenderError("libOSMesa cannot be opened: " + osmesa().library.error());
+        if (!osmesa().library)
+            throw RenderError("libOSMesa cannot be opened: " + osmesa().library.error(), RenderFault::no_library);
         if (!osmesa().complete()) throw RenderError("libOSMesa lacks functions that Mesa 12 and later have");
         constexpr std::array<int, 9> wanted = {osmesa_format,
                                                GL_RGBA,
@@ -57,11 +58,11 @@ public:
                                                3,
                                                0};
         context_ = osmesa().create(wanted.data(), nullptr);
-        if (context_ == nullptr) throw RenderError("OSMesa has no OpenGL 3.3 core context");
+        if (context_ == nullptr) throw RenderError("OSMesa has no OpenGL 3.3 core context", RenderFault::old_opengl);
         if (osmesa().make_current(context_, screen_.data(), GL_UNSIGNED_BYTE, side, side) == 0 ||
             gladLoadGL(osmesa().get_proc_address) == 0 || !GLAD_GL_VERSION_3_3) {
             osmesa().destroy(context_);
-            throw RenderError("OSMesa's OpenGL 3.3 context cannot be made current");
+            throw RenderError("OSMesa's OpenGL 3.3 context cannot be made current", RenderFault::old_opengl);
         }
     }
     ~OsmesaContext() override {

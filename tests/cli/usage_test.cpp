@@ -29,7 +29,6 @@ TEST(Usage, EachCommandHasHelpWithExamplesAndExitStatus) {
         EXPECT_EQ(outcome.status, 0) << outcome;
         EXPECT_EQ(outcome.errors, "");
         for (const std::string& part : parts) EXPECT_TRUE(contains(outcome.output, part));
-        EXPECT_FALSE(contains(outcome.output, "--probe"));  // only doctor itself uses it
     }
 }
 
@@ -98,7 +97,6 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"doctor", "--timeout", "nan"}, "--timeout: found 'nan', expected"},
         {{"doctor", "--timeout", "soon"}, "--timeout: found 'soon', expected"},
         {{"doctor", "everything"}, "unexpected argument 'everything'"},
-        {{"doctor", "--probe", "vulkan"}, "unknown backend"},
     };
     for (const auto& [arguments, said] : cases) {
         SCOPED_TRACE(said);

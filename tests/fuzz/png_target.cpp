@@ -1,4 +1,4 @@
-#include <libdeflate.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -30,7 +30,8 @@ std::string with_sums(std::string bytes) {
     for (std::size_t at = signature; bytes.size() >= at + frame;) {
         const std::size_t length = number_at(bytes, at);
         if (bytes.size() - at - frame < length) break;
-        const std::uint32_t sum = libdeflate_crc32(0, bytes.data() + at + 4, length + 4);
+        const auto* chunk = reinterpret_cast<const Bytef*>(bytes.data()) + at + 4;
+        const auto sum = static_cast<std::uint32_t>(crc32(0, chunk, static_cast<uInt>(length + 4)));
         for (std::size_t i = 0; i < 4; ++i) bytes[at + 8 + length + i] = static_cast<char>(sum >> (24 - 8 * i));
         at += length + frame;
     }

@@ -17,7 +17,7 @@ const std::map<std::string_view, Names> allowed = {
     {"camera", {"base", "scene", "glm"}},
     {"edit", {"base", "scene", "glm"}},
     {"formats", {"base", "scene", "glm", "toml++", "gemmi"}},
-    {"image", {"base", "stb", "libdeflate"}},
+    {"image", {"base", "stb", "isa-l"}},
     {"exact", {"base", "scene", "glm", "boost"}},
     {"shade", {"base", "scene", "image", "exact", "glm"}},
     {"tiles", {"base", "scene", "edit", "exact", "glm"}},
@@ -28,8 +28,8 @@ const std::map<std::string_view, Names> allowed = {
     {"viewer",
      {"base", "scene", "camera", "edit", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app",
       "glm", "glad", "json", "imgui"}},
-    {"app", {"base", "scene",  "camera", "edit",       "formats", "image", "exact", "shade",  "tiles", "cpu",   "gpu", "platform",
-             "glm",  "toml++", "stb",    "libdeflate", "boost",   "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
+    {"app", {"base", "scene",  "camera", "edit",  "formats", "image", "exact", "shade",  "tiles", "cpu",   "gpu", "platform",
+             "glm",  "toml++", "stb",    "isa-l", "boost",   "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.
@@ -37,7 +37,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"glm", {"glm/"}},
     {"toml++", {"toml++/"}},
     {"stb", {"stb_", "stb/"}},
-    {"libdeflate", {"libdeflate.h"}},
+    {"isa-l", {"isa-l/"}},
     {"zlib", {"zlib.h"}},
     {"gemmi", {"gemmi/"}},
     {"boost", {"boost/"}},

@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "support/eventually.hpp"
+
 namespace sphereview {
 namespace {
 
@@ -39,6 +41,30 @@ TEST(Parallel, UsesMoreThanOneThread) {
         while (begun < 2) std::this_thread::yield();
     });
     EXPECT_EQ(begun, 2);
+}
+
+// While one thread's work stands still, the others help another's: again two calls that wait for each other.
+TEST(Parallel, SharesItsThreadsBetweenJobs) {
+    if (worker_count() < 2) GTEST_SKIP() << "this process may use one core only";
+    std::atomic<bool> begun = false;
+    std::atomic<bool> released = false;
+    std::thread other([&] {
+        parallel_for(static_cast<std::size_t>(worker_count()), [&, owner = std::this_thread::get_id()](std::size_t) {
+            if (std::this_thread::get_id() == owner) {
+                begun = true;
+                while (!released) std::this_thread::yield();
+            }
+            while (!begun) std::this_thread::yield();
+        });
+    });
+    while (!begun) std::this_thread::yield();
+    std::atomic<int> met = 0;
+    parallel_for(2, [&](std::size_t) {
+        ++met;
+        EXPECT_TRUE(test::eventually([&] { return met == 2; }));
+    });
+    released = true;
+    other.join();
 }
 
 TEST(Parallel, RethrowsAndCanBeUsedAgain) {

@@ -1,0 +1,28 @@
+// Telling whether what another process left behind is still its own.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+namespace sphereview {
+
+// A file that this process holds until the lock's or its own end, however that comes. Other programs may still read and write it.
+class FileLock {
+public:
+    FileLock() = default;
+    // Makes the file, for this user alone, where it is missing. Holds nothing where that fails or another has it.
+    explicit FileLock(const std::filesystem::path& file);
+    ~FileLock();
+    FileLock(FileLock&& other) noexcept;
+    FileLock& operator=(FileLock&& other) noexcept;
+
+    bool holds() const { return handle_ != none; }
+    // Whether a process holds the file, this one included.
+    static bool is_held(const std::filesystem::path& file);
+
+private:
+    static constexpr std::intptr_t none = -1;
+    std::intptr_t handle_ = none;
+};
+
+}  // namespace sphereview
