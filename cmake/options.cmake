@@ -22,18 +22,24 @@ if(SPHEREVIEW_SANITIZE)
     target_link_options(sphereview_options INTERFACE -fsanitize=address,undefined)
 endif()
 
-# The standard headers are parsed once for each set of flags, not for each file: add_precompiled(NAME LINKS...) makes the precompiled header
-# for targets with the flags of LINKS, which take it with use_precompiled(TARGET NAME). ccache needs -fpch-preprocess to see what it holds.
+# The standard headers are parsed once for each set of flags, not for each file: add_precompiled(NAME [HEADERS MORE...] LINKS...) makes the precompiled header
+# for targets with the flags of LINKS, which take it with use_precompiled(TARGET NAME), and precompile(TARGET HEADERS...) makes one for a
+# target alone. ccache needs -fpch-preprocess to see what they hold.
 set(standard_headers <algorithm> <array> <atomic> <bit> <cassert> <charconv> <chrono> <cmath> <condition_variable> <cstddef> <cstdint> <cstdio> <cstdlib>
     <cstring> <deque> <exception> <filesystem> <fstream> <functional> <limits> <map> <memory> <mutex> <new> <numeric> <optional> <span> <sstream>
     <stdexcept> <string> <string_view> <system_error> <thread> <tuple> <type_traits> <unordered_map> <utility> <variant> <vector>)
 
+function(precompile target)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
+    target_precompile_headers(${target} PRIVATE ${standard_headers} ${ARGN})
+endfunction()
+
 function(add_precompiled name)
+    cmake_parse_arguments(precompiled "" "" "HEADERS;LINKS" ${ARGN})
     file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/${name}.cpp CONTENT "" @ONLY)
     add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/${name}.cpp)
-    target_link_libraries(${name} PRIVATE ${ARGN})
-    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
-    target_precompile_headers(${name} PRIVATE ${standard_headers})
+    target_link_libraries(${name} PRIVATE ${precompiled_LINKS})
+    precompile(${name} ${precompiled_HEADERS})
 endfunction()
 
 function(use_precompiled target name)
@@ -45,9 +51,11 @@ endfunction()
 foreach(level IN ITEMS 1 2)
     add_library(optimised_${level} INTERFACE)
     if(NOT MSVC)
-        target_compile_options(optimised_${level} INTERFACE $<$<CONFIG:Release>:-O${level}>)
+        # With less than -O3, GCC does not see that a variant's other members are not read, nor how long a string is.
+        target_compile_options(optimised_${level} INTERFACE
+            $<$<CONFIG:Release>:-O${level}> $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overread>)
     endif()
-    add_precompiled(precompiled_${level} sphereview_options optimised_${level})
+    add_precompiled(precompiled_${level} LINKS sphereview_options optimised_${level})
 endforeach()
 
 # A static library from the given sources of this folder, included as "folder/file.hpp". Of LEVEL 1: menus and the like, which nobody waits

@@ -116,7 +116,11 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Me
         closed = draw_heading(context, trouble);
         const auto& fonts = ImGui::GetIO().Fonts->Fonts;
         const bool monospaced = trouble.log && fonts.Size > 1;
+#if IMGUI_VERSION_NUM >= 19200
+        if (monospaced) ImGui::PushFont(fonts[1], 0.0F);  // in the size of the other
+#else
         if (monospaced) ImGui::PushFont(fonts[1]);
+#endif
         // Text always leaves room for the scroll bar, or the bar would come and go.
         wrapped_text(trouble.text, width - ImGui::GetStyle().WindowPadding.x - ImGui::GetStyle().ScrollbarSize);
         if (monospaced) ImGui::PopFont();

@@ -42,10 +42,14 @@ constexpr std::array<std::pair<std::string_view, ImGuiKey>, 21> imgui_keys = {{
 }};
 
 void set_modifiers(ImGuiIO& io, const Modifiers& modifiers) {
-#if IMGUI_VERSION_NUM >= 18700
+#if IMGUI_VERSION_NUM >= 18900
     io.AddKeyEvent(ImGuiMod_Ctrl, modifiers.control);
     io.AddKeyEvent(ImGuiMod_Shift, modifiers.shift);
     io.AddKeyEvent(ImGuiMod_Alt, modifiers.alt);
+#elif IMGUI_VERSION_NUM >= 18700
+    io.AddKeyEvent(ImGuiKey_ModCtrl, modifiers.control);
+    io.AddKeyEvent(ImGuiKey_ModShift, modifiers.shift);
+    io.AddKeyEvent(ImGuiKey_ModAlt, modifiers.alt);
 #else
     io.KeyCtrl = modifiers.control;
     io.KeyShift = modifiers.shift;
@@ -138,8 +142,13 @@ void ImguiBridge::build_fonts() {
         own.SizePixels = font_pixels_;
         if (font == nullptr) io.Fonts->AddFontDefault(&own);
     }
+#if IMGUI_VERSION_NUM >= 19200
+    // From here on the backend makes the glyphs' texture as glyphs are drawn.
+    ImGui::GetStyle().FontSizeBase = font_pixels_;
+#else
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
+#endif
 }
 
 void ImguiBridge::feed(const InputEvent& event) {
@@ -180,8 +189,12 @@ void ImguiBridge::begin_frame(const std::vector<InputEvent>& events, double seco
     if (text_pixels != font_pixels_) {
         font_pixels_ = text_pixels;
         scale_ = text_pixels / usual_font_size / pixels;
-        io.FontGlobalScale = 1.0F / pixels;
         apply_style(scale_);
+#if IMGUI_VERSION_NUM >= 19200
+        ImGui::GetStyle().FontScaleMain = 1.0F / pixels;
+#else
+        io.FontGlobalScale = 1.0F / pixels;
+#endif
         build_fonts();
     }
     for (const InputEvent& event : events) feed(event);
