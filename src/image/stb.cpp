@@ -1,6 +1,7 @@
 // The one place that compiles the stb libraries, with a compressor of our choice for written PNGs.
 #include <isa-l/igzip_lib.h>
 
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -22,15 +23,20 @@ unsigned char* compress(unsigned char* data, int size, int* compressed_size, int
     stream.level = 1;
     stream.level_buf = level_buffer.get();
     stream.level_buf_size = ISAL_DEF_LVL1_DEFAULT;
-    stream.gzip_flag = IGZIP_ZLIB;
+    stream.gzip_flag = IGZIP_ZLIB_NO_HDR;
     stream.end_of_stream = 1;
     stream.next_in = data;
     stream.avail_in = length;
-    stream.next_out = static_cast<std::uint8_t*>(out.get());
-    stream.avail_out = room;
+    // The two bytes of the header are ours: releases of ISA-L differ in one that nobody reads.
+    auto* bytes = static_cast<std::uint8_t*>(out.get());
+    bytes[0] = 0x78;
+    bytes[1] = 0x01;
+    stream.next_out = bytes + 2;
+    stream.avail_out = room - 2;
     constexpr std::uint32_t most = std::numeric_limits<int>::max();
-    if (isal_deflate(&stream) != COMP_OK || stream.internal_state.state != ZSTATE_END || stream.total_out > most) return nullptr;
-    *compressed_size = static_cast<int>(stream.total_out);
+    if (isal_deflate(&stream) != COMP_OK || stream.internal_state.state != ZSTATE_END || stream.total_out > most - 2)
+        return nullptr;
+    *compressed_size = static_cast<int>(stream.total_out + 2);
     return static_cast<unsigned char*>(out.release());
 }
 

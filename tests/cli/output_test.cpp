@@ -87,33 +87,6 @@ TEST_F(Output, BeyondAFileSizeLimitLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(folder_.names(), (Names{"old.png", "red.txt"}));
 }
 
-TEST_F(Output, ReplacesAFileKeepingItsMode) {
-    folder_.write("old.png", "old");
-    const auto mode = fs::perms::owner_read | fs::perms::owner_write | fs::perms::group_read | fs::perms::others_exec;
-    fs::permissions(folder_.path("old.png"), mode);
-    ASSERT_EQ(render_into("old.png").status, 0);
-    EXPECT_EQ(fs::status(folder_.path("old.png")).permissions(), mode);
-    EXPECT_EQ(decode_png(folder_.read("old.png")).width, 5);
-    EXPECT_EQ(folder_.names(), (Names{"old.png", "red.txt"}));
-}
-
-TEST_F(Output, FollowsSymbolicLinks) {
-    folder_.write("real/old.png", "old");
-    fs::create_symlink("real/old.png", folder_.path("link.png"));
-    fs::create_symlink("real/new.png", folder_.path("dangling.png"));
-    ASSERT_EQ(render_into("link.png").status, 0);
-    ASSERT_EQ(render_into("dangling.png").status, 0);
-    EXPECT_TRUE(fs::is_symlink(folder_.path("link.png")) && fs::is_symlink(folder_.path("dangling.png")));
-    EXPECT_EQ(decode_png(folder_.read("real/old.png")).width, 5);
-    EXPECT_EQ(decode_png(folder_.read("real/new.png")).width, 5);
-}
-
-TEST_F(Output, MayHaveAnAlmostTooLongName) {
-    const std::string name = std::string(251, 'n') + ".png";
-    EXPECT_EQ(render_into(name).status, 0);
-    EXPECT_EQ(folder_.names(), (Names{name, "red.txt"}));
-}
-
 TEST_F(Output, OfTwoRunsIsTheSameBytes) {
     ASSERT_EQ(render(folder_, {"red.txt", "-o", "one.png"}).status, 0);
     ASSERT_EQ(render(folder_, {"red.txt", "-o", "two.png"}).status, 0);

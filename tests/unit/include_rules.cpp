@@ -4,6 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "base/text.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -66,12 +68,6 @@ std::string_view owner(std::string_view header) {
     }
     // Only the C++ standard library's headers have names without an extension.
     return header.find_first_of("./") == std::string_view::npos ? "std" : "";
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(" \t\r");
-    if (begin == std::string_view::npos) return "";
-    return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
 // What a line includes, with its quotes or brackets; "" when it includes nothing.

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <csignal>
 #include <thread>
 
 #include "base/error.hpp"
@@ -108,23 +106,6 @@ TEST(WriteOutput, SaysThatADeviceIsFull) {
     EXPECT_EQ(message_of<OutputError>([] { write_output("/dev/full", "new"); }),
               "/dev/full: cannot be written: No space left on device");
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
-}
-
-TEST(WriteOutput, LeavesTheOldFileWhenTheNewOneDoesNotFit) {
-    const test::TemporaryFolder folder;
-    folder.write("out", "old");
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    rlimit small = before;
-    small.rlim_cur = 1000;
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
-    const std::string message = message_of<OutputError>([&] { write_output(folder.path("out"), std::string(100'000, 'x')); });
-    setrlimit(RLIMIT_FSIZE, &before);
-    std::signal(SIGXFSZ, handler);
-    EXPECT_EQ(message, folder.path("out") + ": cannot be written: File too large");
-    EXPECT_EQ(folder.read("out"), "old");
-    EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(WriteOutput, WritesIntoAPipe) {
