@@ -73,13 +73,6 @@ std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view white = " \t\r\n";
-    const std::size_t begin = text.find_first_not_of(white);
-    if (begin == std::string_view::npos) return "";
-    return text.substr(begin, text.find_last_not_of(white) + 1 - begin);
-}
-
 std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& character : lower) {

@@ -47,9 +47,6 @@ std::string_view trimmed(std::string_view text, std::string_view white = " \t\r\
 // `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
 std::string_view without_byte_order_mark(std::string_view text);
 
-// `text` without white space around it.
-std::string_view trimmed(std::string_view text);
-
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 
