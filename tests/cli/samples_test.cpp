@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/averaged.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 

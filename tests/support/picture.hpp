@@ -30,4 +30,7 @@ Picture decode_png(std::string_view file);
 // As the bytes of a PNG file.
 std::string encode_png(const Picture& picture);
 
+// What anti-aliasing must give: the average of each side x side pixels, halves rounded up; with alpha, colours weighted by it.
+Picture averaged(const Picture& points, int side);
+
 }  // namespace sphereview::test

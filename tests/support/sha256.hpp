@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4), for pictures that are known by their sum.
+// SHA-256 by the system's sha256sum, for pictures that are known by their sum.
 #pragma once
 
 #include <string>

@@ -126,30 +126,20 @@ TEST(CpuRenderer, SeesThroughAnyCamera) {
     expect_as_the_textbook_sees(scene, {61, 47});
 }
 
-TEST(CpuRenderer, SeesTheBackgroundWhereNothingIs) {
+TEST(CpuRenderer, SeesTheNearestHitAheadOfTheEye) {
     EXPECT_EQ(seen({}, {2, 1}), (Numbers{-1, -1}));
     EXPECT_EQ(seen(of({{{0, 0, 200}, 5, {}, true}}), {1, 1}), (Numbers{-1}));
-}
-
-TEST(CpuRenderer, SeesTheNearerSphere) {
     EXPECT_EQ(seen(of({{{0, 0, 200}, 5}, {{0, 0, 150}, 5}}), {1, 1}), (Numbers{1}));
     EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 5}}), {1, 1}), (Numbers{0}));
     // A hit counts, not a centre.
     EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 90}}), {1, 1}), (Numbers{1}));
-}
-
-TEST(CpuRenderer, SeesTheFirstOfEqualSpheres) {
+    // The first of equal spheres.
     EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 150}, 5}}), {3, 1}), (Numbers{-1, 0, -1}));
-}
-
-TEST(CpuRenderer, DoesNotSeeWhatLiesBehindTheEye) { EXPECT_EQ(seen(of({{{0, 0, -50}, 49}}), {1, 1}), (Numbers{-1})); }
-
-TEST(CpuRenderer, SeesTheInsideOfASphereAroundTheEye) {
+    // What lies behind the eye, and the inside of a sphere around the eye.
+    EXPECT_EQ(seen(of({{{0, 0, -50}, 49}}), {1, 1}), (Numbers{-1}));
     EXPECT_EQ(seen(of({{{0, 0, -50}, 51}}), {3, 3}), Numbers(9, 0));
     EXPECT_EQ(seen(of({{{0, 0, 0}, 500}, {{0, 0, 150}, 5}}), {1, 1}), (Numbers{1}));
-}
-
-TEST(CpuRenderer, SeesASphereThatARayTouches) {
+    // A ray that touches.
     EXPECT_EQ(seen(of({{{8, 0, 200}, 8}}), {1, 1}), (Numbers{0}));
     EXPECT_EQ(seen(of({{{8.0625, 0, 200}, 8}}), {1, 1}), (Numbers{-1}));
 }

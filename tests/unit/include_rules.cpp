@@ -1,12 +1,20 @@
-#include "unit/include_rules.hpp"
+// Which file may include what: the arrows between the rooms (docs/architecture.md), and every #include against them.
+#include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/text.hpp"
+#include "support/folders.hpp"
 
 namespace sphereview {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -89,10 +97,9 @@ bool is_file_name(std::string_view text) {
     return std::ranges::all_of(text, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
 }
 
-}  // namespace
-
 bool is_room(std::string_view name) { return allowed.contains(name); }
 
+// What is wrong with a line of a file in `room` ("scene", "app"), or "" for a good #include and for any other line.
 std::string include_fault(std::string_view room, std::string_view line) {
     const std::string_view what = included(line);
     if (what.empty()) return "";
@@ -109,6 +116,77 @@ std::string include_fault(std::string_view room, std::string_view line) {
     const std::string_view other = what.substr(1, slash - 1);
     if (!is_room(other)) return "no such room: " + std::string(other);
     return may_include(room, other) ? "" : std::string(room) + " may not include " + std::string(other);
+}
+
+const fs::path source = test::source_file("");
+
+// "scene" for src/scene/sphere.hpp, "app" for app/main.cpp, "panels" for app/panels/help.cpp.
+std::string room_of(const fs::path& file) {
+    const fs::path path = fs::relative(file, source);
+    const std::string second = std::next(path.begin())->string();
+    return *path.begin() == "src" || is_room(second) ? second : path.begin()->string();
+}
+
+}  // namespace
+
+TEST(IncludeRules, HoldForEveryFile) {
+    int checked = 0;
+    for (const char* folder : {"src", "app"}) {
+        for (const auto& entry : fs::recursive_directory_iterator(source / folder)) {
+            const fs::path& file = entry.path();
+            if (file.extension() != ".cpp" && file.extension() != ".hpp") continue;
+            ASSERT_TRUE(is_room(room_of(file))) << file << " lies in a folder that the table of rooms does not know";
+            std::ifstream stream(file);
+            int number = 0;
+            for (std::string line; std::getline(stream, line);) {
+                ++number;
+                EXPECT_EQ(include_fault(room_of(file), line), "") << file.string() << ":" << number << ": " << line;
+            }
+            ++checked;
+        }
+    }
+    EXPECT_GT(checked, 50);
+}
+
+TEST(IncludeRules, AllowWhatTheTableSays) {
+    const std::vector<std::pair<const char*, const char*>> good = {
+        {"base", "#include <vector>"},
+        {"base", "#include <unistd.h>"},
+        {"base", "#include <sys/wait.h>"},
+        {"scene", "  #  include   <glm/vec3.hpp>  // why"},
+        {"platform", "#include <GLFW/glfw3.h>"},
+        {"app", "#include \"gpu/gl_object.hpp\""},
+        {"viewer", "#include \"app/options.hpp\""},
+        {"scene", "// #include <unistd.h>"},
+        {"scene", "int include;"},
+    };
+    for (const auto& [room, line] : good) EXPECT_EQ(include_fault(room, line), "") << room << ": " << line;
+}
+
+TEST(IncludeRules, ForbidAllElse) {
+    const std::vector<std::vector<const char*>> bad = {
+        {"base", "#include \"scene/scene.hpp\"", "base may not include scene"},
+        {"scene", "#include \"image/image.hpp\"", "scene may not include image"},
+        {"scene", "#include <unistd.h>", "scene may not include system"},
+        {"scene", "#  include <sys/stat.h> // why", "scene may not include system"},
+        {"image", "#include <glm/vec3.hpp>", "image may not include glm"},
+        {"cpu", "#include \"gpu/gl_object.hpp\"", "cpu may not include gpu"},
+        {"gpu", "#include \"platform/gl_context.hpp\"", "gpu may not include platform"},
+        {"platform", "#include \"scene/scene.hpp\"", "platform may not include scene"},
+        {"app", "#include \"viewer/viewer.hpp\"", "app may not include viewer"},
+        {"panels", "#include \"viewer/viewer.hpp\"", "panels may not include viewer"},
+        {"app", "#include <windows.h>", "app may not include system"},
+        {"scene", "#include \"sphere.hpp\"", "not of the form \"room/file.hpp\" or <header>"},
+        {"scene", "#include \"../base/error.hpp\"", "not of the form \"room/file.hpp\" or <header>"},
+        {"scene", "#include <base/error.hpp>", "a header of an unknown library"},
+        {"scene", "#include <math.h>", "a header of an unknown library"},
+        {"scene", "#include \"room/file.hpp\"", "no such room: room"},
+        {"scene", "#include \"base//error.hpp\"", "not of the form \"room/file.hpp\" or <header>"},
+        {"scene", "#include \"base/error.h\"", "not of the form \"room/file.hpp\" or <header>"},
+        {"scene", "#include HEADER", "not of the form \"room/file.hpp\" or <header>"},
+        {"scene", "#include<Eigen/Core>", "a header of an unknown library"},
+    };
+    for (const auto& line : bad) EXPECT_EQ(include_fault(line[0], line[1]), line[2]) << line[0] << ": " << line[1];
 }
 
 }  // namespace sphereview

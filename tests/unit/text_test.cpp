@@ -18,29 +18,22 @@ std::string place(std::string_view text, std::size_t offset, TextPosition origin
 
 }  // namespace
 
-TEST(PositionAt, CountsLinesAndColumnsFromOne) {
+TEST(PositionAt, CountsLinesAndCharactersFromOne) {
     EXPECT_EQ(place("", 0), "1:1");
     EXPECT_EQ(place("abc", 2), "1:3");
     EXPECT_EQ(place("a\nbc", 3), "2:2");
     EXPECT_EQ(place("a\n\n", 3), "3:1");
-}
-
-TEST(PositionAt, TakesEveryKindOfLineEndForOneLine) {
+    // Every kind of line end is one.
     EXPECT_EQ(place("a\r\nb", 3), "2:1");
     EXPECT_EQ(place("a\rb", 2), "2:1");
     EXPECT_EQ(place("a\r", 2), "2:1");
     EXPECT_EQ(place("a\r\r\n\nb", 5), "4:1");
     EXPECT_EQ(place("a\n\rb", 3), "3:1");
-}
-
-TEST(PositionAt, CountsCharactersNotBytes) {
-    EXPECT_EQ(place("\xC3\xA9x", 2), "1:2");                      // U+00E9
-    EXPECT_EQ(place("\xF0\x9F\x8C\x90\xE2\x82\xACx", 7), "1:3");  // U+1F310, U+20AC
-}
-
-TEST(PositionAt, StopsAtTheEndOfTheText) { EXPECT_EQ(place("ab", 100), "1:3"); }
-
-TEST(PositionAt, StartsWhereTheTextStandsInItsFile) {
+    // Characters, not bytes: U+00E9; U+1F310, U+20AC.
+    EXPECT_EQ(place("\xC3\xA9x", 2), "1:2");
+    EXPECT_EQ(place("\xF0\x9F\x8C\x90\xE2\x82\xACx", 7), "1:3");
+    EXPECT_EQ(place("ab", 100), "1:3");  // the end of the text
+    // Where the text stands in its file.
     EXPECT_EQ(place("abc", 1, {4, 12}), "4:13");
     EXPECT_EQ(place("a\nbc", 3, {4, 12}), "5:2");
 }
@@ -61,37 +54,26 @@ TEST(FoundExpected, MakesAMessageAboutAPlace) {
     EXPECT_EQ(place_in("a.txt", {2, 30}) + found_expected("x\n", "a number"), "a.txt:2:30: found 'x\\x0a', expected a number");
 }
 
-TEST(InQuotes, ShowsPrintableCharactersAsTheyAre) { EXPECT_EQ(in_quotes("a ~'\""), "'a ~'\"'"); }
-
-TEST(InQuotes, EscapesWhatATerminalWouldAct) {
+TEST(InQuotes, EscapesWhatATerminalWouldActAndCutsLongTexts) {
+    EXPECT_EQ(in_quotes("a ~'\""), "'a ~'\"'");
     EXPECT_EQ(in_quotes(std::string_view("\0\x1b[2J\n\x7F", 7)), R"('\x00\x1b[2J\x0a\x7f')");
     EXPECT_EQ(in_quotes("\xC3\xA9"), R"('\xc3\xa9')");
-}
-
-TEST(InQuotes, CutsLongTexts) {
     EXPECT_EQ(in_quotes(std::string(40, 'x')), "'" + std::string(40, 'x') + "'");
     EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
-TEST(DidYouMean, NamesTheClosestCandidate) {
+TEST(DidYouMean, NamesTheClosestCandidateThatIsNear) {
     const std::vector<std::string> names = {"render", "convert", "doctor"};
     EXPECT_EQ(closest_match("rendr", names), "render");
     EXPECT_EQ(closest_match("DOCTOR", names), "doctor");
     EXPECT_EQ(did_you_mean("convrt", names), "; did you mean 'convert'?");
-}
-
-TEST(DidYouMean, IsSilentWhenNothingIsNear) {
-    const std::vector<std::string> names = {"render", "convert", "doctor"};
     EXPECT_EQ(did_you_mean("scene", names), "");
     EXPECT_EQ(did_you_mean("", names), "");
     EXPECT_EQ(did_you_mean(std::string(65, 'r'), names), "");  // not worth the time
     EXPECT_EQ(did_you_mean("render", {}), "");
-}
-
-TEST(DidYouMean, AllowsShortWordsOneMistake) {
-    const std::vector<std::string> names = {"up"};
-    EXPECT_EQ(closest_match("ul", names), "up");
-    EXPECT_EQ(closest_match("xy", names), "");
+    // Short words are allowed one mistake.
+    EXPECT_EQ(closest_match("ul", std::vector<std::string>{"up"}), "up");
+    EXPECT_EQ(closest_match("xy", std::vector<std::string>{"up"}), "");
 }
 
 TEST(Fixed, WritesTheDecimalPlacesAsked) {
