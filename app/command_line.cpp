@@ -6,6 +6,7 @@
 #include "app/typed_options.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -48,12 +49,15 @@ constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
-constexpr const char* scene_files = "Scene file: text, TOML, XYZ, CSV; - is standard input";
+const std::string scene_files = "Scene file: " + listed(format_names(), "or") + "; - is standard input";
 
 // For files of atoms and particles.
 void add_data_options(CLI::App& command, TypedOptions& typed) {
-    command.add_option("--frame", typed.frame, "Which frame of an XYZ file of several, from 0 [0]")->type_name("N");
-    command.add_option("--radius", typed.radius, "Of spheres of which an XYZ or CSV file says none [the element's, in CSV 1]")
+    command
+        .add_option("--frame", typed.frame,
+                    "Which frame of several, from 0 [0]: " + listed(format_names(has_frames), "and") + " have them")
+        ->type_name("N");
+    command.add_option("--radius", typed.radius, "Of spheres for which the file says none [the element's, in CSV 1]")
         ->type_name("R");
 }
 
@@ -70,7 +74,7 @@ void add_shade(CLI::App* command, TypedOptions& typed, const std::string& otherw
 
 CLI::App* add_view(CLI::App& app, TypedOptions& typed) {
     CLI::App* view = app.add_subcommand("view", "Open a scene in a window (what is done when no command is named)");
-    view->add_option("SCENE", typed.view.scene, std::string(scene_files) + "; none: an empty scene");
+    view->add_option("SCENE", typed.view.scene, scene_files + "; none: an empty scene");
     add_data_options(*view, typed);
     add_fit_options(*view, typed);
     view->add_option("-s,--size", typed.view_size, "Width and height of exports in pixels [as last time, at first 1000x1000]")
@@ -120,10 +124,11 @@ void add_render(CLI::App& app, TypedOptions& typed) {
 }
 
 void add_convert(CLI::App& app, TypedOptions& typed) {
-    CLI::App* convert = app.add_subcommand("convert", "Convert a scene to the text format or TOML");
+    CLI::App* convert = app.add_subcommand("convert", "Convert a scene to " + listed(format_names(is_written), "or"));
     convert->add_option("IN", typed.convert.input, scene_files)->required();
     convert->add_option("OUT", typed.convert.output, "Scene file: .toml is TOML, all else text; - is standard output")->required();
-    convert->add_option("--to", typed.to, "text or toml, whatever OUT is called")->type_name("FORMAT");
+    convert->add_option("--to", typed.to, lower_case(listed(format_names(is_written), "or")) + ", whatever OUT is called")
+        ->type_name("FORMAT");
     add_data_options(*convert, typed);
     add_fit_options(*convert, typed);
     convert->footer(std::string(convert_examples) + exit_codes);

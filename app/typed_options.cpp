@@ -196,12 +196,10 @@ ConvertOptions checked_convert(const TypedOptions& typed) {
     options.fit = checked_fit(typed);
     check_file_name("IN", options.input);
     check_file_name("OUT", options.output);
-    if (typed.to == "text") {
-        options.to = SceneFormat::text;
-    } else if (typed.to == "toml") {
-        options.to = SceneFormat::toml;
-    } else if (typed.to) {
-        wrong("--to", *typed.to, "text or toml");
+    if (typed.to) {
+        const SceneFormat* format = find_format(*typed.to);
+        if (format == nullptr || !is_written(*format)) wrong("--to", *typed.to, lower_case(listed(format_names(is_written), "or")));
+        options.to = *format;
     } else if (options.output == standard_stream) {
         throw WrongUsage("standard output has no name to tell the format; add --to text or --to toml");
     }

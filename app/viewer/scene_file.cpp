@@ -110,21 +110,23 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
 }
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
-    const std::string ending = format == SceneFormat::text ? ".txt" : ".toml";
+    const std::string ending(is_written(format) ? format.endings[0] : SceneFormat::toml.endings[0]);
+    const std::vector<std::string> endings = format_endings(is_written);
     const fs::path stem = state.path.empty() ? "scene" : fs::path(without_gzip_ending(state.path)).stem();
-    const FileQuestion question{true, "Save the scene", usual_folder(state), stem.string() + ending, {".txt", ".toml"}};
-    ask_for_file(state, question, [&state, then](const std::string& path) {
+    const FileQuestion question{true, "Save the scene", usual_folder(state), stem.string() + ending, endings};
+    ask_for_file(state, question, [&state, then, endings](const std::string& path) {
         const std::string absolute = absolute_path(path);
         const SceneFormat named = format_of_name(absolute);
-        if (is_data(named)) {
+        if (!is_written(named)) {
             return report_error(state, "The scene cannot be saved",
-                                in_quotes(fs::path(absolute).filename().string()) + " is a name for " +
-                                    std::string(words_for(named)) + ", which is only read. Take one that ends with .toml or .txt.");
+                                in_quotes(fs::path(absolute).filename().string()) + " is a name for " + std::string(named.name) +
+                                    ", which is only read. Take one that ends with " + listed(endings, "or") + ".");
         }
         if (is_packed(absolute)) {
             return report_error(state, "The scene cannot be saved",
                                 in_quotes(fs::path(absolute).filename().string()) +
-                                    " is a name for gzip, which is only read. Take one that ends with .toml or .txt.");
+                                    " is a name for gzip, which is only read. Take one that ends with " + listed(endings, "or") +
+                                    ".");
         }
         write_unless_lost(state, absolute, named, then);
     });
@@ -238,16 +240,14 @@ void open_scene(ViewerState& state, const std::string& path) {
 }
 
 void ask_for_scene(ViewerState& state) {
-    const FileQuestion question{false,
-                                "Open a scene",
-                                usual_folder(state),
-                                "",
-                                {".txt", ".toml", ".xyz", ".extxyz", ".csv", ".pdb", ".ent", ".cif", ".mmcif", ".gz"}};
+    std::vector<std::string> endings = format_endings();
+    endings.emplace_back(".gz");
+    const FileQuestion question{false, "Open a scene", usual_folder(state), "", std::move(endings)};
     ask_for_file(state, question, [&state](const std::string& path) { open_scene(state, path); });
 }
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
-    if (state.path.empty() || is_data(state.format) || is_packed(state.path)) return save_scene_as(state, then);
+    if (state.path.empty() || !is_written(state.format) || is_packed(state.path)) return save_scene_as(state, then);
     write_unless_lost(state, state.path, state.format, then);
 }
 

@@ -22,12 +22,6 @@ struct Field {
 constexpr std::array<Field, 3> coordinates = {{{30, 38, "x"}, {38, 46, "y"}, {46, 54, "z"}}};
 constexpr std::size_t columns_read = 78;  // up to the element; the charge behind it is often wrong, and not drawn
 
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(' ');
-    if (begin == std::string_view::npos) return "";
-    return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
-
 bool is_record(std::string_view line, std::string_view record) { return trimmed(line.substr(0, 6)) == record; }
 
 // Takes the atoms of one frame out of a file and sees that their places are numbers: gemmi takes what is none for 0.
