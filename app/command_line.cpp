@@ -124,7 +124,7 @@ std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const ch
 std::optional<std::string> file_name(const std::string& text) { return text.empty() ? std::nullopt : std::optional(text); }
 
 constexpr const char* a_file = "the name of a file";
-constexpr const char* scene_files = "Scene file: text, TOML, XYZ, CSV; - is standard input";
+const std::string scene_files = "Scene file: " + listed(format_names(), "or") + "; - is standard input";
 
 template <typename Field>
 CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, const std::string& type, const std::string& help) {
@@ -134,10 +134,11 @@ CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, 
 // How a scene is read and from where it is seen: options of every command with scenes.
 void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& fit) {
     add_option(command, data.frame,
-               {"--frame", "N", "Which frame of an XYZ file of several, from 0 [0]", "the number of a frame, from 0"},
+               {"--frame", "N", "Which frame of several, from 0 [0]: " + listed(format_names(has_frames), "and") + " have them",
+                "the number of a frame, from 0"},
                [](const std::string& text) { return whole_number<std::int64_t>(text, 0); });
     add_option(command, data.radius,
-               {"--radius", "R", "Of spheres of which an XYZ or CSV file says none [the element's, in CSV 1]", "a number above 0"},
+               {"--radius", "R", "Of spheres for which the file says none [the element's, in CSV 1]", "a number above 0"},
                [](const std::string& text) { return number_above_0(text); });
     CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
                                    "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
@@ -190,7 +191,7 @@ template <typename Options>
 void check(const CLI::App&, const Options&) {}  // where each option stands for itself
 
 void declare(CLI::App& command, ViewOptions& options) {
-    add_file(command, options.scene, "SCENE", "", std::string(scene_files) + "; none: an empty scene");
+    add_file(command, options.scene, "SCENE", "", scene_files + "; none: an empty scene");
     add_scene_options(command, options.data, options.fit);
     add_size(command, options.size, "Width and height of exports in pixels [as last time, at first 1000x1000]");
     add_samples(command, options.samples,
@@ -261,10 +262,11 @@ void check(const CLI::App& command, RenderOptions& options) {
 void declare(CLI::App& command, ConvertOptions& options) {
     add_file(command, options.input, "IN", "", scene_files)->required();
     add_file(command, options.output, "OUT", "", "Scene file: .toml is TOML, all else text; - is standard output")->required();
-    add_option(command, options.to, {"--to", "FORMAT", "text or toml, whatever OUT is called", "text or toml"},
+    const std::string formats = lower_case(listed(format_names(is_written), "or"));
+    add_option(command, options.to, {"--to", "FORMAT", formats + ", whatever OUT is called", formats},
                [](const std::string& text) -> std::optional<SceneFormat> {
-                   if (text == "text") return SceneFormat::text;
-                   return text == "toml" ? std::optional(SceneFormat::toml) : std::nullopt;
+                   const SceneFormat* format = find_format(text);
+                   return format != nullptr && is_written(*format) ? std::optional(*format) : std::nullopt;
                });
     add_scene_options(command, options.data, options.fit);
     command.footer(std::string(convert_examples) + exit_codes);
@@ -398,7 +400,7 @@ Run parse_command_line(int argc, const char* const* argv) {
     Run chosen;
     add_command(app, chosen, "view", run_view, "Open a scene in a window (what is done when no command is named)");
     add_command(app, chosen, "render", run_render, "Render scenes to PNG files, without a window");
-    add_command(app, chosen, "convert", run_convert, "Convert a scene to the text format or TOML");
+    add_command(app, chosen, "convert", run_convert, "Convert a scene to " + listed(format_names(is_written), "or"));
     add_command(app, chosen, "explain", run_explain,
                 "Everything about one pixel: its ray, every hit, which sphere it shows and why");
     add_command(app, chosen, "doctor", run_doctor, "Try every backend and say what works here, and why others do not");

@@ -15,24 +15,27 @@ ExitCode run_convert(const ConvertOptions& options) {
     if (!input.empty() && input == file_identity(options.output)) {
         throw InputError(options.output + ": the output is also the input");
     }
-    const SceneFormat format = options.to ? *options.to : format_of_name(options.output);
-    if (is_data(format)) {
-        throw InputError(options.output + ": found a name for " + std::string(words_for(format)) +
-                         ", which is only read; expected one for text or TOML (.txt, .toml), or --to");
+    const std::string endings = listed(format_endings(is_written), "or");
+    const SceneFormat& named = format_of_name(options.output);
+    if (!is_written(named)) {  // whatever --to says: no command could open the file
+        throw InputError(options.output + ": found a name for " + std::string(named.name) +
+                         ", which is only read; expected one that ends with " + endings);
     }
     if (without_gzip_ending(options.output) != options.output) {
-        throw InputError(options.output + ": found a name for gzip, which is only read; expected one that ends with .txt or .toml");
+        throw InputError(options.output + ": found a name for gzip, which is only read; expected one that ends with " + endings);
     }
     check_output(options.output);
 
+    const SceneFormat format = options.to.value_or(named);
     FitOptions fit = options.fit;
-    if (format == SceneFormat::text && !fit.wanted) fit.wanted = false;  // text holds no camera: none is made only to be lost
+    if (format.holds_only_spheres && !fit.wanted) fit.wanted = false;  // no camera is made only to be lost
     const LoadedScene loaded = [&] {
         Progress progress(true);
         return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
     }();
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
-        std::fprintf(stderr, "%s: the text format cannot hold %s; left out\n", loaded.name.c_str(), lost.c_str());
+        std::fprintf(stderr, "%s: the %s format cannot hold %s; left out\n", loaded.name.c_str(), std::string(format.name).c_str(),
+                     lost.c_str());
     }
     write_output(options.output, write_scene(loaded.scene, format));
     return ExitCode::done;

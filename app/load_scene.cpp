@@ -11,19 +11,8 @@ namespace sphereview {
 
 namespace {
 
-// Small enough to stay in the processor's cache, large enough to keep many cores at work.
-constexpr std::size_t block = std::size_t{1} << 22;
-
-std::vector<Sphere> read_text(InputStream& stream, const LoadOptions& options) {
-    SphereTextReader reader(stream.name(), {}, stream.size());
-    reader.expect_bytes_per_sphere(sizeof(Sphere) + options.more_per_sphere);
-    while (true) {
-        stream.drop_first(reader.read(stream.bytes(), stream.ended()));
-        if (stream.ended()) return reader.take_spheres();
-        if (options.progress != nullptr) options.progress->update(reader.fraction());
-        stream.fill(std::max(block, 2 * stream.bytes().size()));  // more than a block when a token has not ended in it
-    }
-}
+// Enough to tell the format by, and what a format that is read as a stream begins with.
+constexpr std::size_t first_bytes = std::size_t{1} << 22;
 
 LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     InputStream stream(path);
@@ -36,23 +25,19 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     }
     Progress* progress = options.progress;
     if (progress != nullptr) progress->start(stream.name(), 1e-6 * static_cast<double>(stream.size().value_or(0)), "MB");
-    stream.fill(std::min(block, stream.size().value_or(block) + 1));
+    stream.fill(std::min(first_bytes, stream.size().value_or(first_bytes) + 1));
     LoadedScene loaded;
     loaded.name = stream.name();
     loaded.format = detect_format(stream.bytes(), stream.name());
-    loaded.has_camera = !is_data(loaded.format);
-    if (loaded.has_camera) require_frame(loaded.name, options.data.frame, 1);
-    if (loaded.format == SceneFormat::text) {
-        loaded.scene.spheres = read_text(stream, options);
+    loaded.has_camera = !loaded.format.is_data;
+    if (!loaded.format.has_frames) require_frame(loaded.name, options.data.frame, 1);
+    if (loaded.format.stream != nullptr) {
+        loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
         return loaded;
     }
     stream.fill();
     if (options.control != nullptr) options.control->check();
-    if (loaded.format == SceneFormat::toml) {
-        loaded.scene = parse_scene(stream.bytes(), loaded.name);
-        return loaded;
-    }
-    SphereData data = read_data(stream.bytes(), loaded.name, loaded.format, options.data);
+    SphereData data = loaded.format.read(stream.bytes(), loaded.name, options.data);
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     loaded.scene = std::move(data.scene);

@@ -103,21 +103,25 @@ FileBrowser file_dialog(const ViewerState& state) {
     return browser;
 }
 
-const std::vector<FileKind>& written_kinds() {
-    static const std::vector<FileKind> kinds = {{"TOML", {".toml"}}, {"Text", {".txt"}}};
+std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&)) {
+    std::vector<FileKind> kinds;
+    for (const SceneFormat& format : scene_formats()) {
+        if (!wanted(format)) continue;
+        FileKind& kind = kinds.emplace_back();
+        kind.name = format.name;
+        for (const std::string_view ending : format.endings) {
+            if (!ending.empty()) kind.endings.emplace_back(ending);
+        }
+    }
     return kinds;
 }
 
 // The first is all of them, packed or not.
 std::vector<FileKind> read_kinds() {
-    std::vector<FileKind> kinds = {{"All scenes", {}}};
-    kinds.insert(kinds.end(), written_kinds().begin(), written_kinds().end());
-    kinds.insert(kinds.end(),
-                 {{"XYZ", {".xyz", ".extxyz"}}, {"CSV", {".csv"}}, {"PDB", {".pdb", ".ent"}}, {"mmCIF", {".cif", ".mmcif"}}});
-    for (std::size_t i = 1; i < kinds.size(); ++i) {
-        kinds.front().endings.insert(kinds.front().endings.end(), kinds[i].endings.begin(), kinds[i].endings.end());
-    }
-    kinds.front().endings.emplace_back(".gz");
+    std::vector<FileKind> kinds = kinds_of([](const SceneFormat&) { return true; });
+    FileKind all{"All scenes", format_endings()};
+    all.endings.emplace_back(".gz");
+    kinds.insert(kinds.begin(), all);
     kinds.push_back({"All files", {}});
     return kinds;
 }
@@ -141,26 +145,30 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
 }
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
-    const std::string ending = format == SceneFormat::text ? ".txt" : ".toml";
+    const std::string ending(is_written(format) ? format.endings[0] : SceneFormat::toml.endings[0]);
+    const std::vector<std::string> endings = format_endings(is_written);
     const fs::path stem = state.path.empty() ? "scene" : fs::path(without_gzip_ending(state.path)).stem();
     FileBrowser browser = file_dialog(state);
     browser.saving = true;
     browser.title = "Save the scene";
     browser.name = stem.string() + ending;
-    browser.kinds = written_kinds();
-    browser.kind = format == SceneFormat::text ? 1 : 0;
-    browser.accept = [&state, then](const std::string& path) {
+    browser.kinds = kinds_of(is_written);
+    const auto chosen =
+        std::ranges::find(browser.kinds, is_written(format) ? format.name : SceneFormat::toml.name, &FileKind::name);
+    browser.kind = static_cast<decltype(browser.kind)>(chosen - browser.kinds.begin());
+    browser.accept = [&state, then, endings](const std::string& path) {
         const std::string absolute = absolute_path(path);
         const SceneFormat named = format_of_name(absolute);
-        if (is_data(named)) {
+        if (!is_written(named)) {
             return report_error(state, "The scene cannot be saved",
-                                in_quotes(fs::path(absolute).filename().string()) + " is a name for " +
-                                    std::string(words_for(named)) + ", which is only read. Take one that ends with .toml or .txt.");
+                                in_quotes(fs::path(absolute).filename().string()) + " is a name for " + std::string(named.name) +
+                                    ", which is only read. Take one that ends with " + listed(endings, "or") + ".");
         }
         if (is_packed(absolute)) {
             return report_error(state, "The scene cannot be saved",
                                 in_quotes(fs::path(absolute).filename().string()) +
-                                    " is a name for gzip, which is only read. Take one that ends with .toml or .txt.");
+                                    " is a name for gzip, which is only read. Take one that ends with " + listed(endings, "or") +
+                                    ".");
         }
         write_unless_lost(state, absolute, named, then);
     };
@@ -283,7 +291,7 @@ void ask_for_scene(ViewerState& state) {
 }
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
-    if (state.path.empty() || is_data(state.format) || is_packed(state.path)) return save_scene_as(state, then);
+    if (state.path.empty() || !is_written(state.format) || is_packed(state.path)) return save_scene_as(state, then);
     write_unless_lost(state, state.path, state.format, then);
 }
 

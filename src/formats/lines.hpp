@@ -1,15 +1,44 @@
-// Texts made of lines, read on all cores.
+// What the readers of all formats share: texts made of lines and words, read on all cores, and where in them a fault stands.
 #pragma once
 
 #include <cstddef>
 #include <cstring>
 #include <exception>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
+
+inline constexpr std::string_view white_space = " \t\n\v\f\r";
+
+// A piece of a file: what messages call the file, and where in it the text begins.
+struct TextSource {
+    std::string name;
+    std::string_view text;
+    TextPosition origin{};
+
+    // "NAME:LINE:COLUMN: " of byte `offset`.
+    std::string place(std::size_t offset) const;
+    // Of a piece of the text.
+    std::string place(std::string_view piece) const { return place(static_cast<std::size_t>(piece.data() - text.data())); }
+    // Throws InputError "NAME:LINE:COLUMN: MESSAGE".
+    [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
+    // Throws InputError "NAME:LINE:COLUMN: found 'PIECE', expected EXPECTED".
+    [[noreturn]] void fail(std::string_view piece, const std::string& expected) const;
+};
+
+// The pieces of a line between runs of separators.
+std::vector<std::string_view> words_of(std::string_view line, std::string_view separators = white_space);
+
+// The text behind a byte-order mark, white space and lines of comment that begin with '#'.
+std::string_view behind_comments(std::string_view text);
+
+// `bytes` with each that is no part of a UTF-8 sequence replaced by U+FFFD: names must be UTF-8.
+std::string as_utf8(std::string_view bytes);
 
 // How much of a text one core reads at a time.
 inline constexpr std::size_t usual_line_piece = std::size_t{1} << 16;

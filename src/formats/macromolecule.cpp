@@ -1,8 +1,10 @@
 #include "formats/macromolecule.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "formats/names.hpp"
+#include "formats/lines.hpp"
 
 namespace sphereview {
 
@@ -52,6 +54,18 @@ Scene scene_of(std::span<const MoleculeAtom> atoms, const DataOptions& options) 
         }
     }
     return scene;
+}
+
+bool shows_pdb(std::string_view head) {
+    const auto records = {"HEADER", "TITLE", "COMPND", "REMARK", "CRYST1", "MODEL", "ATOM", "HETATM"};
+    head = trimmed(head, white_space);
+    const auto first = words_of(take_line(head));
+    return first.size() > 1 && std::find(records.begin(), records.end(), first[0]) != records.end() && !first[1].starts_with('=');
+}
+
+bool shows_mmcif(std::string_view head) {
+    head = behind_comments(head);
+    return head.starts_with("data_") && take_line(head).find('=') == std::string_view::npos;
 }
 
 void fail_at(std::string_view content, const std::string& name, std::size_t offset, const std::string& message) {

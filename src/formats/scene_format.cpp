@@ -1,174 +1,114 @@
 #include "formats/scene_format.hpp"
 
 #include <algorithm>
-#include <array>
-#include <initializer_list>
-#include <optional>
-#include <vector>
 
 #include "base/error.hpp"
-#include "base/number.hpp"
+#include "base/gunzip.hpp"
 #include "base/text.hpp"
+#include "formats/text_format.hpp"
 #include "formats/toml_format.hpp"
 
 namespace sphereview {
 
 namespace {
 
-constexpr const char* white_space = " \t\r\n\v\f";
+// When names do not tell, the last is asked first: the lower ones look at more.
+constexpr std::array<SceneFormat, 6> table = {{
+    {.name = "text",
+     .endings = {".txt"},
+     .holds_only_spheres = true,
+     .sniff = shows_text,
+     .read = read_text,
+     .write = write_text,
+     .stream = stream_text},
+    {.name = "TOML", .endings = {".toml"}, .sniff = shows_toml, .read = read_toml, .write = write_toml},
+    {.name = "XYZ", .endings = {".xyz", ".extxyz"}, .is_data = true, .has_frames = true, .sniff = shows_xyz, .read = read_xyz},
+    {.name = "CSV", .endings = {".csv"}, .is_data = true, .sniff = shows_csv, .read = read_csv},
+    {.name = "PDB", .endings = {".pdb", ".ent"}, .is_data = true, .has_frames = true, .sniff = shows_pdb, .read = read_pdb},
+    {.name = "mmCIF", .endings = {".cif", ".mmcif"}, .is_data = true, .has_frames = true, .sniff = shows_mmcif, .read = read_mmcif},
+}};
 
-std::string_view skip_white_space(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(white_space);
-    return begin == std::string_view::npos ? std::string_view{} : text.substr(begin);
-}
-
-// The content from its first character that is neither white space nor a byte-order mark.
-std::string_view first_words(std::string_view content) { return skip_white_space(without_byte_order_mark(content)); }
-
-// The same, behind any lines of comment.
-std::string_view first_words_behind_comments(std::string_view content) {
-    std::string_view words = first_words(content);
-    while (words.starts_with('#')) {
-        const std::size_t end = words.find_first_of("\r\n");
-        words = end == std::string_view::npos ? std::string_view{} : skip_white_space(words.substr(end));
+// Null for a name that none of the endings ends.
+const SceneFormat* named_format(std::string_view path) {
+    const std::string name = lower_case(without_gzip_ending(path));
+    for (const SceneFormat& format : table) {
+        for (const std::string_view ending : format.endings) {
+            if (!ending.empty() && name.ends_with(ending)) return &format;
+        }
     }
-    return words;
-}
-
-bool starts_a_toml_line(std::string_view words) {
-    if (words.starts_with('[')) return true;
-    // A key of letters, digits, '_', '-', '.' or quotes, then '='.
-    const std::string_view line = words.substr(0, words.find_first_of("\r\n"));
-    const std::size_t equals = line.find('=');
-    if (equals == std::string_view::npos) return false;
-    return std::all_of(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(equals), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               std::string_view(" \t_-.'\"").find(c) != std::string_view::npos;
-    });
-}
-
-// Of a text scene that begins with one.
-[[noreturn]] void refuse_comment(std::string_view content, std::string_view name) {
-    content = without_byte_order_mark(content);
-    throw InputError(place_in(name, position_at(content, content.find('#'))) +
-                     "found a comment, expected the number of spheres: only TOML has comments, the text format has none");
-}
-
-// What separates the words of a line in a data file.
-std::vector<std::string_view> words_of(std::string_view line, const char* separators) {
-    std::vector<std::string_view> words;
-    for (std::size_t begin = 0; (begin = line.find_first_not_of(separators, begin)) != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
-        words.push_back(line.substr(begin, end - begin));
-        begin = end;
-    }
-    return words;
-}
-
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool is_number(std::string_view word) {
-    double ignored = 0.0;
-    return parse_double(word, ignored) == NumberFault::none;
-}
-
-bool is_whole_number(std::string_view word) { return word.find_first_not_of("0123456789") == std::string_view::npos; }
-
-// A number, a comment, and an element before a position. A text scene has its colours and centres there.
-bool shows_xyz(std::string_view words) {
-    const auto count = words_of(take_line(words), white_space);
-    const std::string_view comment_line = take_line(words);
-    const auto comment = words_of(comment_line, white_space);
-    const auto atom = words_of(take_line(words), white_space);
-    if (count.size() != 1 || !is_whole_number(count[0]) || atom.empty()) return false;
-    if (comment.size() == 3 && std::ranges::all_of(comment, is_whole_number)) return false;
-    if (lower_case(comment_line).find("properties=") != std::string::npos || is_letter(atom[0][0])) return true;
-    return atom.size() > 3 && is_whole_number(atom[0]) && !comment.empty() && !is_number(comment[0]);
-}
-
-bool shows_csv(std::string_view words) {
-    const auto names = words_of(take_line(words), "#,;\t \"");
-    return std::ranges::all_of(std::array{"x", "y", "z"}, [&](const char* axis) {
-        return std::ranges::any_of(names, [&](std::string_view name) { return lower_case(name) == axis; });
-    });
-}
-
-bool shows_pdb(std::string_view words) {
-    const auto records = {"HEADER", "TITLE", "COMPND", "REMARK", "CRYST1", "MODEL", "ATOM", "HETATM"};
-    const auto first = words_of(take_line(words), white_space);
-    return first.size() > 1 && std::ranges::find(records, first[0]) != records.end() && !first[1].starts_with('=');
-}
-
-std::optional<SceneFormat> data_shown_by(std::string_view content) {
-    content = content.substr(0, std::size_t{1} << 16);
-    std::string_view words = first_words(content);
-    if (shows_xyz(words)) return SceneFormat::xyz;
-    if (shows_csv(words)) return SceneFormat::csv;
-    if (shows_pdb(words)) return SceneFormat::pdb;
-    words = first_words_behind_comments(content);
-    if (words.starts_with("data_") && take_line(words).find('=') == std::string_view::npos) return SceneFormat::mmcif;
-    return std::nullopt;
+    return nullptr;
 }
 
 }  // namespace
 
-std::string_view words_for(SceneFormat format) {
-    switch (format) {
-        case SceneFormat::text: return "the text format";
-        case SceneFormat::toml: return "TOML";
-        case SceneFormat::xyz: return "XYZ";
-        case SceneFormat::csv: return "CSV";
-        case SceneFormat::pdb: return "PDB";
-        case SceneFormat::mmcif: return "mmCIF";
-    }
-    return "";
+constinit const SceneFormat SceneFormat::text = table[0];
+constinit const SceneFormat SceneFormat::toml = table[1];
+
+std::span<const SceneFormat> scene_formats() { return table; }
+
+const SceneFormat* find_format(std::string_view name) {
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const SceneFormat& f) { return lower_case(f.name) == lower_case(name); });
+    return found == table.end() ? nullptr : &*found;
 }
 
-SceneFormat format_of_name(std::string_view path) {
-    const std::string whole = lower_case(path);
-    std::string_view name = whole;
-    if (name.ends_with(".gz")) name.remove_suffix(3);
-    const auto ends_with = [&](std::initializer_list<const char*> endings) {
-        return std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
-    };
-    if (ends_with({".toml"})) return SceneFormat::toml;
-    if (ends_with({".xyz", ".extxyz"})) return SceneFormat::xyz;
-    if (ends_with({".csv"})) return SceneFormat::csv;
-    if (ends_with({".pdb", ".ent"})) return SceneFormat::pdb;
-    if (ends_with({".cif", ".mmcif"})) return SceneFormat::mmcif;
-    return SceneFormat::text;
+std::vector<std::string> format_names(bool (*wanted)(const SceneFormat&)) {
+    std::vector<std::string> names;
+    for (const SceneFormat& format : table) {
+        if (wanted == nullptr || wanted(format)) names.emplace_back(format.name);
+    }
+    return names;
 }
 
-SceneFormat detect_format(std::string_view content, std::string_view name) {
-    const SceneFormat named = format_of_name(name);
-    if (is_data(named)) return named;
-    const std::string lower = lower_case(name);
-    const bool says_text = lower.ends_with(".txt") || lower.ends_with(".txt.gz");
-    if (named == SceneFormat::text && !says_text) {
-        if (const auto data = data_shown_by(content)) return *data;
+std::vector<std::string> format_endings(bool (*wanted)(const SceneFormat&)) {
+    std::vector<std::string> endings;
+    for (const SceneFormat& format : table) {
+        if (wanted != nullptr && !wanted(format)) continue;
+        for (const std::string_view ending : format.endings) {
+            if (!ending.empty()) endings.emplace_back(ending);
+        }
     }
-    const bool comment = first_words(content).starts_with('#');
-    const std::string_view words = first_words_behind_comments(content);
-    if (starts_a_toml_line(words) || (comment && words.empty())) return SceneFormat::toml;
-    const bool number = !words.empty() && std::string_view("0123456789+-.").find(words[0]) != std::string_view::npos;
-    const SceneFormat format = number ? SceneFormat::text : named;
-    if (format == SceneFormat::text && comment) refuse_comment(content, name);
-    return format;
+    return endings;
+}
+
+std::string listed(const std::vector<std::string>& words, const std::string& last) {
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += i + 1 < words.size() ? ", " : " " + last + " ";
+        text += words[i];
+    }
+    return text;
+}
+
+const SceneFormat& format_of_name(std::string_view path) {
+    const SceneFormat* named = named_format(path);
+    return named == nullptr ? table[0] : *named;
+}
+
+const SceneFormat& detect_format(std::string_view content, std::string_view name) {
+    constexpr std::size_t head = std::size_t{1} << 16;
+    const SceneFormat* named = named_format(name);
+    if (named != nullptr && named->is_data) return *named;
+    content = without_byte_order_mark(content).substr(0, head);
+    for (auto format = table.rbegin(); format != table.rend(); ++format) {
+        if ((named == nullptr || !format->is_data) && format->sniff(content)) return *format;
+    }
+    return named == nullptr ? table[0] : *named;
 }
 
 Scene parse_scene(std::string_view content, const std::string& name) {
-    if (detect_format(content, name) == SceneFormat::toml) return parse_toml(content, name);
-    Scene scene;
-    scene.spheres = parse_text_spheres({name, content});
-    return scene;
+    return detect_format(content, name).read(content, name, {}).scene;
 }
 
-std::string write_scene(const Scene& scene, SceneFormat format) {
-    return format == SceneFormat::toml ? write_toml(scene) : write_text_spheres(scene.spheres);
+void require_frame(const std::string& name, std::int64_t frame, std::int64_t frames) {
+    if (frame >= 0 && frame < frames) return;
+    const std::string found =
+        frames == 1 ? "1 frame, number 0" : std::to_string(frames) + " frames, 0 to " + std::to_string(frames - 1);
+    throw InputError(name + ": found " + found + ", expected frame " + std::to_string(frame));
 }
 
-std::string lost_in(const Scene& scene, SceneFormat format) {
-    if (format == SceneFormat::toml) return "";
+std::string lost_in(const Scene& scene, const SceneFormat& format) {
+    if (!format.holds_only_spheres) return "";
     std::string lost;
     const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
     if (scene.background != Background{}) add("the background");

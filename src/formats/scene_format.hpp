@@ -1,42 +1,78 @@
-// Reading and writing whole scene files, whatever their format.
+// Every file format is one row of a table: how it is known, read and written, and what help, file dialogs and messages say of it.
+// A new one is a file with its functions, declared in sphere_data.hpp, and a row in scene_format.cpp.
 #pragma once
 
-#include <optional>
+#include <array>
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "formats/text_format.hpp"
+#include "base/input_file.hpp"
+#include "base/progress.hpp"
+#include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
 
-// The text and the native format are for scenes. The others are other programs' data: they are only read, by src/formats/, and
-// have no camera.
-enum class SceneFormat { text, toml, xyz, csv, pdb, mmcif };
+struct SceneFormat {
+    std::string_view name{};                    // for people: "text", "TOML", "XYZ"; no two differ by letter case alone
+    std::array<std::string_view, 2> endings{};  // of file names, in lower case: ".xyz"; the usual one first
+    bool is_data = false;                       // of another program: no camera of its own, and right-handed (data_axes)
+    bool has_frames = false;
+    bool holds_only_spheres = false;  // no background, camera, names or hidden spheres
 
-constexpr bool is_data(SceneFormat format) { return format != SceneFormat::text && format != SceneFormat::toml; }
+    // Whether a text that begins with `head`, without a byte-order mark, is of this format; true only where that is clear.
+    bool (*sniff)(std::string_view head) = nullptr;
 
-// How messages call it: "the text format", "TOML", "XYZ".
-std::string_view words_for(SceneFormat format);
+    // Reads a whole file; `name` is how messages call it. Without has_frames the frame is not looked at. Throws InputError
+    // "NAME:LINE:COLUMN: found ..., expected ...", also for a frame that the file has not, and MemoryError when the spheres cannot
+    // fit.
+    SphereData (*read)(std::string_view content, const std::string& name, const DataOptions& options) = nullptr;
 
-// The format by the ending of the name, in any letter case and also with .gz behind it: .toml is TOML, .xyz and .extxyz XYZ, .csv
-// CSV, .pdb and .ent PDB, .cif and .mmcif mmCIF, all else is text.
-SceneFormat format_of_name(std::string_view path);
+    // The content of a file with the scene; reading it gives the same doubles, bit for bit. Null: the format is only read.
+    std::string (*write)(const Scene& scene) = nullptr;
 
-// The format of a file. A name of data decides. Where a name ends with neither .txt nor .toml (standard input) the content may
-// show data: by the third line of XYZ, the header of CSV, the first record of PDB or mmCIF. Else the content decides between text
-// and TOML as far as it shows it behind its comments: a first word that is a number is the text format; a table's head, a `key =`
-// or nothing but comments is TOML; and at last the name. Throws InputError where the text format begins with a comment, which it
-// cannot have.
-SceneFormat detect_format(std::string_view content, std::string_view name);
+    // Reads a file without having it whole in memory; bytes_per_sphere: what a sphere will need, with what is made of it later;
+    // progress: told how far it is, may be null. Null: the format has only `read`.
+    Scene (*stream)(InputStream& stream, std::size_t bytes_per_sphere, Progress* progress) = nullptr;
 
-// Reads a scene in the text format or TOML. `name` is how messages call it. Throws InputError "NAME:LINE:COLUMN: ...".
+    static const SceneFormat text;
+    static const SceneFormat toml;
+
+    bool operator==(const SceneFormat& other) const { return name == other.name; }
+};
+
+std::span<const SceneFormat> scene_formats();
+
+// The format of that name, in any letter case; null if there is none.
+const SceneFormat* find_format(std::string_view name);
+
+inline bool is_data(const SceneFormat& format) { return format.is_data; }
+inline bool is_written(const SceneFormat& format) { return format.write != nullptr; }
+inline bool has_frames(const SceneFormat& format) { return format.has_frames; }
+
+// The names, or the endings of file names, of the formats for which `wanted` holds; all for null.
+std::vector<std::string> format_names(bool (*wanted)(const SceneFormat&) = nullptr);
+std::vector<std::string> format_endings(bool (*wanted)(const SceneFormat&) = nullptr);
+
+// "a, b or c", when `last` is "or".
+std::string listed(const std::vector<std::string>& words, const std::string& last);
+
+// The format by the ending of the name, in any letter case and also with .gz behind it; text for all other names.
+const SceneFormat& format_of_name(std::string_view path);
+
+// The format of a file that begins with `content`. A name of data decides. Else the content does, as far as it is clear; where the
+// name is one for text or TOML, only between these. At last the name.
+const SceneFormat& detect_format(std::string_view content, std::string_view name);
+
+// Reads a scene of any format. Throws as SceneFormat::read.
 Scene parse_scene(std::string_view content, const std::string& name);
 
-// The scene as the content of a file of text or TOML. Reading it gives the same doubles, bit for bit.
-std::string write_scene(const Scene& scene, SceneFormat format);
+inline std::string write_scene(const Scene& scene, const SceneFormat& format) { return format.write(scene); }
 
 // What `format` cannot hold of the scene, for a warning ("the camera, 2 names"), or "" when nothing is lost.
-std::string lost_in(const Scene& scene, SceneFormat format);
+std::string lost_in(const Scene& scene, const SceneFormat& format);
 
 }  // namespace sphereview

@@ -8,17 +8,13 @@
 #include <string_view>
 #include <vector>
 
-#include "base/text.hpp"
+#include "base/input_file.hpp"
+#include "base/progress.hpp"
+#include "formats/lines.hpp"
+#include "formats/sphere_data.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
-
-// A piece of a file: what messages call the file, and where in it the text begins.
-struct TextSource {
-    std::string name;
-    std::string_view text;
-    TextPosition origin{};
-};
 
 class TokenReader;
 
@@ -65,7 +61,13 @@ private:
 // Reads the spheres of a whole text. Throws as SphereTextReader::read.
 std::vector<Sphere> parse_text_spheres(const TextSource& source);
 
-// The spheres, without those that are hidden, as text that parse_text_spheres reads back bit for bit.
+// The spheres as text that parse_text_spheres reads back bit for bit.
 std::string write_text_spheres(const std::vector<Sphere>& spheres);
+
+// The functions of the table of formats. Hidden spheres are not written.
+bool shows_text(std::string_view head);
+SphereData read_text(std::string_view content, const std::string& name, const DataOptions& options);
+std::string write_text(const Scene& scene);
+Scene stream_text(InputStream& stream, std::size_t bytes_per_sphere, Progress* progress);
 
 }  // namespace sphereview

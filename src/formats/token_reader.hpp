@@ -9,14 +9,10 @@
 #include <string>
 #include <string_view>
 
-#include "base/error.hpp"
 #include "base/number.hpp"
-#include "base/text.hpp"
-#include "formats/text_format.hpp"
+#include "formats/lines.hpp"
 
 namespace sphereview {
-
-inline constexpr std::string_view white_space = " \t\n\v\f\r";
 
 // Without a branch, so that loops over bytes become SIMD.
 constexpr bool is_space(char c) { return (c == ' ') | (static_cast<unsigned char>(c - '\t') <= '\r' - '\t'); }
@@ -72,7 +68,7 @@ public:
     double number(const Expected& expected, const IsGood& is_good, const char* what_is_good) {
         if (at_end()) fail_at_end(end_found_, expected());
         double value = 0.0;
-        const auto result = read_double(next_, end_, value);
+        const auto result = std::from_chars(next_, end_, value);
         const char* last = result.ptr;
         if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
             last = next_ + token().size();
@@ -96,12 +92,10 @@ public:
     }
 
     // Says that the next token is wrong.
-    [[noreturn]] void fail(const std::string& expected) const {
-        throw InputError(place(offset()) + found_expected(token(), expected));
-    }
+    [[noreturn]] void fail(const std::string& expected) const { source_.fail(token(), expected); }
 
     [[noreturn]] void fail_at_end(const std::string& found, const std::string& expected) const {
-        throw InputError(place(source_.text.size()) + found + ", expected " + expected);
+        source_.fail(source_.text.size(), found + ", expected " + expected);
     }
 
 private:
@@ -114,10 +108,6 @@ private:
 
     void skip_space() {
         while (next_ != end_ && is_space(*next_)) ++next_;
-    }
-
-    std::string place(std::size_t offset) const {
-        return place_in(source_.name, position_at(source_.text, offset, source_.origin));
     }
 
     const TextSource& source_;

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "scene/scene.hpp"
+#include "formats/sphere_data.hpp"
 
 namespace sphereview {
 
@@ -13,6 +13,10 @@ inline constexpr std::size_t most_sphere_tables = 1000;
 
 // Reads a whole native scene. Unknown keys are errors. Throws InputError "NAME:LINE:COLUMN: ...".
 Scene parse_toml(std::string_view content, const std::string& name);
+
+// The functions of the table of formats.
+bool shows_toml(std::string_view head);
+SphereData read_toml(std::string_view content, const std::string& name, const DataOptions& options);
 
 // The scene as TOML that parse_toml reads back as the same scene, bit for bit. Defaults are left out.
 std::string write_toml(const Scene& scene);

@@ -258,4 +258,21 @@ Scene parse_toml(std::string_view content, const std::string& name) {
     return scene;
 }
 
+SphereData read_toml(std::string_view content, const std::string& name, const DataOptions&) {
+    return {parse_toml(content, name), 1};
+}
+
+// A table's head, `key =`, or nothing but comments.
+bool shows_toml(std::string_view head) {
+    std::string_view words = behind_comments(head);
+    if (words.empty()) return !trimmed(head, white_space).empty();
+    if (words.starts_with('[')) return true;
+    const std::string_view line = take_line(words);
+    const std::string_view key = line.substr(0, std::min(line.find('='), line.size()));
+    return key.size() < line.size() && std::all_of(key.begin(), key.end(), [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      std::string_view(" \t_-.'\"").find(c) != std::string_view::npos;
+           });
+}
+
 }  // namespace sphereview

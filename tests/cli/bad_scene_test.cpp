@@ -39,7 +39,7 @@ TEST(BadScene, TextIsRefusedWithItsPlaceWhatWasFoundAndExpected) {
         {"\x7f"
          "ELF",
          "1:1", "found '\\x7fELF'", "expected the number of spheres"},
-        {"\n# two\n2\n", "2:1", "found a comment", "expected the number of spheres: only TOML has comments"},
+        {"\n# two\n2\n", "2:1", "found '#'", "expected the number of spheres: only TOML has comments"},
         {"-1\n", "1:1", "found '-1'", "expected the number of spheres from 0 to"},
         {"2.5\n", "1:1", "found '2.5'", "expected the number of spheres, a whole number"},
         {"2000000001\n", "1:1", "found '2000000001'", "from 0 to 2000000000"},

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "formats/sphere_data.hpp"
+#include "formats/scene_format.hpp"
 #include "fuzz/targets.hpp"
 #include "unit/scene_difference.hpp"
 
@@ -10,11 +10,12 @@ namespace sphereview {
 namespace {
 
 // What goes wrong when the bytes are read, and what was read is written and read again; or "".
-std::string wrong_with(std::string_view bytes, SceneFormat format) {
-    for (std::int64_t frame = 0; frame < 3; ++frame) {
+std::string wrong_with(std::string_view bytes, const char* name) {
+    const SceneFormat& format = *find_format(name);
+    for (std::int64_t frame = 0; frame < (format.has_frames ? 3 : 1); ++frame) {
         SphereData data;
         try {
-            data = read_data(bytes, "data", format, {frame, {}});
+            data = format.read(bytes, "data", {frame, {}});
         } catch (const InputError&) {
             continue;
         }
@@ -38,12 +39,12 @@ std::string wrong_with(std::string_view bytes, SceneFormat format) {
 
 }  // namespace
 
-std::string fuzz_xyz(std::string_view bytes) { return wrong_with(bytes, SceneFormat::xyz); }
+std::string fuzz_xyz(std::string_view bytes) { return wrong_with(bytes, "XYZ"); }
 
-std::string fuzz_csv(std::string_view bytes) { return wrong_with(bytes, SceneFormat::csv); }
+std::string fuzz_csv(std::string_view bytes) { return wrong_with(bytes, "CSV"); }
 
-std::string fuzz_pdb(std::string_view bytes) { return wrong_with(bytes, SceneFormat::pdb); }
+std::string fuzz_pdb(std::string_view bytes) { return wrong_with(bytes, "PDB"); }
 
-std::string fuzz_mmcif(std::string_view bytes) { return wrong_with(bytes, SceneFormat::mmcif); }
+std::string fuzz_mmcif(std::string_view bytes) { return wrong_with(bytes, "mmCIF"); }
 
 }  // namespace sphereview

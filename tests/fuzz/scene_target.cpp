@@ -7,7 +7,7 @@ namespace sphereview {
 
 namespace {
 
-std::string lost(const Scene& scene, SceneFormat format, const Scene& expected) {
+std::string lost(const Scene& scene, const SceneFormat& format, const Scene& expected) {
     const std::string written = write_scene(scene, format);
     try {
         const std::string different = difference(parse_scene(written, "again"), expected);

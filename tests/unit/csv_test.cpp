@@ -110,7 +110,6 @@ TEST(CsvErrors, SayWhatIsWrongWithTheHeader) {
         {"r,b,x,y,z\n", "1:1: found 'r', expected all three of r, g and b, or none"},
         {"\"x,y,z\n", "1:1: found a quote that nothing closes, expected another one behind it"},
     });
-    EXPECT_EQ(message_of<InputError>([&] { scene_of("x,y,z\n", {1, {}}); }), "a.csv: found 1 frame, number 0, expected frame 1");
 }
 
 TEST(CsvErrors, SayWhatIsWrongWithARow) {

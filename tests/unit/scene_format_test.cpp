@@ -16,84 +16,84 @@ TEST(DetectFormat, BelievesTheContentBeforeTheName) {
                                 "\xEF\xBB\xBF"
                                 "1",
                                 "+1", "-1", ".5", "1\n# not a comment here\na = 1"}) {
-        EXPECT_EQ(detect_format(content, "s.toml"), SceneFormat::text) << content;
+        EXPECT_EQ(detect_format(content, "s.toml").name, "text") << content;
     }
     for (const char* content :
          {"# a comment", "\xEF\xBB\xBF\n# a comment", "# a comment\r\n\n #b\rspheres = '0'", "[camera]", "[[sphere]]",
           "background = 'white'", "camera.eye = [0, 0, 0]", "\"background\"=\"white\"", "\r\n  spheres = '0'", "1 = 2"}) {
-        EXPECT_EQ(detect_format(content, "s.txt"), SceneFormat::toml) << content;
+        EXPECT_EQ(detect_format(content, "s.txt").name, "TOML") << content;
     }
 }
 
 TEST(DetectFormat, BelievesTheNameWhereTheContentIsUnclear) {
     for (const char* content : {"", " \n", "hello", "\x89PNG", "\xEF\xBB\xBF", "is 2 + 2 = 4?"}) {
         for (const char* name : {"s.toml", "S.TOML", "a.txt/s.Toml"}) {
-            EXPECT_EQ(detect_format(content, name), SceneFormat::toml) << content;
+            EXPECT_EQ(detect_format(content, name).name, "TOML") << content;
         }
         for (const char* name : {"s.txt", "s", "toml", "s.toml.txt", "stdin"}) {
-            EXPECT_EQ(detect_format(content, name), SceneFormat::text) << content;
+            EXPECT_EQ(detect_format(content, name).name, "text") << content;
         }
     }
 }
 
 TEST(DetectFormat, KnowsDataByItsName) {
-    for (const auto& [name, format] : std::vector<std::pair<const char*, SceneFormat>>{{"a.xyz", SceneFormat::xyz},
-                                                                                       {"b/a.ExtXYZ", SceneFormat::xyz},
-                                                                                       {"a.csv", SceneFormat::csv},
-                                                                                       {"a.pdb", SceneFormat::pdb},
-                                                                                       {"pdb1crn.ent.gz", SceneFormat::pdb},
-                                                                                       {"a.cif", SceneFormat::mmcif},
-                                                                                       {"a.mmCIF.GZ", SceneFormat::mmcif},
-                                                                                       {"a.csv.gz", SceneFormat::csv}}) {
-        EXPECT_EQ(format_of_name(name), format) << name;
+    for (const auto& [name, format] : std::vector<std::pair<const char*, const char*>>{{"a.xyz", "XYZ"},
+                                                                                       {"b/a.ExtXYZ", "XYZ"},
+                                                                                       {"a.csv", "CSV"},
+                                                                                       {"a.pdb", "PDB"},
+                                                                                       {"pdb1crn.ent.gz", "PDB"},
+                                                                                       {"a.cif", "mmCIF"},
+                                                                                       {"a.mmCIF.GZ", "mmCIF"},
+                                                                                       {"a.csv.gz", "CSV"}}) {
+        EXPECT_EQ(format_of_name(name).name, format) << name;
         for (const char* content : {"", "1 1 2 3 4 5 6 7", "[camera]", "# a comment"}) {
-            EXPECT_EQ(detect_format(content, name), format) << name;
+            EXPECT_EQ(detect_format(content, name).name, format) << name;
         }
     }
-    EXPECT_EQ(format_of_name("a.toml.gz"), SceneFormat::toml);
-    EXPECT_EQ(format_of_name("a.txt.gz"), SceneFormat::text);
-    EXPECT_EQ(format_of_name("a.gz"), SceneFormat::text);
+    EXPECT_EQ(format_of_name("a.toml.gz").name, "TOML");
+    EXPECT_EQ(format_of_name("a.txt.gz").name, "text");
+    EXPECT_EQ(format_of_name("a.gz").name, "text");
 }
 
 TEST(DetectFormat, KnowsDataOfAnotherNameByItsContent) {
-    const std::vector<std::pair<std::string, SceneFormat>> cases = {
-        {"3\nwater\nO 0 0 0\nH 0 0 1\nH 0 1 0\n", SceneFormat::xyz},
-        {" 1 \r\n\r\n  Fe2+ 1 2 3\r\n", SceneFormat::xyz},
-        {"1\r\rH 0 0 0", SceneFormat::xyz},
-        {"1\nAtoms. Timestep: 0\n1 0 0 0\n", SceneFormat::xyz},
-        {"1\n-76.4\nH 0 0\n", SceneFormat::xyz},
-        {"1\nProperties=pos:R:3\n0 0 0\n", SceneFormat::xyz},
-        {"x,y,z\n1,2,3\n", SceneFormat::csv},
-        {"\xEF\xBB\xBF\n\"Name\";\"Z\";\"Y\";\"X\"\n", SceneFormat::csv},
-        {"# x, y, z\n", SceneFormat::csv},
-        {"HEADER    PLANT PROTEIN                           30-APR-81   1CRN\n", SceneFormat::pdb},
-        {"ATOM      1  N   THR A   1      17.047  14.099   3.625  1.00 13.79           N\n", SceneFormat::pdb},
-        {"REMARK   1 R = 0.1\n", SceneFormat::pdb},
-        {"data_1CRN\n#\nloop_\n", SceneFormat::mmcif},
-        {"# written by a program\ndata_1CRN\n_entry.id = 1\n", SceneFormat::mmcif},
+    const std::vector<std::pair<std::string, const char*>> cases = {
+        {"3\nwater\nO 0 0 0\nH 0 0 1\nH 0 1 0\n", "XYZ"},
+        {" 1 \r\n\r\n  Fe2+ 1 2 3\r\n", "XYZ"},
+        {"1\r\rH 0 0 0", "XYZ"},
+        {"1\nAtoms. Timestep: 0\n1 0 0 0\n", "XYZ"},
+        {"1\n-76.4\nH 0 0\n", "XYZ"},
+        {"1\nProperties=pos:R:3\n0 0 0\n", "XYZ"},
+        {"x,y,z\n1,2,3\n", "CSV"},
+        {"\xEF\xBB\xBF\n\"Name\";\"Z\";\"Y\";\"X\"\n", "CSV"},
+        {"# x, y, z\n", "CSV"},
+        {"HEADER    PLANT PROTEIN                           30-APR-81   1CRN\n", "PDB"},
+        {"ATOM      1  N   THR A   1      17.047  14.099   3.625  1.00 13.79           N\n", "PDB"},
+        {"REMARK   1 R = 0.1\n", "PDB"},
+        {"data_1CRN\n#\nloop_\n", "mmCIF"},
+        {"# written by a program\ndata_1CRN\n_entry.id = 1\n", "mmCIF"},
     };
     for (const auto& [content, format] : cases) {
-        for (const char* name : {"stdin", "a.dat", "xyz"}) EXPECT_EQ(detect_format(content, name), format) << content;
+        for (const char* name : {"stdin", "a.dat", "xyz"}) EXPECT_EQ(detect_format(content, name).name, format) << content;
     }
     // Neither data nor anything else where the name says what it is.
-    EXPECT_EQ(detect_format("3\nwater\nO 0 0 0\n", "s.txt"), SceneFormat::text);
-    EXPECT_EQ(detect_format("x,y,z\n", "s.toml"), SceneFormat::toml);
+    EXPECT_EQ(detect_format("3\nwater\nO 0 0 0\n", "s.txt").name, "text");
+    EXPECT_EQ(detect_format("x,y,z\n", "s.toml").name, "TOML");
     // Scenes that look a little like data.
     for (const char* content :
          {"1\n255 0 0\n1 2 3 4\n", "2\n255 0 0\nhello 2 3 4\n", "1\n255 0 0 1 2 3 4\n", "1\n\n255 0 0 1 2 3 4\n",
           "1\n255 0 zero\n1 2 3 4\n", "1\nred\n0.5 2 3 4\n", "3\n", "2 3\na\nH 0 0 0\n", "-1\na\nH 0 0 0\n"}) {
-        EXPECT_EQ(detect_format(content, "stdin"), SceneFormat::text) << content;
+        EXPECT_EQ(detect_format(content, "stdin").name, "text") << content;
     }
     for (const char* content : {"x = 1", "data_x = 1", "TITLE = 'x'", "# x, y", "[x.y.z]"}) {
-        EXPECT_EQ(detect_format(content, "stdin"), SceneFormat::toml) << content;
+        EXPECT_EQ(detect_format(content, "stdin").name, "TOML") << content;
     }
 }
 
 TEST(FormatOfName, IsTomlForTomlOnly) {
-    EXPECT_EQ(format_of_name("a/b.toml"), SceneFormat::toml);
-    EXPECT_EQ(format_of_name("a/b.ToML"), SceneFormat::toml);
-    EXPECT_EQ(format_of_name("a/b.txt"), SceneFormat::text);
-    EXPECT_EQ(format_of_name("-"), SceneFormat::text);
+    EXPECT_EQ(format_of_name("a/b.toml").name, "TOML");
+    EXPECT_EQ(format_of_name("a/b.ToML").name, "TOML");
+    EXPECT_EQ(format_of_name("a/b.txt").name, "text");
+    EXPECT_EQ(format_of_name("-").name, "text");
 }
 
 TEST(ParseScene, ReadsEitherFormatWhateverTheName) {
@@ -104,14 +104,28 @@ TEST(ParseScene, ReadsEitherFormatWhateverTheName) {
     EXPECT_EQ(text.spheres[0], (Sphere{{4, 5, 6}, 7, {1, 2, 3}, false}));
 }
 
-TEST(DetectFormat, SaysThatTheTextFormatHasNoComments) {
-    EXPECT_EQ(detect_format("# a comment\nhello", "s.toml"), SceneFormat::toml);
+TEST(ParseScene, SaysThatTheTextFormatHasNoComments) {
+    EXPECT_EQ(detect_format("# a comment\nhello", "s.toml").name, "TOML");
     for (const auto& [text, place] : std::vector<std::pair<std::string, std::string>>{
              {"# two\n2 1 2 3", "1:1"}, {"\xEF\xBB\xBF\n  # two\n # b\n2", "2:3"}, {"# hello\nhello", "1:1"}}) {
-        EXPECT_EQ(message_of<InputError>([&] { detect_format(text, "s.txt"); }),
-                  "s.txt:" + place +
-                      ": found a comment, expected the number of spheres: only TOML has comments, the text format has none");
+        EXPECT_EQ(
+            message_of<InputError>([&] { parse_scene(text, "s.txt"); }),
+            "s.txt:" + place + ": found '#', expected the number of spheres: only TOML has comments, the text format has none");
     }
+}
+
+TEST(SceneFormats, AreListedForHelpDialogsAndMessages) {
+    EXPECT_EQ(listed(format_names(), "or"), "text, TOML, XYZ, CSV, PDB or mmCIF");
+    EXPECT_EQ(listed(format_names(has_frames), "and"), "XYZ, PDB and mmCIF");
+    EXPECT_EQ(listed(format_endings(is_written), "or"), ".txt or .toml");
+    EXPECT_EQ(listed({"a"}, "or"), "a");
+    for (const SceneFormat& format : scene_formats()) {
+        EXPECT_EQ(find_format(format.name), &format);
+        for (const std::string_view ending : format.endings)
+            EXPECT_EQ(format_of_name("a" + std::string(ending)).name, ending.empty() ? "text" : format.name);
+    }
+    EXPECT_EQ(find_format("xyz"), find_format("XYZ"));
+    EXPECT_EQ(find_format("yaml"), nullptr);
 }
 
 TEST(ParseScene, NamesTheFileInBothFormats) {

@@ -65,9 +65,10 @@ TEST(TextFormat, IsWrittenAsItIsDescribed) {
 }
 
 TEST(TextFormat, LeavesHiddenSpheresOut) {
-    std::vector<Sphere> spheres = two;
-    spheres[0].hidden = true;
-    EXPECT_EQ(write_text_spheres(spheres), "1\n1 2 3\n0 0.25 6\n0.5\n");
+    Scene scene;
+    scene.spheres = two;
+    scene.spheres[0].hidden = true;
+    EXPECT_EQ(write_text(scene), "1\n1 2 3\n0 0.25 6\n0.5\n");
 }
 
 }  // namespace sphereview

@@ -6,9 +6,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "formats/csv_records.hpp"
 #include "formats/lines.hpp"
-#include "formats/names.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -16,6 +14,119 @@ namespace sphereview {
 namespace {
 
 constexpr double usual_radius = 1.0;
+constexpr const char* open_quote = "found a quote that nothing closes, expected another one behind it";
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+struct CsvField {
+    std::string_view text;  // without the blanks around it, or without its quotes: inside the file's text
+    bool quoted = false;    // then "" in it stands for one quote
+};
+
+// `text` of the field with each "" as one quote.
+std::string unquoted(const CsvField& field) {
+    std::string text(field.text);
+    if (!field.quoted) return text;
+    for (std::size_t i = 0; (i = text.find("\"\"", i)) != std::string::npos; ++i) text.erase(i, 1);
+    return text;
+}
+
+// Reads one record after the other. Blank lines are passed over. A field in quotes may hold anything, line ends too.
+class CsvRecords {
+public:
+    // Reads the records that begin in [begin, end); a record begins at `begin`.
+    CsvRecords(const TextSource& source, char separator, char line_end, std::size_t begin, std::size_t end)
+        : source_(source), separator_(separator), line_end_(line_end), next_(begin), end_(end) {}
+
+    // False when there is none; the fields are valid until the next call. Throws InputError where quotes are wrong.
+    bool next();
+    const std::vector<CsvField>& fields() const { return fields_; }
+    char separator() const { return separator_; }
+    // Where the next record or blank line begins.
+    std::size_t offset() const { return next_; }
+
+    [[noreturn]] void fail(const CsvField& field, const std::string& expected) const;
+    // Says that the record ends too early.
+    [[noreturn]] void fail_at_end(const std::string& expected) const;
+
+private:
+    // Reads a field up to `stop`, the end of its line unless it is quoted; returns where it ends.
+    const char* quoted_field(const char* begin);
+    const char* plain_field(const char* begin, const char* stop);
+
+    const TextSource& source_;
+    char separator_;
+    char line_end_;
+    std::size_t next_;
+    std::size_t end_;
+    std::vector<CsvField> fields_{};
+    const char* record_end_ = nullptr;
+};
+
+bool CsvRecords::next() {
+    const char* const first = source_.text.data();
+    const char* const last = first + source_.text.size();
+    const auto is_separator = [this](char c) { return c == separator_; };
+    while (next_ < end_) {
+        LineWalker walker(source_.text, line_end_, next_);
+        const char* at = first + next_;
+        const char* stop = first + walker.step();
+        next_ = walker.offset();
+        if (std::all_of(at, stop, is_blank)) continue;
+        fields_.clear();
+        while (true) {
+            while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
+            if (at != stop && *at == '"') {
+                at = quoted_field(at);
+                if (at > stop) {  // it went on in another line
+                    LineWalker rest(source_.text, line_end_, static_cast<std::size_t>(at - first));
+                    stop = at == last ? last : first + rest.step();
+                    next_ = at == last ? source_.text.size() : rest.offset();
+                }
+                while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
+                if (at != stop && !is_separator(*at)) {
+                    source_.fail(static_cast<std::size_t>(at - first), "found " + in_quotes({at, 1}) +
+                                                                           " behind a closing quote, expected " +
+                                                                           in_quotes({&separator_, 1}) + " or the end of the line");
+                }
+            } else {
+                at = plain_field(at, stop);
+            }
+            if (at == stop) break;
+            ++at;
+        }
+        record_end_ = stop;
+        return true;
+    }
+    return false;
+}
+
+const char* CsvRecords::quoted_field(const char* begin) {
+    const char* const last = source_.text.data() + source_.text.size();
+    const char* end = begin;
+    do {  // two quotes are one inside
+        end = std::find(end + 1, last, '"');
+        if (end == last) source_.fail(static_cast<std::size_t>(begin - source_.text.data()), open_quote);
+        ++end;
+    } while (end != last && *end == '"');
+    fields_.push_back({{begin + 1, static_cast<std::size_t>(end - begin) - 2}, true});
+    return end;
+}
+
+const char* CsvRecords::plain_field(const char* begin, const char* stop) {
+    const void* found = std::memchr(begin, separator_, static_cast<std::size_t>(stop - begin));
+    const char* const end = found == nullptr ? stop : static_cast<const char*>(found);
+    const char* behind = end;
+    while (behind != begin && is_blank(behind[-1])) --behind;
+    fields_.push_back({{begin, static_cast<std::size_t>(behind - begin)}, false});
+    return end;
+}
+
+void CsvRecords::fail(const CsvField& field, const std::string& expected) const { source_.fail(field.text, expected); }
+
+void CsvRecords::fail_at_end(const std::string& expected) const {
+    source_.fail(static_cast<std::size_t>(record_end_ - source_.text.data()), "the line ends, expected " + expected);
+}
 
 enum Column : std::size_t { x, y, z, radius, red, green, blue, name_column, column_count };
 constexpr std::array<const char*, column_count> column_names = {"x", "y", "z", "radius", "r", "g", "b", "name"};
@@ -29,12 +140,10 @@ struct Header {
     bool has(Column column) const { return place[column].has_value(); }
 };
 
-// A field's words as a header has them: "# X" for "x".
+// A field's words as a header has them: "x" for "# X".
 std::string header_word(const CsvField& field) {
     const std::string text = lower_case(unquoted(field));
-    const std::size_t begin = std::min(text.find_first_not_of("# \t"), text.size());
-    const std::size_t end = text.find_last_not_of(" \t");
-    return end == std::string::npos ? "" : text.substr(begin, end - begin + 1);
+    return std::string(trimmed(std::string_view(text).substr(std::min(text.find_first_not_of("# \t"), text.size())), white_space));
 }
 
 // What stands between the fields of the first line.
@@ -195,12 +304,19 @@ Scene joined(std::vector<Spheres> pieces, const std::string& name) {
 
 }  // namespace
 
+bool shows_csv(std::string_view head) {
+    head = trimmed(head, white_space);
+    const auto names = words_of(take_line(head), "#,;\t \"");
+    return std::all_of(column_names.begin(), column_names.begin() + 3, [&](std::string_view axis) {
+        return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return lower_case(name) == axis; });
+    });
+}
+
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options) {
-    require_frame(name, options.frame, 1);
     const TextSource source{name, without_byte_order_mark(content)};
     const char line_end = line_end_of(source.text);
     CsvRecords first(source, separator_of(source.text), line_end, 0, source.text.size());
-    if (!first.next()) throw InputError(name + ":1:1: the text is empty, expected " + header_syntax);
+    if (!first.next()) source.fail(std::size_t{0}, std::string("the text is empty, expected ") + header_syntax);
     const Header header = header_of(first);
     const std::vector<std::size_t> places = piece_places(source.text, first.offset(), line_end);
     std::vector<Spheres> pieces(places.size() - 1);

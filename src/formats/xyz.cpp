@@ -1,19 +1,147 @@
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <initializer_list>
+#include <optional>
 
 #include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
-#include "formats/names.hpp"
 #include "formats/sphere_data.hpp"
 #include "formats/token_reader.hpp"
-#include "formats/xyz_layout.hpp"
 
 namespace sphereview {
 
 namespace {
+
+enum class XyzField { species, position, radius, real_color, byte_color };
+
+// How many columns each takes.
+constexpr std::size_t columns_of(XyzField field) { return field == XyzField::species || field == XyzField::radius ? 1 : 3; }
+
+struct XyzColumn {
+    XyzField field;
+    std::size_t first;  // of its columns, from 0
+};
+
+constexpr std::size_t most_columns = 1'000'000;
+constexpr const char* example = "NAME:TYPE:COLUMNS for each property, as in species:S:1:pos:R:3";
+
+void skip_blanks(std::string_view& text) { text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size())); }
+
+std::string_view take(std::string_view& text, std::size_t count) {
+    const std::string_view taken = text.substr(0, count);
+    text.remove_prefix(std::min(taken.size(), text.size()));
+    return taken;
+}
+
+// The value that begins `text`: in quotes or braces, or one word.
+std::string_view take_value(std::string_view& text) {
+    if (text.empty()) return text;
+    const char close = text[0] == '{' ? '}' : text[0];
+    if (close != '"' && close != '\'' && close != '}') return take(text, text.find_first_of(white_space));
+    text.remove_prefix(1);
+    std::size_t end = text.find(close);
+    while (end != std::string_view::npos && end > 0 && text[end - 1] == '\\') end = text.find(close, end + 1);
+    const std::string_view value = take(text, end);
+    text.remove_prefix(std::min<std::size_t>(1, text.size()));
+    return value;
+}
+
+// The value of Properties among the `key=value` of a comment.
+std::optional<std::string_view> find_properties(std::string_view comment) {
+    while (true) {
+        skip_blanks(comment);
+        if (comment.empty()) return std::nullopt;
+        const std::string_view key = take(comment, std::max<std::size_t>(1, comment.find_first_of(" \t\r\v\f=")));
+        skip_blanks(comment);
+        if (!comment.starts_with('=')) continue;
+        comment.remove_prefix(1);
+        skip_blanks(comment);
+        const std::string_view value = take_value(comment);
+        if (lower_case(key) == "properties") return value;
+    }
+}
+
+// Walks through NAME:TYPE:COLUMNS:NAME:...
+class Properties {
+public:
+    Properties(const TextSource& source, std::string_view value) : source_(source), value_(value), rest_(value) {}
+
+    std::vector<XyzColumn> layout() {
+        std::vector<XyzColumn> columns;
+        std::size_t first = 0;
+        do {
+            entry_ = rest_;
+            const std::string name = lower_case(part());
+            const std::string type = lower_case(part());
+            const std::string_view digits = part();
+            std::size_t count = 0;
+            const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+            const bool is_type = type == "r" || type == "i" || type == "s" || type == "l";
+            if (name.empty() || !is_type || read.ec != std::errc{} || read.ptr != digits.data() + digits.size() || count == 0) {
+                fail(example);
+            }
+            if (const auto field = field_named(name, type)) {
+                if (count != columns_of(*field)) fail(name + " of " + std::to_string(columns_of(*field)) + " columns");
+                if (!has(columns, *field)) columns.push_back({*field, first});
+            }
+            if (count > most_columns - first) fail("at most " + std::to_string(most_columns) + " columns");
+            first += count;
+        } while (!ended_);
+        if (has(columns, XyzField::position)) return columns;
+        throw InputError(source_.place(value_) + "found properties without a position, expected pos:R:3 among them");
+    }
+
+private:
+    // A radius or colour of another kind is no reason to refuse the atoms.
+    static std::optional<XyzField> field_named(const std::string& name, const std::string& type) {
+        const auto is = [&](std::initializer_list<const char*> names, const char* types) {
+            return std::ranges::find(names, name) != names.end() && std::string_view(types).find(type) != std::string_view::npos;
+        };
+        if (is({"species", "element", "symbol", "z", "numbers"}, "si")) return XyzField::species;
+        if (is({"pos", "position", "positions"}, "ri")) return XyzField::position;
+        if (is({"radius", "radii"}, "ri")) return XyzField::radius;
+        if (is({"color", "colour", "colors"}, "r")) return XyzField::real_color;
+        if (is({"color", "colour", "colors"}, "i")) return XyzField::byte_color;
+        return std::nullopt;
+    }
+
+    static bool has(const std::vector<XyzColumn>& columns, XyzField field) {
+        return std::ranges::find(columns, field, &XyzColumn::field) != columns.end();
+    }
+
+    std::string_view part() {
+        const std::size_t end = rest_.find(':');
+        const std::string_view found = take(rest_, end);
+        ended_ = end == std::string_view::npos;
+        if (!ended_) rest_.remove_prefix(1);
+        return found;
+    }
+
+    [[noreturn]] void fail(const std::string& expected) const {
+        const auto length = static_cast<std::size_t>(rest_.data() - entry_.data()) - (ended_ ? 0 : 1);
+        source_.fail(entry_.substr(0, length), expected);
+    }
+
+    const TextSource& source_;
+    std::string_view value_;
+    std::string_view rest_;     // of the value
+    std::string_view entry_{};  // of one property: from there
+    bool ended_ = false;
+};
+
+// The columns that are drawn, from left to right; a position is always among them. `source` ends with the frame's comment, which
+// begins at `begin`: `Properties=species:S:1:pos:R:3:...` names them; without it they are a species and a position. Other
+// properties are passed over. Throws InputError where Properties are wrong.
+std::vector<XyzColumn> xyz_layout(const TextSource& source, std::size_t begin) {
+    const auto properties = find_properties(source.text.substr(begin));
+    if (!properties) return {{XyzField::species, 0}, {XyzField::position, 1}};
+    return Properties(source, *properties).layout();
+}
 
 constexpr std::size_t lines_a_piece = 1024;  // that one core reads at a time
 constexpr const char* line_ends = "the line ends";
@@ -185,6 +313,25 @@ Scene read_frame(const TextSource& source, const Frame& frame, char line_end, co
 }
 
 }  // namespace
+
+// A number, a comment, and an element before a position. A text scene has its colours and centres there.
+bool shows_xyz(std::string_view head) {
+    const auto is_whole = [](std::string_view word) { return word.find_first_not_of("0123456789") == std::string_view::npos; };
+    const auto is_number = [](std::string_view word) {
+        double ignored = 0.0;
+        return parse_double(word, ignored) == NumberFault::none;
+    };
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    head = trimmed(head, white_space);
+    const auto count = words_of(take_line(head));
+    const std::string_view comment_line = take_line(head);
+    const auto comment = words_of(comment_line);
+    const auto atom = words_of(take_line(head));
+    if (count.size() != 1 || !is_whole(count[0]) || atom.empty()) return false;
+    if (comment.size() == 3 && std::all_of(comment.begin(), comment.end(), is_whole)) return false;
+    if (lower_case(comment_line).find("properties=") != std::string::npos || is_letter(atom[0][0])) return true;
+    return atom.size() > 3 && is_whole(atom[0]) && !comment.empty() && !is_number(comment[0]);
+}
 
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content)};

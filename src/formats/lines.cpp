@@ -1,6 +1,8 @@
-#include "formats/names.hpp"
+#include "formats/lines.hpp"
 
 #include <algorithm>
+
+#include "base/error.hpp"
 
 namespace sphereview {
 
@@ -26,6 +28,36 @@ std::size_t sequence_length(std::string_view bytes) {
 }
 
 }  // namespace
+
+std::string TextSource::place(std::size_t offset) const {
+    const TextPosition position = position_at(text, offset, origin);
+    return name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
+}
+
+void TextSource::fail(std::size_t offset, const std::string& message) const { throw InputError(place(offset) + message); }
+
+void TextSource::fail(std::string_view piece, const std::string& expected) const {
+    throw InputError(place(piece) + found_expected(piece, expected));
+}
+
+std::vector<std::string_view> words_of(std::string_view line, std::string_view separators) {
+    std::vector<std::string_view> words;
+    for (std::size_t begin = 0; (begin = line.find_first_not_of(separators, begin)) != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(separators, begin), line.size());
+        words.push_back(line.substr(begin, end - begin));
+        begin = end;
+    }
+    return words;
+}
+
+std::string_view behind_comments(std::string_view text) {
+    text = trimmed(without_byte_order_mark(text), white_space);
+    while (text.starts_with('#')) {
+        take_line(text);
+        text = trimmed(text, white_space);
+    }
+    return text;
+}
 
 std::string as_utf8(std::string_view bytes) {
     constexpr std::string_view replacement = "\xEF\xBF\xBD";
