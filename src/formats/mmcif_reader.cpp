@@ -150,7 +150,7 @@ cif::Table find_atoms(const TextSource& source, cif::Document& document) {
         }
     }
     if (holder == nullptr || holder->find(atom_table, atom_columns).length() == 0) {
-        fail_without_atoms(source.text, source.name, table_syntax);
+        fail_without_atoms(source, table_syntax);
     }
     return holder->find(atom_table, atom_columns);
 }
@@ -190,7 +190,7 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
     // gemmi's document: a string for each value, of some four bytes, in an array that grows.
     require_memory(content.size() / 4 * 2 * sizeof(std::string), name + ": its atoms need");
     const TextSource source{name, without_byte_order_mark(content)};
-    if (trimmed(source.text).empty()) fail_without_atoms(source.text, source.name, table_syntax);
+    if (trimmed(source.text).empty()) fail_without_atoms(source, table_syntax);
     cif::Document document = read_document(source);
     cif::Table table = find_atoms(source, document);
     std::vector<MoleculeAtom> atoms;
