@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"
 
@@ -68,13 +67,9 @@ bool shows_mmcif(std::string_view head) {
     return head.starts_with("data_") && take_line(head).find('=') == std::string_view::npos;
 }
 
-void fail_at(std::string_view content, const std::string& name, std::size_t offset, const std::string& message) {
-    throw InputError(place_in(name, position_at(content, offset)) + message);
-}
-
-void fail_without_atoms(std::string_view content, const std::string& name, const std::string& expected) {
-    const bool empty = content.find_first_not_of(" \t\r\n") == std::string_view::npos;
-    fail_at(content, name, content.size(), (empty ? "the text is empty, expected " : "the text ends, expected ") + expected);
+void fail_without_atoms(const TextSource& source, const std::string& expected) {
+    source.fail(source.text.size(),
+                (trimmed(source.text, white_space).empty() ? "the text is empty, expected " : "the text ends, expected ") + expected);
 }
 
 }  // namespace sphereview

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "formats/elements.hpp"
+#include "formats/lines.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -26,10 +27,7 @@ struct MoleculeAtom {
 // highest occupancy is kept, the first of several, as ChimeraX does: all of them at once would overlap.
 Scene scene_of(std::span<const MoleculeAtom> atoms, const DataOptions& options);
 
-// Throws InputError "NAME:LINE:COLUMN: MESSAGE" for byte `offset` of the file.
-[[noreturn]] void fail_at(std::string_view content, const std::string& name, std::size_t offset, const std::string& message);
-
 // Throws InputError for a file without an atom; `expected` says what one looks like.
-[[noreturn]] void fail_without_atoms(std::string_view content, const std::string& name, const std::string& expected);
+[[noreturn]] void fail_without_atoms(const TextSource& source, const std::string& expected);
 
 }  // namespace sphereview

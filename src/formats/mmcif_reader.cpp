@@ -1,303 +1,218 @@
-// mmCIF (PDBx): gemmi's grammar of CIF, with actions that take only the table of atoms and know where everything stands.
-#include <algorithm>
-#include <array>
+// mmCIF (PDBx), read by gemmi into its document, which keeps no place of a value: that is looked for where one is wrong.
+#include <cmath>
 #include <gemmi/cif.hpp>
+#include <gemmi/numb.hpp>
 #include <unordered_map>
 
 #include "base/available_memory.hpp"
-#include "base/number.hpp"
+#include "base/error.hpp"
 #include "base/text.hpp"
+#include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"
 
 namespace sphereview {
 
 namespace {
 
+namespace cif = gemmi::cif;
 namespace pegtl = tao::pegtl;
-namespace rules = gemmi::cif::rules;
 
-constexpr std::string_view table_name = "_atom_site.";
+constexpr const char* atom_table = "_atom_site.";
+constexpr const char* table_syntax = "the table _atom_site with Cartn_x, Cartn_y and Cartn_z";
 
+// The columns of mmCIF's table of atoms; those that it may lack have gemmi's question mark.
 enum Column : std::size_t {
     x,
     y,
     z,
     type_symbol,
-    auth_atom_id,
-    label_atom_id,
-    auth_comp_id,
-    label_comp_id,
-    auth_asym_id,
-    label_asym_id,
-    auth_seq_id,
-    label_seq_id,
+    auth_atom,
+    label_atom,
+    auth_residue,
+    label_residue,
+    auth_chain,
+    label_chain,
+    auth_number,
+    label_number,
     insertion_code,
     alternative,
     occupancy,
-    model,
-    column_count
+    model
 };
-constexpr std::array<std::string_view, column_count> column_names = {
-    "cartn_x",           "cartn_y",       "cartn_z",      "type_symbol",       "auth_atom_id", "label_atom_id",
-    "auth_comp_id",      "label_comp_id", "auth_asym_id", "label_asym_id",     "auth_seq_id",  "label_seq_id",
-    "pdbx_pdb_ins_code", "label_alt_id",  "occupancy",    "pdbx_pdb_model_num"};
+const std::vector<std::string> atom_columns = {"Cartn_x",
+                                               "Cartn_y",
+                                               "Cartn_z",
+                                               "?type_symbol",
+                                               "?auth_atom_id",
+                                               "?label_atom_id",
+                                               "?auth_comp_id",
+                                               "?label_comp_id",
+                                               "?auth_asym_id",
+                                               "?label_asym_id",
+                                               "?auth_seq_id",
+                                               "?label_seq_id",
+                                               "?pdbx_PDB_ins_code",
+                                               "?label_alt_id",
+                                               "?occupancy",
+                                               "?pdbx_PDB_model_num"};
 
-// The text of a value; "" of "." and "?", which stand for none.
-std::string_view text_of(std::string_view value) {
-    if (value == "." || value == "?") return "";
-    const bool quoted = value.size() > 1 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();
-    return quoted ? value.substr(1, value.size() - 2) : value;
-}
-
-// A number, perhaps with its standard uncertainty behind it: "1.234(5)".
-NumberFault number_of(std::string_view value, double& number) {
-    value = text_of(value);
-    if (value.ends_with(')')) value = value.substr(0, value.find('('));
-    return parse_double(value, number);
-}
-
-// Collects the atoms of the wanted frame.
-class AtomTable {
-public:
-    AtomTable(std::string_view content, const std::string& name, std::int64_t wanted)
-        : content_(content), name_(name), wanted_(wanted) {}
-
-    void begin_loop() {
-        tags_.clear();
-        next_value_ = 0;
-        is_table_ = false;
-    }
-
-    void take_loop_tag(std::string_view tag) {
-        const bool own = begins_table(tag);
-        if (own && !is_table_) begin_table(tag);
-        is_table_ = is_table_ || own;
-        tags_.push_back(own ? column_of(tag) : column_count);
-    }
-
-    void take_loop_value(std::string_view value) {
-        if (is_table_) {
-            if (const Column column = tags_[next_value_]; column != column_count) row_[column] = value;
-        }
-        last_value_ = value;
-        if (++next_value_ < tags_.size()) return;
-        next_value_ = 0;
-        if (is_table_) take_row();
-    }
-
-    void end_loop() {
-        if (next_value_ != 0) {
-            const std::string values = next_value_ == 1 ? " value" : " values";
-            const std::string found = std::to_string(next_value_) + values + " in the last row of a table";
-            fail(last_value_, found, std::to_string(tags_.size()));
-        }
-        is_table_ = false;
-    }
-
-    // A table of one row may be written as pairs of a tag and a value.
-    void take_pair_tag(std::string_view tag) {
-        pair_ = column_count;
-        if (!begins_table(tag)) return;
-        if (!in_pairs_) begin_table(tag);
-        in_pairs_ = true;
-        pair_ = column_of(tag);
-    }
-
-    void take_pair_value(std::string_view value) {
-        if (pair_ != column_count) row_[pair_] = value;
-        pair_ = column_count;
-    }
-
-    void finish() {
-        if (in_pairs_) take_row();
-        if (models_.empty()) fail_without_atoms(content_, name_, "the table _atom_site with Cartn_x, Cartn_y and Cartn_z");
-    }
-
-    const std::vector<MoleculeAtom>& atoms() const { return atoms_; }
-    std::int64_t frames() const { return static_cast<std::int64_t>(models_.size()); }
-
-private:
-    [[noreturn]] void fail(std::string_view place, const std::string& found, const std::string& expected) const {
-        fail_at(content_, name_, static_cast<std::size_t>(place.data() - content_.data()),
-                "found " + found + ", expected " + expected);
-    }
-
-    bool begins_table(std::string_view tag) const {
-        if (tag.size() < table_name.size()) return false;
-        const std::string begin = lower_case(tag.substr(0, table_name.size()));
-        if (begin == "_atom_site_" && lower_case(tag) == "_atom_site_fract_x") {
-            fail(tag, in_quotes(tag) + ", of a crystal in fractional coordinates", "mmCIF with _atom_site.Cartn_x");
-        }
-        return begin == table_name;
-    }
-
-    void begin_table(std::string_view tag) {
-        if (table_.data() != nullptr) fail(tag, "a second table of atoms", "one");
-        table_ = tag;
-    }
-
-    Column column_of(std::string_view tag) const {
-        const auto found = std::ranges::find(column_names, lower_case(tag.substr(table_name.size())));
-        return static_cast<Column>(found - column_names.begin());
-    }
-
-    void take_row() {
-        for (const Column column : {x, y, z}) {
-            if (row_[column].data() == nullptr)
-                fail(table_, "a table of atoms without one of their places", "Cartn_x, Cartn_y and Cartn_z");
-        }
-        // A file's models follow each other.
-        const std::string_view name = text_of(row_[model]);
-        if (models_.empty() || name != last_model_) {
-            last_redraw_ = models_.emplace(name, models_.size()).first->second;
-            last_model_ = name;
-        }
-        if (static_cast<std::int64_t>(last_redraw_) == wanted_) take_atom();
-    }
-
-    void take_atom() {
-        MoleculeAtom atom;
-        atom.position = {coordinate(x, "x"), coordinate(y, "y"), coordinate(z, "z")};
-        atom.atom = first_of(auth_atom_id, label_atom_id);
-        const std::string_view symbol = text_of(row_[type_symbol]);
-        atom.element = &element_of_species(symbol.empty() ? atom.atom : symbol);
-        atom.chain = first_of(auth_asym_id, label_asym_id);
-        atom.residue = first_of(auth_comp_id, label_comp_id);
-        atom.residue_number = std::string(first_of(auth_seq_id, label_seq_id)).append(text_of(row_[insertion_code]));
-        atom.alternative = text_of(row_[alternative]);
-        double part = 1.0;
-        if (number_of(row_[occupancy], part) == NumberFault::none) atom.occupancy = part;
-        atoms_.push_back(std::move(atom));
-    }
-
-    double coordinate(Column column, const char* what) const {
-        double value = 0.0;
-        const std::string_view text = row_[column];
-        if (number_of(text, value) != NumberFault::none)
-            fail(text, in_quotes(text), std::string("the atom's ") + what + ", a number");
-        return value;
-    }
-
-    std::string_view first_of(Column column, Column other) const {
-        const std::string_view text = text_of(row_[column]);
-        return text.empty() ? text_of(row_[other]) : text;
-    }
-
-    std::string_view content_;
-    const std::string& name_;
-    std::int64_t wanted_;
-    std::vector<Column> tags_{};  // of the loop that is being read
-    std::size_t next_value_ = 0;  // in its row
-    std::string_view last_value_{};
-    bool is_table_ = false;  // the loop is the table of atoms
-    bool in_pairs_ = false;  // the table is no loop
-    Column pair_ = column_count;
-    std::string_view table_{};  // its first tag
-    std::array<std::string_view, column_count> row_{};
-    std::unordered_map<std::string_view, std::size_t> models_{};
-    std::string_view last_model_{};
-    std::size_t last_redraw_ = 0;
-    std::vector<MoleculeAtom> atoms_{};
-};
-
-template <typename Input>
-std::string_view matched(const Input& in) {
-    return {in.begin(), in.size()};
-}
-
-template <typename Rule>
-struct Action : pegtl::nothing<Rule> {};
-
-template <>
-struct Action<rules::str_loop> {
-    template <typename Input>
-    static void apply(const Input&, AtomTable& table) {
-        table.begin_loop();
-    }
-};
-
-template <>
-struct Action<rules::loop_tag> {
-    template <typename Input>
-    static void apply(const Input& in, AtomTable& table) {
-        table.take_loop_tag(matched(in));
-    }
-};
-
-template <>
-struct Action<rules::loop_value> {
-    template <typename Input>
-    static void apply(const Input& in, AtomTable& table) {
-        table.take_loop_value(matched(in));
-    }
-};
-
-template <>
-struct Action<rules::loop> {
-    template <typename Input>
-    static void apply(const Input&, AtomTable& table) {
-        table.end_loop();
-    }
-};
-
-template <>
-struct Action<rules::item_tag> {
-    template <typename Input>
-    static void apply(const Input& in, AtomTable& table) {
-        table.take_pair_tag(matched(in));
-    }
-};
-
-template <>
-struct Action<rules::item_value> {
-    template <typename Input>
-    static void apply(const Input& in, AtomTable& table) {
-        table.take_pair_value(matched(in));
-    }
-};
-
-// Where the grammar does not go on, and why.
+// Where gemmi's grammar of CIF does not go on, and why.
 struct SyntaxFault {
     const char* place;
     std::string why;
 };
 
 template <typename Rule>
-struct Control : pegtl::normal<Rule> {
+struct FaultFinder : pegtl::normal<Rule> {
     template <typename Input, typename... States>
     [[noreturn]] static void raise(const Input& in, States&&...) {
-        throw SyntaxFault{in.current(), gemmi::cif::error_message<Rule>()};
+        throw SyntaxFault{in.current(), cif::error_message<Rule>()};
     }
 };
 
-[[noreturn]] void fail_syntax(std::string_view content, const std::string& name, const SyntaxFault& fault) {
-    const auto offset = static_cast<std::size_t>(fault.place - content.data());
-    const std::string_view rest = content.substr(offset);
-    const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
-    const std::string found = rest.empty() ? "the text ends" : "found " + in_quotes(word);
-    const bool unterminated = fault.why.starts_with("unterminated");
-    if (unterminated) fail_at(content, name, offset, "found an " + fault.why + ", expected its end");
+[[noreturn]] void fail_syntax(const TextSource& source, const SyntaxFault& fault) {
+    const auto offset = static_cast<std::size_t>(fault.place - source.text.data());
+    if (fault.why.starts_with("unterminated")) source.fail(offset, "found an " + fault.why + ", expected its end");
+    const std::string_view rest = source.text.substr(offset);
+    const std::string found =
+        rest.empty() ? "the text ends" : "found " + in_quotes(rest.substr(0, rest.find_first_of(white_space)));
     const bool in_block = fault.why.find("data_") == std::string::npos;
-    fail_at(content, name, offset, found + ", expected " + (in_block ? "CIF: a tag, a value or loop_" : "a data block, data_NAME"));
+    source.fail(offset, found + ", expected " + (in_block ? "CIF: a tag, a value or loop_" : "a data block, data_NAME"));
+}
+
+// Finds where value `wanted` of the table that begins in `line` stands: gemmi's document does not say.
+struct ValueFinder {
+    std::size_t line;
+    std::size_t wanted;
+    bool inside = false;
+    std::size_t count = 0;
+    const char* place = nullptr;
+};
+
+template <typename Rule>
+struct FindValue : pegtl::nothing<Rule> {};
+
+template <>
+struct FindValue<cif::rules::str_loop> {
+    template <typename Input>
+    static void apply(const Input& in, ValueFinder& finder) {
+        finder.inside = in.position().line == finder.line;
+    }
+};
+
+template <>
+struct FindValue<cif::rules::loop_value> {
+    template <typename Input>
+    static void apply(const Input& in, ValueFinder& finder) {
+        if (finder.inside && finder.count++ == finder.wanted) finder.place = in.begin();
+    }
+};
+
+cif::Document read_document(const TextSource& source) {
+    cif::Document document;
+    document.source = source.name;
+    pegtl::memory_input<> input(source.text.data(), source.text.size(), source.name);
+    try {
+        pegtl::parse<cif::rules::file, cif::Action, FaultFinder>(input, document);
+        cif::check_for_missing_values(document);
+        cif::check_for_duplicates(document);
+    } catch (const SyntaxFault& fault) {
+        fail_syntax(source, fault);
+    } catch (const std::runtime_error& error) {  // gemmi's words begin with the name and the line
+        throw InputError(error.what());
+    }
+    return document;
+}
+
+// gemmi keeps only the line of a table, or of a pair of a tag and a value.
+[[noreturn]] void fail_in_line(const TextSource& source, const cif::Item& item, const std::string& message) {
+    throw InputError(source.name + ":" + std::to_string(item.line_number) + ":1: " + message);
+}
+
+const cif::Item& first_item(cif::Table& table) {
+    return table.loop_item != nullptr ? *table.loop_item : table.bloc.items[static_cast<std::size_t>(table.positions[0])];
+}
+
+// The one table of atoms.
+cif::Table find_atoms(const TextSource& source, cif::Document& document) {
+    cif::Block* holder = nullptr;
+    for (cif::Block& block : document.blocks) {
+        if (const cif::Item* item = block.find_loop_item("_atom_site_fract_x")) {
+            fail_in_line(source, *item, "found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
+        }
+        cif::Table any = block.find_mmcif_category(atom_table);
+        if (!any.ok()) continue;
+        if (holder != nullptr) fail_in_line(source, first_item(any), "found a second table of atoms, expected one");
+        holder = &block;
+        if (!block.find(atom_table, atom_columns).ok()) {
+            fail_in_line(source, first_item(any),
+                         "found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+        }
+    }
+    if (holder == nullptr || holder->find(atom_table, atom_columns).length() == 0) {
+        fail_without_atoms(source, table_syntax);
+    }
+    return holder->find(atom_table, atom_columns);
+}
+
+// The text of a value without its quotes; "" where there is none.
+std::string_view text_of(const cif::Table::Row& row, Column column) {
+    if (!row.has2(column)) return "";
+    const std::string_view value = row[column];
+    const bool quoted = value.size() > 1 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();
+    return quoted ? value.substr(1, value.size() - 2) : value;
+}
+
+std::string_view first_of(const cif::Table::Row& row, Column column, Column other) {
+    const std::string_view text = text_of(row, column);
+    return text.empty() ? text_of(row, other) : text;
+}
+
+double coordinate(const TextSource& source, const cif::Table::Row& row, Column column) {
+    const std::string& value = row[column];
+    double number = cif::as_number(value);
+    if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));
+    if (std::isfinite(number)) return number;
+    const std::string message = "found " + in_quotes(value) + ", expected the atom's " + "xyz"[column] + ", a number";
+    const auto place = static_cast<std::size_t>(row.tab.positions[column]);
+    if (row.tab.loop_item == nullptr) fail_in_line(source, row.tab.bloc.items[place], message);
+    const cif::Item& table = *row.tab.loop_item;
+    ValueFinder finder{static_cast<std::size_t>(table.line_number),
+                       static_cast<std::size_t>(row.row_index) * table.loop.width() + place};
+    pegtl::memory_input<> input(source.text.data(), source.text.size(), source.name);
+    pegtl::parse<cif::rules::file, FindValue, FaultFinder>(input, finder);
+    source.fail(static_cast<std::size_t>(finder.place - source.text.data()), message);
 }
 
 }  // namespace
 
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options) {
-    // Beside the text: our atoms and the spheres, from lines of some 90 bytes, and room for them to grow.
-    require_memory(content.size() / 90 * (2 * sizeof(MoleculeAtom) + sizeof(Sphere)), name + ": its atoms need");
-    AtomTable table(content, name, options.frame);
-    const std::string_view text = without_byte_order_mark(content);
-    if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) table.finish();
-    pegtl::memory_input<> input(text.data(), text.size(), name);
-    try {
-        pegtl::parse<rules::file, Action, Control>(input, table);
-    } catch (const SyntaxFault& fault) {
-        fail_syntax(content, name, fault);
+    // gemmi's document: a string for each value, of some four bytes, in an array that grows.
+    require_memory(content.size() / 4 * 2 * sizeof(std::string), name + ": its atoms need");
+    const TextSource source{name, without_byte_order_mark(content)};
+    if (trimmed(source.text).empty()) fail_without_atoms(source, table_syntax);
+    cif::Document document = read_document(source);
+    cif::Table table = find_atoms(source, document);
+    std::vector<MoleculeAtom> atoms;
+    std::unordered_map<std::string_view, std::int64_t> models;
+    for (const auto row : table) {
+        const std::int64_t frame = models.emplace(text_of(row, model), static_cast<std::int64_t>(models.size())).first->second;
+        if (frame != options.frame) continue;
+        MoleculeAtom atom;
+        atom.position = {coordinate(source, row, x), coordinate(source, row, y), coordinate(source, row, z)};
+        atom.atom = first_of(row, auth_atom, label_atom);
+        const std::string_view symbol = text_of(row, type_symbol);
+        atom.element = &element_of_species(symbol.empty() ? atom.atom : symbol);
+        atom.chain = first_of(row, auth_chain, label_chain);
+        atom.residue = first_of(row, auth_residue, label_residue);
+        atom.residue_number = std::string(first_of(row, auth_number, label_number)).append(text_of(row, insertion_code));
+        atom.alternative = text_of(row, alternative);
+        if (row.has2(occupancy)) atom.occupancy = cif::as_number(row[occupancy], 1.0);
+        atoms.push_back(std::move(atom));
     }
-    table.finish();
-    require_frame(name, options.frame, table.frames());
-    return {scene_of(table.atoms(), options), table.frames()};
+    const auto frames = static_cast<std::int64_t>(models.size());
+    require_frame(name, options.frame, frames);
+    return {scene_of(atoms, options), frames};
 }
 
 }  // namespace sphereview

@@ -27,12 +27,11 @@ bool is_record(std::string_view line, std::string_view record) { return trimmed(
 // Takes the atoms of one frame out of a file and sees that their places are numbers: gemmi takes what is none for 0.
 class FrameFilter {
 public:
-    FrameFilter(std::string_view content, const std::string& name, std::int64_t wanted)
-        : content_(content), name_(name), wanted_(wanted) {
-        LineWalker lines(content, line_end_of(content));
+    FrameFilter(const TextSource& source, std::int64_t wanted) : source_(source), wanted_(wanted) {
+        LineWalker lines(source.text, line_end_of(source.text));
         while (!lines.at_end()) {
             const std::size_t begin = lines.offset();
-            take_line(begin, content.substr(begin, lines.step() - begin));
+            take_record(begin, source.text.substr(begin, lines.step() - begin));
         }
     }
 
@@ -45,7 +44,7 @@ public:
     const std::string& atoms() const { return atoms_; }
 
 private:
-    void take_line(std::size_t begin, std::string_view line) {
+    void take_record(std::size_t begin, std::string_view line) {
         if (line.starts_with("ATOM") || line.starts_with("HETATM")) {
             if (!open_) ++frames_;
             open_ = has_atoms_ = true;
@@ -64,18 +63,17 @@ private:
         for (const Field& field : coordinates) {
             const std::string expected = std::string(", expected the atom's ") + field.what + " in columns " +
                                          std::to_string(field.begin + 1) + " to " + std::to_string(field.end);
-            if (line.size() < field.end) fail_at(content_, name_, begin + line.size(), "the line ends" + expected);
+            if (line.size() < field.end) source_.fail(begin + line.size(), "the line ends" + expected);
             const std::string_view text = line.substr(field.begin, field.end - field.begin);
             const std::string_view word = trimmed(text, " ");
             double ignored = 0.0;
             if (parse_double(word, ignored) == NumberFault::none) continue;
             const std::size_t place = word.empty() ? field.begin : static_cast<std::size_t>(word.data() - line.data());
-            fail_at(content_, name_, begin + place, "found " + in_quotes(word.empty() ? text : word) + expected + ", a number");
+            source_.fail(begin + place, "found " + in_quotes(word.empty() ? text : word) + expected + ", a number");
         }
     }
 
-    std::string_view content_;
-    const std::string& name_;
+    const TextSource& source_;
     std::int64_t wanted_;
     std::int64_t frames_ = 0;
     bool open_ = false;  // more atoms are of the same frame
@@ -98,8 +96,9 @@ std::string number_of(const gemmi::Residue& residue) { return residue.seqid.num.
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options) {
     // Beside the text: gemmi's atoms, ours and the spheres, from lines of 81 bytes.
     require_memory(content.size() * (sizeof(gemmi::Atom) + sizeof(MoleculeAtom) + sizeof(Sphere)) / 81, name + ": its atoms need");
-    const FrameFilter filter(content, name, options.frame);
-    if (!filter.has_atoms()) fail_without_atoms(content, name, "a record ATOM or HETATM");
+    const TextSource source{name, content};
+    const FrameFilter filter(source, options.frame);
+    if (!filter.has_atoms()) fail_without_atoms(source, "a record ATOM or HETATM");
     require_frame(name, options.frame, filter.frames());
 
     const gemmi::Structure structure = read_structure(filter.atoms(), name);

@@ -1,4 +1,5 @@
-// The native format, TOML: `background`, `[camera]`, `[[sphere]]`, or `spheres = """..."""` holding the text format.
+// The native format, TOML: `background`, `[camera]`, `[[sphere]]`, or `spheres = """..."""` holding the text format. Beside that
+// text may stand `hidden = [3, 5]` and `[names]` with `7 = "sun"`: the numbers of spheres, from 0.
 #pragma once
 
 #include <string>
@@ -8,7 +9,7 @@
 
 namespace sphereview {
 
-// Above this many spheres, none of which needs a key of its own, write_toml uses the `spheres` text.
+// Above this many spheres write_toml uses the `spheres` text.
 inline constexpr std::size_t most_sphere_tables = 1000;
 
 // Reads a whole native scene. Unknown keys are errors. Throws InputError "NAME:LINE:COLUMN: ...".

@@ -1,6 +1,7 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -18,19 +19,19 @@ namespace sphereview {
 namespace {
 
 // A file's name and whole text, for messages.
-struct Document {
+struct TomlText {
     const std::string& name;
     std::string_view content;
     std::optional<std::string_view> literal{};  // what the string `spheres` held before it was emptied
 };
 
 // "NAME:LINE:COLUMN: "
-std::string in_words(const Document& document, const toml::source_position& place) {
+std::string in_words(const TomlText& document, const toml::source_position& place) {
     return place_in(document.name, {std::max<toml::source_index>(1, place.line), std::max<toml::source_index>(1, place.column)});
 }
 
 // The byte at `place`: its column counts characters.
-std::size_t offset_of(const Document& document, const toml::source_position& place) {
+std::size_t offset_of(const TomlText& document, const toml::source_position& place) {
     const std::string_view text = document.content;
     std::size_t offset = 0;
     for (toml::source_index line = 1; line < place.line; ++line) offset = text.find('\n', offset) + 1;
@@ -41,11 +42,11 @@ std::size_t offset_of(const Document& document, const toml::source_position& pla
     return offset;
 }
 
-[[noreturn]] void fail(const Document& document, const toml::source_position& place, const std::string& message) {
+[[noreturn]] void fail(const TomlText& document, const toml::source_position& place, const std::string& message) {
     throw InputError(in_words(document, place) + message);
 }
 
-[[noreturn]] void fail(const Document& document, const toml::node& node, const std::string& message) {
+[[noreturn]] void fail(const TomlText& document, const toml::node& node, const std::string& message) {
     fail(document, node.source().begin, message);
 }
 
@@ -62,7 +63,7 @@ std::string found(const toml::node& node) {
     return "a value of type '" + text.str() + "'";
 }
 
-[[noreturn]] void wrong(const Document& document, const toml::node& node, const std::string& expected) {
+[[noreturn]] void wrong(const TomlText& document, const toml::node& node, const std::string& expected) {
     fail(document, node, "found " + found(node) + ", expected " + expected);
 }
 
@@ -70,7 +71,7 @@ std::string found(const toml::node& node) {
 class TableReader {
 public:
     // `where` names the table in messages ("[camera]").
-    TableReader(const Document& document, const toml::table& table, std::string where, std::span<const std::string> keys)
+    TableReader(const TomlText& document, const toml::table& table, std::string where, std::span<const std::string> keys)
         : document_(document), table_(table), where_(std::move(where)) {
         for (const auto& [key, value] : table) {
             if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
@@ -126,12 +127,12 @@ public:
     }
 
 private:
-    const Document& document_;
+    const TomlText& document_;
     const toml::table& table_;
     std::string where_;
 };
 
-void read_sphere(const Document& document, const toml::table& table, std::size_t index, Scene& scene) {
+void read_sphere(const TomlText& document, const toml::table& table, std::size_t index, Scene& scene) {
     static const std::vector<std::string> keys = {"name", "color", "center", "radius", "hidden"};
     const TableReader reader(document, table, "[[sphere]] " + std::to_string(index + 1), keys);
     Sphere sphere;
@@ -148,7 +149,7 @@ void read_sphere(const Document& document, const toml::table& table, std::size_t
     scene.spheres.push_back(sphere);
 }
 
-Camera read_camera(const Document& document, const toml::table& table) {
+Camera read_camera(const TomlText& document, const toml::table& table) {
     static const std::vector<std::string> keys = {"eye", "center", "right", "up"};
     const TableReader reader(document, table, "[camera]", keys);
     Camera camera;
@@ -170,7 +171,7 @@ Camera read_camera(const Document& document, const toml::table& table) {
 
 // The text inside a string value, with its place in the file: where it begins, or, where escapes shift what follows them, that of
 // the whole value.
-TextSource inside_string(const Document& document, const toml::value<std::string>& value) {
+TextSource inside_string(const TomlText& document, const toml::value<std::string>& value) {
     const toml::source_position begin = value.source().begin;
     TextPosition origin{begin.line, begin.column};
     std::string_view quotes = document.content.substr(offset_of(document, begin));
@@ -189,7 +190,41 @@ TextSource inside_string(const Document& document, const toml::value<std::string
     return {document.name, document.literal ? *document.literal : std::string_view(value.get()), origin};
 }
 
-void read_spheres(const Document& document, const TableReader& reader, Scene& scene) {
+// The sphere whose number stands there.
+std::uint32_t sphere_number(const TomlText& document, const toml::source_position& place, std::string_view text,
+                            const Scene& scene) {
+    std::uint64_t number = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool whole = read.ec == std::errc{} && read.ptr == text.data() + text.size() && (text.size() == 1 || text[0] != '0');
+    if (whole && number < scene.spheres.size()) return static_cast<std::uint32_t>(number);
+    fail(document, place,
+         "found " + in_quotes(text) + ", expected the number of one of " + std::to_string(scene.spheres.size()) +
+             " spheres, from 0");
+}
+
+// What is said of single spheres of the text: [names] and `hidden`.
+void read_exceptions(const TomlText& document, const TableReader& reader, Scene& scene) {
+    if (const toml::node* node = reader.find("names")) {
+        if (!node->is_table()) wrong(document, *node, "the table [names]");
+        for (const auto& [key, value] : *node->as_table()) {
+            const std::uint32_t number = sphere_number(document, key.source().begin, key.str(), scene);
+            const auto name = reader.value<std::string>(value, "a name as a string");
+            if (!name.empty()) scene.names[number] = name;
+        }
+    }
+    if (const toml::node* node = reader.find("hidden")) {
+        const toml::array* array = node->as_array();
+        if (array == nullptr) wrong(document, *node, "'hidden' as an array of the numbers of spheres");
+        for (const toml::node& value : *array) {
+            if (!value.is_integer()) wrong(document, value, "the number of a sphere");
+            Sphere& sphere = scene.spheres[sphere_number(document, value.source().begin, found(value), scene)];
+            if (sphere.hidden) fail(document, value, "found " + found(value) + " again, expected each number once");
+            sphere.hidden = true;
+        }
+    }
+}
+
+void read_spheres(const TomlText& document, const TableReader& reader, Scene& scene) {
     const toml::node* tables = reader.find("sphere");
     const toml::node* text = reader.find("spheres");
     if (tables != nullptr && text != nullptr) {
@@ -199,7 +234,16 @@ void read_spheres(const Document& document, const TableReader& reader, Scene& sc
         const auto* value = text->as_string();
         if (value == nullptr) wrong(document, *text, "'spheres' as a string in the text format");
         scene.spheres = parse_text_spheres(inside_string(document, *value));
-    } else if (tables != nullptr) {
+        return read_exceptions(document, reader, scene);
+    }
+    for (const char* key : {"names", "hidden"}) {
+        if (const toml::node* node = reader.find(key)) {
+            fail(document, *node,
+                 "found " + in_quotes(key) + " without 'spheres', expected 'spheres', or " +
+                     (key[0] == 'n' ? "'name'" : "'hidden'") + " in each [[sphere]]");
+        }
+    }
+    if (tables != nullptr) {
         const toml::array* array = tables->as_array();
         const std::string expected = "'sphere' as tables, each headed [[sphere]]";
         if (array == nullptr) wrong(document, *tables, expected);
@@ -212,7 +256,7 @@ void read_spheres(const Document& document, const TableReader& reader, Scene& sc
     }
 }
 
-toml::table parse(const Document& document) {
+toml::table parse(const TomlText& document) {
     try {
         return toml::parse(document.content, document.name);
     } catch (const toml::parse_error& error) {
@@ -237,12 +281,12 @@ Scene parse_toml(std::string_view content, const std::string& name) {
     content = without_byte_order_mark(content);
     const auto literal = find_spheres_literal(content);
     if (literal) content = literal->rest;
-    const Document document{name, content, literal ? std::optional(literal->text) : std::nullopt};
+    const TomlText document{name, content, literal ? std::optional(literal->text) : std::nullopt};
     if (content.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
     }
     const toml::table table = parse(document);
-    static const std::vector<std::string> keys = {"background", "camera", "sphere", "spheres"};
+    static const std::vector<std::string> keys = {"background", "camera", "sphere", "spheres", "hidden", "names"};
     const TableReader reader(document, table, "the scene", keys);
 
     Scene scene;

@@ -61,16 +61,30 @@ void append_sphere(std::string& text, const Sphere& sphere, const std::string* n
     if (sphere.hidden) text += "hidden = true\n";
 }
 
+// The numbers of the hidden spheres, in lines of some of them.
+void append_hidden(std::string& text, const std::vector<Sphere>& spheres) {
+    constexpr std::size_t in_a_line = 16;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        if (!spheres[i].hidden) continue;
+        text += count == 0 ? "hidden = [" : count % in_a_line == 0 ? ",\n    " : ", ";
+        text += std::to_string(i);
+        ++count;
+    }
+    if (count > 0) text += "]\n";
+}
+
 }  // namespace
 
 std::string write_toml(const Scene& scene) {
     std::string text;
     if (scene.background != Background{}) text += "background = \"" + to_string(scene.background) + "\"\n";
 
-    const bool plain =
-        scene.names.empty() && std::none_of(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
-    const bool as_text = plain && scene.spheres.size() > most_sphere_tables;
-    if (as_text) text += "spheres = \"\"\"\n" + write_text_spheres(scene.spheres) + "\"\"\"\n";
+    const bool as_text = scene.spheres.size() > most_sphere_tables;
+    if (as_text) {
+        text += "spheres = \"\"\"\n" + write_text_spheres(scene.spheres) + "\"\"\"\n";
+        append_hidden(text, scene.spheres);
+    }
 
     if (scene.camera != Camera{}) {
         text += text.empty() ? "[camera]\n" : "\n[camera]\n";
@@ -78,6 +92,14 @@ std::string write_toml(const Scene& scene) {
         append_vector(text, "center", scene.camera.center);
         append_vector(text, "right", scene.camera.right);
         append_vector(text, "up", scene.camera.up);
+    }
+    if (as_text && !scene.names.empty()) {
+        text += "\n[names]\n";
+        for (const auto& [number, name] : scene.names) {
+            text += std::to_string(number) + " = ";
+            append_string(text, name);
+            text += '\n';
+        }
     }
     if (!as_text) {
         for (std::size_t i = 0; i < scene.spheres.size(); ++i) {

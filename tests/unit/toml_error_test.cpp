@@ -38,14 +38,16 @@ std::string sphere_with(const std::string& key, const std::string& line) {
 TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
     expect_messages({
         {"backgroud = 'white'",
-         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, sphere, spheres; did you mean "
+         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, sphere, spheres, hidden, names; "
+         "did you mean "
          "'background'?"},
         {"[camera]\n  Eye = [0, 0, 0]",
          "2:3: found the unknown key 'Eye' in [camera], expected one of eye, center, right, up; did you mean 'eye'?"},
         {"[[sphere]]\ncolour = [1, 2, 3]",
          "2:1: found the unknown key 'colour' in [[sphere]] 1, expected one of name, color, center, radius, hidden; did you mean "
          "'color'?"},
-        {"[lights]\n", "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, sphere, spheres"},
+        {"[lights]\n",
+         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, sphere, spheres, hidden, names"},
     });
 }
 
@@ -129,6 +131,27 @@ TEST(TomlErrors, StandWhereTheyAreInsideTheSpheresText) {
         {"spheres = '1'", "1:13: the text ends, expected the red of sphere 1 of 1"},
     };
     for (const auto& [text, expected] : cases) EXPECT_EQ(message(text), "s.toml:" + expected) << text;
+}
+
+TEST(TomlErrors, SayWhatIsWrongWithWhatIsSaidOfSingleSpheres) {
+    const std::string two = "spheres = '2 1 2 3 4 5 6 7 1 2 3 4 5 6 7'\n";
+    const std::string number = ", expected the number of one of 2 spheres, from 0";
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {two + "[names]\n2 = 'x'", "3:1: found '2'" + number},
+        {two + "[names]\n01 = 'x'", "3:1: found '01'" + number},
+        {two + "[names]\nsun = 'x'", "3:1: found 'sun'" + number},
+        {two + "[names]\n1 = 7", "3:5: found 7, expected a name as a string"},
+        {two + "names = 1", "2:9: found 1, expected the table [names]"},
+        {two + "hidden = [0, 2]", "2:14: found '2'" + number},
+        {two + "hidden = [-1]", "2:11: found '-1'" + number},
+        {two + "hidden = [1,\n 1]", "3:2: found 1 again, expected each number once"},
+        {two + "hidden = ['1']", "2:11: found '1', expected the number of a sphere"},
+        {two + "hidden = true", "2:10: found a value of type 'boolean', expected 'hidden' as an array of the numbers of spheres"},
+        {"hidden = [0]", "1:10: found 'hidden' without 'spheres', expected 'spheres', or 'hidden' in each [[sphere]]"},
+        {"[names]\n0 = 'x'", "1:1: found 'names' without 'spheres', expected 'spheres', or 'name' in each [[sphere]]"},
+    };
+    for (const auto& [text, expected] : cases) EXPECT_EQ(message(text), "s.toml:" + expected) << text;
+    EXPECT_TRUE(message(two + "[names]\n1 = 'x'\n1 = 'y'").starts_with("s.toml:4:"));
 }
 
 TEST(TomlErrors, RefuseTwoListsOfSpheres) {

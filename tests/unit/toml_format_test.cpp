@@ -96,15 +96,18 @@ TEST(TomlFormat, HoldsManyPlainSpheresAsText) {
     EXPECT_TRUE(write_toml(scene).starts_with("[[sphere]]\n"));
 }
 
-TEST(TomlFormat, HoldsManySpheresAsTablesWhereOneNeedsAKey) {
+TEST(TomlFormat, HoldsManySpheresAsTextWithWhatIsSaidOfSingleOnes) {
     Scene named;
     named.spheres.resize(most_sphere_tables + 1);
     named.names[7] = "seven";
     Scene hidden;
     hidden.spheres.resize(most_sphere_tables + 1);
-    hidden.spheres.back().hidden = true;
+    for (std::size_t i = 0; i < 40; ++i) hidden.spheres[25 * i].hidden = true;
+    hidden.camera.eye.z = -1;
+    hidden.names = {{0, "a\"b"}, {1000, "last"}};
     for (const Scene& scene : {named, hidden}) {
-        EXPECT_TRUE(write_toml(scene).starts_with("[[sphere]]\n"));
+        EXPECT_TRUE(write_toml(scene).starts_with("spheres = \"\"\"\n1001\n"));
+        EXPECT_EQ(write_toml(scene).find("[[sphere]]"), std::string::npos);
         EXPECT_EQ(parse_toml(write_toml(scene), "s.toml"), scene);
     }
 }
