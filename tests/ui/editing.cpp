@@ -44,6 +44,9 @@ std::string announced(ViewerWindow& window, const std::string& part, const std::
 }
 
 const Json& take_marks_away(ViewerWindow& window) {
+    // Keys are taken in order: once the selection has changed and changed back, all that came before has been done.
+    window.key("ctrl+a");
+    window.wait_until("a selection", [](const Json& f) { return f.at("selected") != 0; });
     window.keys({"ctrl+shift+a", "Escape"});
     window.move_to({5, 5});
     return window.wait_until("no marks", [](const Json& f) {

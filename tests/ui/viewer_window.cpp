@@ -111,6 +111,10 @@ void ViewerWindow::click_many(const Place& place, int times, int button) {
              std::to_string(button)});
 }
 
+void ViewerWindow::double_click(const Place& place) {
+    xdotool({"mousemove", number(place.x), number(place.y), "click", "--repeat", "2", "--delay", "20", "1"});
+}
+
 void ViewerWindow::drag(const Place& from, const Place& to, int button, const std::vector<std::string>& held) {
     std::vector<std::string> words;
     for (const std::string& key : held) words.insert(words.end(), {"keydown", key});

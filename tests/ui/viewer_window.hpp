@@ -49,7 +49,7 @@ public:
     void move_to(const Place& place);
     void click(const Place& place, int button = 1) { click_many(place, 1, button); }
     void click_many(const Place& place, int times, int button = 1);  // without a pause
-    void double_click(const Place& place) { click_many(place, 2); }
+    void double_click(const Place& place);
     void press(int button = 1) { xdotool({"mousedown", std::to_string(button)}); }
     void release(int button = 1) { xdotool({"mouseup", std::to_string(button)}); }
     // Moves in steps, as a hand does, while keys are held.
