@@ -6,6 +6,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/parallel.hpp"
+
 namespace sphereview {
 
 struct BackgroundJob::Shared {
@@ -20,6 +22,7 @@ BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work) : shared_(s
     std::thread([shared = shared_, work = std::move(work)]() mutable {
         std::exception_ptr error;
         try {
+            cancel_loops_by(&shared->control.cancelled);
             work(shared->control);
         } catch (...) {
             error = std::current_exception();
