@@ -29,9 +29,9 @@ Scene test_scene() {
 Image render_test(OpenBackend& backend) {
     Timings timings;
     PictureFacts facts;
-    Progress silent(false);
     const Scene scene = test_scene();
-    return render_picture(backend, scene, drawn_spheres(scene), {test_size, test_background, true}, timings, facts, silent);
+    return render_picture(backend, scene, drawn_spheres(scene), {scene.camera, test_size, test_background, true}, timings, facts,
+                          [](double) {});
 }
 
 Json describe_context(const GlContext& context, const GpuRenderer& gpu) {

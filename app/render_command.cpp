@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/progress.hpp"
 #include "image/compare.hpp"
 #include "image/png.hpp"
 #include "tiles/build_lists.hpp"
@@ -73,8 +74,8 @@ private:
             const PhaseTimer timer(report.timings, Phase::prepare);
             return drawn_spheres(scene);
         }();
-        const PictureOptions options{options_.size, options_.background.value_or(scene.background), options_.certify,
-                                     options_.samples, options_.shading};
+        const PictureOptions options{scene.camera,     options_.size,    options_.background.value_or(scene.background),
+                                     options_.certify, options_.samples, options_.shading};
         const Image picture = render_by_what_holds_it(scene, drawn, options, report);
 
         if (job.output) write_png(picture, *job.output, report.timings);
@@ -96,7 +97,8 @@ private:
         const auto render = [&](OpenBackend& backend) {
             report.backend = name_of(backend.backend);
             report.renderer = backend.description;
-            return render_picture(backend, scene, drawn, options, report.timings, report.facts, progress_);
+            return render_picture(backend, scene, drawn, options, report.timings, report.facts,
+                                  [this](double done) { progress_.update(done); });
         };
         OpenBackend& opened = backend_for(report);
         try {

@@ -23,12 +23,12 @@ namespace {
 class PictureInProgress {
 public:
     PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
-                      Timings& timings, DecisionCounts& counts, Progress& progress)
+                      Timings& timings, DecisionCounts& counts, const std::function<void(double)>& progress)
         : options_(options),
           side_(sample_side(options.samples)),
           size_(sampled_size(options.size, side_)),
-          resolver_(scene, drawn, size_, &lists),
-          shader_(scene, size_, options.shading, options.background),
+          resolver_(scene, drawn, options.camera, size_, &lists),
+          shader_(scene, options.camera, size_, options.shading, options.background),
           picture_(make_picture(options.size, options.background)),
           timings_(timings),
           counts_(counts),
@@ -68,7 +68,7 @@ private:
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             y += strip.height;
             const double block_part = static_cast<double>(y) / block.height;
-            progress_.update((block.y + block.height * (block.x + block_part * block.width) / size_.width) / size_.height);
+            progress_((block.y + block.height * (block.x + block_part * block.width) / size_.width) / size_.height);
             rows = static_cast<int>(std::clamp(rows * std::clamp(0.1 / seconds, 0.1, 16.0), 1.0, 1e6));
             rows = std::max(rows / side_, 1) * side_;
         }
@@ -114,7 +114,7 @@ private:
     Image points_;  // colours that are not averaged yet
     Timings& timings_;
     DecisionCounts& counts_;
-    Progress& progress_;
+    const std::function<void(double)>& progress_;
 };
 
 // Columns of a CPU block: all of any usual picture. Its 8 rows at least may take so much memory.
@@ -149,17 +149,17 @@ void describe(const CandidateLists& lists, PictureFacts& facts) {
 }  // namespace
 
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                     Timings& timings, PictureFacts& facts, Progress& progress) {
+                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress) {
     const PictureSize size = sampled_size(options.size, sample_side(options.samples));
     const CandidateLists lists = [&] {
         const PhaseTimer timer(timings, Phase::lists);
-        return build_lists(drawn, scene.camera, size, backend.tile_costs);
+        return build_lists(drawn, options.camera, size, backend.tile_costs);
     }();
     PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress);
     describe(lists, facts);
     if (!backend.gpu) {
         facts.spheres_in = "memory";
-        const CpuRenderer cpu(drawn, lists, scene.camera, size);
+        const CpuRenderer cpu(drawn, lists, options.camera, size);
         return picture.draw(cpu_block_width, cpu_block_height(size, lists),
                             [&](const Block& block, std::span<std::int32_t> visible) {
                                 const PhaseTimer timer(timings, Phase::trace);
@@ -167,7 +167,7 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
                             });
     }
     GpuRenderer& gpu = *backend.gpu;
-    gpu.upload(drawn, lists, scene.camera, size, timings);
+    gpu.upload(drawn, lists, options.camera, size, timings);
     facts.spheres_in = gpu.storage();
     const int side = gpu.largest_block_side() / 4 * 4;  // whole pixels, whatever the samples
     const int width = std::min(side, size.width);

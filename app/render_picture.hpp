@@ -1,10 +1,11 @@
 // Scene -> Image, by whichever renderer is open.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
+
 #include "app/backend.hpp"
-#include "base/progress.hpp"
 #include "exact/resolve.hpp"
 #include "image/image.hpp"
 #include "scene/samples.hpp"
@@ -14,11 +15,14 @@
 namespace sphereview {
 
 struct PictureOptions {
+    Camera camera;
     PictureSize size;  // sides at most longest_side(samples)
     Background background;
     bool certify = true;  // false: best guesses stay as they are
     int samples = 1;      // points a pixel: one of sample_counts
     Shading shading = Shading::flat;
+
+    bool operator==(const PictureOptions&) const = default;
 };
 
 // The widest and highest a picture with so many samples may be: that of all points is no longer than any picture.
@@ -33,9 +37,10 @@ struct PictureFacts {
     std::size_t longest_list = 0;
 };
 
-// Traces block by block, certifies, colours and averages on the CPU. An OpenBackend without a GPU
-// renderer stands for the CPU's. Throws TooLarge when the GPU renderer cannot hold the scene.
+// Traces block by block, certifies, colours and averages on the CPU. An OpenBackend without a GPU renderer stands for the CPU's.
+// `drawn` is as the options' camera sees it. Calls progress() with how much is done, 0..1. Throws TooLarge when the GPU renderer
+// cannot hold the scene.
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                     Timings& timings, PictureFacts& facts, Progress& progress);
+                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress);
 
 }  // namespace sphereview

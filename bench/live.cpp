@@ -1,11 +1,9 @@
 // What the viewer's picture costs while a sphere is dragged or the camera moves: from the edit to the pixels, at each grid; and
 // what is drawn over it.
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "camera/navigation.hpp"
@@ -111,26 +109,6 @@ int main(int argc, char** argv) {
         show({});
     });
     print("colour", color_cost);
-    for (const int samples : {4, 16}) {
-        std::vector<double> calls;  // what an input may have to wait for
-        const Cost cost = median_cost(std::max(1, runs / 4), [&] {
-            sphere.center.x += 0.01;
-            document.apply(ChangeSpheres{{0}, {sphere}}, "drag", 3);
-            picture.update(document, view, 1);
-            while (!picture.is_refined(samples, scene.background)) {
-                const double begin = wall_ms();
-                picture.refine(document, samples, scene.background, 0.015);
-                calls.push_back(wall_ms() - begin);
-                if (picture.refining_waits()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            }
-        });
-        const std::string name = std::to_string(samples) + " samples";
-        print(name.c_str(), cost);
-        std::ranges::sort(calls);
-        print((name + " longest call").c_str(), {calls.back(), 0.0});
-        print((name + " 90% of calls within").c_str(), {calls[calls.size() * 9 / 10], 0.0});
-        if (!picture.is_averaged(samples, scene.background)) return 1;
-    }
     print("show", median_cost(runs, [&] { show({}); }));
     print("show with outline", median_cost(runs, [&] { show({&one, {}, 2.0F}); }));
     sphere.center = {0.0, 0.0, 200.0};

@@ -20,7 +20,5 @@ layout(std140) uniform Draw {
     vec4 axis_right;     // the camera's axes, each of length 1 (xyz): right, up, to the eye's side of the screen
     vec4 axis_up;
     vec4 axis_toward;
-    ivec2 point_offset;  // what is coloured is one point of 2^point_shift by 2^point_shift in each pixel, this one of them
-    int point_shift;
     ivec4 levels[8];     // x: a tile's side is 2^x pixels; y: tiles in a row; z: the number of the first
 };

@@ -28,7 +28,7 @@ void main() {
     }
     // In a coarse grid a texel stands for the pixels around the one that was traced.
     ivec2 traced = min((texel << grid_shift) + ((1 << grid_shift) >> 1), picture_size - 1);
-    vec3 ray = ray_direction((traced << point_shift) + point_offset, picture_size << point_shift);
+    vec3 ray = ray_direction(traced, picture_size);
     vec4 sphere = sphere_at(index);
     vec3 center = sphere.xyz;
     float radius = sphere.w != 0.0 ? abs(sphere.w) : length(center);  // 0: the eye is on the surface
@@ -51,6 +51,5 @@ void main() {
     } else {
         shaded = vec3(1.0 - 0.8 * depth);
     }
-    // Bytes, also where points are added up in floats.
-    color = vec4(floor(255.0 * shaded + 0.5) / 255.0, 1.0);
+    color = vec4(shaded, 1.0);
 }

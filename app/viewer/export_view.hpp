@@ -1,17 +1,11 @@
-// PNG files of what the window shows.
+// PNG files of what the window shows: where they go. viewer/picture_job.hpp makes them.
 #pragma once
-
-#include <string>
 
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
 
-// Writes the certified picture of the view, byte for byte what `render --samples N` makes of the scene saved with the view as its
-// camera. Throws what rendering and writing do.
-void export_view(const ViewerState& state, const std::string& path, PictureSize size);
-
-// F12: at once, to the next free name beside the scene, or in the Pictures folder.
+// F12: to the next free name beside the scene, or in the Pictures folder. Does nothing while another export is on its way.
 void export_now(ViewerState& state);
 
 // File > Export: asks for name and size, and before it overwrites.

@@ -16,32 +16,25 @@ public:
 
     // Something happened: some frames must be drawn, until the panels have settled.
     void touch() { frames_ = settling_frames; }
-    // A frame was drawn; `exact`: its picture is all that it will be.
-    void drew(int step, bool exact) {
+    // A frame was drawn.
+    void drew(int step) {
         if (frames_ > 0) --frames_;
         coarse_ = step > 1;
-        exact_ = exact;
     }
 
     // Nothing is to be drawn before the next event.
-    bool rests() const { return frames_ == 0 && !coarse_ && exact_; }
+    bool rests() const { return frames_ == 0 && !coarse_; }
     // How long to wait for events before the next frame; nothing: until one comes.
     std::optional<double> patience() const {
         if (frames_ > 0) return 0.0;
-        if (coarse_) return refine_after;
-        if (!exact_) return 0.0;
-        return std::nullopt;
+        return coarse_ ? std::optional(refine_after) : std::nullopt;
     }
-    // Whether nothing moves in the frame that comes: time to make the picture fine, and exact.
+    // Whether nothing moves in the frame that comes: time to make the picture fine.
     bool refines() const { return frames_ == 0 && coarse_; }
-    bool certifies() const { return frames_ <= 1; }
 
     static constexpr double frame_budget = 0.016;  // seconds for the trace of a moving picture
     static constexpr double refine_after = 0.08;   // seconds without an event
-    // Pixels that float cannot decide are decided when nothing moves. Rare scenes have so many that it is left at this.
-    static constexpr double certify_at_once = 0.015;  // seconds in a frame
-    static constexpr double certify_in_all = 2.0;
-    static constexpr double look_again = 0.01;  // seconds, while another thread works for the picture
+    static constexpr double look_again = 0.01;     // seconds, while another thread works
 
 private:
     // ImGui shows what a click did in the next frame, and places what is new in the one after that.
@@ -49,7 +42,6 @@ private:
 
     int frames_ = settling_frames;
     bool coarse_ = false;
-    bool exact_ = false;
     double preparing_ = 0.0;     // seconds, at the last step
     double drawing_full_ = 0.0;  // all pixels
 };

@@ -14,7 +14,7 @@ struct LoggedRedraw {
     std::uint64_t number = 0;
     int step = 1;              // of the picture's grid
     std::uint64_t builds = 0;  // how often the picture's lists were built from nothing
-    bool exact = false;        // every pixel is decided
+    bool exact = false;        // the picture is what `render` writes
     int samples = 1;           // points a pixel, in the picture that is shown
     bool resting = false;      // nothing waits to be done: the next frame comes with the next event
     Rectangle picture;

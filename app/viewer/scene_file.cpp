@@ -307,6 +307,10 @@ void show_frame(ViewerState& state, std::int64_t frame) {
 }
 
 void quit(ViewerState& state) {
+    if (state.exporting) {
+        state.exporting->then = [&state] { quit(state); };
+        return;
+    }
     with_edits_safe(state, [&state] { state.quits = true; });
 }
 

@@ -69,11 +69,16 @@ void start_loading(ViewerState& state, LoadRequest request) {
     state.loading.emplace(Loading{std::move(request), std::move(loaded), std::move(job)});
 }
 
-void cancel_loading(ViewerState& state) {
-    if (!state.loading) return;
+bool cancel_work(ViewerState& state) {
+    if (!state.loading) {
+        const bool exported = state.exporting.has_value();
+        state.exporting.reset();
+        return exported;
+    }
     const std::function<void()> cancel = std::move(state.loading->request.cancel);
     state.loading.reset();
     cancel();
+    return true;
 }
 
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
@@ -94,7 +99,7 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
     state.saving.emplace(Saving{path, std::move(done), std::move(fail), std::move(job)});
 }
 
-bool is_working(const ViewerState& state) { return state.loading || state.saving; }
+bool is_working(const ViewerState& state) { return state.loading || state.saving || state.exporting; }
 
 bool finish_work(ViewerState& state) {
     const bool loaded = state.loading && state.loading->job.ended();
@@ -102,7 +107,8 @@ bool finish_work(ViewerState& state) {
     if (saved) end_saving(state);
     // The end of saving may have replaced what was being loaded.
     if (loaded && state.loading && state.loading->job.ended()) end_loading(state);
-    return loaded || saved;
+    const bool exported = finish_export(state);
+    return loaded || saved || exported;
 }
 
 void wait_for_saving(ViewerState& state) {

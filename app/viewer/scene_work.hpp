@@ -1,4 +1,4 @@
-// Reading and writing scenes beside the window's loop.
+// Reading and writing scenes beside the window's loop, and what else goes on there.
 #pragma once
 
 #include <functional>
@@ -43,15 +43,15 @@ bool is_read_at_once(const std::string& path);
 
 // Begins to read, instead of what is being read now. What is_read_at_once() has been read when this returns.
 void start_loading(ViewerState& state, LoadRequest request);
-// Does nothing when nothing is being read.
-void cancel_loading(ViewerState& state);
+// What is being read, or else exported; nothing is written then. Returns whether there was something to cancel.
+bool cancel_work(ViewerState& state);
 
 // Writes the scene as it is now: a large one from a copy, which takes 10 ms for a million spheres, so that edits go on. None may be
 // under way. `done` is called once the file is whole.
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 
-// Whether something is read or written: then finish_work() has to be called again and again.
+// Whether something is read, written or exported: then finish_work() has to be called again and again.
 bool is_working(const ViewerState& state);
 // Acts on what has ended. Returns whether anything has.
 bool finish_work(ViewerState& state);

@@ -60,10 +60,11 @@ std::string title_for(const ViewerState& state) {
 
 std::optional<WorkShown> work_of(const ViewerState& state) {
     if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
-    if (!state.loading) return {};
-    const WorkControl& control = state.loading->job.control();
+    if (!state.loading && !state.exporting) return {};
+    const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
+    if (!state.loading) return WorkShown{"Exporting " + state.exporting->path, total > 0.0 ? done / total : 0.0, true};
     std::string text = "Reading " + state.loading->request.path + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
@@ -86,18 +87,13 @@ void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
         if (pacing_.rests() && input_.empty() && !state_.saving) state_.autosave.look(state_.document, state_.path, Clock::now());
         wait_for_work();
-        if (!pacing_.rests() || !input_.empty()) {
-            redraw();
-        } else if (refinement_waits()) {
-            refine();
-        }
+        if (!pacing_.rests() || !input_.empty()) redraw();
     }
 }
 
 void Viewer::wait_for_work() {
     files_.watch({state_.path, state_.options.shader_folder});
     std::optional<double> patience = input_.empty() ? pacing_.patience() : 0.0;
-    if (!patience && refinement_waits()) patience = picture_.refining_waits() ? Pacing::look_again : 0.0;
     if (!patience) {
         for (const auto& time : {state_.announcement_ends, state_.autosave.due(), files_.next_look()}) {
             if (!time) continue;
@@ -105,7 +101,7 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    if (is_working(state_)) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
+    if (is_working(state_) || rest_picture_works_) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
     input_.add(std::move(events));
@@ -126,6 +122,10 @@ void Viewer::follow_work() {
     const bool ended = finish_work(state_);
     if (ended || (is_working(state_) && Clock::now() >= work_shown_ + work_shown_every)) {
         work_shown_ = Clock::now();
+        pacing_.touch();
+    }
+    if (rest_picture_works_ && (!state_.rest_picture || state_.rest_picture->job.ended())) {
+        rest_picture_works_ = false;
         pacing_.touch();
     }
     state_.messages.work = work_of(state_);
@@ -150,7 +150,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
             actions.emplace_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
-            if (key->name == "escape" && state_.loading) continue;  // ends that, and nothing else
+            if (key->name == "escape" && (state_.loading || state_.exporting)) continue;  // ends that, and nothing else
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
@@ -207,8 +207,6 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
 void Viewer::update_picture(int step) {
     if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading)) return;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
-    exact_ = false;
-    certify_seconds_ = Pacing::certify_in_all;
 }
 
 std::vector<std::uint32_t> Viewer::seen_in(Pixel low, Pixel high) {
@@ -238,7 +236,7 @@ void Viewer::redraw() {
     const Window::Extent framebuffer = window_.framebuffer();
     if (framebuffer.width == 0 || framebuffer.height == 0) {  // minimised
         input_.take_frame();
-        pacing_.drew(1, true);
+        pacing_.drew(1);
         return;
     }
     std::vector<Action> actions;
@@ -272,7 +270,7 @@ void Viewer::redraw() {
     use_mouse(context, facts_.keys.escape);
     draw_box();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
-    if (facts_.keys.escape && !asked) cancel_loading(state_);
+    if (facts_.keys.escape && !asked) cancel_work(state_);
     imgui_.end_frame();
 
     perform(state_, std::move(actions));
@@ -280,39 +278,22 @@ void Viewer::redraw() {
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));
 
+    const bool exact = rest_picture_is_shown(state_);
     update_picture(refines ? 1 : pacing_.moving_step());
-    if (picture_.step() == 1 && !exact_ && pacing_.certifies()) certify();
     note_facts();
-    show(area_);
+    show(area_, exact);
     imgui_.render();
     window_.swap_buffers();
-    pacing_.drew(picture_.step(), exact_ || certify_seconds_ <= 0.0);
+    pacing_.drew(picture_.step());
+    if (pacing_.rests() && input_.empty()) make_rest_picture(state_);
+    rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
     if (log_.wanted()) {
-        const bool resting = pacing_.rests() && input_.empty() && !refinement_waits() && !is_working(state_);
-        const int samples = state_.settings.samples;
-        const int shown = picture_.is_averaged(samples, state_.shown_background()) ? samples : 1;
+        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_;
         log_.add(state_,
-                 {++redraw_number_, picture_.step(), picture_.builds(), exact_, shown, resting, area_,
+                 {++redraw_number_, picture_.step(), picture_.builds(), exact, exact ? state_.settings.samples : 1, resting, area_,
                   seconds_between(begin, Clock::now()), title_for(state_), renderer_},
                  widgets_);
     }
-}
-
-void Viewer::certify() {
-    const auto begin = Clock::now();
-    exact_ = picture_.certify(state_.document, Pacing::certify_at_once);
-    certify_seconds_ -= seconds_between(begin, Clock::now());
-}
-
-bool Viewer::refinement_waits() const {
-    return exact_ && pacing_.rests() && !picture_.is_refined(state_.settings.samples, state_.shown_background());
-}
-
-// Frames that would show the same are not drawn meanwhile.
-void Viewer::refine() {
-    const int samples = state_.settings.samples;
-    picture_.refine(state_.document, samples, state_.shown_background(), Pacing::certify_at_once);
-    if (picture_.is_refined(samples, state_.shown_background())) pacing_.touch();
 }
 
 void Viewer::note_facts() {
@@ -337,7 +318,11 @@ void Viewer::note_facts() {
     }
 }
 
-void Viewer::show(const Rectangle& area) {
+void Viewer::show(const Rectangle& area, bool finished) {
+    if (finished && uploaded_ != state_.rest_picture->image) {
+        uploaded_ = state_.rest_picture->image;
+        picture_.upload(*uploaded_);
+    }
     const Window::Extent framebuffer = window_.framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const int left = static_cast<int>(std::lround(area.x * pixels_));
@@ -345,7 +330,7 @@ void Viewer::show(const Rectangle& area) {
     const PictureSize size = state_.picture_size;
     picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
                   {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)},
-                  state_.settings.samples);
+                  finished);
 }
 
 }  // namespace sphereview

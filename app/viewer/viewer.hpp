@@ -36,11 +36,8 @@ private:
     std::vector<std::uint32_t> seen_in(Pixel low, Pixel high);
     void draw_box() const;
     void use_mouse(const PanelContext& context, bool cancelled);
-    void certify();
-    // Anti-aliasing waits for a picture that rests and is exact.
-    bool refinement_waits() const;
-    void refine();
-    void show(const Rectangle& area);
+    // `finished`: the rest picture, which is there.
+    void show(const Rectangle& area, bool finished);
     void note_facts();
     void end_announcement();
     void follow_work();
@@ -57,8 +54,8 @@ private:
     Pacing pacing_;
     HiddenSpheres hidden_;
     std::string renderer_;
-    bool exact_ = false;            // the picture is what an export would show
-    double certify_seconds_ = 0.0;  // that may still be spent on making it so
+    std::shared_ptr<const Image> uploaded_;  // the rest picture that the window's context holds
+    bool rest_picture_works_ = false;        // it is being made
 
     Clock::time_point last_redraw_ = Clock::now();
     std::uint64_t redraw_number_ = 0;

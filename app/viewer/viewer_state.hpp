@@ -19,6 +19,7 @@
 #include "panels/status.hpp"
 #include "viewer/autosave.hpp"
 #include "viewer/camera_flight.hpp"
+#include "viewer/picture_job.hpp"
 #include "viewer/scene_work.hpp"
 #include "viewer/settings.hpp"
 
@@ -51,6 +52,7 @@ struct ViewerState {
     FileStates stamp;  // of what was read or written last
     std::optional<Loading> loading;
     std::optional<Saving> saving;
+    std::optional<Exporting> exporting;
     Autosave autosave;
 
     // The view: what the window shows, which need not be the scene's own camera.
@@ -59,6 +61,8 @@ struct ViewerState {
     std::optional<CameraFlight> flight;    // where the view moves by itself
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
+    SceneSnapshot snapshot;
+    std::optional<RestPicture> rest_picture;  // of that, being made or there
 
     Messages messages;
     std::optional<Clock::time_point> announcement_ends;

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include "base/parallel.hpp"
+
 namespace sphereview {
 
 BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work) : control_(std::make_shared<WorkControl>()) {
@@ -12,6 +14,7 @@ BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work) : control_(
     std::thread([control = control_, work = std::move(work), end = std::move(end)]() mutable {
         std::exception_ptr error;
         try {
+            cancel_loops_by(&control->cancelled);
             work(*control);
         } catch (...) {
             error = std::current_exception();

@@ -15,8 +15,8 @@ struct Cancelled {};
 
 // What the work and who waits for it tell each other; from any thread.
 struct WorkControl {
-    std::atomic<std::uint64_t> done = 0;   // bytes
-    std::atomic<std::uint64_t> total = 0;  // bytes; 0 when nobody knows
+    std::atomic<std::uint64_t> done = 0;   // bytes, or what the work counts in
+    std::atomic<std::uint64_t> total = 0;  // likewise; 0 when nobody knows
     std::atomic<bool> cancelled = false;
 
     // Throws Cancelled when it is.
@@ -28,7 +28,8 @@ struct WorkControl {
 class BackgroundJob {
 public:
     // Begins at once. The work owns what it touches: it may outlive this object, as a read of a pipe that nobody writes to
-    // does. Throws std::system_error when there can be no thread.
+    // does. Cancelled, it ends at its next check(), or in its next loop on all cores (base/parallel.hpp). Throws
+    // std::system_error when there can be no thread.
     explicit BackgroundJob(std::function<void(WorkControl&)> work);
     // Cancels, and waits for nothing.
     ~BackgroundJob();

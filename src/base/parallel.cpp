@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/background_job.hpp"
+
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -21,6 +23,11 @@ namespace sphereview {
 namespace {
 
 thread_local bool inside_work = false;
+thread_local const std::atomic<bool>* cancelled_by = nullptr;
+
+void check(const std::atomic<bool>* cancelled) {
+    if (cancelled != nullptr && *cancelled) throw Cancelled();
+}
 
 int usable_cores() {
 #ifdef __linux__
@@ -35,6 +42,7 @@ struct Job {
     std::size_t count;
     void (*call)(const void*, std::size_t);
     const void* work;
+    const std::atomic<bool>* cancelled = cancelled_by;  // of the thread that begins
     std::atomic<std::size_t> next = 0;
     int helpers = 0;  // of the pool's threads; guarded by the pool's mutex
     std::mutex error_mutex{};
@@ -48,6 +56,7 @@ struct Job {
         inside_work = true;
         for (std::size_t i = next++; i < count; i = next++) {
             try {
+                check(cancelled);
                 call(work, i);
             } catch (...) {
                 const std::lock_guard lock(error_mutex);
@@ -136,6 +145,8 @@ int worker_count() {
     return count;
 }
 
+void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
+
 void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t), const void* work) {
     if (count > 1 && !inside_work && worker_count() > 1) {
         static Pool pool;
@@ -144,7 +155,10 @@ void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t
         if (job.error) std::rethrow_exception(job.error);
         return;
     }
-    for (std::size_t i = 0; i < count; ++i) call(work, i);
+    for (std::size_t i = 0; i < count; ++i) {
+        check(cancelled_by);
+        call(work, i);
+    }
 }
 
 }  // namespace sphereview

@@ -1,12 +1,17 @@
 // Work shared by all cores.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 
 namespace sphereview {
 
 // How many threads share the work: one for each core that this process may use.
 int worker_count();
+
+// From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled (base/background_job.hpp).
+// nullptr: they always end by themselves.
+void cancel_loops_by(const std::atomic<bool>* flag);
 
 namespace detail {
 

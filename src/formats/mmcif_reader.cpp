@@ -190,7 +190,7 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
     // gemmi's document: a string for each value, of some four bytes, in an array that grows.
     require_memory(content.size() / 4 * 2 * sizeof(std::string), name + ": its atoms need");
     const TextSource source{name, without_byte_order_mark(content)};
-    if (trimmed(source.text).empty()) fail_without_atoms(source, table_syntax);
+    if (trimmed(source.text, white_space).empty()) fail_without_atoms(source, table_syntax);
     cif::Document document = read_document(source);
     cif::Table table = find_atoms(source, document);
     std::vector<MoleculeAtom> atoms;

@@ -34,9 +34,6 @@ struct DrawBlock {
     glm::vec4 axis_right{0.0F};
     glm::vec4 axis_up{0.0F};
     glm::vec4 axis_toward{0.0F};
-    glm::ivec2 point_offset{0};
-    std::int32_t point_shift = 0;
-    std::int32_t padding = 0;  // std140 begins an array at a multiple of 16 bytes
     std::array<glm::ivec4, most_tile_levels> levels{};
 };
 
@@ -45,7 +42,7 @@ struct BlockMember {
     std::size_t offset;
 };
 
-inline constexpr std::array<BlockMember, 23> draw_members = {{
+inline constexpr std::array<BlockMember, 21> draw_members = {{
     {"forward", offsetof(DrawBlock, forward)},
     {"right", offsetof(DrawBlock, right)},
     {"up", offsetof(DrawBlock, up)},
@@ -66,12 +63,10 @@ inline constexpr std::array<BlockMember, 23> draw_members = {{
     {"axis_right", offsetof(DrawBlock, axis_right)},
     {"axis_up", offsetof(DrawBlock, axis_up)},
     {"axis_toward", offsetof(DrawBlock, axis_toward)},
-    {"point_offset", offsetof(DrawBlock, point_offset)},
-    {"point_shift", offsetof(DrawBlock, point_shift)},
     {"levels", offsetof(DrawBlock, levels)},
 }};
 
-static_assert(sizeof(DrawBlock) == 320);
+static_assert(sizeof(DrawBlock) == 304);
 static_assert(sizeof(glm::vec4) == 16, "an element of the arrays in the blocks Spheres and Colors");
 
 static_assert(most_tile_levels == 8, "levels in draw.glsl");
@@ -89,10 +84,10 @@ enum class TextureUnit : int {
     list_begin_table,
     marks,
     busy_cells,
-    sums
+    image
 };
 inline constexpr std::array<const char*, 8> sampler_names = {"visible_spheres",  "sphere_table", "color_table", "candidate_table",
-                                                             "list_begin_table", "marks",        "busy_cells",  "sums"};
+                                                             "list_begin_table", "marks",        "busy_cells",  "image"};
 
 // A uniform block is guaranteed 16 KiB, 1,024 spheres; more is used up to this, which every desktop GPU offers.
 inline constexpr int largest_uniform_block = 65536;

@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "exact/resolve.hpp"
-#include "gpu/decide_doubtful.hpp"
 #include "gpu/program.hpp"
 #include "tiles/pixel_range.hpp"
 
@@ -21,7 +20,6 @@ namespace {
 
 constexpr std::int32_t checkerboard_shift = 3;  // squares of 8 pixels
 constexpr std::size_t most_single_ranges = 4096;
-constexpr double longest_decision = 2.0;  // seconds, for all doubtful pixels of a block
 // With more spheres a coarse grid has lists of its own. Those of fewer are quickly made for all pixels, once and for all grids.
 constexpr std::size_t most_for_all_pixels = 20'000;
 
@@ -65,7 +63,7 @@ void fill(const WindowArea& area, const glm::vec4& color) {
 LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const std::vector<std::string>& defines) {
     return {make_program("trace.frag", defines, files),
             make_program("shade.frag", defines, files),
-            make_program("average.frag", defines, files),
+            make_program("image.frag", defines, files),
             make_program("surface.frag", defines, files),
             {make_program("mark.frag", defines, files), make_program("busy.frag", defines, files),
              make_program("outline.frag", defines, files)}};
@@ -75,8 +73,7 @@ LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& 
     : shader_folder_(shader_folder),
       no_vertices_(make_vertex_array()),
       draw_buffer_(make_buffer()),
-      tables_(bounds, LiveLists::most_changes),
-      sampled_(bounds) {
+      tables_(bounds, LiveLists::most_changes) {
     if (!shader_folder_.empty()) shader_files_ = ShaderFiles(shader_folder_);
     compile(tables_.defines_for(scene_.drawn(), scene_.lists()));
 }
@@ -102,7 +99,6 @@ std::string LivePicture::reload_shaders() {
         shader_files_ = std::move(files);
         shader_log_.clear();
         traced_ = false;
-        sampled_.discard(SampledPicture::Change::shaders);
     } catch (const RenderError& error) {
         shader_log_ = error.what();
     } catch (const InputError& error) {
@@ -154,7 +150,6 @@ bool LivePicture::follow(const Document& document, const ChangesSince& changes) 
 
 void LivePicture::forget_picture() {
     revision_ = 0;  // unless all goes well, nothing here fits together
-    sampled_.discard(SampledPicture::Change::everything);
     step_ = 0;
     range_.reset();
     selected_range_known_ = false;
@@ -188,14 +183,12 @@ void LivePicture::trace(int step) {
     check_gl("tracing");
     traced_ = true;
     step_ = step;
-    certified_rows_ = 0;
 }
 
 // For show(), which is not given the scene.
 void LivePicture::prepare_shading(const Document& document, Shading shading) {
     const Scene& scene = document.scene();
     if ((shading == Shading::id) != (shading_ == Shading::id)) colors_.set(scene, scene_.drawn(), shading);
-    if (shading != shading_) sampled_.discard(SampledPicture::Change::shaders);
     shading_ = shading;
     if (!depends_on_hit(shading)) return;
     if (!range_) range_ = depth_range(scene, view_.camera.eye);
@@ -223,10 +216,7 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
     const bool other_grid = (!traced_ || step < step_) && lists_step_ != 1 && lists_step_ != step;
     const bool followed = geometry && revision_ != 0 && view == view_ && !other_grid && follow(document, changes);
     if (!followed && (geometry || view != view_ || other_grid)) rebuild(document, view, geometry, step);
-    if (!geometry && !changes.spheres.empty()) {
-        colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, false);
-        sampled_.discard(SampledPicture::Change::colors);
-    }
+    if (!geometry) colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, false);
     revision_ = document.revision();
     prepare_shading(document, shading);
     if (traced_ && step >= step_) return false;
@@ -241,39 +231,18 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
     return true;
 }
 
-bool LivePicture::certify(const Document& document, double seconds) {
-    assert(document.revision() == revision_);
-    constexpr int strip = 64;
-    const Deadline deadline(seconds);
-    if (!traced_ || step_ != 1) return false;
-    const KeptFramebuffers kept;
-    const Resolver resolver(document.scene(), scene_.drawn(), view_.camera, view_.size, &scene_.lists());
-    std::vector<std::int32_t> visible;
-    while (certified_rows_ < view_.size.height) {
-        const Block block{0, certified_rows_, view_.size.width, std::min(strip, view_.size.height - certified_rows_)};
-        visible.resize(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-        visible_.read(block, visible);
-        const Decided decided = decide_doubtful(
-            resolver, scene_.drawn(), visible,
-            [&](int place) {
-                return Pixel{place % block.width, block.y + place / block.width};
-            },
-            deadline);
-        if (decided.any) visible_.write(block, visible);
-        if (!decided.all) return false;
-        certified_rows_ += block.height;
-        if (deadline.passed()) break;
-    }
-    check_gl("certifying the picture");
-    return certified_rows_ == view_.size.height;
-}
-
-void LivePicture::refine(const Document& document, int samples, const Background& background, double seconds) {
-    assert(document.revision() == revision_);
-    const KeptFramebuffers kept;
-    draw_plainly();
-    sampled_.refine({document.scene(), scene_.drawn(), view_.camera, view_.size, colors_.all(), shader_files_, shading_, frame_},
-                    samples, background, seconds);
+void LivePicture::upload(const Image& finished) {
+    if (!finished_) finished_ = make_texture();
+    const bool transparent = finished.channels() == 4;
+    glActiveTexture(GL_TEXTURE0);
+    glBindTexture(GL_TEXTURE_2D, finished_.name());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, transparent ? GL_RGBA8 : GL_RGB8, finished.width(), finished.height(), 0,
+                 transparent ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE, finished.bytes().data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    check_gl("uploading a finished picture");
 }
 
 // Also finds out where they are, and uploads the colours.
@@ -294,7 +263,7 @@ void LivePicture::mark_selected(const Selection* selection) {
     colors_.upload(tables_);
 }
 
-void LivePicture::show(const WindowArea& area, const Background& background, const Highlights& highlights, int samples) {
+void LivePicture::show(const WindowArea& area, const Background& background, const Highlights& highlights, bool finished) {
     if (area.width <= 0 || area.height <= 0) return;
     const KeptFramebuffers kept;
     draw_plainly();
@@ -316,13 +285,16 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     upload_draw_block(draw_buffer_, frame);
     tables_.bind();
     const Block whole{area.x, area.y, area.width, area.height};
-    if (is_averaged(samples, background)) {
-        sampled_.draw(programs_.average, no_vertices_, whole);
+    if (finished) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(TextureUnit::image));
+        glBindTexture(GL_TEXTURE_2D, finished_.name());
+        glActiveTexture(GL_TEXTURE0);
+        glUseProgram(programs_.image.name());
     } else {
         visible_.bind(TextureUnit::visible_spheres);
         glUseProgram(depends_on_hit(shading_) ? programs_.surface.name() : programs_.shade.name());
-        draw_block(no_vertices_, whole);
     }
+    draw_block(no_vertices_, whole);
     outlines_.draw(programs_.outlines, no_vertices_, visible_, frame, outlined, area, kept.draw());
     check_gl("showing the picture");
 }
@@ -361,16 +333,14 @@ std::vector<std::uint32_t> LivePicture::seen_in(const Document& document, const 
     const Resolver resolver(document.scene(), scene_.drawn(), view_.camera, view_.size, &scene_.lists());
     std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     visible_.read(block, visible);
-    const auto pixel_of = [&](int place) { return Pixel{block.x + place % block.width, block.y + place / block.width}; };
-    decide_doubtful(resolver, scene_.drawn(), visible, pixel_of, Deadline(longest_decision));
-    std::vector<bool> seen(scene_.drawn().size());
+    resolver.certify(block, visible);
+    std::vector<bool> seen(document.scene().spheres.size());
     for (const std::int32_t number : visible) {
-        const std::int32_t index = is_doubtful(number) ? doubtful(number) : number;  // at worst the guess
-        if (index >= 0) seen[static_cast<std::size_t>(index)] = true;
+        if (number >= 0) seen[static_cast<std::size_t>(number)] = true;
     }
     std::vector<std::uint32_t> numbers;
-    for (std::size_t index = 0; index < seen.size(); ++index) {
-        if (seen[index]) numbers.push_back(static_cast<std::uint32_t>(scene_.drawn().number(index)));
+    for (std::uint32_t number = 0; number < seen.size(); ++number) {
+        if (seen[number]) numbers.push_back(number);
     }
     return numbers;
 }

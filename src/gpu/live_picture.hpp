@@ -12,10 +12,10 @@
 #include "gpu/layouts.hpp"
 #include "gpu/number_target.hpp"
 #include "gpu/outlines.hpp"
-#include "gpu/sampled_picture.hpp"
 #include "gpu/scene_tables.hpp"
 #include "gpu/shader_source.hpp"
 #include "gpu/shown_colors.hpp"
+#include "image/image.hpp"
 #include "shade/shading.hpp"
 #include "shade/surface.hpp"
 #include "tiles/live_lists.hpp"
@@ -52,23 +52,8 @@ public:
     // another one needs no tracing.
     bool update(const Document& document, const View& view, int step, Shading shading = Shading::flat);
 
-    // Decides the doubtful pixels of a picture without a grid as an export has them, for about so many seconds; what is left is
-    // for the next call. Returns whether none is left. For the document of the last update().
-    bool certify(const Document& document, double seconds);
-
-    // Anti-aliasing: goes on for about so many seconds with the picture that has `samples` (scene/samples.hpp) decided points in
-    // each pixel, of the document and view of the last update(); an update() that changes the picture discards it.
-    void refine(const Document& document, int samples, const Background& background, double seconds);
-    // Whether that has nothing more to do: the average is there, or this context cannot hold it.
-    bool is_refined(int samples, const Background& background) const {
-        return samples == 1 || sampled_.finished(samples, background);
-    }
-    // Whether show() would show the average.
-    bool is_averaged(int samples, const Background& background) const {
-        return samples > 1 && traced_ && step_ == 1 && sampled_.complete(samples, background);
-    }
-    // Whether refine() only waits for another thread.
-    bool refining_waits() const { return sampled_.waits(); }
+    // Uploads a picture that another renderer has finished, for show(). No larger than the context's textures.
+    void upload(const Image& finished);
 
     // How long the last update() that traced took, in seconds: the lists, the uploads, and drawing until it was done.
     double last_seconds() const { return last_seconds_; }
@@ -79,8 +64,9 @@ public:
 
     // Colours the picture into the bound framebuffer and draws the outlines over it. A transparent background shows as a
     // checkerboard. What of the area is beyond the picture shows the picture's edge. Before the first picture: the background.
-    // With samples: the average, where refine() is done with it; outlines are the plain picture's.
-    void show(const WindowArea& area, const Background& background, const Highlights& highlights, int samples = 1);
+    // `finished`: the picture uploaded last, which must be of the same size, instead of the traced one; the outlines are that
+    // one's.
+    void show(const WindowArea& area, const Background& background, const Highlights& highlights, bool finished = false);
 
     // The number of the sphere that a pixel of the picture shows, or visible_background, also outside the picture. From the
     // visible-sphere buffer where that is sure; a pixel that is doubtful, or that was not traced itself, is decided on the CPU.
@@ -88,7 +74,7 @@ public:
     std::int32_t pick(const Document& document, Pixel pixel);
 
     // The numbers of the spheres that pixels of the block show, which lies in the picture; ascending. Of a fine picture, step 1,
-    // and of the document of its update(); what is doubtful in it is decided.
+    // and of the document of its update().
     std::vector<std::uint32_t> seen_in(const Document& document, const Block& block) const;
 
     // Reads the shaders in the folder again; the next update() traces with them. What does not compile leaves the last good
@@ -106,7 +92,7 @@ private:
     struct Programs {
         Program trace;
         Program shade;
-        Program average;
+        Program image;
         Program surface;
         OutlinePrograms outlines;
     };
@@ -131,7 +117,7 @@ private:
     SceneTables tables_;
     NumberTarget visible_;
     Outlines outlines_;
-    SampledPicture sampled_;
+    Texture finished_;
 
     std::uint64_t revision_ = 0;  // that all below is made from; 0: none
     View view_;
@@ -148,7 +134,6 @@ private:
 
     bool traced_ = false;  // the visible-sphere buffer is of this scene, view and shaders
     int step_ = 0;
-    int certified_rows_ = 0;  // from the top
     double last_seconds_ = 0.0;
     double last_drawing_seconds_ = 0.0;
 };

@@ -75,14 +75,6 @@ void NumberTarget::read(const Block& block, std::span<std::int32_t> numbers) con
     check_gl("reading the visible spheres back");
 }
 
-void NumberTarget::write(const Block& block, std::span<const std::int32_t> numbers) const {
-    assert(numbers.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, texture_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, block.x, block.y, block.width, block.height, GL_RED_INTEGER, GL_INT, numbers.data());
-}
-
 void NumberTarget::bind(TextureUnit unit) const {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(GL_TEXTURE_2D, texture_.name());

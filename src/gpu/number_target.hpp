@@ -41,9 +41,6 @@ public:
     // The block's texels, row by row.
     void read(const Block& block, std::span<std::int32_t> numbers) const;
 
-    // Puts numbers in place of what was drawn.
-    void write(const Block& block, std::span<const std::int32_t> numbers) const;
-
     void bind(TextureUnit unit) const;
 
 private:

@@ -79,13 +79,14 @@ std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std
 
 }  // namespace
 
-PictureShader::PictureShader(const Scene& scene, PictureSize size, Shading shading, const Background& background)
-    : scene_(scene), size_(size), shading_(shading), background_(background) {
+PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading,
+                             const Background& background)
+    : scene_(scene), eye_(camera.eye), size_(size), shading_(shading), background_(background) {
     if (!depends_on_hit(shading)) return;
-    rays_ = ray_basis<double>(scene.camera, size);
-    axes_ = camera_axes(scene.camera);
+    rays_ = ray_basis<double>(camera, size);
+    axes_ = camera_axes(camera);
     if (shading == Shading::normal) return;
-    range_ = depth_range(scene, scene.camera.eye);
+    range_ = depth_range(scene, eye_);
     inverse_range_ = 1.0 / (range_.farthest - range_.nearest);
 }
 
@@ -137,7 +138,7 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
             for (; i < end; ++i) put(color.r, color.g, color.b, 255);
             continue;
         }
-        if (number != last) span.sphere = shaded_sphere(sphere, scene_.camera.eye);
+        if (number != last) span.sphere = shaded_sphere(sphere, eye_);
         last = number;
         span.across = static_cast<double>(ray_coefficients(size_, {x + static_cast<int>(i), y}).across);
         span.count = count;

@@ -11,12 +11,14 @@
 
 namespace sphereview {
 
-// Of the scene as its own camera sees it. The bytes are the same on every machine and of every compiler: double precision, only
+// The bytes are the same on every machine and of every compiler: double precision, only
 // + - * / and square roots, never contracted or reordered. What a colour is made of is in docs/shading.md.
 class PictureShader {
 public:
-    // The scene must outlive it.
-    PictureShader(const Scene& scene, PictureSize size, Shading shading, const Background& background);
+    // Of the scene as its own camera sees it, or another one. The scene must outlive it.
+    PictureShader(const Scene& scene, PictureSize size, Shading shading, const Background& background)
+        : PictureShader(scene, scene.camera, size, shading, background) {}
+    PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading, const Background& background);
 
     // Colours one block of the picture from its visible spheres (scene numbers or visible_background), row by row. `picture` may be
     // a part of the whole: its top left pixel is `origin` of that.
@@ -29,6 +31,7 @@ private:
     void shade_row(int x, int y, std::span<const std::int32_t> visible, std::uint8_t* out, std::size_t channels) const;
 
     const Scene& scene_;
+    glm::dvec3 eye_;
     PictureSize size_;
     Shading shading_;
     Background background_;

@@ -35,7 +35,6 @@ protected:
     // Decided, and with every sphere under its present number.
     void expect_exact(LivePicture& picture, const Document& document) {
         picture.update(document, view_, 1);
-        EXPECT_TRUE(picture.certify(document, 60.0));
         const DrawnSpheres drawn = drawn_spheres(document.scene(), view_.camera);
         const Resolver resolver(document.scene(), drawn, view_.camera, view_.size, nullptr);
         DecisionLevel level{};

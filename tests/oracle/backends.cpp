@@ -30,9 +30,8 @@ OpenBackend opened(Backend backend) {
 Image flat_picture(OpenBackend& backend, const Scene& scene, PictureSize size, bool certify, DecisionCounts* counts) {
     Timings timings;
     PictureFacts facts;
-    Progress progress(false);
-    const PictureOptions options{size, scene.background, certify};
-    Image picture = render_picture(backend, scene, drawn_spheres(scene), options, timings, facts, progress);
+    const PictureOptions options{scene.camera, size, scene.background, certify};
+    Image picture = render_picture(backend, scene, drawn_spheres(scene), options, timings, facts, [](double) {});
     if (counts != nullptr) *counts += facts.decisions;
     return picture;
 }

@@ -1,6 +1,8 @@
 // Pictures written from the window: the very bytes of `render`.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "support/text_match.hpp"
 #include "ui/editing.hpp"
 
@@ -56,6 +58,43 @@ TEST(Exporting, WritesTheBytesOfRenderAndReplacesNothing) {
     answer(window, "replace", "Replace");
     announced(window, "1920 x 1080");
     EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, folder.path("viewed.toml"), "1920x1080"));
+}
+
+// So large that nobody need hurry to meet it at work.
+TEST(Exporting, LeavesTheWindowAliveAndCanBeCancelled) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    ViewerWindow window(folder, {scene, "--size", "12000x12000", "--samples", "16"});
+    window.key("F12");
+    const auto exports = [](const Json& f) { return !f.at("exporting").is_null() && f.at("widgets").contains("cancel work"); };
+    window.wait_meanwhile("an export", exports);
+    window.key("Insert");
+    window.wait_meanwhile("an edit", [&](const Json& f) { return f.at("spheres") == 3 && exports(f); });
+    window.key("ctrl+z");
+    window.wait_meanwhile("an undo", [&](const Json& f) { return f.at("spheres") == 2 && exports(f); });
+    window.key("Escape");
+    window.wait_for("exporting", nullptr);
+    window.wait_for("exact", true);
+    EXPECT_FALSE(std::filesystem::exists(folder.path("scene.png")));
+
+    // The window closes when the file is whole, or the export is given up.
+    window.key("F12");
+    window.wait_meanwhile("another export", exports);
+    window.key("ctrl+q");
+    window.key("Escape");
+    window.wait_for("exporting", nullptr);
+    window.key("ctrl+q");
+    EXPECT_EQ(window.wait_for_end().status, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder.path("scene.png")));
+}
+
+TEST(Exporting, EndsBeforeTheWindowDoes) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    ViewerWindow window(folder, {scene, "--size", "2000x2000"});
+    window.keys({"F12", "ctrl+q"});
+    EXPECT_EQ(window.wait_for_end().status, 0);
+    EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, scene, "2000x2000"));
 }
 
 TEST(Exporting, SaysWhyItCannotWriteAndLeavesNothing) {

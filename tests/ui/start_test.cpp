@@ -142,8 +142,10 @@ TEST(LiveShaders, AreInThePictureWhenSaved) {
             return f.at("hovered").is_null() && static_cast<bool>(same_picture(window.picture(), picture)) == same;
         });
     };
-    const Picture first = rendered(folder, scene, window.frame());
-    shows(first, true);
+    window.wait_until("no marks", [](const Json& f) { return f.at("hovered").is_null(); });
+    // The live picture by those shaders, not the export: doubtful pixels show a guess.
+    const Picture first = window.picture();
+    EXPECT_EQ(window.at("exact"), false);
 
     const std::size_t end = good.rfind('}');
     ASSERT_NE(end, std::string::npos);

@@ -4,6 +4,7 @@
 
 #include <future>
 #include <stdexcept>
+#include <thread>
 
 #include "base/parallel.hpp"
 
@@ -38,6 +39,25 @@ TEST(BackgroundJob, IsNotWaitedForWhenNobodyWantsIt) {
     }
     gate.set_value();  // only now, after its end, can the work go on
     EXPECT_TRUE(told.get_future().get());
+}
+
+TEST(BackgroundJob, LeavesItsLoopsWhenItIsCancelled) {
+    std::promise<void> begun;
+    std::promise<void> left;
+    {
+        const BackgroundJob job([&](WorkControl& control) {
+            try {
+                parallel_for(1'000'000, [&](std::size_t i) {
+                    if (i == 0) begun.set_value();
+                    while (!control.cancelled) std::this_thread::yield();
+                });
+            } catch (const Cancelled&) {
+                left.set_value();
+            }
+        });
+        begun.get_future().wait();
+    }
+    EXPECT_EQ(left.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
 }
 
 TEST(BackgroundJob, SharesTheCoresWithItsLoop) {

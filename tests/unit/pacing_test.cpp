@@ -12,7 +12,7 @@ int frames_until_rest(Pacing& pacing, int step) {
     int frames = 0;
     while (!pacing.rests() && frames < 100) {
         const bool refines = pacing.refines();
-        pacing.drew(refines ? 1 : step, refines || step == 1);
+        pacing.drew(refines ? 1 : step);
         ++frames;
     }
     return frames;
@@ -32,15 +32,13 @@ TEST(Pacing, RestsAfterAFewFrames) {
 TEST(Pacing, ACoarsePictureIsRefinedBeforeItRests) {
     Pacing pacing;
     pacing.touch();
-    pacing.drew(4, false);
+    pacing.drew(4);
     EXPECT_FALSE(pacing.refines()) << "while it still moves";
-    while (pacing.patience() == 0.0) pacing.drew(4, false);
+    while (pacing.patience() == 0.0) pacing.drew(4);
     EXPECT_FALSE(pacing.rests());
     EXPECT_TRUE(pacing.refines());
     EXPECT_EQ(pacing.patience(), Pacing::refine_after);
-    pacing.drew(1, false);
-    EXPECT_FALSE(pacing.rests()) << "before every pixel is decided";
-    pacing.drew(1, true);
+    pacing.drew(1);
     EXPECT_TRUE(pacing.rests());
 }
 

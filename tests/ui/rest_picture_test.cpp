@@ -1,4 +1,5 @@
-// Anti-aliasing: the picture at rest is what `render --samples` writes; while something moves, the live one is shown.
+// The picture at rest is what `render` writes, byte for byte, in every shading mode and with any samples; while something moves,
+// the live one is shown.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -12,21 +13,29 @@ namespace sphereview::test {
 
 namespace {
 
-class AntiAliasing : public Editing {
+class PictureAtRest : public Editing {
 protected:
-    // The window at rest shows the file's scene with so many samples, and as `render` writes it.
-    void expect_samples(int samples) {
+    // The window at rest shows the file's scene so, as `render` writes it.
+    void expect_rest(int samples, const std::string& shading = "flat") {
         window_.key("ctrl+s");
         window_.wait_for("changed", false);
         take_marks_away();
-        const Json& frame = window_.wait_for("samples", samples);
+        const Json frame = window_.wait_until("such a picture", [&](const Json& f) {
+            return f.at("samples") == samples && f.at("shading") == shading && f.at("exact") == true;
+        });
         const std::string size =
             std::to_string(frame.at("picture_size")[0].get<int>()) + "x" + std::to_string(frame.at("picture_size")[1].get<int>());
-        const Outcome outcome = run({"render", scene_, "--backend", "cpu", "-s", size, "--samples", std::to_string(samples), "-o",
-                                     folder_.path("expected.png")});
-        ASSERT_EQ(outcome.status, 0) << outcome;
-        EXPECT_TRUE(same_picture(window_.picture(), decode_png(folder_.read("expected.png"))));
+        EXPECT_TRUE(same_picture(window_.picture(), decode_png(rendered_so(size, samples, shading)))) << shading << samples;
     }
+
+    // What `render` writes.
+    std::string rendered_so(const std::string& size, int samples, const std::string& shading) {
+        const Outcome outcome = run({"render", scene_, "--backend", "cpu", "--shade", shading, "-s", size, "--samples",
+                                     std::to_string(samples), "-o", folder_.path("expected.png")});
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        return folder_.read("expected.png");
+    }
+
     // What the window drew first of the scene as it was then.
     Json first_frame_of(const Json& revision) const {
         std::istringstream log(folder_.read("frames.log"));
@@ -40,21 +49,30 @@ protected:
 
 }  // namespace
 
-TEST_F(AntiAliasing, IsChosenInTheMenuAndIsInThePictureAtRest) {
-    expect_samples(1);
+TEST_F(PictureAtRest, IsWhatRenderWritesInEveryMode) {
     window_.choose("View", "4 samples a pixel");
-    expect_samples(4);
-    window_.choose("View", "16 samples a pixel");
-    expect_samples(16);
-    window_.key("alt+1");
-    expect_samples(1);
-    window_.key("alt+6");
-    expect_samples(16);
+    expect_rest(4);
+    window_.click_widget("menu View");
+    window_.click_widget("menu Shading");
+    window_.click_widget("item Headlight");
+    window_.wait_for("shading", "headlight");
+    expect_rest(4, "headlight");
+    window_.key("F12");
+    announced(window_, "scene.png");
+    EXPECT_EQ(folder_.read("scene.png"), rendered_so("1000x1000", 4, "headlight"));
+    for (const auto& [key, samples] : {std::pair{"alt+1", 1}, {"alt+6", 16}}) {
+        window_.key(key);
+        for (const auto& [mode_key, mode] :
+             {std::pair{"ctrl+2", "headlight"}, {"ctrl+3", "normal"}, {"ctrl+4", "depth"}, {"ctrl+5", "id"}, {"ctrl+1", "flat"}}) {
+            window_.key(mode_key);
+            expect_rest(samples, mode);
+        }
+    }
 }
 
-TEST_F(AntiAliasing, GivesWayToTheLivePictureAndComesBack) {
+TEST_F(PictureAtRest, GivesWayToTheLivePictureAndComesBack) {
     window_.key("alt+4");
-    expect_samples(4);
+    expect_rest(4);
     select_red();
     const Json before = window_.wait_for("samples", 4);
     const Place from = window_.widget("slider x");
@@ -70,12 +88,12 @@ TEST_F(AntiAliasing, GivesWayToTheLivePictureAndComesBack) {
     window_.wait_until("another picture",
                        [&](const Json& frame) { return frame.at("revision") != moved.at("revision") && frame.at("samples") == 4; });
     window_.release();
-    expect_samples(4);
+    expect_rest(4);
     window_.key("ctrl+z");
-    expect_samples(4);
+    expect_rest(4);
 }
 
-TEST_F(AntiAliasing, DrawsNothingOnceItIsThere) {
+TEST_F(PictureAtRest, DrawsNothingOnceItIsThere) {
     window_.key("alt+6");
     take_marks_away();
     const Json last = window_.wait_for("samples", 16).at("frame");
