@@ -15,11 +15,13 @@ ExitCode run_convert(const ConvertOptions& options) {
     if (!input.empty() && input == file_identity(options.output)) {
         throw InputError(options.output + ": the output is also the input");
     }
-    const SceneFormat format = options.to ? *options.to : format_of_name(options.output);
-    if (is_data(format)) {
-        throw InputError(options.output + ": found a name for " + std::string(words_for(format)) +
-                         ", which is only read; expected one for text or TOML (.txt, .toml), or --to");
+    // Also with --to: whoever opens the file believes a name of data more than its content.
+    const SceneFormat named = format_of_name(options.output);
+    if (is_data(named)) {
+        throw InputError(options.output + ": found a name for " + std::string(words_for(named)) +
+                         ", which is only read; expected one for text or TOML (.txt, .toml)");
     }
+    const SceneFormat format = options.to.value_or(named);
     if (without_gzip_ending(options.output) != options.output) {
         throw InputError(options.output + ": found a name for gzip, which is only read; expected one that ends with .txt or .toml");
     }
