@@ -180,7 +180,7 @@ void add_colors(CLI::App& command, std::optional<Background>& background, Mode& 
                    Background found;
                    return parse_background(text, found) ? std::optional(found) : std::nullopt;
                });
-    const std::string modes(shading_syntax);
+    const std::string modes = shading_syntax();
     add_option(command, shading, {"--shade", "MODE", modes + " [" + otherwise + "]", modes},
                [](const std::string& text) { return shading_named(text); });
 }

@@ -42,14 +42,8 @@ int samples_of(CommandId command) {
 }
 
 std::optional<Shading> shading_of(CommandId command) {
-    switch (command) {
-        case CommandId::shade_flat: return Shading::flat;
-        case CommandId::shade_headlight: return Shading::headlight;
-        case CommandId::shade_normal: return Shading::normal;
-        case CommandId::shade_depth: return Shading::depth;
-        case CommandId::shade_id: return Shading::id;
-        default: return std::nullopt;
-    }
+    if (command < CommandId::first_shading || command > CommandId::last_shading) return std::nullopt;
+    return static_cast<Shading>(static_cast<int>(command) - static_cast<int>(CommandId::first_shading));
 }
 
 void apply(ViewerState& state, EditScene& action) {
@@ -99,7 +93,10 @@ bool is_checked(const ViewerState& state, CommandId command) {
 
 void run_command(ViewerState& state, CommandId command) {
     if (!is_enabled(state, command)) return;
+    if (const auto shading = shading_of(command)) state.settings.shading = *shading;
     switch (command) {
+        case CommandId::first_shading:
+        case CommandId::last_shading: return;
         case CommandId::file_new: return new_scene(state);
         case CommandId::file_open: return ask_for_scene(state);
         case CommandId::file_save: return save_scene(state);
@@ -133,11 +130,6 @@ void run_command(ViewerState& state, CommandId command) {
             return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
         case CommandId::next_frame: return show_frame(state, state.frame + 1);
         case CommandId::previous_frame: return show_frame(state, state.frame - 1);
-        case CommandId::shade_flat:
-        case CommandId::shade_headlight:
-        case CommandId::shade_normal:
-        case CommandId::shade_depth:
-        case CommandId::shade_id: state.settings.shading = *shading_of(command); return;
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
         case CommandId::toggle_export_area: state.export_area_shown = !state.export_area_shown; return;

@@ -34,7 +34,7 @@ const std::map<std::string_view, Names> allowed = {
     {"cpu", {"base", "scene", "exact", "tiles", "glm"}},
     {"gpu", {"base", "scene", "edit", "image", "exact", "shade", "tiles", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
-    {"panels", {"base", "scene", "camera", "edit", "exact", "glm", "imgui"}},
+    {"panels", {"base", "scene", "camera", "edit", "exact", "shade", "glm", "imgui"}},
     {"viewer",
      {"base", "scene", "camera", "edit", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app",
       "glm", "glad", "json", "imgui"}},
