@@ -52,11 +52,12 @@ Image render_beside(const Scene& scene, const PictureOptions& options, WorkContr
     });
 }
 
-}  // namespace
-
+// What `render` would be asked for the picture in the window, or for one of another size.
 PictureOptions picture_options(const ViewerState& state, PictureSize size) {
     return {state.camera, size, state.shown_background(), true, state.settings.samples, state.settings.shading};
 }
+
+}  // namespace
 
 bool rest_picture_is_shown(ViewerState& state) {
     if (!state.rest_picture) return false;

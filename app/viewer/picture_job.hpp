@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "app/render_picture.hpp"
 #include "base/background_job.hpp"
@@ -30,9 +29,6 @@ struct RestPicture {
 
     bool is_made() const { return job.ended() && image->width() > 0; }
 };
-
-// What `render` would be asked for the picture in the window, or for one of another size.
-PictureOptions picture_options(const ViewerState& state, PictureSize size);
 
 // Forgets the window's rest picture, and cancels its job, if the window has come to show something else. Returns whether what is
 // left is finished: then the window shows that.

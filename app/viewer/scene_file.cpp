@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/failure.hpp"
-#include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
-#include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
 
@@ -87,6 +84,17 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
 }
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
+
+// Where a file of the scene's would be looked for first.
+std::string usual_folder(const ViewerState& state) {
+    std::error_code error;
+    if (!state.path.empty()) return fs::path(state.path).parent_path().string();
+    if (!state.settings.recent.empty()) {
+        const fs::path folder = fs::path(state.settings.recent.front()).parent_path();
+        if (fs::is_directory(folder, error)) return folder.string();
+    }
+    return fs::current_path(error).string();
+}
 
 // A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
 FileBrowser file_dialog(const ViewerState& state) {
@@ -309,16 +317,6 @@ void look_at_file(ViewerState& state) {
                           .fail = [&state](const std::string& why) { state.messages.scene_error = why; },
                           .cancel = [&state] { state.document.mark_unsaved(); },
                           .reload = true});
-}
-
-std::string usual_folder(const ViewerState& state) {
-    std::error_code error;
-    if (!state.path.empty()) return fs::path(state.path).parent_path().string();
-    if (!state.settings.recent.empty()) {
-        const fs::path folder = fs::path(state.settings.recent.front()).parent_path();
-        if (fs::is_directory(folder, error)) return folder.string();
-    }
-    return fs::current_path(error).string();
 }
 
 }  // namespace sphereview

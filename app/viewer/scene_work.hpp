@@ -2,13 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
-#include "base/file_watcher.hpp"
 
 namespace sphereview {
 

@@ -12,7 +12,6 @@
 #include "app/options.hpp"
 #include "base/error.hpp"
 #include "base/freed_memory.hpp"
-#include "base/input_file.hpp"
 #include "base/interrupt.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"

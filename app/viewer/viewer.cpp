@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "base/text.hpp"
-#include "exact/visible.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 

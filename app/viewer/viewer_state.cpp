@@ -1,5 +1,7 @@
 #include "viewer/viewer_state.hpp"
 
+#include <filesystem>
+
 namespace sphereview {
 
 namespace {

@@ -2,19 +2,15 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/options.hpp"
 #include "base/file_watcher.hpp"
 #include "camera/fit.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
-#include "panels/panel_context.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/status.hpp"
 #include "viewer/camera_flight.hpp"

@@ -1,9 +1,7 @@
 #include "gpu/gl_object.hpp"
 
-#include <array>
 #include <cstdio>
 #include <new>
-#include <string>
 
 #include "base/error.hpp"
 

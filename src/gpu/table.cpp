@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <string>
-#include <vector>
 
 namespace sphereview {
 
