@@ -1,15 +1,10 @@
 #include "viewer/settings.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <system_error>
 
-#include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/user_folders.hpp"
@@ -41,24 +36,13 @@ Json read_file(const fs::path& file) {
     return Json::object();
 }
 
-std::optional<int> number_in(const Json& json, const char* key, SettingRange<int> range) {
+template <typename T>
+void read(const Json& json, const char* key, SettingRange<T> range, auto& setting) {
     const auto value = json.find(key);
-    if (value == json.end() || !value->is_number_integer()) return {};
-    // A number that only unsigned holds is far above any range.
-    if (value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(range.most)) return {};
-    const auto number = value->get<std::int64_t>();
-    return number >= range.least && number <= range.most ? std::optional(static_cast<int>(number)) : std::nullopt;
-}
-
-void read(const Json& json, const char* key, SettingRange<int> range, int& setting) {
-    setting = number_in(json, key, range).value_or(setting);
-}
-
-void read(const Json& json, const char* key, SettingRange<double> range, double& setting) {
-    const auto value = json.find(key);
-    if (value == json.end() || !value->is_number()) return;
+    if (value == json.end() || !(std::is_integral_v<T> ? value->is_number_integer() : value->is_number())) return;
+    // As a double, which holds all of every range, and of an integer beyond 64 bits how large it is.
     const auto number = value->get<double>();
-    if (range.has(number)) setting = number;
+    if (number >= range.least && number <= range.most) setting = static_cast<T>(number);
 }
 
 // Every number with its key and its range, for reading and for writing.
@@ -74,8 +58,8 @@ void each_number(Settings& settings, const Visit& visit) {
 void read_place(const Json& json, WindowPlace& place) {
     const auto window = json.find("window");
     if (window == json.end() || !window->is_object()) return;
-    place.x = number_in(*window, "x", window_place_range);
-    place.y = number_in(*window, "y", window_place_range);
+    read(*window, "x", window_place_range, place.x);
+    read(*window, "y", window_place_range, place.y);
     if (!place.x || !place.y) place.x = place.y = std::nullopt;  // half a place is none
     read(*window, "width", window_side_range, place.width);
     read(*window, "height", window_side_range, place.height);

@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "base/text.hpp"
-#include "exact/visible.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 
@@ -65,7 +64,7 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
     if (!state.loading) return WorkShown{"Exporting " + state.exporting->path, total > 0.0 ? done / total : 0.0, true};
-    std::string text = "Reading " + state.loading->request.path + ": " + fixed(1e-6 * done, 0);
+    std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
 }

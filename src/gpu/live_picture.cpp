@@ -71,8 +71,8 @@ LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const
 
 LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& bounds)
     : shader_folder_(shader_folder),
-      no_vertices_(make_vertex_array()),
-      draw_buffer_(make_buffer()),
+      no_vertices_(VertexArray::make()),
+      draw_buffer_(Buffer::make()),
       tables_(bounds, LiveLists::most_changes) {
     if (!shader_folder_.empty()) shader_files_ = ShaderFiles(shader_folder_);
     compile(tables_.defines_for(scene_.drawn(), scene_.lists()));
@@ -232,7 +232,7 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
 }
 
 void LivePicture::upload(const Image& finished) {
-    if (!finished_) finished_ = make_texture();
+    if (!finished_) finished_ = Texture::make();
     const bool transparent = finished.channels() == 4;
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, finished_.name());

@@ -146,14 +146,14 @@ TEST_P(GpuRendererTest, TellsItsLimitsAndTheContextItsName) {
 TEST_P(GpuRendererTest, OwnersOfGlNamesMoveAndDelete) {
     GLuint name = 0;
     {
-        Buffer first = make_buffer();
+        Buffer first = Buffer::make();
         name = first.name();
         glBindBuffer(GL_UNIFORM_BUFFER, name);  // a name becomes an object when it is bound
         Buffer second = std::move(first);
         EXPECT_FALSE(first);
         EXPECT_EQ(second.name(), name);
         EXPECT_TRUE(glIsBuffer(name));
-        second = make_buffer();
+        second = Buffer::make();
         EXPECT_FALSE(glIsBuffer(name));
     }
     EXPECT_NO_THROW(check_gl("moving"));

@@ -1,4 +1,4 @@
-#include "viewer/autosave.hpp"
+#include "viewer/recovery.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include "app/load_scene.hpp"
 #include "support/environment.hpp"
 #include "support/temporary_folder.hpp"
-#include "viewer/recovery.hpp"
 
 namespace sphereview {
 
