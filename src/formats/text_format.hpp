@@ -18,7 +18,8 @@ namespace sphereview {
 
 class TokenReader;
 
-// Reads a text as it comes in, on all cores. Memory grows with the text, not with the count it claims.
+// Reads a text as it comes in, on all cores. Memory grows with the text, not with the count that the text claims. First each core
+// counts the tokens that begin in its piece; then every piece knows its own spheres, and the pieces are read at once.
 class SphereTextReader {
 public:
     // `size`: bytes of the whole text, where that is known.
