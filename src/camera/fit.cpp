@@ -56,7 +56,6 @@ double dot(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * 
 glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 // Divided first, so that no square leaves the range of doubles.
 glm::dvec3 unit(glm::dvec3 v) {

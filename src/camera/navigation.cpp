@@ -18,8 +18,6 @@ constexpr double smallest_height = 1e-6;
 constexpr double farthest_screen = 0x1p24;
 constexpr double nearest_zoom = 1e-9;
 
-double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
 // Without overflow or underflow on the way.
 double length_of(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
 glm::dvec3 unit(const glm::dvec3& v) { return v / length_of(v); }

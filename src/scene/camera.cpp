@@ -16,9 +16,8 @@ struct Scaled {
 };
 
 Scaled scaled(const glm::dvec3& v) {
-    const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
     int exponent = 0;
-    std::frexp(largest, &exponent);
+    std::frexp(largest_of(v), &exponent);
     // In two steps: 2^-exponent itself may overflow.
     const auto shrink = [&](double x) { return std::ldexp(std::ldexp(x, -exponent / 2), -(exponent - exponent / 2)); };
     return {{shrink(v.x), shrink(v.y), shrink(v.z)}, exponent};

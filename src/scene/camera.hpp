@@ -1,6 +1,8 @@
 // The eye, the screen and the ray through each pixel.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -8,6 +10,9 @@
 #include <vector>
 
 namespace sphereview {
+
+// The greatest absolute value of the three.
+inline double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 // Width and height of a picture in pixels, both at least 1.
 struct PictureSize {

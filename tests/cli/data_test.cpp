@@ -153,7 +153,7 @@ TEST_F(Data, OfMoleculesIsConvertedAndRendered) {
                  "bad.ent:1:48: found '2oo.000', expected the atom's z in columns 47 to 54, a number");
     folder_.write("bad.cif.gz", gzipped("data_a\n_atom_site.Cartn_x 1\n"));
     expect_fault({"render", "bad.cif.gz"},
-                 "bad.cif.gz:2:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+                 "bad.cif.gz:2: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
 }
 #endif
 
