@@ -55,6 +55,12 @@ std::string in_words(CLI::App& command, const CLI::ParseError& error) {
     const bool lacks_value =
         dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
     CLI::Option* option = lacks_value ? command.get_option_no_throw(said.substr(0, said.find_first_of(": "))) : nullptr;
+    if (lacks_value && option == nullptr) {
+        // CLI11 does not name a hidden option; no command has two.
+        for (CLI::Option* hidden : command.get_options([](const CLI::Option* any) { return any->get_group().empty(); })) {
+            option = hidden;
+        }
+    }
     if (option != nullptr) {
         // Only the option knows what it expects, and says so of an empty value.
         try {

@@ -97,6 +97,7 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"doctor", "--timeout", "nan"}, "--timeout: found 'nan', expected"},
         {{"doctor", "--timeout", "soon"}, "--timeout: found 'soon', expected"},
         {{"doctor", "--timeout"}, "--timeout: found no value, expected a number of seconds above 0, at most 3600 (see"},
+        {{"a.txt", "--redraw-log"}, "--redraw-log: found no value, expected the name of a file (see"},
         {{"render", "a.txt", "--view"}, "--view: found no value, expected front, back"},
         {{"render", "a.txt", "--json=no"}, "--json: found 'no', expected no value (see 'sphereview render --help')"},
         {{"render", "a.txt", "--fit="}, "--fit: found '', expected no value"},
