@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/fails.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -133,11 +134,7 @@ TEST(Explain, TellsWhatANothingPixelShows) {
     EXPECT_TRUE(contains(outcome.output, "colour: the background, white")) << outcome;
 }
 
-TEST(Explain, ReportsABadSceneLikeTheOthers) {
-    const Outcome outcome = explain("1 255 0", {});
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_TRUE(outcome.errors.starts_with("stdin:1:8: ")) << outcome;
-}
+TEST(Explain, ReportsABadSceneLikeTheOthers) { EXPECT_TRUE(fails(explain("1 255 0", {}), 2, "stdin:1:8: ")); }
 
 }  // namespace
 }  // namespace sphereview::test
