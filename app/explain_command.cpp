@@ -101,7 +101,7 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
             {"why", why(hit)},
             {"t", number(hit.t)},
             {"point", vector(hit.point)},
-            {"normal", is_lost(hit.normal) ? Json{nullptr, nullptr, nullptr} : vector(hit.normal)},
+            {"normal", vector(hit.normal)},
             {"as_near_as_last", hit.as_near_as_last}};
 }
 
