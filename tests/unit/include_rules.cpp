@@ -37,7 +37,7 @@ const std::map<std::string_view, Names> allowed = {
     {"panels", {"base", "scene", "camera", "edit", "exact", "shade", "glm", "imgui"}},
     {"viewer",
      {"base", "scene", "camera", "edit", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app",
-      "glm", "glad", "json", "imgui"}},
+      "glm", "glad", "imgui"}},
     {"app", {"base", "scene",  "camera", "edit",  "formats", "image", "exact", "shade",  "tiles", "cpu",   "gpu", "platform",
              "glm",  "toml++", "stb",    "isa-l", "boost",   "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
 };
