@@ -243,7 +243,6 @@ void Viewer::redraw() {
     facts_.keys = {};
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin));
-    last_redraw_ = begin;
     widgets_.clear();
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
@@ -293,6 +292,9 @@ void Viewer::redraw() {
                   seconds_between(begin, Clock::now()), title_for(state_), renderer_},
                  widgets_);
     }
+    // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
+    constexpr std::chrono::milliseconds most_counted{50};
+    last_redraw_ = std::max(begin, Clock::now() - most_counted);
 }
 
 void Viewer::note_facts() {

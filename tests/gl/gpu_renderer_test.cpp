@@ -28,7 +28,7 @@ Scene colorful_scene() {
     return scene;
 }
 
-class GpuRendererTest : public testing::TestWithParam<ContextKind> {
+class GpuRendererTest : public InContext {
 protected:
     // What trace() gives for the block, as the scene's numbers of its best guesses: what a window shows.
     std::vector<std::int32_t> trace(const Scene& scene, PictureSize size, const Block& block) {
@@ -40,7 +40,6 @@ protected:
         return visible;
     }
 
-    std::unique_ptr<GlContext> context_ = GetParam().open();
     Timings timings_;
     GpuRenderer gpu_{timings_};
     DrawnSpheres drawn_;
@@ -159,8 +158,7 @@ TEST_P(GpuRendererTest, OwnersOfGlNamesMoveAndDelete) {
     EXPECT_NO_THROW(check_gl("moving"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, GpuRendererTest, testing::ValuesIn(context_kinds()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Contexts, GpuRendererTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace sphereview::test

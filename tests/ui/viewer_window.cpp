@@ -189,23 +189,6 @@ Picture ViewerWindow::picture() {
     return picture;
 }
 
-namespace {
-
-std::string size_of(const Json& frame) {
-    const Json size = frame.at("picture_size");
-    return std::to_string(size[0].get<int>()) + "x" + std::to_string(size[1].get<int>());
-}
-
-}  // namespace
-
-std::string ViewerWindow::picture_size() { return size_of(frame_); }
-
-Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame) {
-    const Outcome outcome = run({"render", scene, "--backend", "cpu", "-s", size_of(frame), "-o", folder.path("expected.png")});
-    if (outcome.status != 0) throw std::runtime_error("render failed: " + outcome.errors);
-    return decode_png(folder.read("expected.png"));
-}
-
 testing::AssertionResult same_picture(const Picture& found, const Picture& expected) {
     if (found.width != expected.width || found.height != expected.height) {
         return testing::AssertionFailure() << found.width << " x " << found.height << " pixels instead of " << expected.width
