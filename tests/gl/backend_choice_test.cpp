@@ -10,7 +10,6 @@ namespace sphereview::test {
 namespace {
 
 using Json = nlohmann::json;
-using Environment = std::vector<std::pair<std::string, std::optional<std::string>>>;
 
 constexpr const char* old_driver = "MESA_GL_VERSION_OVERRIDE";
 

@@ -88,16 +88,12 @@ TEST(FakeDriver, ThatIsOnlySlowIsNotSaidToHang) {
     EXPECT_EQ(row_of(report, "osmesa")["reason"], "the driver gave no answer within 1e-04 s");
 }
 
-TEST(FakeDriver, ThatCrashesIsARowOfDoctor) {
-    EXPECT_TRUE(contains(egl_row("crashing_egl", "60")["reason"].get<std::string>(), "the driver crashed (signal 11)"));
-}
-
-TEST(FakeDriver, ThatEndsTheProgramIsARowOfDoctor) {
-    EXPECT_TRUE(contains(egl_row("exiting_egl", "60")["reason"].get<std::string>(), "the driver ended the program (status 7)"));
-}
-
-TEST(FakeDriver, ThatLacksFunctionsIsARowOfDoctor) {
-    EXPECT_TRUE(contains(egl_row("bare", "60")["reason"].get<std::string>(), "libEGL lacks functions"));
+TEST(FakeDriver, ThatCrashesEndsTheProgramOrLacksFunctionsIsARowOfDoctor) {
+    for (const auto& [driver, said] : {std::pair{"crashing_egl", "the driver crashed (signal 11)"},
+                                       {"exiting_egl", "the driver ended the program (status 7)"},
+                                       {"bare", "libEGL lacks functions"}}) {
+        EXPECT_TRUE(contains(egl_row(driver, "60")["reason"].get<std::string>(), said));
+    }
     const Outcome words = run(with_libraries(fake("bare"), {"doctor"}));
     EXPECT_EQ(words.status, 0) << words;
     EXPECT_TRUE(contains(words.output, "EGL: does not work\n    why:       libEGL lacks functions"));
