@@ -17,8 +17,7 @@ constexpr const char* log_name = "frames.log";
 
 std::string number(double value) { return std::to_string(static_cast<int>(value + 0.5)); }
 
-std::vector<std::pair<std::string, std::optional<std::string>>> environment_for(const TemporaryFolder& folder,
-                                                                                const std::string& display) {
+Environment environment_for(const TemporaryFolder& folder, const std::string& display) {
     const std::string home = folder.path("home");
     return {{"DISPLAY", display},
             {"HOME", home},
