@@ -22,6 +22,8 @@ struct PictureSize {
 struct Pixel {
     int x = 0;
     int y = 0;
+
+    bool operator==(const Pixel&) const = default;
 };
 
 // The camera is these twelve doubles, in scene space. `right` and `up` lead from the screen's centre to the middle of its
