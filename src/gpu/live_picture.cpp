@@ -201,7 +201,7 @@ void LivePicture::prepare_shading(const Document& document, Shading shading) {
     frame_.inverse_depth_range = static_cast<float>(1.0 / std::min(range, 0x1p120));
     frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
     frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
-    frame_.axis_toward = glm::vec4(glm::vec3(axes.toward), 0.0F);
+    frame_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
 }
 
 bool LivePicture::update(const Document& document, const View& view, int step, Shading shading) {
