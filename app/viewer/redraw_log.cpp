@@ -38,6 +38,7 @@ void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const W
         {"revision", state.document.revision()},
         {"step", frame.step},
         {"builds", frame.builds},
+        {"explanations", frame.explanations},
         {"exact", frame.exact},
         {"samples", frame.samples},
         {"shading", name_of(state.settings.shading)},

@@ -288,8 +288,8 @@ void Viewer::redraw() {
     if (log_.wanted()) {
         const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_;
         log_.add(state_,
-                 {++redraw_number_, picture_.step(), picture_.builds(), exact, exact ? state_.settings.samples : 1, resting, area_,
-                  seconds_between(begin, Clock::now()), title_for(state_), renderer_},
+                 {++redraw_number_, picture_.step(), picture_.builds(), explanations_, exact, exact ? state_.settings.samples : 1,
+                  resting, area_, seconds_between(begin, Clock::now()), title_for(state_), renderer_},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
@@ -312,11 +312,14 @@ void Viewer::note_facts() {
     }
     facts_.status = {renderer_, picture_.last_seconds(),       picture_.step(), pixel, state_.picture_size,
                      sphere,    hidden_.count(state_.document)};
-    facts_.inspected.reset();
-    if (pixel && state_.inspector_shown) {
-        facts_.inspected =
-            InspectedPixel{*pixel, state_.picture_size, explain_pixel(state_.scene(), state_.camera, state_.picture_size, *pixel)};
+    if (!pixel || !state_.inspector_shown) {
+        facts_.inspected.reset();
+        return;
     }
+    const InspectedPlace place{*pixel, state_.picture_size, state_.camera, state_.document.revision()};
+    if (facts_.inspected && facts_.inspected->place == place) return;
+    facts_.inspected = InspectedPixel{place, picture_.explain(state_.document, *pixel)};
+    ++explanations_;
 }
 
 void Viewer::show(const Rectangle& area, bool finished) {

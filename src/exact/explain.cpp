@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
-#include "exact/drawn.hpp"
 #include "exact/exact_decision.hpp"
 #include "exact/exact_quadratic.hpp"
 
@@ -19,9 +19,11 @@ struct Ray {
     Integer square;           // of the direction: A
     Integer m;
 
-    Ray(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel) : m(size.shorter_side()) {
+    // On a scale that also holds the spheres with these numbers.
+    Ray(const Scene& scene, std::span<const std::int32_t> numbers, const Camera& camera, PictureSize size, Pixel pixel)
+        : m(size.shorter_side()) {
         scale.include(camera);
-        for (const Sphere& sphere : scene.spheres) scale.include(sphere);
+        for (const std::int32_t number : numbers) scale.include(scene.spheres[static_cast<std::size_t>(number)]);
         eye = scale.whole(camera.eye);
         direction = exact_direction(camera, size, pixel, scale);
         square = dot(direction, direction);
@@ -124,31 +126,55 @@ ExplainedHit explain(const Hit& hit, const Ray& ray) {
     return out;
 }
 
+// The numbers of the spheres that a pixel's ray may hit, ascending; without lists all that are not hidden.
+std::vector<std::int32_t> spheres_to_try(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists* lists, Pixel pixel) {
+    std::vector<std::int32_t> numbers;
+    if (lists == nullptr) {
+        for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+            if (!scene.spheres[i].hidden) numbers.push_back(static_cast<std::int32_t>(i));
+        }
+        return numbers;
+    }
+    numbers = drawn.twins;
+    for (const TileLevel& level : lists->levels) {
+        for (const Candidate& candidate : lists->at(level, pixel.x, pixel.y)) {
+            if (ends_walk(candidate, farthest_hit)) break;
+            numbers.push_back(drawn.number(candidate.index));
+        }
+    }
+    std::ranges::sort(numbers);
+    return numbers;
+}
+
 }  // namespace
 
 PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel) {
-    const Ray ray(scene, camera, size, pixel);
-    const DoubleFilter filter(camera, size, pixel);
+    return explain_pixel(scene, drawn_spheres(scene, camera), camera, size, pixel, nullptr);
+}
+
+PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
+                               const CandidateLists* lists) {
     PixelExplanation out;
+    std::vector<std::int32_t> numbers = spheres_to_try(scene, drawn, lists, pixel);
+    const auto all = static_cast<std::int64_t>(scene.spheres.size());
+    out.hidden = all - static_cast<std::int64_t>(drawn.size() - drawn.gone.size() + drawn.twins.size());
+    out.elsewhere = all - out.hidden - static_cast<std::int64_t>(numbers.size());
+    const DoubleFilter filter(camera, size, pixel);
+    out.missed = static_cast<std::int64_t>(std::erase_if(
+        numbers, [&](std::int32_t number) { return filter.surely_missed(scene.spheres[static_cast<std::size_t>(number)]); }));
+
+    const Ray ray(scene, numbers, camera, size, pixel);
     out.origin = camera.eye;
     for (int axis = 0; axis < 3; ++axis) {
         out.direction[axis] = rounded(ray.direction[static_cast<std::size_t>(axis)], ray.m, ray.scale.exponent());
     }
 
     std::vector<Hit> hits;
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-        const Sphere& sphere = scene.spheres[i];
-        if (sphere.hidden) {
-            ++out.hidden;
-            continue;
-        }
-        if (filter.surely_missed(sphere)) {
-            ++out.missed;
-            continue;
-        }
+    for (const std::int32_t number : numbers) {
+        const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
         ExactQuadratic quadratic(sphere, ray.eye, ray.direction, ray.scale);
         if (auto root = smallest_positive_root(quadratic)) {
-            hits.push_back({&sphere, static_cast<std::int32_t>(i), std::move(quadratic), *std::move(root)});
+            hits.push_back({&sphere, number, std::move(quadratic), *std::move(root)});
         } else {
             ++(quadratic.d < 0 ? out.missed : out.behind);
         }
@@ -158,8 +184,7 @@ PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, Picture
         out.hits.push_back(explain(hits[i], ray));
         out.hits.back().as_near_as_last = i > 0 && compare(hits[i - 1].root, hits[i].root) == 0;
     }
-    const DrawnSpheres drawn = drawn_spheres(scene, camera);
-    out.level = decision_level(scene, drawn, camera, size, pixel);
+    out.level = decision_level(scene, drawn, camera, size, pixel, lists);
     return out;
 }
 

@@ -1,8 +1,6 @@
 // The eye, the screen and the ray through each pixel.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -10,9 +8,6 @@
 #include <vector>
 
 namespace sphereview {
-
-// The greatest absolute value of the three.
-inline double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 // Width and height of a picture in pixels, both at least 1.
 struct PictureSize {
@@ -27,6 +22,8 @@ struct PictureSize {
 struct Pixel {
     int x = 0;
     int y = 0;
+
+    bool operator==(const Pixel&) const = default;
 };
 
 // The camera is these twelve doubles, in scene space. `right` and `up` lead from the screen's centre to the middle of its
@@ -39,6 +36,16 @@ struct Camera {
 
     bool operator==(const Camera&) const = default;
 };
+
+// A camera's own directions, each of length 1. `ahead` is perpendicular to the screen, on the side of it that is seen.
+struct CameraAxes {
+    glm::dvec3 right;
+    glm::dvec3 up;
+    glm::dvec3 ahead;
+    bool mirrored = false;  // x to the left, for an eye that sees y up
+};
+
+CameraAxes camera_axes(const Camera& camera);
 
 // How far from perpendicular and from equally long `right` and `up` may be, and how near the screen's plane the eye,
 // relative to the lengths of the vectors involved.

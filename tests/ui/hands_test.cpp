@@ -103,6 +103,12 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
     wait_for_shown("inspector", true);
     window_.move_to(red(0, 60));
     window_.widget("hit 0");
+    const double explanations = window_.at("explanations").number();
+    EXPECT_GT(explanations, 0);
+    const double frame = window_.at("frame").number();
+    window_.key("Shift_L");
+    window_.wait_until("a redraw in which nothing is new", [&](const Json& f) { return f.at("frame").number() > frame; });
+    EXPECT_EQ(window_.at("explanations").number(), explanations);
     window_.choose("View", "Pixel inspector");
     wait_for_shown("inspector", false);
     const double wide = window_.at("picture_size")[0].number();
