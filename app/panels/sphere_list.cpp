@@ -67,7 +67,10 @@ void draw_name_field(const PanelContext& context, SidePanelState& state, ImVec2 
     ImGui::SetCursorScreenPos(place);
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0F * context.scale, ImGui::GetStyle().FramePadding.y});
-    if (state.focus_rename) ImGui::SetKeyboardFocusHere();
+    if (state.focus_rename) {
+        ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
+        ImGui::SetKeyboardFocusHere();
+    }
     ImGui::InputTextWithHint("##rename", "name", &state.new_name, ImGuiInputTextFlags_AutoSelectAll);
     note_widget(context, "rename");
     ImGui::PopStyleVar();

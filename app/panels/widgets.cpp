@@ -97,7 +97,10 @@ bool is_ctrl_clicked() {
 
 SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value, bool several) {
     const bool refused = !parsed(typed.text, range);
-    if (typed.focus) ImGui::SetKeyboardFocusHere();
+    if (typed.focus) {
+        ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
+        ImGui::SetKeyboardFocusHere();
+    }
     ImGui::PushStyleColor(ImGuiCol_Text, refused ? ImVec4(1.0F, 0.4F, 0.4F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     ImGui::InputText("##typed", &typed.text, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();

@@ -154,7 +154,8 @@ void SceneTables::upload_colors(std::span<const ShownColor> colors) {
 }
 
 void SceneTables::update(const DrawnSpheres& spheres, const CandidateLists& lists, const LiveLists::Changed& changed) {
-    assert(!storage_.in_block);
+    // In the uniform buffer no list takes edits; only what no list holds, such as the twin of a drawn sphere, can come or go.
+    assert(!storage_.in_block || (changed.spheres.empty() && changed.candidates.empty()));
     for (const auto& [first, count] : runs(changed.spheres)) sphere_table_.update(&spheres.center_radius[first], first, count);
     for (const auto& [first, count] : joined(changed.candidates)) candidate_table_.update(&lists.candidates[first], first, count);
     check_gl("uploading an edit");

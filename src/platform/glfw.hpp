@@ -12,7 +12,7 @@ namespace sphereview {
     X(CreateStandardCursor) X(CreateWindow) X(DestroyCursor) X(DestroyWindow) X(FocusWindow) \
     X(GetClipboardString) X(GetError) X(GetFramebufferSize) X(GetKey) X(GetKeyName) X(GetMonitorContentScale) X(GetMonitorWorkarea) \
     X(GetMonitors) X(GetPrimaryMonitor) X(GetProcAddress) X(GetWindowAttrib) X(GetWindowContentScale) \
-    X(GetWindowPos) X(GetWindowSize) X(GetWindowUserPointer) X(Init) X(MakeContextCurrent) X(PollEvents) \
+    X(GetWindowPos) X(GetWindowSize) X(GetWindowUserPointer) X(Init) X(InitHint) X(MakeContextCurrent) X(PollEvents) \
     X(PostEmptyEvent) X(SetCharCallback) X(SetClipboardString) X(SetCursor) X(SetCursorEnterCallback) \
     X(SetCursorPosCallback) X(SetDropCallback) X(SetFramebufferSizeCallback) X(SetKeyCallback) \
     X(SetMouseButtonCallback) X(SetScrollCallback) X(SetWindowCloseCallback) X(SetWindowContentScaleCallback) \

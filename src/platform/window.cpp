@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
 
 #include "base/error.hpp"
@@ -199,6 +200,11 @@ int on_io_error(void* /*display*/) {
 }  // namespace
 
 Window::Window(const std::string& title, const WindowPlace& place) : state_(std::make_unique<State>()) {
+#if defined(GLFW_PLATFORM) && !defined(_WIN32) && !defined(__APPLE__)
+    // Without this folder there is no Wayland, whose library says so on stderr when GLFW 3.4 tries it first.
+    const char* run_time_folder = std::getenv("XDG_RUNTIME_DIR");
+    if (run_time_folder == nullptr || *run_time_folder == '\0') glfw().InitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
     if (glfw().Init() == GLFW_FALSE) throw RenderError("there is no display to open a window on: " + last_error());
     glfw().WindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfw().WindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -65,6 +65,19 @@ TEST_P(LiveEdit, FollowsADragThroughManySpheres) {
     }
 }
 
+TEST_P(LiveEdit, FollowsATwinThatComesAndGoesInTheUniformBuffer) {
+    Document document(colorful_scene(3));
+    LivePicture picture;
+    shown(picture, document, view_);
+    EXPECT_EQ(picture.storage(), "uniform buffer");
+    document.apply(InsertSpheres{{3}, {{document.scene().spheres[1], ""}}}, "Duplicate");
+    picture.update(document, view_, 1);
+    expect_exact(picture, document);
+    document.undo();
+    picture.update(document, view_, 1);
+    expect_exact(picture, document);
+}
+
 TEST_P(LiveEdit, FollowsWhatComesGoesAndIsHidden) {
     for (const TextureBounds& bounds : {TextureBounds{}, only_2d}) {
         Document document(many_spheres());

@@ -83,7 +83,9 @@ const Json& ViewerWindow::wait_meanwhile(const std::string& what, const std::fun
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     const std::string last = frame_.is_null() ? "nothing was drawn" : "last redraw: " + frame_.dump();
-    throw std::runtime_error((step_.empty() ? "" : step_ + ": ") + "waited in vain for " + what + "; " + last);
+    std::ostringstream end;  // with what the program, or a sanitizer, said
+    if (program_->has_ended()) end << "; " << program_->wait();
+    throw std::runtime_error((step_.empty() ? "" : step_ + ": ") + "waited in vain for " + what + end.str() + "; " + last);
 }
 
 const Json& ViewerWindow::wait_for(const std::string& member, const Json& value) {
