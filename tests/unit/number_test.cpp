@@ -33,17 +33,7 @@ TEST(ParseDouble, ReadsTheNearestDouble) {
         {"1.7976931348623157e308", Limits::max()},
         {"1.7976931348623158e308", Limits::max()},
         {"2.2250738585072011e-308", 0x0.fffffffffffffp-1022},  // the largest subnormal
-    };
-    for (const auto& [text, expected] : cases) {
-        SCOPED_TRACE(text);
-        double value = 12.0;
-        EXPECT_EQ(parse_double(text, value), NumberFault::none);
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(value), std::bit_cast<std::uint64_t>(expected));
-    }
-}
-
-TEST(ParseDouble, GivesTheNearestDoubleForWhatIsTooSmall) {
-    const std::vector<std::pair<const char*, double>> cases = {
+        // Too small.
         {"5e-324", Limits::denorm_min()},
         {"2.4703282292062329e-324", Limits::denorm_min()},  // just above half of it
         {"2.4703282292062327e-324", 0.0},
@@ -60,42 +50,20 @@ TEST(ParseDouble, GivesTheNearestDoubleForWhatIsTooSmall) {
 }
 
 TEST(ParseDouble, SaysWhatIsWrongAndLeavesTheValueAlone) {
-    const std::vector<std::pair<std::string, NumberFault>> cases = {
-        {"", NumberFault::not_a_number},
-        {"+", NumberFault::not_a_number},
-        {"-", NumberFault::not_a_number},
-        {".", NumberFault::not_a_number},
-        {"+-1", NumberFault::not_a_number},
-        {"-+1", NumberFault::not_a_number},
-        {"++1", NumberFault::not_a_number},
-        {"--1", NumberFault::not_a_number},
-        {"1e", NumberFault::not_a_number},
-        {"1e+", NumberFault::not_a_number},
-        {"1,5", NumberFault::not_a_number},
-        {"1.5x", NumberFault::not_a_number},
-        {"0x10", NumberFault::not_a_number},
-        {"1_000", NumberFault::not_a_number},
-        {" 1", NumberFault::not_a_number},
-        {"1 ", NumberFault::not_a_number},
-        {"one", NumberFault::not_a_number},
-        {std::string("1\0", 2), NumberFault::not_a_number},
-        {"nan", NumberFault::not_finite},
-        {"NaN", NumberFault::not_finite},
-        {"inf", NumberFault::not_finite},
-        {"-inf", NumberFault::not_finite},
-        {"+inf", NumberFault::not_finite},
-        {"Infinity", NumberFault::not_finite},
-        {"1e400", NumberFault::too_large},
-        {"-1e400", NumberFault::too_large},
-        {"1.8e308", NumberFault::too_large},
-        {"1e99999999999999999999", NumberFault::too_large},
-        {"1.7976931348623159e308", NumberFault::too_large},
+    const std::vector<std::pair<NumberFault, std::vector<std::string>>> cases = {
+        {NumberFault::not_a_number,
+         {"", "+", "-", ".", "+-1", "-+1", "++1", "--1", "1e", "1e+", "1,5", "1.5x", "0x10", "1_000", " 1", "1 ", "one",
+          std::string("1\0", 2)}},
+        {NumberFault::not_finite, {"nan", "NaN", "inf", "-inf", "+inf", "Infinity"}},
+        {NumberFault::too_large, {"1e400", "-1e400", "1.8e308", "1e99999999999999999999", "1.7976931348623159e308"}},
     };
-    for (const auto& [text, expected] : cases) {
-        SCOPED_TRACE(text);
-        double value = 12.0;
-        EXPECT_EQ(parse_double(text, value), expected);
-        EXPECT_EQ(value, 12.0);
+    for (const auto& [expected, texts] : cases) {
+        for (const std::string& text : texts) {
+            SCOPED_TRACE(text);
+            double value = 12.0;
+            EXPECT_EQ(parse_double(text, value), expected);
+            EXPECT_EQ(value, 12.0);
+        }
     }
 }
 
