@@ -183,34 +183,28 @@ TEST_F(BrowserDialog, OpensByClickAndButton) {
 
 TEST_F(BrowserDialog, WalksThroughFolders) {
     open();
-    harness.panels.double_click("entry sub");
-    harness.panels.frames(3);
+    harness.double_click("entry sub");
     EXPECT_EQ(browser().folder, folder.path("sub"));
     EXPECT_TRUE(harness.panels.has("entry deep.txt"));
-    harness.panels.double_click("entry ..");
-    harness.panels.frames(3);
+    harness.double_click("entry ..");
     EXPECT_EQ(browser().folder, folder.path());
     harness.click("browser up");
     EXPECT_EQ(browser().folder, fs::path(folder.path()).parent_path().string());
     harness.click("browser home");
     EXPECT_EQ(browser().error, "");
-    harness.type_over("browser path", folder.path("sub") + "/");
-    harness.enter();
+    harness.enter_over("browser path", folder.path("sub") + "/");
     EXPECT_EQ(browser().folder, folder.path("sub"));
     EXPECT_TRUE(accepted.empty());
-    harness.type_over("browser path", "..");
-    harness.enter();
+    harness.enter_over("browser path", "..");
     EXPECT_EQ(browser().folder, folder.path());
 }
 
 TEST_F(BrowserDialog, RefusesWhatIsNotThere) {
     open();
-    harness.type_over("browser path", folder.path("missing"));
-    harness.enter();
+    harness.enter_over("browser path", folder.path("missing"));
     EXPECT_EQ(browser().folder, folder.path());
     EXPECT_EQ(browser().error, "Cannot read " + folder.path("missing") + ": No such file or directory");
-    harness.type_over("browser name", "missing.txt");
-    harness.enter();
+    harness.enter_over("browser name", "missing.txt");
     EXPECT_EQ(browser().error, "There is no file " + folder.path("missing.txt") + ".");
     EXPECT_TRUE(accepted.empty());
     harness.escape();
@@ -220,16 +214,13 @@ TEST_F(BrowserDialog, RefusesWhatIsNotThere) {
 
 TEST_F(BrowserDialog, TakesATypedFileOrFolder) {
     open();
-    harness.type_over("browser name", "sub");
-    harness.enter();
+    harness.enter_over("browser name", "sub");
     EXPECT_EQ(browser().folder, folder.path("sub"));
     EXPECT_EQ(browser().name, "");
-    harness.type_over("browser name", "../picture.png");
-    harness.enter();
+    harness.enter_over("browser name", "../picture.png");
     EXPECT_EQ(accepted, Accepted{folder.path("picture.png")}) << "a typed name need not have an ending that is listed";
     open();
-    harness.type_over("browser path", folder.path("sub/deep.txt"));
-    harness.enter();
+    harness.enter_over("browser path", folder.path("sub/deep.txt"));
     EXPECT_EQ(accepted.back(), folder.path("sub/deep.txt"));
 }
 
@@ -246,16 +237,13 @@ TEST_F(BrowserDialog, SavesUnderANewName) {
     open(true);
     harness.enter();
     EXPECT_EQ(browser().error, "The file needs a name.");
-    harness.type_over("browser name", "neue Szene.v2");
-    harness.enter();
+    harness.enter_over("browser name", "neue Szene.v2");
     EXPECT_EQ(accepted, Accepted{folder.path("neue Szene.v2.txt")});
     open(true);
-    harness.type_over("browser name", "b.TOML");
-    harness.enter();
+    harness.enter_over("browser name", "b.TOML");
     EXPECT_EQ(accepted.back(), folder.path("b.TOML"));
     open(true);
-    harness.type_over("browser name", "no/b.toml");
-    harness.enter();
+    harness.enter_over("browser name", "no/b.toml");
     EXPECT_EQ(browser().error, "There is no folder " + folder.path("no") + ".");
 }
 
@@ -267,8 +255,7 @@ TEST_F(BrowserDialog, AsksBeforeItReplaces) {
     harness.click("answer Cancel");
     EXPECT_EQ(harness.top_id(), "browser");
     EXPECT_TRUE(accepted.empty());
-    harness.panels.double_click("entry four.txt");
-    harness.panels.frames(4);
+    harness.double_click("entry four.txt");
     EXPECT_EQ(harness.top_id(), "replace");
     harness.click("answer Replace");
     EXPECT_EQ(accepted, Accepted{folder.path("four.txt")});
@@ -277,8 +264,7 @@ TEST_F(BrowserDialog, AsksBeforeItReplaces) {
 
 TEST_F(BrowserDialog, AlsoTheNameWithItsEndingIsNotReplacedSilently) {
     open(true);
-    harness.type_over("browser name", "four");
-    harness.enter();
+    harness.enter_over("browser name", "four");
     EXPECT_EQ(harness.top_id(), "replace");
 }
 
@@ -333,8 +319,7 @@ TEST_F(BrowserDialog, SavesInTheFormatThatIsChosen) {
     EXPECT_EQ(browser().kind, 0U) << "the format follows the name";
     harness.click("browser kind");
     harness.click("kind TOML");
-    harness.type_over("browser name", "plain");
-    harness.enter();
+    harness.enter_over("browser name", "plain");
     EXPECT_EQ(accepted, Accepted{folder.path("plain.toml")});
 }
 
@@ -367,8 +352,7 @@ TEST_F(BrowserDialog, DrawsOnlyWhatIsSeenOfManyFiles) {
     for (int i = 0; i < 3000; ++i) folder.write("many/" + std::to_string(10000 + i) + ".txt", "");
     folder.write("many/##\n%s.txt", "");
     open();
-    harness.panels.double_click("entry many");
-    harness.panels.frames(4);
+    harness.double_click("entry many");
     EXPECT_EQ(browser().entries.size(), 3002U);
     EXPECT_LT(harness.panels.rectangles.size(), 100U);
     harness.panels.double_click("entry ##\n%s.txt");
