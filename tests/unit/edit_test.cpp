@@ -88,26 +88,21 @@ TEST(Edit, InsertsAtTheNumbersThatSpheresHaveAfterwards) {
     EXPECT_EQ(places(scene), (Places{10, 0, 11, 1, 2, 12}));
     EXPECT_EQ(scene.names, (Names{{0, "a"}, {3, "1"}, {5, "c"}}));
     EXPECT_EQ(std::get<RemoveSpheres>(inverse).numbers, (Numbers{0, 2, 5}));
-}
 
-TEST(Edit, InsertsIntoAnEmptySceneAndRemovesAll) {
-    Scene scene;
+    scene = {};
     apply(InsertSpheres{{0, 1}, {{at(5), ""}, {at(6), "b"}}}, scene);
     EXPECT_EQ(places(scene), (Places{5, 6}));
-    const Edit inverse = apply(RemoveSpheres{{0, 1}}, scene);
+    const Edit insertion = apply(RemoveSpheres{{0, 1}}, scene);
     EXPECT_EQ(scene, Scene{});
-    EXPECT_EQ(std::get<InsertSpheres>(inverse).spheres, (std::vector<NamedSphere>{{at(5), ""}, {at(6), "b"}}));
+    EXPECT_EQ(std::get<InsertSpheres>(insertion).spheres, (std::vector<NamedSphere>{{at(5), ""}, {at(6), "b"}}));
 }
 
-TEST(Edit, RemovesWithNames) {
+TEST(Edit, RemovesAndReordersWithNames) {
     Scene scene = row(6);
     apply(RemoveSpheres{{0, 3, 4}}, scene);
     EXPECT_EQ(places(scene), (Places{1, 2, 5}));
     EXPECT_EQ(scene.names, (Names{{0, "1"}, {2, "5"}}));
-}
-
-TEST(Edit, ReordersEitherWay) {
-    Scene scene = row(6);
+    scene = row(6);
     apply(ReorderSphere{1, 4}, scene);
     EXPECT_EQ(places(scene), (Places{0, 2, 3, 4, 1, 5}));
     EXPECT_EQ(scene.names, (Names{{2, "3"}, {4, "1"}, {5, "5"}}));
