@@ -184,32 +184,23 @@ void play(std::uint64_t seed, int operations) {
     Edit last = ChangeBackground{};
     for (int i = 0; i < operations; ++i) {
         SCOPED_TRACE("operation " + std::to_string(i));
-        switch (const std::uint64_t kind = random() % 24) {
-            case 0: document.mark_saved(), model.mark_saved(); break;
-            case 1:
-                if (random() % 4 == 0) document.mark_unsaved(), model.mark_unsaved();
-                break;
-            case 2:
-            case 3:
-            case 4:
-            case 5: document.undo(), model.undo(); break;
-            case 6:
-            case 7:
-            case 8: document.redo(), model.redo(); break;
-            case 9:  // to the very ends
-                for (std::uint64_t n = random() % 30; n > 0; --n) document.undo(), model.undo();
-                break;
-            case 10:
-                for (std::uint64_t n = random() % 30; n > 0; --n) document.redo(), model.redo();
-                break;
-            default: {
-                const std::uint64_t gesture = kind < 14 ? 0 : 1 + random() % 20 / 19;
-                last = gesture == 0 ? random_edit(random, document.scene()) : random_part(random, document.scene(), last);
-                const std::string name = "step " + std::to_string(i);
-                model.apply(last, name, gesture);
-                document.apply(last, name, gesture);
-                model.forget_idle_gesture(document);
-            }
+        const auto times = [&] { return random() % 8 == 0 ? random() % 30 : 1; };  // now and then to the very ends
+        const std::uint64_t kind = random() % 24;
+        if (kind == 0) {
+            document.mark_saved(), model.mark_saved();
+        } else if (kind == 1) {
+            if (random() % 4 == 0) document.mark_unsaved(), model.mark_unsaved();
+        } else if (kind < 7) {
+            for (std::uint64_t n = times(); n > 0; --n) document.undo(), model.undo();
+        } else if (kind < 11) {
+            for (std::uint64_t n = times(); n > 0; --n) document.redo(), model.redo();
+        } else {
+            const std::uint64_t gesture = kind < 14 ? 0 : 1 + random() % 20 / 19;
+            last = gesture == 0 ? random_edit(random, document.scene()) : random_part(random, document.scene(), last);
+            const std::string name = "step " + std::to_string(i);
+            model.apply(last, name, gesture);
+            document.apply(last, name, gesture);
+            model.forget_idle_gesture(document);
         }
         model.expect_same(document);
         model.remember(document);
