@@ -1,4 +1,4 @@
-// What the random sequences of edit_history_test.cpp do not look at.
+// What the random sequences of edit_test.cpp do not look at.
 #include "edit/document.hpp"
 
 #include <gtest/gtest.h>
