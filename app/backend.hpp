@@ -1,29 +1,18 @@
-// Which renderer draws, and how it is found.
+// Finding a renderer that works.
 #pragma once
 
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "app/backend_name.hpp"
 #include "base/timings.hpp"
 #include "cpu/cpu_renderer.hpp"
 #include "gpu/gpu_renderer.hpp"
 #include "platform/gl_context.hpp"
 
 namespace sphereview {
-
-enum class Backend { automatic, egl, osmesa, cpu };
-
-// "auto", "egl", "osmesa", "cpu".
-std::string_view name_of(Backend backend);
-
-// The backend of that name, or nothing.
-std::optional<Backend> backend_named(std::string_view name);
-
-// For messages: the names of all backends.
-inline constexpr std::string_view backend_names = "auto, egl, osmesa or cpu";
 
 // A renderer that was found to work. Without a context it is the CPU's.
 struct OpenBackend {

@@ -9,6 +9,7 @@
 
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
+#include "app/usage_error.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
@@ -59,11 +60,6 @@ constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
-// What CLI11 makes one line of: "NAME: found 'FOUND', expected EXPECTED".
-[[noreturn]] void wrong(const std::string& name, const std::string& found, std::string_view expected) {
-    throw CLI::ValidationError(name, "found " + found + ", expected " + std::string(expected));
-}
-
 // How an option is called, what --help says of it and its value, and what a message says that its value should have been.
 struct Words {
     std::string names;
@@ -78,6 +74,7 @@ CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Rea
     const std::string name = words.names.substr(words.names.find(',') + 1);
     const auto take = [&command, &field, read, name, expected = words.expected](const CLI::results_t& found) {
         if (found.size() > 1) wrong(name, in_quotes(found[0]) + " and " + in_quotes(found[1]), "only one value");
+        if (found[0].empty()) wrong(name, "no value", expected);  // perhaps a script's variable that was never set
         const bool option = found[0].starts_with('-') && command.get_option_no_throw(found[0]) != nullptr;
         if (option) wrong(name, "the option " + in_quotes(found[0]), expected);
         auto value = read(found[0]);
@@ -120,15 +117,12 @@ std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const ch
     return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
 }
 
-// An empty name is mostly a script's variable that was never set.
-std::optional<std::string> file_name(const std::string& text) { return text.empty() ? std::nullopt : std::optional(text); }
-
 constexpr const char* a_file = "the name of a file";
 const std::string scene_files = "Scene file: " + listed(format_names(), "or") + "; - is standard input";
 
 template <typename Field>
 CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, const std::string& type, const std::string& help) {
-    return add_option(command, field, {name, type, help, a_file}, file_name);
+    return add_option(command, field, {name, type, help, a_file}, [](const std::string& text) { return std::optional(text); });
 }
 
 // How a scene is read and from where it is seen: options of every command with scenes.
@@ -180,7 +174,7 @@ void add_colors(CLI::App& command, std::optional<Background>& background, Mode& 
                    Background found;
                    return parse_background(text, found) ? std::optional(found) : std::nullopt;
                });
-    const std::string modes(shading_syntax);
+    const std::string modes = shading_syntax();
     add_option(command, shading, {"--shade", "MODE", modes + " [" + otherwise + "]", modes},
                [](const std::string& text) { return shading_named(text); });
 }
@@ -208,11 +202,9 @@ void declare(CLI::App& command, ViewOptions& options) {
 }
 
 void declare(CLI::App& command, RenderOptions& options) {
-    command.add_option("SCENE", options.scenes, scene_files)
-        ->required()
-        ->type_name("")
-        ->check(
-            CLI::Validator([](std::string& name) { return name.empty() ? std::string("found '', expected ") + a_file : ""; }, ""));
+    command.add_option("SCENE", options.scenes, scene_files)->required()->type_name("")->check([](const std::string& name) {
+        return name.empty() ? std::string("found no value, expected ") + a_file : "";
+    });
     add_file(command, options.output, "-o,--output", "FILE", "PNG file, or a pattern with {name}; - is standard output");
     add_size(command, options.size, "Width and height in pixels [1000x1000]");
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
@@ -328,28 +320,13 @@ Run print(const std::string& text) {
     };
 }
 
-bool is_option(const std::string& word) { return word.starts_with('-') && word != standard_stream; }
-
-// "; did you mean 'NAME'?" for an option of the command or of the program.
-std::string similar_option(const CLI::App& command, const std::string& unknown) {
-    std::vector<std::string> names = {"--version"};
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_group().empty()) continue;
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
-    }
-    // Of two letters every other option is near: only the other case was likely meant.
-    if (unknown.size() == 2) std::erase_if(names, [&](const std::string& name) { return lower_case(name) != lower_case(unknown); });
-    return did_you_mean(unknown, names);
-}
-
 // The command named by the first word; else adds `view`, which need not be named before its scene or options.
-const CLI::App& named_command(const CLI::App& app, std::vector<std::string>& words) {
+CLI::App& named_command(CLI::App& app, std::vector<std::string>& words) {
     const std::string first = words.empty() ? "" : words.front();
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
     if (std::ranges::find(names, first) != names.end()) return *app.get_subcommand(first);
-    if (is_option(first) && app.get_option_no_throw(first) != nullptr) return app;
+    if (is_option(first) && app.get_option_no_throw(first.substr(0, first.find('='))) != nullptr) return app;
     std::error_code ignored;
     const bool path = first.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(first, ignored);
     if (!words.empty() && !first.starts_with('-') && !path) {
@@ -357,34 +334,6 @@ const CLI::App& named_command(const CLI::App& app, std::vector<std::string>& wor
     }
     words.insert(words.begin(), "view");
     return *app.get_subcommand("view");
-}
-
-// CLI11 would take the next word for the value that is missing behind "--output=".
-void require_values(const std::vector<std::string>& words) {
-    for (const std::string& word : words) {
-        if (word == "--") return;
-        if (word.starts_with("--") && word.find('=') == word.size() - 1) {
-            throw CLI::ArgumentMismatch(word.substr(0, word.size() - 1) + ":", CLI::ExitCodes::ArgumentMismatch);
-        }
-    }
-}
-
-// What is wrong, in this program's words where CLI11's are hard to understand.
-std::string in_words(const CLI::App& command, const CLI::ParseError& error) {
-    std::vector<std::string> left = command.remaining();
-    std::erase(left, "--");  // that what follows are no options, CLI11 has heeded
-    const auto unknown = std::ranges::find_if(left, is_option);
-    if (unknown != left.end()) {
-        const std::string name = unknown->substr(0, unknown->find('='));
-        return "unknown option " + in_quotes(name) + similar_option(command, name);
-    }
-    const std::string said = error.what();
-    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) {
-        const std::string name = said.substr(0, said.find(':'));
-        const CLI::Option* option = command.get_option_no_throw(name);
-        if (option != nullptr) return name + ": found no value, expected " + option->get_type_name();
-    }
-    return left.empty() ? said : "unexpected argument " + in_quotes(left.front());
 }
 
 }  // namespace
@@ -405,12 +354,12 @@ Run parse_command_line(int argc, const char* const* argv) {
                 "Everything about one pixel: its ray, every hit, which sphere it shows and why");
     add_command(app, chosen, "doctor", run_doctor, "Try every backend and say what works here, and why others do not");
     std::vector<std::string> words(argv + 1, argv + argc);
-    const CLI::App* command = &app;
+    CLI::App* command = &app;
     try {
         command = &named_command(app, words);
         const bool help = std::ranges::any_of(words, [](const auto& word) { return word == "-h" || word == "--help"; });
         if (help) return print(command->help(command == &app ? "" : app.get_name()));  // whatever else is wrong
-        require_values(words);
+        check_values(*command, words);
         app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         return chosen;
     } catch (const CLI::CallForVersion&) {

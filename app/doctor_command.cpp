@@ -1,11 +1,11 @@
 // sphereview doctor: what works on this machine, and why the rest does not.
 #include <chrono>
 #include <functional>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "app/options.hpp"
 #include "app/failure.hpp"
+#include "app/json.hpp"
+#include "app/options.hpp"
 #include "app/probe.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
@@ -19,13 +19,15 @@ namespace sphereview {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 // What became of a probe: the row's facts, or the reason why it does not work, with its kind.
 struct Probed {
     Json row;
     RenderFault fault = RenderFault::other;
 };
+
+bool works(const Json& row) { return row["works"].boolean() == true; }
+std::string text_of(const Json& row, const char* key) { return row[key].text().value_or(""); }
+std::string number_of(const Json& row, const char* key) { return std::to_string(row[key].whole().value_or(0)); }
 
 // The same as text, which a process hands to another.
 std::string probe(const std::function<Json()>& call) {
@@ -33,11 +35,12 @@ std::string probe(const std::function<Json()>& call) {
     try {
         result = call();
     } catch (const RenderError& error) {
-        result = {{"works", false}, {"reason", error.what()}, {"fault", error.fault}};
+        result = {{"works", false}, {"reason", error.what()}, {"fault", static_cast<int>(error.fault)}};
     } catch (...) {
-        result = {{"works", false}, {"reason", describe_current_exception().message}, {"fault", RenderFault::other}};
+        result = {
+            {"works", false}, {"reason", describe_current_exception().message}, {"fault", static_cast<int>(RenderFault::other)}};
     }
-    return result.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return result.dump();
 }
 
 // Probes in a copy of the process, so that a driver that hangs or crashes ends only the copy.
@@ -55,18 +58,18 @@ Probed probe_apart(const std::string& culprit, double timeout_seconds, const std
         return failed(RenderFault::no_answer, " gave no answer within " + shortest(timeout_seconds) + " s");
     }
     if (result.end == End::crashed) return failed(RenderFault::crash, " crashed (signal " + std::to_string(result.code) + ")");
-    Probed probed{Json::parse(result.value, nullptr, false)};
+    Probed probed{Json::parse(result.value)};
     if (result.end == End::exited || !probed.row.is_object()) {
         return failed(RenderFault::exit, " ended the program (status " + std::to_string(result.code) + ")");
     }
-    probed.fault = probed.row.value("fault", RenderFault::other);
+    if (const auto fault = probed.row["fault"].whole()) probed.fault = static_cast<RenderFault>(*fault);
     probed.row.erase("fault");
     return probed;
 }
 
 // What a person can do about the backend of `row`, which does not work; `earlier` are the rows before it.
 std::string advice(const Json& row, RenderFault fault, const Json& earlier) {
-    const std::string backend = row["backend"].get<std::string>();
+    const std::string backend = text_of(row, "backend");
     const bool slow = fault == RenderFault::no_answer;
     if (backend == "cpu") {
         return slow ? "allow it more time with --timeout" : "report this: the CPU renderer needs nothing but a CPU";
@@ -81,10 +84,10 @@ std::string advice(const Json& row, RenderFault fault, const Json& earlier) {
                                : "update Mesa, or use --backend cpu") +
                (slow ? "; if it is only slow, allow it more time with --timeout" : "");
     }
-    if (row["name"] == default_display_name) {
-        for (const Json& other : earlier) {
-            if (other["backend"] == "egl" && other["works"].get<bool>()) {
-                return "nothing: without X or Wayland it is seldom there, and " + other["name"].get<std::string>() + " works";
+    if (row["name"].text() == default_display_name) {
+        for (const Json& other : earlier.list()) {
+            if (other["backend"].text() == "egl" && works(other)) {
+                return "nothing: without X or Wayland it is seldom there, and " + text_of(other, "name") + " works";
             }
         }
     }
@@ -98,17 +101,17 @@ Json diagnose(double timeout_seconds) {
     const auto add = [&](const std::string& backend, const std::string& name, const Json& device, const Probed& probed) {
         Json row = {{"backend", backend}, {"name", name}, {"device", device}};
         row.update(probed.row);
-        if (!row["works"].get<bool>()) row["advice"] = advice(row, probed.fault, rows);
+        if (!works(row)) row.set("advice", advice(row, probed.fault, rows));
         rows.push_back(row);
     };
     const std::string driver = "the driver";
     const Probed egl = probe_apart(driver, timeout_seconds, list_egl);
-    if (!egl.row.contains("devices")) {
+    if (egl.row["devices"].is_null()) {
         add("egl", "EGL", nullptr, egl);
     } else {
-        for (std::size_t i = 0; i < egl.row["devices"].size(); ++i) {
-            const Json& device = egl.row["devices"][i];
-            add("egl", device["name"].get<std::string>(), device["device"],
+        const std::vector<Json> devices = egl.row["devices"].list();
+        for (std::size_t i = 0; i < devices.size(); ++i) {
+            add("egl", text_of(devices[i], "name"), devices[i]["device"],
                 probe_apart(driver, timeout_seconds, [i] { return probe_egl(i); }));
         }
     }
@@ -120,24 +123,23 @@ Json diagnose(double timeout_seconds) {
 std::string in_words(const Json& rows) {
     std::string text = "sphereview " + std::string(version) + "\n";
     const auto line = [&](const char* label, const std::string& value) { text += "    " + std::string(label) + value + "\n"; };
-    for (const Json& row : rows) {
-        const bool works = row["works"].get<bool>();
-        text += "\n" + row["name"].get<std::string>() + ": " + (works ? "works" : "does not work") + "\n";
-        if (!works) {
-            line("why:       ", row.value("reason", ""));
-            line("try:       ", row.value("advice", ""));
+    for (const Json& row : rows.list()) {
+        text += "\n" + text_of(row, "name") + ": " + (works(row) ? "works" : "does not work") + "\n";
+        if (!works(row)) {
+            line("why:       ", text_of(row, "reason"));
+            line("try:       ", text_of(row, "advice"));
             continue;
         }
-        line("renderer:  ", row.value("renderer", ""));
-        if (!row.contains("vendor")) continue;
-        line("vendor:    ", row.value("vendor", ""));
-        line("OpenGL:    ", row.value("version", "") + ", GLSL " + row.value("glsl", ""));
-        line("software:  ", row.value("software", false) ? "yes" : "no");
-        line("limits:    ", "uniform block " + std::to_string(row.value("largest_uniform_block_bytes", 0)) + " bytes (" +
-                                std::to_string(row.value("spheres_in_uniform_block", 0)) + " spheres used), texture side " +
-                                std::to_string(row.value("largest_texture_side", 0)));
-        const std::string device = row["device"].is_null() ? "" : " --device " + std::to_string(row["device"].get<int>());
-        line("use:       ", "--backend " + row["backend"].get<std::string>() + device);
+        line("renderer:  ", text_of(row, "renderer"));
+        if (row["vendor"].is_null()) continue;
+        line("vendor:    ", text_of(row, "vendor"));
+        line("OpenGL:    ", text_of(row, "version") + ", GLSL " + text_of(row, "glsl"));
+        line("software:  ", row["software"].boolean() == true ? "yes" : "no");
+        line("limits:    ", "uniform block " + number_of(row, "largest_uniform_block_bytes") + " bytes (" +
+                                number_of(row, "spheres_in_uniform_block") + " spheres used), texture side " +
+                                number_of(row, "largest_texture_side"));
+        const std::string device = row["device"].is_null() ? "" : " --device " + number_of(row, "device");
+        line("use:       ", "--backend " + text_of(row, "backend") + device);
     }
     return text;
 }
@@ -148,9 +150,9 @@ ExitCode run_doctor(const DoctorOptions& options) {
     const std::string out(standard_stream);
     const Json rows = diagnose(options.timeout_seconds);
     bool any = false;
-    for (const Json& row : rows) any = any || row["works"].get<bool>();
+    for (const Json& row : rows.list()) any = any || works(row);
     const Json report = {{"version", version}, {"backends", rows}};
-    write_output(out, options.json ? report.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" : in_words(rows));
+    write_output(out, options.json ? report.dump() + "\n" : in_words(rows));
     return any ? ExitCode::done : ExitCode::no_renderer;
 }
 

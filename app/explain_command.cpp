@@ -1,7 +1,7 @@
 // sphereview explain: the arithmetic of one pixel, to be checked with pen and paper.
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "app/json.hpp"
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
 #include "base/error.hpp"
@@ -15,8 +15,6 @@
 namespace sphereview {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string in_words(const Color& color) {
     return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
@@ -101,7 +99,7 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
             {"why", why(hit)},
             {"t", number(hit.t)},
             {"point", vector(hit.point)},
-            {"normal", is_lost(hit.normal) ? Json{nullptr, nullptr, nullptr} : vector(hit.normal)},
+            {"normal", vector(hit.normal)},
             {"as_near_as_last", hit.as_near_as_last}};
 }
 
@@ -136,9 +134,8 @@ ExitCode run_explain(const ExplainOptions& options) {
     const Background background = options.background.value_or(scene.background);
     const PictureShader shader(scene, options.size, options.shading, background);
     const Color color = shader.color(options.pixel, explanation.visible());
-    const std::string text =
-        options.json ? to_json(options, name, scene, explanation, color).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"
-                     : in_words(options, name, scene, explanation, background, color);
+    const std::string text = options.json ? to_json(options, name, scene, explanation, color).dump() + "\n"
+                                          : in_words(options, name, scene, explanation, background, color);
     write_output(std::string(standard_stream), text);
     return ExitCode::done;
 }

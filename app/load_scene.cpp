@@ -17,6 +17,7 @@ constexpr std::size_t first_bytes = std::size_t{1} << 22;
 LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     InputStream stream(path);
     if (WorkControl* control = options.control) {
+        control->check();  // a pipe may have opened late: what comes then is for the reading that replaced this one
         control->total = stream.size().value_or(0);
         stream.watch([control](std::size_t bytes) {
             control->done = bytes;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/backend.hpp"
+#include "app/backend_name.hpp"
 #include "app/exit_code.hpp"
 #include "app/load_scene.hpp"
 #include "formats/scene_format.hpp"

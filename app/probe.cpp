@@ -1,7 +1,6 @@
 #include "app/probe.hpp"
 
 #include <functional>
-#include <nlohmann/json.hpp>
 
 #include "app/render_picture.hpp"
 #include "base/error.hpp"
@@ -10,8 +9,6 @@
 namespace sphereview {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr PictureSize test_size{64, 48};
 constexpr Background test_background{{10, 20, 30}, false};

@@ -2,16 +2,17 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
+
+#include "app/json.hpp"
 
 namespace sphereview {
 
 // What EGL offers: {"devices": [{"name", "device", "software"}]}.
-nlohmann::ordered_json list_egl();
+Json list_egl();
 
 // These render a small scene and check every pixel: {"works": true, "renderer", ...limits}. index: into list_egl().
-nlohmann::ordered_json probe_egl(std::size_t index);
-nlohmann::ordered_json probe_osmesa();
-nlohmann::ordered_json probe_cpu();
+Json probe_egl(std::size_t index);
+Json probe_osmesa();
+Json probe_cpu();
 
 }  // namespace sphereview

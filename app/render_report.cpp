@@ -1,8 +1,8 @@
 #include "app/render_report.hpp"
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
+#include "app/json.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
@@ -11,18 +11,14 @@ namespace sphereview {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json optional_path(const std::optional<std::string>& path) { return path ? Json(*path) : Json(nullptr); }
-
 Json to_json(const RenderReport& report) {
     Json timings;
-    for (std::size_t i = 0; i < phase_names.size(); ++i) timings[phase_names[i]] = report.timings[static_cast<Phase>(i)];
+    for (std::size_t i = 0; i < phase_names.size(); ++i) timings.set(phase_names[i], report.timings[static_cast<Phase>(i)]);
     Json json = {
         {"scene", report.job.label},
         {"status", static_cast<int>(report.status)},
         {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
-        {"output", optional_path(report.job.output)},
+        {"output", report.job.output},
         {"size", {report.size.width, report.size.height}},
         {"samples", report.samples},
         {"shade", name_of(report.shading)},
@@ -44,12 +40,12 @@ Json to_json(const RenderReport& report) {
     if (report.comparison) {
         const Comparison& comparison = *report.comparison;
         const bool has_first = comparison.different_pixels > 0;
-        json["comparison"] = {{"expected", optional_path(report.job.expect)},
-                              {"equal", comparison.equal()},
-                              {"same_size", comparison.same_size},
-                              {"different_pixels", comparison.different_pixels},
-                              {"largest_difference", comparison.largest},
-                              {"first", has_first ? Json{comparison.first_x, comparison.first_y} : Json(nullptr)}};
+        json.set("comparison", {{"expected", report.job.expect},
+                                {"equal", comparison.equal()},
+                                {"same_size", comparison.same_size},
+                                {"different_pixels", comparison.different_pixels},
+                                {"largest_difference", comparison.largest},
+                                {"first", has_first ? Json{comparison.first_x, comparison.first_y} : Json(nullptr)}});
     }
     return json;
 }
@@ -110,10 +106,6 @@ void print_words(const RenderReport& report, const RenderOptions& options) {
     if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
 }
 
-void print_json(const RenderReport& report) {
-    // Paths need not be UTF-8, JSON must be.
-    const std::string line = to_json(report).dump(-1, ' ', false, Json::error_handler_t::replace);
-    write_output(std::string(standard_stream), line + "\n");
-}
+void print_json(const RenderReport& report) { write_output(std::string(standard_stream), to_json(report).dump() + "\n"); }
 
 }  // namespace sphereview

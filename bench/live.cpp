@@ -21,8 +21,8 @@ constexpr WindowArea area{0, 0, size.width, size.height};
 
 // A framebuffer in place of a window's.
 struct Window {
-    Texture texture = make_texture();
-    Framebuffer framebuffer = make_framebuffer();
+    Texture texture = Texture::make();
+    Framebuffer framebuffer = Framebuffer::make();
 
     Window() {
         glBindTexture(GL_TEXTURE_2D, texture.name());

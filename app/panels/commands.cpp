@@ -13,7 +13,7 @@ namespace {
 
 using enum CommandId;
 
-constexpr auto commands = std::to_array<CommandInfo>({
+constexpr auto written = std::to_array<CommandInfo>({
     {file_new, "File", "New", "Ctrl+N", "Begins an empty scene."},
     {file_open, "File", "Open...", "Ctrl+O", "Opens a scene file."},
     {file_save, "File", "Save", "Ctrl+S", "Writes the scene to its file.", true},
@@ -49,12 +49,6 @@ constexpr auto commands = std::to_array<CommandInfo>({
      "An edit like any other: Home returns here then.", true},
     {next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays.", true},
     {previous_frame, "View", "Previous frame", "Page Up", "Shows the frame before."},
-    {shade_flat, "View", "Flat", "Ctrl+1", "Shading: the spheres' own colours.", false, "Shading"},
-    {shade_headlight, "View", "Headlight", "Ctrl+2", "Shading: light from the eye, dimmer with distance.", false, "Shading"},
-    {shade_normal, "View", "Normals", "Ctrl+3", "Shading: the direction that the surface faces, as a colour.", false, "Shading"},
-    {shade_depth, "View", "Depth", "Ctrl+4", "Shading: the distance from the eye, from white to dark grey.", false, "Shading"},
-    {shade_id, "View", "False colours", "Ctrl+5", "Shading: a colour for each sphere that tells it from the others.", false,
-     "Shading"},
     {toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
     {toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
     {toggle_export_area, "View", "Area of the export", "M", "Marks what an export shows, where the window shows more or less."},
@@ -67,6 +61,22 @@ constexpr auto commands = std::to_array<CommandInfo>({
 
     {help, "Help", "Keys and mouse", "F1|?", "Lists every shortcut and what the mouse does."},
 });
+
+// With the shading modes in their place.
+constexpr auto commands = [] {
+    constexpr std::array<std::string_view, 9> keys = {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5",
+                                                      "Ctrl+6", "Ctrl+7", "Ctrl+8", "Ctrl+9"};
+    std::array<CommandInfo, written.size() + shading_modes.size()> all{};
+    auto* next = all.data();
+    for (const CommandInfo& command : written) {
+        for (std::size_t i = 0; command.id == toggle_panel && i < shading_modes.size(); ++i) {
+            const auto id = static_cast<CommandId>(static_cast<std::size_t>(first_shading) + i);
+            *next++ = {id, "View", shading_modes[i].title, keys.at(i), shading_modes[i].help, false, "Shading"};
+        }
+        *next++ = command;
+    }
+    return all;
+}();
 
 }  // namespace
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "shade/shading.hpp"
+
 namespace sphereview {
 
 enum class CommandId {
@@ -40,11 +42,8 @@ enum class CommandId {
     use_view_as_camera,
     next_frame,  // of a file of several
     previous_frame,
-    shade_flat,  // the five in the order of Shading
-    shade_headlight,
-    shade_normal,
-    shade_depth,
-    shade_id,
+    first_shading,  // one for each of shading_modes, in their order
+    last_shading = first_shading + static_cast<int>(shading_modes.size()) - 1,
     toggle_panel,
     toggle_inspector,
     toggle_export_area,

@@ -11,7 +11,6 @@
 #include "base/text.hpp"
 #include "panels/dialog_parts.hpp"
 #include "panels/file_listing.hpp"
-#include "panels/panel_context.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {

@@ -16,12 +16,12 @@ namespace sphereview {
 // answer that was chosen; Escape and the close button choose `cancel`, Enter the focused one: the first, until the keyboard moves
 // on. Widgets: "answer 0" and "answer Save".
 struct Question {
-    std::string id;  // for tests: "save-changes"
-    std::string title;
-    std::string text;
-    std::vector<std::string> answers;
+    std::string id{};  // for tests: "save-changes"
+    std::string title{};
+    std::string text{};
+    std::vector<std::string> answers{};
     int cancel = 0;
-    std::function<void(int)> answer;
+    std::function<void(int)> answer{};
     int focused = 0;
 };
 

@@ -69,6 +69,7 @@ void draw_hit(const PanelContext& context, const ExplainedHit& hit, bool seen) {
 
 void draw_rest(const PixelExplanation& e) {
     if (e.missed > 0) colored_line(in_groups(static_cast<std::uint64_t>(e.missed)) + " missed: discriminant < 0", below_zero);
+    if (e.elsewhere > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.elsewhere)) + " elsewhere or behind the eye: not hit");
     if (e.behind > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.behind)) + " behind the eye: no positive root");
     if (e.hidden > 0) dim_text(in_groups(static_cast<std::uint64_t>(e.hidden)) + " hidden");
 }
@@ -82,8 +83,9 @@ void draw_inspector(const PanelContext& context, const std::optional<InspectedPi
     }
     const Scene& scene = context.document.scene();
     const PixelExplanation& e = pixel->explanation;
-    wrapped_text("pixel " + std::to_string(pixel->pixel.x) + ", " + std::to_string(pixel->pixel.y) + " of " +
-                 std::to_string(pixel->size.width) + " x " + std::to_string(pixel->size.height));
+    const auto& [place, size, camera, revision] = pixel->place;
+    wrapped_text("pixel " + std::to_string(place.x) + ", " + std::to_string(place.y) + " of " + std::to_string(size.width) + " x " +
+                 std::to_string(size.height));
     draw_ray(e);
     ImGui::Spacing();
     if (e.hits.empty()) wrapped_text("No hit: the pixel shows the background, " + to_string(scene.background) + ".");

@@ -1,6 +1,7 @@
 // The pixel inspector: the arithmetic of the pixel under the pointer.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "exact/explain.hpp"
@@ -8,10 +9,19 @@
 
 namespace sphereview {
 
-struct InspectedPixel {
+// All that an explanation depends on.
+struct InspectedPlace {
     Pixel pixel;
-    PictureSize size;              // of the picture that the pixel is in
-    PixelExplanation explanation;  // for the camera of the view
+    PictureSize size;  // of the picture that the pixel is in
+    Camera camera;     // of the view
+    std::uint64_t revision = 0;
+
+    bool operator==(const InspectedPlace&) const = default;
+};
+
+struct InspectedPixel {
+    InspectedPlace place;
+    PixelExplanation explanation;
 };
 
 // Draws into the current ImGui window. `pixel` is empty when the pointer is not in the picture.

@@ -14,7 +14,8 @@
 namespace sphereview {
 
 // Finds the spheres whose name contains the filter, ignoring the case of ASCII letters, and those whose number, or title
-// "sphere 12", begins with it: a part of the scene at a time, so that a million names hold no frame up.
+// "sphere 12", begins with it: a part of the scene at a time, so that a million names hold no redraw up.
+// Document::names_revision() says when names or numbers changed, so moving a sphere begins no search anew.
 class FilterSearch {
 public:
     // So many names, or eight times as many spheres without one: some milliseconds.
@@ -68,6 +69,8 @@ private:
     const std::vector<std::uint32_t>& listed_;
 };
 
+// Scrolls in rows, counted in double. ImGui scrolls in float pixels, and a million rows are more than 2^24 pixels: float cannot
+// tell neighbours apart.
 class ListScroll {
 public:
     // How many rows there are, and how many are seen at a time (a part of one counts). The last row can just be seen whole. The

@@ -7,7 +7,6 @@
 
 #include "base/text.hpp"
 #include "panels/file_listing.hpp"
-#include "panels/panel_context.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {

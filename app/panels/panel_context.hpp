@@ -46,6 +46,14 @@ struct WidgetRectangle {
 };
 using WidgetRectangles = std::map<std::string, WidgetRectangle>;
 
+// A part of the window, in ImGui's coordinates.
+struct Rectangle {
+    float x = 0.0F;
+    float y = 0.0F;
+    float width = 0.0F;
+    float height = 0.0F;
+};
+
 struct PanelContext {
     const Document& document;
     const Selection& selection;

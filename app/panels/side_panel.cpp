@@ -7,7 +7,6 @@
 #include <array>
 
 #include "base/text.hpp"
-#include "panels/widgets.hpp"
 
 namespace sphereview {
 

@@ -10,7 +10,8 @@
 
 namespace sphereview {
 
-// The values of a slider's field when its drag began, of the selected spheres in order.
+// The values of a slider's field when its drag began, of the selected spheres in order. A drag moves from these and not from the
+// last redraw's: nothing adds up, and back is back to the bit.
 struct ValueDrag {
     std::uint64_t gesture = 0;
     std::uint64_t selection = 0;  // its version

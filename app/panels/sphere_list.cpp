@@ -13,7 +13,7 @@ namespace sphereview {
 
 namespace {
 
-// Where rows are, in screen coordinates. In double: ImGui's float cursor has no pixels left behind a million rows.
+// Where rows are, in screen coordinates.
 struct RowPlaces {
     double top;  // of row 0
     float left;

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "panels/panel_context.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
@@ -45,7 +44,7 @@ void note_window(const PanelContext& context, const std::string& name) {
     (*context.rectangles)[name] = {low.x, low.y, low.x + size.x, low.y + size.y};
 }
 
-void draw_announcement(const PanelContext& context, const std::string& text, const MessageArea& area) {
+void draw_announcement(const PanelContext& context, const std::string& text, const Rectangle& area) {
     const float margin = 16.0F * context.scale;
     const float padding = ImGui::GetStyle().WindowPadding.x;
     const float most = std::max(area.width - 2.0F * (margin + padding), 4.0F * ImGui::GetFontSize());
@@ -61,7 +60,7 @@ void draw_announcement(const PanelContext& context, const std::string& text, con
 }
 
 // Returns whether Cancel was pressed.
-bool draw_work(const PanelContext& context, const WorkShown& work, const MessageArea& area) {
+bool draw_work(const PanelContext& context, const WorkShown& work, const Rectangle& area) {
     const float margin = 16.0F * context.scale;
     const float width = std::max(std::min(420.0F * context.scale, area.width - 2.0F * margin), 8.0F * ImGui::GetFontSize());
     ImGui::SetNextWindowPos({area.x + 0.5F * area.width, area.y + 0.4F * area.height}, ImGuiCond_Always, {0.5F, 0.5F});
@@ -85,7 +84,7 @@ bool draw_work(const PanelContext& context, const WorkShown& work, const Message
 struct Trouble {
     const char* name;  // "scene error"
     std::string heading;
-    const std::string& text;
+    std::string& text;
     bool log = false;
     float top = 0.0F;  // where its window begins
 };
@@ -102,8 +101,9 @@ bool draw_heading(const PanelContext& context, const Trouble& trouble) {
     return closed;
 }
 
-// Draws a box with a red edge. Returns the y of its lower edge. closed: set when its button is pressed.
-float draw_trouble(const PanelContext& context, const Trouble& trouble, const MessageArea& area, bool& closed) {
+// Draws a box with a red edge, unless there is no text. Returns the y of its lower edge.
+float draw_trouble(const PanelContext& context, const Trouble& trouble, const Rectangle& area) {
+    if (trouble.text.empty()) return trouble.top;
     const float margin = 12.0F * context.scale;
     const float width = std::max(area.width - 2.0F * margin, 8.0F * ImGui::GetFontSize());
     ImGui::SetNextWindowPos({area.x + margin, trouble.top + margin});
@@ -113,7 +113,7 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Me
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * context.scale);
     float bottom = trouble.top;
     if (ImGui::Begin((std::string("###") + trouble.name).c_str(), nullptr, quiet_window | ImGuiWindowFlags_AlwaysAutoResize)) {
-        closed = draw_heading(context, trouble);
+        const bool closed = draw_heading(context, trouble);
         const auto& fonts = ImGui::GetIO().Fonts->Fonts;
         const bool monospaced = trouble.log && fonts.Size > 1;
 #if IMGUI_VERSION_NUM >= 19200
@@ -126,6 +126,7 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Me
         if (monospaced) ImGui::PopFont();
         note_window(context, std::string("message ") + trouble.name);
         bottom = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+        if (closed) trouble.text.clear();
     }
     ImGui::End();
     ImGui::PopStyleVar();
@@ -135,22 +136,16 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Me
 
 }  // namespace
 
-ClosedMessages draw_messages(const PanelContext& context, const Messages& messages, const MessageArea& area) {
-    ClosedMessages closed;
-    float top = area.y;
-    if (!messages.scene_error.empty()) {
-        const Trouble trouble{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error,
-                              false, top};
-        top = draw_trouble(context, trouble, area, closed.scene_error);
-    }
-    if (!messages.shader_error.empty()) {
-        const Trouble trouble{"shader error", "A shader does not compile; the last good one is running.", messages.shader_error,
-                              true, top};
-        draw_trouble(context, trouble, area, closed.shader_error);
-    }
-    if (messages.work) closed.work = draw_work(context, *messages.work, area);
+bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area) {
+    const Trouble scene{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error, false,
+                        area.y};
+    const float below = draw_trouble(context, scene, area);
+    draw_trouble(context,
+                 {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
+                 area);
+    const bool cancelled = messages.work && draw_work(context, *messages.work, area);
     if (!messages.announcement.empty()) draw_announcement(context, messages.announcement, area);
-    return closed;
+    return cancelled;
 }
 
 namespace {

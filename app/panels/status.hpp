@@ -36,25 +36,11 @@ struct Messages {
     std::optional<WorkShown> work{};
 };
 
-// Where, in screen coordinates: the picture.
-struct MessageArea {
-    float x = 0.0F;
-    float y = 0.0F;
-    float width = 0.0F;
-    float height = 0.0F;
-};
-
-// What the person closed in this frame; the owner takes it away.
-struct ClosedMessages {
-    bool scene_error = false;
-    bool shader_error = false;
-    bool work = false;  // by its button "Cancel"
-};
-
-// Draws windows of its own inside the area. The log is in the second font of ImGui's atlas, if there is one: a monospaced one.
-// Widgets: "message announcement", "message scene error", "message shader error", "close scene error", "close shader error",
-// "message work", "cancel work".
-ClosedMessages draw_messages(const PanelContext& context, const Messages& messages, const MessageArea& area);
+// Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. Returns
+// whether the work is to be cancelled. The log is in the second font of ImGui's atlas, if there is one: a monospaced one. Widgets:
+// "message announcement", "message scene error", "message shader error", "close scene error", "close shader error", "message work",
+// "cancel work".
+bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area);
 
 struct Status {
     std::string renderer;        // "llvmpipe (LLVM 15.0.6, 256 bits)"

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include "camera/fit.hpp"

@@ -1,4 +1,4 @@
-// A view that moves to another one by itself.
+// A view that moves to another one by itself. Any key, button or wheel ends a flight, and so does whatever else moves the view.
 #pragma once
 
 #include <chrono>

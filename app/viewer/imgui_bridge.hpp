@@ -1,7 +1,6 @@
 // Dear ImGui between the window's events and its framebuffer.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "platform/window.hpp"

@@ -8,9 +8,9 @@
 
 namespace sphereview {
 
-// Immediate-mode widgets see only the state at each frame: two changes of one button between two frames, or a press and a
-// move after it, would be lost or misplaced. So a frame gets events only up to the first that hides an earlier one; the rest waits
-// for the next frame.
+// ImGui 1.86 sees only the state at each redraw: two changes of one button between two redraws, or a press and a move after it,
+// would be lost or misplaced. So a redraw gets events only up to the first that hides an earlier one; the rest waits for the next
+// redraw. For this reason ImGui's GLFW backend is not used; its OpenGL backend is.
 class InputQueue {
 public:
     void add(std::vector<InputEvent> events);

@@ -94,10 +94,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     ImGui::End();
     ImGui::PopStyleVar(3);
 
-    const ClosedMessages closed = draw_messages(context, state.messages, {picture.x, picture.y, picture.width, picture.height});
-    if (closed.scene_error) state.messages.scene_error.clear();
-    if (closed.work) cancel_work(state);
-    if (closed.shader_error) state.messages.shader_error.clear();
+    if (draw_messages(context, state.messages, picture)) cancel_work(state);
     if (state.inspector_shown) draw_inspector_window(state, context, facts, picture);
     if (state.help_shown) draw_help(context, state.help_shown);
     draw_dialogs(context, state.dialogs, facts.keys);

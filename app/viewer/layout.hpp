@@ -5,14 +5,6 @@
 
 namespace sphereview {
 
-// In ImGui's coordinates.
-struct Rectangle {
-    float x = 0.0F;
-    float y = 0.0F;
-    float width = 0.0F;
-    float height = 0.0F;
-};
-
 // What the picture was like when the panels are drawn; one frame old.
 struct RedrawFacts {
     Status status;

@@ -6,8 +6,6 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
-#include "exact/visible.hpp"
-
 namespace sphereview {
 
 namespace {
@@ -147,7 +145,6 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
     if (selection != state.selection) actions.push_back(SelectSpheres{selection});
 }
 
-// Only what is seen is selected, as in most 3D programs: what is behind could not be judged by the picture.
 void MouseControl::select_box(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const {
     const auto pixel = [&](double x, double y) {
         return Pixel{std::clamp(static_cast<int>(std::floor(x)), 0, state.size.width - 1),

@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "camera/navigation.hpp"
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
@@ -35,7 +34,8 @@ struct PictureState {
     PictureSize size;
     glm::dvec3 pivot{0.0};                         // what an orbit turns about
     std::function<std::int32_t(glm::dvec2)> pick;  // the visible sphere at a place, or visible_background
-    // The spheres that are seen in a rectangle, its upper left and lower right pixel included; ascending.
+    // The spheres that are seen in a rectangle, its upper left and lower right pixel included; ascending. A box selects what is
+    // seen: what the picture does not show could not be judged there. "Select all" and the filter reach the rest.
     std::function<std::vector<std::uint32_t>(Pixel, Pixel)> seen_in{};
 };
 
@@ -85,7 +85,7 @@ private:
     glm::dvec2 last_{0.0};
     glm::dvec3 grabbed_point_{0.0};  // in the scene, where the button went down
     std::int32_t grabbed_ = -1;      // the sphere there
-    // Of a move of spheres: from when the pointer was at base_place_, so that nothing adds up.
+    // A drag moves spheres from where they were when the pointer was at base_place_: nothing adds up, and back is back to the bit.
     glm::dvec2 base_place_{0.0};
     bool base_in_depth_ = false;
     std::vector<glm::dvec3> base_;  // the selected spheres' centres then

@@ -9,10 +9,18 @@ namespace sphereview {
 class Pacing {
 public:
     // What a traced frame took, in seconds, and what of it was drawing: the rest, lists mostly, shrinks little with the pixels.
-    void traced(int step, double seconds, double drawing);
+    // Both are weighed apart: a finer grid costs more of the one than of the other.
+    void traced(int step, double seconds, double drawing) {
+        follow(drawing_full_, drawing * step * step);
+        follow(preparing_, seconds - drawing);
+    }
 
     // The step for a picture that is moving: 1 where the device is fast enough, at most 8.
-    int moving_step() const;
+    int moving_step() const {
+        int step = 1;
+        while (step < 8 && preparing_ + drawing_full_ / (step * step) > frame_budget) step *= 2;
+        return step;
+    }
 
     // Something happened: some frames must be drawn, until the panels have settled.
     void touch() { frames_ = settling_frames; }
@@ -37,6 +45,9 @@ public:
     static constexpr double look_again = 0.01;     // seconds, while another thread works
 
 private:
+    // Follows a slower frame at once, a faster one slowly: a coarse drawing has costs, too, that do not shrink with its pixels.
+    static void follow(double& known, double measured) { known = measured > known ? measured : 0.7 * known + 0.3 * measured; }
+
     // ImGui shows what a click did in the next frame, and places what is new in the one after that.
     static constexpr int settling_frames = 3;
 

@@ -1,16 +1,75 @@
 #include "viewer/perform.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <glm/geometric.hpp>
 
 #include "edit/shared_values.hpp"
-#include "viewer/export_view.hpp"
-#include "viewer/scene_edits.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {
 
 namespace {
+
+std::string selected_in_words(const ViewerState& state) { return title_of(state.scene(), state.selection); }
+
+// Told apart at a glance, on black and on white.
+constexpr std::array<Color, 7> new_colors = {
+    {{230, 80, 60}, {70, 140, 230}, {90, 190, 90}, {240, 180, 50}, {160, 100, 210}, {60, 190, 190}, {230, 110, 170}}};
+
+// A sphere of usual size in the middle of the view, in front of what is there.
+EditScene add_sphere(const ViewerState& state) {
+    const std::size_t count = state.scene().spheres.size();
+    Sphere sphere;
+    const double depth = std::max(depth_of(state.camera, state.pivot), 0.1);
+    const glm::dvec2 middle(0.5 * state.picture_size.width, 0.5 * state.picture_size.height);
+    sphere.center = point_at(state.camera, state.picture_size, middle, depth);
+    // A tenth of what the picture's shorter side shows there.
+    const glm::dvec2 beside = middle + glm::dvec2(0.1 * state.picture_size.shorter_side(), 0.0);
+    sphere.radius = glm::distance(point_at(state.camera, state.picture_size, beside, depth), sphere.center);
+    sphere.color = new_colors[count % new_colors.size()];
+    return {InsertSpheres{{static_cast<std::uint32_t>(count)}, {{sphere, ""}}}, "Add sphere " + std::to_string(count), 0};
+}
+
+// Each needs something selected.
+EditScene duplicate_selected(const ViewerState& state) {
+    InsertSpheres insert;
+    auto next = static_cast<std::uint32_t>(state.scene().spheres.size());
+    for (const std::uint32_t number : state.selection.numbers()) {
+        NamedSphere copy{state.scene().spheres[number], name_of(state.scene(), number)};
+        if (!copy.name.empty()) copy.name += " copy";
+        // Beside the original, where it can be seen.
+        const glm::dvec3 right = state.camera.right;
+        copy.sphere.center += copy.sphere.radius / glm::length(right) * right;
+        insert.numbers.push_back(next++);
+        insert.spheres.push_back(std::move(copy));
+    }
+    return {std::move(insert), "Duplicate " + selected_in_words(state), 0};
+}
+
+EditScene remove_selected(const ViewerState& state) {
+    return {RemoveSpheres{state.selection.numbers()}, "Delete " + selected_in_words(state), 0};
+}
+
+// Hides them if any is shown, else shows them.
+EditScene hide_or_show_selected(const ViewerState& state) {
+    const auto& numbers = state.selection.numbers();
+    const bool hide = std::ranges::any_of(numbers, [&](std::uint32_t number) { return !state.scene().spheres[number].hidden; });
+    ChangeSpheres change{numbers, {}};
+    change.spheres.reserve(numbers.size());
+    for (const std::uint32_t number : numbers) {
+        change.spheres.push_back(state.scene().spheres[number]);
+        change.spheres.back().hidden = hide;
+    }
+    return {std::move(change), (hide ? "Hide " : "Show ") + selected_in_words(state), 0};
+}
+
+// By one place in the list, up (-1) or down (1); needs one sphere and a place to go to.
+EditScene reorder_selected(const ViewerState& state, int by) {
+    const std::uint32_t from = state.selection.numbers().front();
+    const std::uint32_t to = by < 0 ? from - 1 : from + 1;
+    return {ReorderSphere{from, to}, "Move " + selected_in_words(state) + (by < 0 ? " up" : " down"), 0};
+}
 
 // What an undo or redo concerned is selected; what has gone is not.
 void select_touched(ViewerState& state, const Touched& touched) {
@@ -42,14 +101,8 @@ int samples_of(CommandId command) {
 }
 
 std::optional<Shading> shading_of(CommandId command) {
-    switch (command) {
-        case CommandId::shade_flat: return Shading::flat;
-        case CommandId::shade_headlight: return Shading::headlight;
-        case CommandId::shade_normal: return Shading::normal;
-        case CommandId::shade_depth: return Shading::depth;
-        case CommandId::shade_id: return Shading::id;
-        default: return std::nullopt;
-    }
+    if (command < CommandId::first_shading || command > CommandId::last_shading) return std::nullopt;
+    return static_cast<Shading>(static_cast<int>(command) - static_cast<int>(CommandId::first_shading));
 }
 
 void apply(ViewerState& state, EditScene& action) {
@@ -99,7 +152,10 @@ bool is_checked(const ViewerState& state, CommandId command) {
 
 void run_command(ViewerState& state, CommandId command) {
     if (!is_enabled(state, command)) return;
+    if (const auto shading = shading_of(command)) state.settings.shading = *shading;
     switch (command) {
+        case CommandId::first_shading:
+        case CommandId::last_shading: return;
         case CommandId::file_new: return new_scene(state);
         case CommandId::file_open: return ask_for_scene(state);
         case CommandId::file_save: return save_scene(state);
@@ -133,11 +189,6 @@ void run_command(ViewerState& state, CommandId command) {
             return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
         case CommandId::next_frame: return show_frame(state, state.frame + 1);
         case CommandId::previous_frame: return show_frame(state, state.frame - 1);
-        case CommandId::shade_flat:
-        case CommandId::shade_headlight:
-        case CommandId::shade_normal:
-        case CommandId::shade_depth:
-        case CommandId::shade_id: state.settings.shading = *shading_of(command); return;
         case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
         case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
         case CommandId::toggle_export_area: state.export_area_shown = !state.export_area_shown; return;

@@ -1,16 +1,22 @@
 #include "viewer/picture_job.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "app/failure.hpp"
 #include "base/error.hpp"
+#include "base/gunzip.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
+#include "base/user_folders.hpp"
 #include "image/png.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -33,8 +39,7 @@ std::shared_ptr<const Scene> snapshot(ViewerState& state) {
     return kept.scene;
 }
 
-// The very function that `render` calls. The CPU's renderer: the picture is the same on all, and the window's thread keeps its
-// context.
+// The very function that `render` calls.
 Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control) {
     constexpr double parts = 1000.0;
     control.total = static_cast<std::uint64_t>(parts);
@@ -47,11 +52,12 @@ Image render_beside(const Scene& scene, const PictureOptions& options, WorkContr
     });
 }
 
-}  // namespace
-
+// What `render` would be asked for the picture in the window, or for one of another size.
 PictureOptions picture_options(const ViewerState& state, PictureSize size) {
     return {state.camera, size, state.shown_background(), true, state.settings.samples, state.settings.shading};
 }
+
+}  // namespace
 
 bool rest_picture_is_shown(ViewerState& state) {
     if (!state.rest_picture) return false;
@@ -72,6 +78,9 @@ void make_rest_picture(ViewerState& state) {
     state.rest_picture.emplace(RestPicture{state.document.revision(), options, std::move(image), std::move(job)});
 }
 
+namespace {
+
+// Begins to write a file; none may be on its way. `fail` is called with what went wrong, now or later.
 void start_export(ViewerState& state, const std::string& path, PictureSize size, std::function<void(const std::string& why)> fail) {
     const PictureOptions options = picture_options(state, size);
     try {
@@ -89,27 +98,51 @@ void start_export(ViewerState& state, const std::string& path, PictureSize size,
     BackgroundJob job([png, made, options, scene = made ? nullptr : snapshot(state)](WorkControl& control) {
         *png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
     });
-    state.exporting.emplace(Exporting{path, options, std::move(png), std::move(job), std::move(fail)});
+    const auto done = [&state, path, options] {
+        const auto& [width, height] = options.size;
+        announce(state, "Exported " + path + " (" + std::to_string(width) + " x " + std::to_string(height) +
+                            (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples a pixel)" : ")"));
+    };
+    // The loop writes the file, so that an export that is cancelled before leaves nothing.
+    const auto write = [path, png] { write_output(path, *png); };
+    state.exporting.emplace(Work{.path = path, .job = std::move(job), .done = done, .fail = std::move(fail), .write = write});
 }
 
-bool finish_export(ViewerState& state) {
-    if (!state.exporting || !state.exporting->job.ended()) return false;
-    const Exporting ended = std::move(*state.exporting);
-    state.exporting.reset();
-    try {
-        ended.job.rethrow();
-        // Here, so that what is cancelled before leaves nothing.
-        write_output(ended.path, *ended.png);
-    } catch (...) {
-        ended.fail(describe_current_exception().message);
-        return true;
-    }
-    const auto& [width, height] = ended.options.size;
-    const int samples = ended.options.samples;
-    announce(state, "Exported " + ended.path + " (" + std::to_string(width) + " x " + std::to_string(height) +
-                        (samples > 1 ? ", " + std::to_string(samples) + " samples a pixel)" : ")"));
-    ended.then();
-    return true;
+// NAME.png, NAME-1.png, NAME-2.png, ...: the first that is not there.
+fs::path next_free_name(const ViewerState& state) {
+    const fs::path folder = state.path.empty() ? pictures_folder() : fs::path(state.path).parent_path();
+    const std::string stem = state.path.empty() ? "untitled" : fs::path(without_gzip_ending(state.path)).stem().string();
+    std::error_code error;
+    fs::path name = folder / (stem + ".png");
+    for (int i = 1; fs::exists(fs::symlink_status(name, error)); ++i) name = folder / (stem + "-" + std::to_string(i) + ".png");
+    return name;
 }
+
+void ask_for_export(ViewerState& state, const std::string& first_path, const std::string& fault) {
+    ExportForm form;
+    form.path = first_path;
+    form.width = state.settings.export_width;
+    form.height = state.settings.export_height;
+    form.view = state.picture_size;
+    form.error = fault;
+    form.accept = [&state](const std::string& path, PictureSize size) {
+        state.settings.export_width = size.width;
+        state.settings.export_height = size.height;
+        const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
+        if (state.exporting) return ask_again(state.exporting->path + " is not exported yet");
+        start_export(state, path, size, ask_again);
+    };
+    state.dialogs.push_back(std::move(form));
+}
+
+}  // namespace
+
+void export_now(ViewerState& state) {
+    if (state.exporting) return;
+    start_export(state, next_free_name(state).string(), {state.settings.export_width, state.settings.export_height},
+                 [&state](const std::string& why) { report_error(state, "The picture cannot be exported", why); });
+}
+
+void ask_for_export(ViewerState& state) { ask_for_export(state, next_free_name(state).string(), ""); }
 
 }  // namespace sphereview

@@ -1,10 +1,10 @@
-// Pictures as `render` writes them, made beside the window's loop: what the window shows at rest, and PNG files.
+// Pictures as `render` writes them, made beside the window's loop: what the window shows at rest, and PNG files. A job calls
+// render_picture() with the CPU renderer: the picture is the same as the GPU's, and the window's context keeps what it holds. So
+// whatever is promised of exports holds for the window at rest. The next input cancels its job.
 #pragma once
 
 #include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 
 #include "app/render_picture.hpp"
 #include "base/background_job.hpp"
@@ -30,19 +30,6 @@ struct RestPicture {
     bool is_made() const { return job.ended() && image->width() > 0; }
 };
 
-// A PNG file that is being made.
-struct Exporting {
-    std::string path;
-    PictureOptions options;
-    std::shared_ptr<std::string> png;
-    BackgroundJob job;
-    std::function<void(const std::string& why)> fail;
-    std::function<void()> then = [] {};  // called once the file is whole
-};
-
-// What `render` would be asked for the picture in the window, or for one of another size.
-PictureOptions picture_options(const ViewerState& state, PictureSize size);
-
 // Forgets the window's rest picture, and cancels its job, if the window has come to show something else. Returns whether what is
 // left is finished: then the window shows that.
 bool rest_picture_is_shown(ViewerState& state);
@@ -50,10 +37,11 @@ bool rest_picture_is_shown(ViewerState& state);
 // Begins to make it, if it is not there, nor any other picture being made. To be called when the window rests.
 void make_rest_picture(ViewerState& state);
 
-// Begins to write a file; none may be on its way. `fail` is called with what went wrong, now or later.
-void start_export(ViewerState& state, const std::string& path, PictureSize size, std::function<void(const std::string& why)> fail);
+// F12: writes a PNG to the next free name beside the scene, or in the Pictures folder. Does nothing while another export is on its
+// way.
+void export_now(ViewerState& state);
 
-// Acts on an export that has ended. Returns whether one has.
-bool finish_export(ViewerState& state);
+// File > Export: asks for name and size, and before it overwrites.
+void ask_for_export(ViewerState& state);
 
 }  // namespace sphereview

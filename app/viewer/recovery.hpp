@@ -2,9 +2,13 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "base/background_job.hpp"
+#include "edit/document.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
@@ -19,7 +23,8 @@ struct Recovery {
 // done; for emergencies, so it throws nothing.
 bool write_recovery(const Scene& scene, const std::string& original) noexcept;
 
-// What processes that no longer run have kept, the newest first.
+// What processes that no longer run have kept, the newest first. Whether one still runs is told by the lock that it holds: the
+// system lets go of the lock when the process ends, however it ends.
 std::vector<Recovery> list_recoveries();
 
 // False when the file is still there afterwards.
@@ -27,5 +32,40 @@ bool remove_recovery(const std::string& file) noexcept;
 
 // Forgets what this process has kept: its edits were saved after all.
 bool remove_own_recovery() noexcept;
+
+// Keeps unsaved changes in the recovery file while the viewer runs, so that not even a kill or a power cut loses more than seconds.
+class Autosave {
+public:
+    using Clock = std::chrono::steady_clock;
+
+    // Call when nothing moves. Keeps the changes once they are some seconds old; the longer that took the last time, the later, so
+    // that it never takes more than a small part of the time; a large scene's from a copy, in the background. Forgets what is kept
+    // as soon as nothing is unsaved. `original` is the document's file.
+    void look(const Document& document, const std::string& original, Clock::time_point now);
+
+    // What is being written in the background is on the disk, or has failed, when this returns.
+    void finish();
+
+    // Keeps the changes at once. False when that cannot be done; it is not tried again before the next change.
+    bool keep(const Document& document, const std::string& original);
+
+    // When look() has something to do that no input announces.
+    std::optional<Clock::time_point> due() const { return due_; }
+
+private:
+    void keep_in_background(const Document& document, const std::string& original);
+
+    std::optional<Clock::time_point> due_;
+    Clock::duration pause_ = shortest_pause;
+    std::uint64_t tried_ = 0;  // the revision of the last attempt
+    bool kept_ = false;        // there may be a recovery file of ours
+    std::optional<BackgroundJob> job_;
+    Clock::time_point job_begin_;
+
+    static constexpr Clock::duration shortest_pause = std::chrono::seconds(2);
+    static constexpr int pauses_per_write = 20;
+    static constexpr Clock::duration look_again = std::chrono::milliseconds(250);  // while a job runs
+    static constexpr std::size_t spheres_at_once = 10'000;
+};
 
 }  // namespace sphereview

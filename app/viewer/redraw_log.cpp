@@ -1,15 +1,13 @@
 #include "viewer/redraw_log.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "app/json.hpp"
 #include "base/error.hpp"
 
 namespace sphereview {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
@@ -30,7 +28,7 @@ RedrawLog::RedrawLog(const std::string& path) : file_(nullptr, std::fclose) {
 void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const WidgetRectangles& widgets) {
     if (!file_) return;
     Json rectangles = Json::object();
-    for (const auto& [name, r] : widgets) rectangles[name] = {r.left, r.top, r.right, r.bottom};
+    for (const auto& [name, r] : widgets) rectangles.set(name, {r.left, r.top, r.right, r.bottom});
     Json dialogs = Json::array();
     for (const Dialog& dialog : state.dialogs) dialogs.push_back(id_of(dialog));
     const Rectangle& p = frame.picture;
@@ -40,6 +38,7 @@ void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const W
         {"revision", state.document.revision()},
         {"step", frame.step},
         {"builds", frame.builds},
+        {"explanations", frame.explanations},
         {"exact", frame.exact},
         {"samples", frame.samples},
         {"shading", name_of(state.settings.shading)},
@@ -53,7 +52,7 @@ void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const W
         {"spheres", state.scene().spheres.size()},
         {"selection", first_of(state.selection.numbers())},
         {"selected", state.selection.size()},
-        {"hovered", state.hovered ? Json(*state.hovered) : Json(nullptr)},
+        {"hovered", state.hovered},
         {"undo", state.document.undo_name()},
         {"redo", state.document.redo_name()},
         {"picture", {p.x, p.y, p.width, p.height}},
@@ -72,7 +71,7 @@ void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const W
         {"scene_error", state.messages.scene_error},
         {"shader_error", state.messages.shader_error},
         {"widgets", rectangles}};
-    const std::string text = line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    const std::string text = line.dump() + "\n";
     std::fwrite(text.data(), 1, text.size(), file_.get());
     std::fflush(file_.get());
 }

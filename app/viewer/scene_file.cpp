@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/failure.hpp"
-#include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
-#include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
 
@@ -43,33 +40,29 @@ std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function
 }
 
 void read_scene(ViewerState& state, const std::string& path) {
-    LoadRequest request;
-    request.path = path;
-    request.options = load_options(state, 0);
-    // Before it is read: what is written meanwhile shows as a change.
-    request.accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
+    // The stamp is of before the reading: what is written meanwhile shows as a change.
+    const auto accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
         adopt(state, std::move(loaded), path);
         state.stamp = stamp;
     });
-    request.fail = [&state, path](const std::string& why) {
+    const auto fail = [&state, path](const std::string& why) {
         // A broken file can be repaired, and is then looked for where it was.
         if (std::error_code error; !fs::exists(path, error)) remove_recent(state.settings, absolute_path(path));
         report_error(state, "The scene cannot be opened", why);
         look_at_file(state);
     };
-    request.cancel = [&state] { look_at_file(state); };
-    start_loading(state, std::move(request));
+    start_loading(state, {path, load_options(state, 0), accept, fail, [&state] { look_at_file(state); }});
 }
 
-void after_saving(ViewerState& state, const std::function<void()>& next) {
-    state.saving->done = [done = std::move(state.saving->done), next] {
+void after(Work& work, const std::function<void()>& next) {
+    work.done = [done = std::move(work.done), next] {
         done();
         next();
     };
 }
 
 void write(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
-    if (state.saving) return after_saving(state, [&state, path, format, then] { write(state, path, format, then); });
+    if (state.saving) return after(*state.saving, [&state, path, format, then] { write(state, path, format, then); });
     const auto done = [&state, path, format, then] {
         state.path = path;
         state.format = format;
@@ -91,6 +84,17 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
 }
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
+
+// Where a file of the scene's would be looked for first.
+std::string usual_folder(const ViewerState& state) {
+    std::error_code error;
+    if (!state.path.empty()) return fs::path(state.path).parent_path().string();
+    if (!state.settings.recent.empty()) {
+        const fs::path folder = fs::path(state.settings.recent.front()).parent_path();
+        if (fs::is_directory(folder, error)) return folder.string();
+    }
+    return fs::current_path(error).string();
+}
 
 // A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
 FileBrowser file_dialog(const ViewerState& state) {
@@ -131,17 +135,15 @@ bool is_packed(const std::string& path) { return without_gzip_ending(path) != pa
 void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
     const std::string lost = lost_in(state.scene(), format);
     if (lost.empty()) return write(state, path, format, then);
-    Question question;
-    question.id = "text-loses";
-    question.title = "The text format cannot hold everything";
-    question.text = in_quotes(fs::path(path).filename().string()) + " would lose: " + lost + ".";
-    question.answers = {"Save as TOML...", "Save all the same", "Cancel"};
-    question.cancel = 2;
-    question.answer = [&state, path, format, then](int answer) {
-        if (answer == 0) ask_where_to_save(state, SceneFormat::toml, then);
-        if (answer == 1) write(state, path, format, then);
-    };
-    state.dialogs.push_back(std::move(question));
+    state.dialogs.push_back(Question{.id = "text-loses",
+                                     .title = "The text format cannot hold everything",
+                                     .text = in_quotes(fs::path(path).filename().string()) + " would lose: " + lost + ".",
+                                     .answers = {"Save as TOML...", "Save all the same", "Cancel"},
+                                     .cancel = 2,
+                                     .answer = [&state, path, format, then](int answer) {
+                                         if (answer == 0) ask_where_to_save(state, SceneFormat::toml, then);
+                                         if (answer == 1) write(state, path, format, then);
+                                     }});
 }
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
@@ -176,10 +178,7 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
 }
 
 void read_frame(ViewerState& state, std::int64_t frame) {
-    LoadRequest request;
-    request.path = state.path;
-    request.options = load_options(state, frame);
-    request.accept = unless_edited(state, [&state, frame, stamp = file_states(state.path)](LoadedScene loaded) {
+    const auto accept = unless_edited(state, [&state, frame, stamp = file_states(state.path)](LoadedScene loaded) {
         const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
         state.document = Document(std::move(loaded.scene));
         state.bounds_revision = 0;
@@ -190,12 +189,11 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         state.frames = loaded.frames;
         state.stamp = stamp;
     });
-    request.fail = [&state](const std::string& why) {
+    const auto fail = [&state](const std::string& why) {
         report_error(state, "The frame cannot be read", why);
         look_at_file(state);
     };
-    request.cancel = [&state] { look_at_file(state); };
-    start_loading(state, std::move(request));
+    start_loading(state, {state.path, load_options(state, frame), accept, fail, [&state] { look_at_file(state); }});
 }
 
 void reload(ViewerState& state, LoadedScene loaded) {
@@ -213,18 +211,16 @@ void reload(ViewerState& state, LoadedScene loaded) {
 void offer_reload(ViewerState& state, LoadedScene loaded) {
     state.messages.scene_error.clear();
     if (!state.document.is_changed() || loaded.scene == state.scene()) return reload(state, std::move(loaded));
-    Question question;
-    question.id = "reload";
-    question.title = "The file has changed on disk";
-    question.text = in_quotes(state.name()) + " was changed by another program, and has changes here that are not saved.\n" +
-                    "(Undo brings yours back after a reload.)";
-    question.answers = {"Reload the file", "Keep mine"};
-    question.cancel = 1;
-    question.answer = [&state, loaded = std::make_shared<LoadedScene>(std::move(loaded))](int answer) {
-        if (answer == 0) reload(state, std::move(*loaded));
-        if (answer == 1) state.document.mark_unsaved();
-    };
-    ask(state, std::move(question));
+    ask(state, {.id = "reload",
+                .title = "The file has changed on disk",
+                .text = in_quotes(state.name()) + " was changed by another program, and has changes here that are not saved.\n" +
+                        "(Undo brings yours back after a reload.)",
+                .answers = {"Reload the file", "Keep mine"},
+                .cancel = 1,
+                .answer = [&state, loaded = std::make_shared<LoadedScene>(std::move(loaded))](int answer) {
+                    if (answer == 0) reload(state, std::move(*loaded));
+                    if (answer == 1) state.document.mark_unsaved();
+                }});
 }
 
 }  // namespace
@@ -259,19 +255,17 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
 }
 
 void with_edits_safe(ViewerState& state, std::function<void()> then) {
-    if (state.saving) return after_saving(state, [&state, then = std::move(then)] { with_edits_safe(state, then); });
+    if (state.saving) return after(*state.saving, [&state, then = std::move(then)] { with_edits_safe(state, then); });
     if (!state.document.is_changed()) return then();
-    Question question;
-    question.id = "save-changes";
-    question.title = "Save changes?";
-    question.text = in_quotes(state.name()) + " has changes that are not saved.";
-    question.answers = {"Save", "Don't save", "Cancel"};
-    question.cancel = 2;
-    question.answer = [&state, then = std::move(then)](int answer) {
-        if (answer == 0) save_scene(state, then);
-        if (answer == 1) then();
-    };
-    ask(state, std::move(question));
+    ask(state, {.id = "save-changes",
+                .title = "Save changes?",
+                .text = in_quotes(state.name()) + " has changes that are not saved.",
+                .answers = {"Save", "Don't save", "Cancel"},
+                .cancel = 2,
+                .answer = [&state, then = std::move(then)](int answer) {
+                    if (answer == 0) save_scene(state, then);
+                    if (answer == 1) then();
+                }});
 }
 
 void new_scene(ViewerState& state) {
@@ -307,37 +301,22 @@ void show_frame(ViewerState& state, std::int64_t frame) {
 }
 
 void quit(ViewerState& state) {
-    if (state.exporting) {
-        state.exporting->then = [&state] { quit(state); };
-        return;
-    }
+    if (state.exporting) return after(*state.exporting, [&state] { quit(state); });
     with_edits_safe(state, [&state] { state.quits = true; });
 }
 
 void look_at_file(ViewerState& state) {
     // What is being written is our own, and what is being opened will take its place.
-    if (state.path.empty() || state.saving || (state.loading && !state.loading->request.reload)) return;
+    if (state.path.empty() || state.saving || (state.loading && !state.loading->reload)) return;
     FileStates stamp = file_states(state.path);
     if (stamp.empty() || stamp == state.stamp) return;  // a file that is gone may be on its way back
     state.stamp = std::move(stamp);
-    LoadRequest request;
-    request.path = state.path;
-    request.options = load_options(state, state.frame);
-    request.accept = [&state](LoadedScene loaded) { offer_reload(state, std::move(loaded)); };
-    request.fail = [&state](const std::string& why) { state.messages.scene_error = why; };
-    request.cancel = [&state] { state.document.mark_unsaved(); };
-    request.reload = true;
-    start_loading(state, std::move(request));
-}
-
-std::string usual_folder(const ViewerState& state) {
-    std::error_code error;
-    if (!state.path.empty()) return fs::path(state.path).parent_path().string();
-    if (!state.settings.recent.empty()) {
-        const fs::path folder = fs::path(state.settings.recent.front()).parent_path();
-        if (fs::is_directory(folder, error)) return folder.string();
-    }
-    return fs::current_path(error).string();
+    start_loading(state, {.path = state.path,
+                          .options = load_options(state, state.frame),
+                          .accept = [&state](LoadedScene loaded) { offer_reload(state, std::move(loaded)); },
+                          .fail = [&state](const std::string& why) { state.messages.scene_error = why; },
+                          .cancel = [&state] { state.document.mark_unsaved(); },
+                          .reload = true});
 }
 
 }  // namespace sphereview

@@ -30,7 +30,7 @@ void save_scene_as(
 void quit(ViewerState& state);
 
 // Shows another frame of the scene's file, with the same view and, of as many spheres, the same selection. Asks about edits that
-// are not saved.
+// are not saved. Reads the file again, as a reload does: nothing has to be remembered that the file may have changed.
 void show_frame(ViewerState& state, std::int64_t frame);
 // Whether the file has that frame.
 bool has_frame(const ViewerState& state, std::int64_t frame);
@@ -38,8 +38,5 @@ bool has_frame(const ViewerState& state, std::int64_t frame);
 // Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so; edits that are
 // not saved are lost only if the person says so.
 void look_at_file(ViewerState& state);
-
-// Where a file of the scene's would be looked for first.
-std::string usual_folder(const ViewerState& state);
 
 }  // namespace sphereview

@@ -18,24 +18,14 @@ namespace {
 constexpr std::uintmax_t bytes_at_once = std::uintmax_t{1} << 20;
 constexpr std::size_t spheres_at_once = 10'000;
 
-void end_loading(ViewerState& state) {
-    Loading ended = std::move(*state.loading);
-    state.loading.reset();
+void end(std::optional<Work>& work) {
+    const Work ended = std::move(*work);
+    work.reset();
     try {
         ended.job.rethrow();
+        ended.write();
     } catch (...) {
-        return ended.request.fail(describe_current_exception(ended.request.path).message);
-    }
-    ended.request.accept(std::move(*ended.loaded));
-}
-
-void end_saving(ViewerState& state) {
-    Saving ended = std::move(*state.saving);
-    state.saving.reset();
-    try {
-        ended.job.rethrow();
-    } catch (...) {
-        return ended.fail(describe_current_exception().message);
+        return ended.fail(describe_current_exception(ended.path).message);
     }
     ended.done();
 }
@@ -51,70 +41,60 @@ bool is_read_at_once(const std::string& path) {
 }
 
 void start_loading(ViewerState& state, LoadRequest request) {
-    state.loading.reset();
-    if (is_read_at_once(request.path)) {
-        LoadedScene loaded;
-        try {
-            loaded = load_scene(request.path, request.options);
-        } catch (...) {
-            return request.fail(describe_current_exception(request.path).message);
-        }
-        return request.accept(std::move(loaded));
-    }
+    const bool at_once = is_read_at_once(request.path);
     auto loaded = std::make_shared<LoadedScene>();
     BackgroundJob job([loaded, path = request.path, options = request.options](WorkControl& control) mutable {
         options.control = &control;
         *loaded = load_scene(path, options);
     });
-    state.loading.emplace(Loading{std::move(request), std::move(loaded), std::move(job)});
+    state.loading.reset();
+    state.loading.emplace(Work{.path = std::move(request.path),
+                               .job = std::move(job),
+                               .done = [loaded, accept = std::move(request.accept)] { accept(std::move(*loaded)); },
+                               .fail = std::move(request.fail),
+                               .cancel = std::move(request.cancel),
+                               .reload = request.reload});
+    if (!at_once) return;
+    state.loading->job.wait();
+    end(state.loading);
 }
 
-bool cancel_work(ViewerState& state) {
-    if (!state.loading) {
-        const bool exported = state.exporting.has_value();
-        state.exporting.reset();
-        return exported;
-    }
-    const std::function<void()> cancel = std::move(state.loading->request.cancel);
-    state.loading.reset();
+void cancel_work(ViewerState& state) {
+    std::optional<Work>& work = state.loading ? state.loading : state.exporting;
+    if (!work) return;
+    const std::function<void()> cancel = std::move(work->cancel);
+    work.reset();
     cancel();
-    return true;
 }
 
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail) {
-    if (state.scene().spheres.size() <= spheres_at_once) {
-        try {
-            write_output(path, write_scene(state.scene(), format));
-        } catch (...) {
-            return fail(describe_current_exception().message);
-        }
-        return done();
-    }
     BackgroundJob job([scene = std::make_shared<Scene>(state.scene()), path, format](WorkControl&) mutable {
         const std::string text = write_scene(*scene, format);
         scene.reset();
         write_output(path, text);
     });
-    state.saving.emplace(Saving{path, std::move(done), std::move(fail), std::move(job)});
+    state.saving.emplace(Work{.path = path, .job = std::move(job), .done = std::move(done), .fail = std::move(fail)});
+    if (state.scene().spheres.size() <= spheres_at_once) wait_for_saving(state);
 }
 
 bool is_working(const ViewerState& state) { return state.loading || state.saving || state.exporting; }
 
 bool finish_work(ViewerState& state) {
-    const bool loaded = state.loading && state.loading->job.ended();
-    const bool saved = state.saving && state.saving->job.ended();
-    if (saved) end_saving(state);
-    // The end of saving may have replaced what was being loaded.
-    if (loaded && state.loading && state.loading->job.ended()) end_loading(state);
-    const bool exported = finish_export(state);
-    return loaded || saved || exported;
+    bool any = false;
+    // Saving first: its end may replace what is being loaded.
+    for (std::optional<Work>* work : {&state.saving, &state.loading, &state.exporting}) {
+        if (!*work || !(*work)->job.ended()) continue;
+        end(*work);
+        any = true;
+    }
+    return any;
 }
 
 void wait_for_saving(ViewerState& state) {
     while (state.saving) {
         state.saving->job.wait();
-        end_saving(state);
+        end(state.saving);
     }
 }
 

@@ -2,13 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
-#include "base/file_watcher.hpp"
 
 namespace sphereview {
 
@@ -25,29 +22,29 @@ struct LoadRequest {
     bool reload = false;  // of the file that is shown
 };
 
-struct Loading {
-    LoadRequest request;
-    std::shared_ptr<LoadedScene> loaded;
-    BackgroundJob job;
-};
-
-struct Saving {
+// What a thread beside the window's loop does with a file, and what the loop does once it has ended: write() and then done(), or
+// fail() where the thread or write() throws. Work that is cancelled calls none of them.
+struct Work {
     std::string path;
+    BackgroundJob job;
     std::function<void()> done;
     std::function<void(const std::string& why)> fail;
-    BackgroundJob job;
+    std::function<void()> write = [] {};
+    std::function<void()> cancel = [] {};
+    bool reload = false;  // it reads the file that is shown
 };
 
 // Whether to read it at once: a regular file that takes no time that anyone sees, or what is missing and says so.
 bool is_read_at_once(const std::string& path);
 
-// Begins to read, instead of what is being read now. What is_read_at_once() has been read when this returns.
+// Begins to read, instead of what is being read now. What is_read_at_once() has been read when this returns: before anyone could
+// see a bar. A reading that was cancelled ends at its next 4 MB; nobody waits for it, since a read of a pipe may never return.
 void start_loading(ViewerState& state, LoadRequest request);
-// What is being read, or else exported; nothing is written then. Returns whether there was something to cancel.
-bool cancel_work(ViewerState& state);
+// What is being read, or else exported; nothing is written then.
+void cancel_work(ViewerState& state);
 
-// Writes the scene as it is now: a large one from a copy, which takes 10 ms for a million spheres, so that edits go on. None may be
-// under way. `done` is called once the file is whole.
+// Writes the scene as it is now, from a copy (10 ms for a million spheres), so that edits need not wait and cannot tear what is
+// written. A small one has been written when this returns. None may be under way. `done` is called once the file is whole.
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 

@@ -1,15 +1,12 @@
 #include "viewer/settings.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <exception>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
+#include <type_traits>
 
-#include "base/error.hpp"
+#include "app/json.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/user_folders.hpp"
@@ -21,8 +18,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using Json = nlohmann::json;
-
 fs::path settings_file() {
     const fs::path folder = config_folder();
     return folder.empty() ? fs::path() : folder / "viewer.json";
@@ -33,7 +28,7 @@ Json read_file(const fs::path& file) {
     std::error_code ignored;
     if (file.empty() || !fs::is_regular_file(file, ignored)) return Json::object();
     try {
-        Json json = Json::parse(InputFile(file.string()).bytes(), nullptr, false);
+        Json json = Json::parse(InputFile(file.string()).bytes());
         if (json.is_object()) return json;
     } catch (const std::exception&) {
         // An unreadable file counts as none.
@@ -41,24 +36,12 @@ Json read_file(const fs::path& file) {
     return Json::object();
 }
 
-std::optional<int> number_in(const Json& json, const char* key, SettingRange<int> range) {
-    const auto value = json.find(key);
-    if (value == json.end() || !value->is_number_integer()) return {};
-    // A number that only unsigned holds is far above any range.
-    if (value->is_number_unsigned() && value->get<std::uint64_t>() > static_cast<std::uint64_t>(range.most)) return {};
-    const auto number = value->get<std::int64_t>();
-    return number >= range.least && number <= range.most ? std::optional(static_cast<int>(number)) : std::nullopt;
-}
-
-void read(const Json& json, const char* key, SettingRange<int> range, int& setting) {
-    setting = number_in(json, key, range).value_or(setting);
-}
-
-void read(const Json& json, const char* key, SettingRange<double> range, double& setting) {
-    const auto value = json.find(key);
-    if (value == json.end() || !value->is_number()) return;
-    const auto number = value->get<double>();
-    if (range.has(number)) setting = number;
+template <typename T>
+void read(const Json& json, const char* key, SettingRange<T> range, auto& setting) {
+    // As a double, which holds all of every range.
+    const auto whole = json[key].whole();
+    const auto number = std::is_integral_v<T> && !whole ? std::nullopt : json[key].number();
+    if (number && *number >= range.least && *number <= range.most) setting = static_cast<T>(*number);
 }
 
 // Every number with its key and its range, for reading and for writing.
@@ -72,54 +55,44 @@ void each_number(Settings& settings, const Visit& visit) {
 }
 
 void read_place(const Json& json, WindowPlace& place) {
-    const auto window = json.find("window");
-    if (window == json.end() || !window->is_object()) return;
-    place.x = number_in(*window, "x", window_place_range);
-    place.y = number_in(*window, "y", window_place_range);
+    const Json window = json["window"];
+    read(window, "x", window_place_range, place.x);
+    read(window, "y", window_place_range, place.y);
     if (!place.x || !place.y) place.x = place.y = std::nullopt;  // half a place is none
-    read(*window, "width", window_side_range, place.width);
-    read(*window, "height", window_side_range, place.height);
-    const auto maximized = window->find("maximized");
-    if (maximized != window->end() && maximized->is_boolean()) place.maximized = maximized->get<bool>();
+    read(window, "width", window_side_range, place.width);
+    read(window, "height", window_side_range, place.height);
+    place.maximized = window["maximized"].boolean().value_or(place.maximized);
 }
 
 void read_recent(const Json& json, std::vector<std::string>& recent) {
-    const auto list = json.find("recent");
-    if (list == json.end() || !list->is_array()) return;
-    for (const Json& entry : *list) {
-        if (!entry.is_string() || recent.size() == most_recent) continue;
-        const auto path = entry.get<std::string>();
-        if (fs::path(path).is_absolute() && std::ranges::find(recent, path) == recent.end()) recent.push_back(path);
-    }
-}
-
-bool is_utf8(const std::string& text) {
-    try {
-        static_cast<void>(Json(text).dump());
-        return true;
-    } catch (const Json::exception&) {
-        return false;
+    for (const Json& entry : json["recent"].list()) {
+        const auto path = entry.text();
+        if (!path || recent.size() == most_recent) continue;
+        if (fs::path(*path).is_absolute() && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
     }
 }
 
 // Of what is there already, only these settings change.
 void update(Json& json, const ViewerSettings& settings) {
-    Json& window = json["window"];
+    Json window = json["window"];
     if (!window.is_object()) window = Json::object();
     window.erase("x");
     window.erase("y");
     if (settings.place.x && settings.place.y) {
-        window["x"] = *settings.place.x;
-        window["y"] = *settings.place.y;
+        window.set("x", *settings.place.x);
+        window.set("y", *settings.place.y);
     }
-    window["width"] = settings.place.width;
-    window["height"] = settings.place.height;
-    window["maximized"] = settings.place.maximized;
-    each_number(settings, [&](const char* key, auto value, auto) { json[key] = value; });
-    json["shading"] = name_of(settings.shading);
+    window.set("width", settings.place.width);
+    window.set("height", settings.place.height);
+    window.set("maximized", settings.place.maximized);
+    json.set("window", window);
+    each_number(settings, [&](const char* key, auto value, auto) { json.set(key, value); });
+    json.set("shading", name_of(settings.shading));
     Json recent = Json::array();
-    std::ranges::copy_if(settings.recent, std::back_inserter(recent), is_utf8);
-    json["recent"] = recent;
+    for (const std::string& path : settings.recent) {
+        if (is_utf8(path)) recent.push_back(path);
+    }
+    json.set("recent", recent);
 }
 
 std::string absolute(const std::string& path) {
@@ -149,10 +122,7 @@ ViewerSettings load_settings() {
         settings.export_height = ViewerSettings{}.export_height;
     }
     if (std::ranges::find(sample_counts, settings.samples) == sample_counts.end()) settings.samples = ViewerSettings{}.samples;
-    const auto shading = json.find("shading");
-    if (shading != json.end() && shading->is_string()) {
-        settings.shading = shading_named(shading->get<std::string>()).value_or(settings.shading);
-    }
+    if (const auto name = json["shading"].text()) settings.shading = shading_named(*name).value_or(settings.shading);
     read_recent(json, settings.recent);
     return settings;
 }

@@ -17,7 +17,6 @@ struct SettingRange {
     T least;
     T most;
 
-    constexpr bool has(T value) const { return value >= least && value <= most; }
     constexpr T nearest(T value) const { return std::clamp(value, least, most); }
 };
 inline constexpr SettingRange<int> window_side_range{100, 32767};  // screen coordinates

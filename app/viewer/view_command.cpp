@@ -8,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/options.hpp"
 #include "app/load_scene.hpp"
+#include "app/options.hpp"
 #include "base/error.hpp"
 #include "base/freed_memory.hpp"
-#include "base/input_file.hpp"
 #include "base/interrupt.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
@@ -57,9 +56,7 @@ void save_for_recovery(const ViewerState& state) {
 
 void recover(ViewerState& state, const Recovery& recovery) {
     const std::string path = recovery.original;
-    LoadRequest request;
-    request.path = recovery.file;
-    request.accept = [&state, path, recovery](LoadedScene loaded) {
+    const auto accept = [&state, path, recovery](LoadedScene loaded) {
         if (!path.empty()) loaded.format = format_of_name(path);
         loaded.has_camera = !is_data(loaded.format);
         adopt(state, std::move(loaded), path);
@@ -68,8 +65,8 @@ void recover(ViewerState& state, const Recovery& recovery) {
         if (state.autosave.keep(state.document, state.path)) remove_recovery(recovery.file);
         announce(state, "Recovered the unsaved changes of " + state.name());
     };
-    request.fail = [&state](const std::string& why) { report_error(state, "The changes cannot be recovered", why); };
-    start_loading(state, std::move(request));
+    const auto fail = [&state](const std::string& why) { report_error(state, "The changes cannot be recovered", why); };
+    start_loading(state, {.path = recovery.file, .accept = accept, .fail = fail});
 }
 
 void offer_recovery(ViewerState& state) {
@@ -110,17 +107,14 @@ void load_first_scene(ViewerState& state) {
     const LoadOptions options = load_options(state, state.options.data.frame);
     if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
     adopt(state, {.format = SceneFormat::toml}, "");
-    LoadRequest request;
-    request.path = path;
-    request.options = options;
-    request.accept = [&state, revision = state.document.revision()](LoadedScene loaded) {
+    const auto accept = [&state, revision = state.document.revision()](LoadedScene loaded) {
         if (state.document.revision() == revision) return adopt_first_scene(state, std::move(loaded));
         with_edits_safe(state, [&state, kept = std::make_shared<LoadedScene>(std::move(loaded))] {
             adopt_first_scene(state, std::move(*kept));
         });
     };
-    request.fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
-    start_loading(state, std::move(request));
+    const auto fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
+    start_loading(state, {.path = path, .options = options, .accept = accept, .fail = fail});
     if (!state.loading->job.wait_for(patience_without_window)) return;
     state.loading->job.rethrow();
     finish_work(state);

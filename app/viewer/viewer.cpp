@@ -8,7 +8,6 @@
 #include <glm/common.hpp>
 
 #include "base/text.hpp"
-#include "exact/visible.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 
@@ -65,7 +64,7 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
     if (!state.loading) return WorkShown{"Exporting " + state.exporting->path, total > 0.0 ? done / total : 0.0, true};
-    std::string text = "Reading " + state.loading->request.path + ": " + fixed(1e-6 * done, 0);
+    std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
 }
@@ -244,7 +243,6 @@ void Viewer::redraw() {
     facts_.keys = {};
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin));
-    last_redraw_ = begin;
     widgets_.clear();
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
@@ -290,10 +288,13 @@ void Viewer::redraw() {
     if (log_.wanted()) {
         const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_;
         log_.add(state_,
-                 {++redraw_number_, picture_.step(), picture_.builds(), exact, exact ? state_.settings.samples : 1, resting, area_,
-                  seconds_between(begin, Clock::now()), title_for(state_), renderer_},
+                 {++redraw_number_, picture_.step(), picture_.builds(), explanations_, exact, exact ? state_.settings.samples : 1,
+                  resting, area_, seconds_between(begin, Clock::now()), title_for(state_), renderer_},
                  widgets_);
     }
+    // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
+    constexpr std::chrono::milliseconds most_counted{50};
+    last_redraw_ = std::max(begin, Clock::now() - most_counted);
 }
 
 void Viewer::note_facts() {
@@ -311,11 +312,14 @@ void Viewer::note_facts() {
     }
     facts_.status = {renderer_, picture_.last_seconds(),       picture_.step(), pixel, state_.picture_size,
                      sphere,    hidden_.count(state_.document)};
-    facts_.inspected.reset();
-    if (pixel && state_.inspector_shown) {
-        facts_.inspected =
-            InspectedPixel{*pixel, state_.picture_size, explain_pixel(state_.scene(), state_.camera, state_.picture_size, *pixel)};
+    if (!pixel || !state_.inspector_shown) {
+        facts_.inspected.reset();
+        return;
     }
+    const InspectedPlace place{*pixel, state_.picture_size, state_.camera, state_.document.revision()};
+    if (facts_.inspected && facts_.inspected->place == place) return;
+    facts_.inspected = InspectedPixel{place, picture_.explain(state_.document, *pixel)};
+    ++explanations_;
 }
 
 void Viewer::show(const Rectangle& area, bool finished) {

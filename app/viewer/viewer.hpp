@@ -59,8 +59,9 @@ private:
 
     Clock::time_point last_redraw_ = Clock::now();
     std::uint64_t redraw_number_ = 0;
-    Rectangle area_;       // of the picture, in screen coordinates
-    double pixels_ = 1.0;  // a screen coordinate's
+    std::uint64_t explanations_ = 0;  // made for the inspector
+    Rectangle area_;                  // of the picture, in screen coordinates
+    double pixels_ = 1.0;             // a screen coordinate's
     bool pointer_in_picture_ = false;
     RedrawFacts facts_;
     WidgetRectangles widgets_;

@@ -1,5 +1,7 @@
 #include "viewer/viewer_state.hpp"
 
+#include <filesystem>
+
 namespace sphereview {
 
 namespace {
@@ -16,13 +18,7 @@ void announce(ViewerState& state, const std::string& text) {
 }
 
 void report_error(ViewerState& state, const std::string& title, const std::string& text) {
-    Question question;
-    question.id = "error";
-    question.title = title;
-    question.text = text;
-    question.answers = {"OK"};
-    question.answer = [](int) {};
-    state.dialogs.push_back(std::move(question));
+    state.dialogs.push_back(Question{.id = "error", .title = title, .text = text, .answers = {"OK"}, .answer = [](int) {}});
 }
 
 void go_home(ViewerState& state) {

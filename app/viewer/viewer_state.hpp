@@ -2,24 +2,20 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "app/options.hpp"
 #include "base/file_watcher.hpp"
 #include "camera/fit.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
-#include "panels/panel_context.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/status.hpp"
-#include "viewer/autosave.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/picture_job.hpp"
+#include "viewer/recovery.hpp"
 #include "viewer/scene_work.hpp"
 #include "viewer/settings.hpp"
 
@@ -27,7 +23,7 @@ namespace sphereview {
 
 using Clock = std::chrono::steady_clock;
 
-// Dialogs remember where it is: it is not moved.
+// Not movable: dialog callbacks hold references to it.
 struct ViewerState {
     explicit ViewerState(ViewOptions viewer_options, ViewerSettings viewer_settings)
         : options(std::move(viewer_options)), settings(std::move(viewer_settings)) {}
@@ -50,9 +46,9 @@ struct ViewerState {
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
-    std::optional<Loading> loading;
-    std::optional<Saving> saving;
-    std::optional<Exporting> exporting;
+    std::optional<Work> loading;
+    std::optional<Work> saving;
+    std::optional<Work> exporting;
     Autosave autosave;
 
     // The view: what the window shows, which need not be the scene's own camera.

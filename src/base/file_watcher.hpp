@@ -1,4 +1,4 @@
-// Noticing that files change on disk, by looking from time to time.
+// Noticing that files change on disk, by looking from time to time. Notices from the system would be other code on each system.
 #pragma once
 
 #include <chrono>

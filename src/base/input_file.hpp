@@ -20,8 +20,8 @@ inline constexpr std::string_view standard_stream = "-";
 // What a file holds, which tells where a device or pipe without an end is left, and whether gzip is unpacked.
 enum class Content { text, binary };
 
-// A file, device or pipe read front to back, of which only a window is in memory. It is read, not mapped: a mapped file that
-// its editor truncates kills the reader (SIGBUS). A text that is packed with gzip is unpacked on the way (base/gunzip.hpp).
+// A file, device or pipe read front to back; only a window of it is in memory. The file is read, not mapped: an editor that
+// truncates a mapped file kills the reader with SIGBUS. A text that is packed with gzip is unpacked on the way (base/gunzip.hpp).
 class InputStream {
 public:
     // Opens `path`, or standard input for "-". Throws InputError when it is missing, a folder or unreadable.

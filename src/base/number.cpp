@@ -32,6 +32,11 @@ NumberFault parse_double(std::string_view token, double& value) {
     return NumberFault::none;
 }
 
+const char* expected_instead_of(NumberFault fault) {
+    if (fault == NumberFault::not_a_number) return "a number";
+    return fault == NumberFault::not_finite ? "a finite number" : "a number that a double can hold (at most 1.8e308)";
+}
+
 std::string shortest(double value) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);

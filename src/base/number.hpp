@@ -19,6 +19,16 @@ inline std::from_chars_result read_double(const char* begin, const char* end, do
 // A leading '+' is allowed. On a fault `value` is left alone; too_large means beyond the largest double.
 NumberFault parse_double(std::string_view token, double& value);
 
+// Reads the whole of `token` as a whole number; false, with `value` undefined, when `token` is none or `value` cannot hold it.
+template <typename Whole>
+bool parse_whole(std::string_view token, Whole& value) {
+    const auto read = std::from_chars(token.data(), token.data() + token.size(), value);
+    return read.ec == std::errc{} && read.ptr == token.data() + token.size();
+}
+
+// What messages say that a number should be: "a finite number".
+const char* expected_instead_of(NumberFault fault);
+
 // The shortest decimal text that reads back as the same double; "inf" and "nan" where there is none.
 std::string shortest(double value);
 

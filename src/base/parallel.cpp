@@ -1,5 +1,5 @@
-// A pool of threads that sleep between jobs. (OpenMP's would do, but GNU's spin, which takes a core from the thread that goes
-// on, and Apple's compiler has none.)
+// A pool of threads that sleep between jobs. They are not OpenMP's: GNU's threads spin after each loop, which takes a core from the
+// thread that goes on, and Apple's compiler has no OpenMP.
 #include "base/parallel.hpp"
 
 #include <algorithm>

@@ -101,7 +101,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string closest_match(std::string_view word, std::span<const std::string> candidates) {
+std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
     if (word.empty() || word.size() > 64) return "";
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
@@ -109,15 +109,10 @@ std::string closest_match(std::string_view word, std::span<const std::string> ca
         const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
         if (distance < best_distance) {
             best_distance = distance;
-            best = candidate;
+            best = "; did you mean '" + candidate + "'?";
         }
     }
     return best;
-}
-
-std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
-    const std::string match = closest_match(word, candidates);
-    return match.empty() ? "" : "; did you mean '" + match + "'?";
 }
 
 std::string in_groups(std::uint64_t value) {

@@ -29,10 +29,8 @@ std::string found_expected(std::string_view found, std::string_view expected);
 // `found` in single quotes, made safe for one terminal line: control and non-ASCII bytes as \xNN, at most 40 characters.
 std::string in_quotes(std::string_view found);
 
-// The candidate most like `word` (ignoring case), or "" when none is near enough to be what was meant.
-std::string closest_match(std::string_view word, std::span<const std::string> candidates);
-
-// "; did you mean 'CANDIDATE'?" for the closest candidate, or "" when there is none.
+// "; did you mean 'CANDIDATE'?" for the candidate most like `word`, ignoring case; "" when none is near enough to be what was
+// meant.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
 // 1234567 as "1,234,567".

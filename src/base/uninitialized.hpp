@@ -8,8 +8,8 @@
 
 namespace sphereview {
 
-// As std::allocator, but leaves elements that are given no value as they are: filling megabytes with zeros takes one thread
-// longer than writing the results takes all of them, mostly because the system provides memory when it is first touched.
+// As std::allocator, but leaves elements that are given no value as they are. Else one thread would write zeros and wait for the
+// system to provide the memory, while the other threads have nothing to do.
 template <typename T>
 struct UninitializedAllocator : std::allocator<T> {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);

@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "camera/navigation.hpp"
 #include "scene/bounds.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -49,19 +50,6 @@ double cosine_series(double x) {
         sum = sum * s + 1.0 / factorial;
     }
     return 1.0 + (-0.5 * s + s * (s * sum));
-}
-
-// Written out, so that the order of the sums is ours.
-double dot(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
-// Divided first, so that no square leaves the range of doubles.
-glm::dvec3 unit(glm::dvec3 v) {
-    v /= largest_of(v);
-    return v / std::sqrt(dot(v, v));
 }
 
 // -0 becomes 0: the order of the spheres decides which of the two an empty sum gives.
@@ -150,16 +138,10 @@ ViewAxes isometric_axes() {
 }
 
 ViewAxes axes_of(const Camera& camera) {
-    // Halved only where the difference overflows, as camera_fault() does.
-    glm::dvec3 axis = camera.center - camera.eye;
-    if (!std::isfinite(largest_of(axis))) axis = camera.center * 0.5 - camera.eye * 0.5;
-    ViewAxes axes;
-    axes.right = unit(camera.right);
-    axes.ahead = unit(cross(axes.right, unit(camera.up)));
+    const CameraAxes axes = camera_axes(camera);
     // Anew: a camera's own may be not quite perpendicular.
-    axes.up = cross(axes.ahead, axes.right);
-    if (dot(axes.ahead, axis / largest_of(axis)) < 0.0) axes.ahead = -axes.ahead;
-    return {without_negative_zero(axes.right), without_negative_zero(axes.up), without_negative_zero(axes.ahead)};
+    const glm::dvec3 up = axes.mirrored ? cross(axes.right, axes.ahead) : cross(axes.ahead, axes.right);
+    return {without_negative_zero(axes.right), without_negative_zero(up), without_negative_zero(axes.ahead)};
 }
 
 ViewAxes with_hand_of(const ViewAxes& present, const ViewAxes& view) {

@@ -1,5 +1,5 @@
 // A camera that sees everything. Made of + - * / and square roots alone, which IEEE 754 defines to the bit, and of sines and
-// cosines of our own: the same twelve doubles on every machine, so that the picture is.
+// cosines of our own: C libraries differ in theirs by a bit, and then the exact picture of a data file would differ too.
 #pragma once
 
 #include <glm/vec3.hpp>

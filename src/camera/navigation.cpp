@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "scene/vectors.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -17,27 +19,6 @@ constexpr double smallest_height = 1e-6;
 // How many times as far from the origin as its own size a screen may be: its vectors then keep some 9 digits.
 constexpr double farthest_screen = 0x1p24;
 constexpr double nearest_zoom = 1e-9;
-
-double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
-// Without overflow or underflow on the way.
-double length_of(const glm::dvec3& v) { return std::hypot(v.x, v.y, v.z); }
-glm::dvec3 unit(const glm::dvec3& v) { return v / length_of(v); }
-
-// The camera's directions, each of length 1. `ahead` is perpendicular to the screen, on the side of it that is seen.
-struct Directions {
-    explicit Directions(const Camera& camera) : axis(camera.center - camera.eye), right(unit(camera.right)), up(unit(camera.up)) {
-        ahead = unit(glm::cross(right, up));
-        mirrored = glm::dot(ahead, axis) < 0.0;
-        if (mirrored) ahead = -ahead;
-    }
-
-    glm::dvec3 axis;  // from the eye to the screen's centre
-    glm::dvec3 right;
-    glm::dvec3 up;
-    glm::dvec3 ahead;
-    bool mirrored = false;  // x to the left, for an eye that sees y up
-};
 
 // What pixels are in multiples of `right` and `up`.
 glm::dvec2 on_screen(PictureSize size, const glm::dvec2& pixels) {
@@ -71,7 +52,7 @@ struct Attitude {
     double elevation = 0.0;
 };
 
-Attitude attitude_of(const Directions& directions) {
+Attitude attitude_of(const CameraAxes& directions) {
     const double ahead = glm::dot(world_up, directions.ahead);
     const double up = glm::dot(world_up, directions.up);
     if (std::hypot(ahead, up) < smallest_height) return {false, false, 0.0};
@@ -105,11 +86,11 @@ Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm
 }
 
 std::optional<glm::dvec2> project(const Camera& camera, PictureSize size, const glm::dvec3& point) {
-    const Directions directions(camera);
+    const CameraAxes directions = camera_axes(camera);
     const double depth = depth_of(camera, point);
     if (!(depth > 0.0)) return std::nullopt;
     // On the screen, from its centre; with the dual vectors, because right and up may be not quite perpendicular.
-    const glm::dvec3 there = (point - camera.eye) / depth - directions.axis;
+    const glm::dvec3 there = (point - camera.eye) / depth - (camera.center - camera.eye);
     const glm::dvec3 dual_right = glm::cross(directions.up, directions.ahead);
     const glm::dvec3 dual_up = glm::cross(directions.right, directions.ahead);
     const double across = glm::dot(there, dual_right) / glm::dot(camera.right, dual_right);
@@ -121,8 +102,8 @@ std::optional<glm::dvec2> project(const Camera& camera, PictureSize size, const 
 }
 
 double depth_of(const Camera& camera, const glm::dvec3& point) {
-    const Directions directions(camera);
-    return glm::dot(point - camera.eye, directions.ahead) / glm::dot(directions.axis, directions.ahead);
+    const CameraAxes directions = camera_axes(camera);
+    return glm::dot(point - camera.eye, directions.ahead) / glm::dot(camera.center - camera.eye, directions.ahead);
 }
 
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth) {
@@ -131,12 +112,12 @@ glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& pl
 }
 
 Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt) {
-    const Directions directions(camera);
+    const CameraAxes directions = camera_axes(camera);
     const Attitude attitude = attitude_of(directions);
     const double tilt_angle = allowed_tilt(attitude, tilt) * (directions.mirrored ? -1.0 : 1.0);
     const double turn_angle = turn * (directions.mirrored != attitude.upside_down ? -1.0 : 1.0);
     const auto rotated = [&](const glm::dvec3& v) { return turned(turned(v, directions.right, tilt_angle), world_up, turn_angle); };
-    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(directions.axis), rotated(camera.right),
+    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(camera.center - camera.eye), rotated(camera.right),
                    rotated(camera.up));
 }
 

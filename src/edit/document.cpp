@@ -43,11 +43,10 @@ Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
     if (changes_nothing(edit, scene_)) return touched;
     const bool names = changes_names(edit);
     Edit inverse = sphereview::apply(std::move(edit), scene_);
+    advance(change_undone_by(inverse, scene_));
     if (history_.covers(inverse, gesture)) {
-        advance(change_undone_by(inverse, scene_));
         history_.drop_idle_step(scene_);
     } else {
-        advance(change_undone_by(inverse, scene_));
         history_.add(std::move(inverse), std::move(name), gesture);
     }
     if (names) names_revision_ = revision_;

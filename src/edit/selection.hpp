@@ -8,7 +8,8 @@
 
 namespace sphereview {
 
-// A set of sphere numbers, with the one that was chosen last.
+// A set of sphere numbers, with the one that was chosen last. The numbers are sorted and have a version, because a selection is
+// made rarely and asked often, a row or an outline at a time.
 class Selection {
 public:
     // Ascending.

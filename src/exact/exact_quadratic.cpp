@@ -19,15 +19,6 @@ Dyadic dyadic(double value) {
     return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
 }
 
-// The sign of x + y sqrt(p), p >= 0.
-int sign_with_root(const Integer& x, const Integer& y, const Integer& p) {
-    const int sign_x = x.sign();
-    const int sign_y = p == 0 ? 0 : y.sign();
-    if (sign_x == 0 || sign_y == 0 || sign_x == sign_y) return sign_x == 0 ? sign_y : sign_x;
-    const Integer larger = x * x - y * y * p;
-    return larger.sign() * sign_x;
-}
-
 }  // namespace
 
 void CommonScale::include(double value) {
@@ -82,6 +73,14 @@ ExactQuadratic::ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, c
     b = dot(center, ray);
     c = dot(center, center) - radius * radius;
     d = b * b - dot(ray, ray) * c;
+}
+
+int sign_with_root(const Integer& x, const Integer& y, const Integer& p) {
+    const int sign_x = x.sign();
+    const int sign_y = p == 0 ? 0 : y.sign();
+    if (sign_x == 0 || sign_y == 0 || sign_x == sign_y) return sign_x == 0 ? sign_y : sign_x;
+    const Integer larger = x * x - y * y * p;
+    return larger.sign() * sign_x;
 }
 
 std::optional<ExactRoot> smallest_positive_root(const ExactQuadratic& q) {

@@ -54,6 +54,9 @@ struct ExactRoot {
     int sign;
 };
 
+// The sign of x + y sqrt(p), p >= 0.
+int sign_with_root(const Integer& x, const Integer& y, const Integer& p);
+
 // The hit: nothing when there is no root or none is positive.
 std::optional<ExactRoot> smallest_positive_root(const ExactQuadratic& q);
 

@@ -1,10 +1,9 @@
 #include "exact/explain.hpp"
 
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <span>
 
-#include "exact/drawn.hpp"
 #include "exact/exact_decision.hpp"
 #include "exact/exact_quadratic.hpp"
 
@@ -12,36 +11,55 @@ namespace sphereview {
 
 namespace {
 
-using Float = boost::multiprecision::cpp_bin_float_100;  // wide enough that only the last rounding, to double, shows
-using FloatVector = std::array<Float, 3>;
-
-// The pixel's ray, exact and in wide floating point.
+// The pixel's ray in exact integers.
 struct Ray {
     CommonScale scale;
     IntegerVector eye;
-    IntegerVector exact;  // m D on the scale
-    FloatVector origin;
-    FloatVector direction;  // D
-    Float m;
+    IntegerVector direction;  // m D on the scale
+    Integer square;           // of the direction: A
+    Integer m;
 
-    Ray(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel) : m(size.shorter_side()) {
+    // On a scale that also holds the spheres with these numbers.
+    Ray(const Scene& scene, std::span<const std::int32_t> numbers, const Camera& camera, PictureSize size, Pixel pixel)
+        : m(size.shorter_side()) {
         scale.include(camera);
-        for (const Sphere& sphere : scene.spheres) scale.include(sphere);
+        for (const std::int32_t number : numbers) scale.include(scene.spheres[static_cast<std::size_t>(number)]);
         eye = scale.whole(camera.eye);
-        exact = exact_direction(camera, size, pixel, scale);
-        for (std::size_t i = 0; i < 3; ++i) {
-            origin[i] = unscaled(eye[i], 1);
-            direction[i] = unscaled(exact[i], 1) / m;
-        }
+        direction = exact_direction(camera, size, pixel, scale);
+        square = dot(direction, direction);
     }
-
-    // A product of `degree` scaled factors as it is in the scene.
-    Float unscaled(const Integer& value, int degree) const { return ldexp(Float(value), degree * scale.exponent()); }
 };
 
-glm::dvec3 rounded(const FloatVector& v) {
-    return {v[0].convert_to<double>(), v[1].convert_to<double>(), v[2].convert_to<double>()};
+// value * 2^exponent to the nearest double, of two the even one; value has 55 bits or more, and its last stands for all below.
+double nearest(const Integer& value, int exponent) {
+    constexpr int least_exponent = -1074;  // of a double's last bit
+    const auto dropped = static_cast<unsigned>(std::max(static_cast<int>(msb(value)) - 52, least_exponent - exponent));
+    Integer kept = value >> dropped;
+    const Integer doubled_rest = (value - (kept << dropped)) << 1;
+    const Integer one = Integer(1) << dropped;
+    if (doubled_rest > one || (doubled_rest == one && bit_test(kept, 0))) ++kept;
+    return std::ldexp(kept.convert_to<double>(), exponent + static_cast<int>(dropped));
 }
+
+// (x + y sqrt(d)) / z * 2^exponent to the nearest double, z > 0.
+double rounded(const Integer& x, const Integer& y, const Integer& d, const Integer& z, int exponent) {
+    const int sign = sign_with_root(x, y, d);
+    if (sign <= 0) return sign == 0 ? 0.0 : -rounded(-x, -y, d, z, exponent);
+    const Integer square = y * y * d;
+    for (unsigned more = 64;; more *= 2) {  // bits: the sum may be far smaller than its parts
+        Integer rest;
+        Integer root = sqrt(Integer(square << 2 * more), rest);
+        if (y < 0) root = -root - (rest == 0 ? 0 : 1);
+        Integer quotient;
+        Integer remainder;
+        divide_qr(Integer((x << more) + root), z, quotient, remainder);
+        if (quotient <= 0 || msb(quotient) < 55) continue;
+        const bool whole = rest == 0 && remainder == 0;
+        return nearest(2 * quotient + (whole ? 0 : 1), exponent - static_cast<int>(more) - 1);
+    }
+}
+
+double rounded(const Integer& x, const Integer& z, int exponent) { return rounded(x, 0, 0, z, exponent); }
 
 // Most spheres are missed by far: for those exact arithmetic need not be asked.
 class DoubleFilter {
@@ -87,57 +105,76 @@ ExplainedHit explain(const Hit& hit, const Ray& ray) {
                  : out.eye == EyeSide::inside ? CountingRoot::t2_inside
                                               : CountingRoot::t2_surface;
     // The integers belong to m D and to half of b: A t'^2 - 2 q.b t' + q.c = 0 with t = m t'.
-    const Integer exact_a = dot(ray.exact, ray.exact);
-    out.a = (ray.unscaled(exact_a, 2) / (ray.m * ray.m)).convert_to<double>();
-    out.b = (-2 * ray.unscaled(q.b, 2) / ray.m).convert_to<double>();
-    out.c = ray.unscaled(q.c, 2).convert_to<double>();
-    out.discriminant = (4 * ray.unscaled(q.d, 4) / (ray.m * ray.m)).convert_to<double>();
-    const Float root = sqrt(Float(q.d));
-    // The root without cancellation, the other one from their product c / A.
-    const Float large = q.b >= 0 ? Float(Float(q.b) + root) : Float(Float(q.b) - root);
-    const Float first = large / Float(exact_a) * ray.m;
-    const Float second = large == 0 ? Float(0) : Float(Float(q.c) / large * ray.m);
-    const Float t1 = std::min(first, second);
-    const Float t2 = std::max(first, second);
-    const Float t = out.counts == CountingRoot::t1 ? t1 : t2;
-    out.t1 = t1.convert_to<double>();
-    out.t2 = t2.convert_to<double>();
-    out.t = t.convert_to<double>();
-    FloatVector point;
-    FloatVector normal;
-    const glm::dvec3& center = hit.sphere->center;
-    for (std::size_t i = 0; i < 3; ++i) {
-        point[i] = ray.origin[i] + t * ray.direction[i];
-        normal[i] = (point[i] - Float(center[static_cast<int>(i)])) / Float(hit.sphere->radius);
+    const Integer square_m = ray.m * ray.m;
+    const int exponent = ray.scale.exponent();
+    out.a = rounded(ray.square, square_m, 2 * exponent);
+    out.b = rounded(-2 * q.b, ray.m, 2 * exponent);
+    out.c = rounded(q.c, 1, 2 * exponent);
+    out.discriminant = rounded(4 * q.d, square_m, 4 * exponent);
+    out.t1 = rounded(ray.m * q.b, -ray.m, q.d, ray.square, 0);
+    out.t2 = rounded(ray.m * q.b, ray.m, q.d, ray.square, 0);
+    out.t = out.counts == CountingRoot::t1 ? out.t1 : out.t2;
+    const IntegerVector center = ray.scale.whole(hit.sphere->center);
+    const Integer radius = ray.scale.whole(hit.sphere->radius);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(axis);
+        const Integer x = ray.eye[i] * ray.square + ray.direction[i] * q.b;
+        const Integer y = hit.root.sign * ray.direction[i];
+        out.point[axis] = rounded(x, y, q.d, ray.square, exponent);
+        out.normal[axis] = rounded(x - center[i] * ray.square, y, q.d, ray.square * radius, 0);
     }
-    out.point = rounded(point);
-    out.normal = rounded(normal);
     return out;
+}
+
+// The numbers of the spheres that a pixel's ray may hit, ascending; without lists all that are not hidden.
+std::vector<std::int32_t> spheres_to_try(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists* lists, Pixel pixel) {
+    std::vector<std::int32_t> numbers;
+    if (lists == nullptr) {
+        for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+            if (!scene.spheres[i].hidden) numbers.push_back(static_cast<std::int32_t>(i));
+        }
+        return numbers;
+    }
+    numbers = drawn.twins;
+    for (const TileLevel& level : lists->levels) {
+        for (const Candidate& candidate : lists->at(level, pixel.x, pixel.y)) {
+            if (ends_walk(candidate, farthest_hit)) break;
+            numbers.push_back(drawn.number(candidate.index));
+        }
+    }
+    std::ranges::sort(numbers);
+    return numbers;
 }
 
 }  // namespace
 
 PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel) {
-    const Ray ray(scene, camera, size, pixel);
-    const DoubleFilter filter(camera, size, pixel);
+    return explain_pixel(scene, drawn_spheres(scene, camera), camera, size, pixel, nullptr);
+}
+
+PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
+                               const CandidateLists* lists) {
     PixelExplanation out;
-    out.origin = rounded(ray.origin);
-    out.direction = rounded(ray.direction);
+    std::vector<std::int32_t> numbers = spheres_to_try(scene, drawn, lists, pixel);
+    const auto all = static_cast<std::int64_t>(scene.spheres.size());
+    out.hidden = all - static_cast<std::int64_t>(drawn.size() - drawn.gone.size() + drawn.twins.size());
+    out.elsewhere = all - out.hidden - static_cast<std::int64_t>(numbers.size());
+    const DoubleFilter filter(camera, size, pixel);
+    out.missed = static_cast<std::int64_t>(std::erase_if(
+        numbers, [&](std::int32_t number) { return filter.surely_missed(scene.spheres[static_cast<std::size_t>(number)]); }));
+
+    const Ray ray(scene, numbers, camera, size, pixel);
+    out.origin = camera.eye;
+    for (int axis = 0; axis < 3; ++axis) {
+        out.direction[axis] = rounded(ray.direction[static_cast<std::size_t>(axis)], ray.m, ray.scale.exponent());
+    }
 
     std::vector<Hit> hits;
-    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
-        const Sphere& sphere = scene.spheres[i];
-        if (sphere.hidden) {
-            ++out.hidden;
-            continue;
-        }
-        if (filter.surely_missed(sphere)) {
-            ++out.missed;
-            continue;
-        }
-        ExactQuadratic quadratic(sphere, ray.eye, ray.exact, ray.scale);
+    for (const std::int32_t number : numbers) {
+        const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
+        ExactQuadratic quadratic(sphere, ray.eye, ray.direction, ray.scale);
         if (auto root = smallest_positive_root(quadratic)) {
-            hits.push_back({&sphere, static_cast<std::int32_t>(i), std::move(quadratic), *std::move(root)});
+            hits.push_back({&sphere, number, std::move(quadratic), *std::move(root)});
         } else {
             ++(quadratic.d < 0 ? out.missed : out.behind);
         }
@@ -147,8 +184,7 @@ PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, Picture
         out.hits.push_back(explain(hits[i], ray));
         out.hits.back().as_near_as_last = i > 0 && compare(hits[i - 1].root, hits[i].root) == 0;
     }
-    const DrawnSpheres drawn = drawn_spheres(scene, camera);
-    out.level = decision_level(scene, drawn, camera, size, pixel);
+    out.level = decision_level(scene, drawn, camera, size, pixel, lists);
     return out;
 }
 

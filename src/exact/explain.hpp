@@ -5,6 +5,8 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
+#include "exact/candidates.hpp"
+#include "exact/drawn.hpp"
 #include "exact/filter.hpp"
 #include "exact/resolve.hpp"
 #include "scene/scene.hpp"
@@ -45,6 +47,7 @@ struct PixelExplanation {
     std::int64_t missed = 0;         // discriminant below 0
     std::int64_t behind = 0;         // no positive root
     std::int64_t hidden = 0;
+    std::int64_t elsewhere = 0;                     // not tried, for they are in no list of the pixel: missed or behind
     DecisionLevel level = DecisionLevel::in_float;  // what it took
 
     // The number of the sphere that the pixel shows, or visible_background.
@@ -53,5 +56,9 @@ struct PixelExplanation {
 
 // A pixel inside the picture that `camera` sees.
 PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel);
+// With the spheres that are drawn for the camera, and perhaps the lists of the picture: then it tries only the spheres in the
+// pixel's lists, and finds the same hits.
+PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
+                               const CandidateLists* lists);
 
 }  // namespace sphereview

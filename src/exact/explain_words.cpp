@@ -1,7 +1,6 @@
 #include "exact/explain_words.hpp"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "base/text.hpp"
 
@@ -27,8 +26,6 @@ std::string vector_in_words(const glm::dvec3& v) {
     };
     return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
-
-bool is_lost(const glm::dvec3& normal) { return !(std::fabs(glm::dot(normal, normal) - 1.0) < 1e-9); }
 
 const char* why(const ExplainedHit& hit) {
     const bool tangent = hit.discriminant_sign == 0;
@@ -65,7 +62,7 @@ HitInWords in_words(const ExplainedHit& hit) {
         .t2 = number_in_words(hit.t2, 1) + (too_near ? "  (larger than t1 by too little for a double to show)" : ""),
         .t = number_in_words(hit.t, 1),
         .point = vector_in_words(hit.point),
-        .normal = is_lost(hit.normal) ? "(r is too small beside C to show it)" : vector_in_words(hit.normal),
+        .normal = vector_in_words(hit.normal),
     };
 }
 

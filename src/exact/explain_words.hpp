@@ -14,9 +14,6 @@ std::string number_in_words(double value, int sign);
 
 std::string vector_in_words(const glm::dvec3& v);
 
-// Whether nothing is left of a hit's normal: the explanation has 100 digits, and the centre may be larger than the radius by more.
-bool is_lost(const glm::dvec3& normal);
-
 // Which root counts, and why.
 const char* why(const ExplainedHit& hit);
 

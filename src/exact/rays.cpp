@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "scene/vectors.hpp"
+
 namespace sphereview {
 
 namespace {
-
-double largest(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
 int exponent_of(double value) {
     int exponent = 0;
@@ -29,13 +29,13 @@ RayBasis<Real> ray_basis(const Camera& camera, PictureSize size) {
     int side_exponent = 0;
     const double side = std::frexp(size.shorter_side(), &side_exponent);
     const glm::dvec3 axis = side * (camera.center * 0.25 - camera.eye * 0.25);
-    const double longest_axis = largest(axis);
+    const double longest_axis = largest_of(axis);
     const int exponent = exponent_of(longest_axis);
     const int edge_exponent = -exponent - side_exponent - 2;
 
     // |across| and |upward| stay below 2^32; rays below 2^limit keep their squares finite.
     constexpr int limit = sizeof(Real) == sizeof(float) ? 60 : 500;
-    const int longest_edge = exponent_of(std::max(largest(camera.right), largest(camera.up))) + edge_exponent + 32;
+    const int longest_edge = exponent_of(std::max(largest_of(camera.right), largest_of(camera.up))) + edge_exponent + 32;
     RayBasis<Real> frame;
     // Below 2^-900 a quarter may have lost bits, or everything.
     frame.in_range = longest_edge < limit && longest_axis > 0x1p-900;
@@ -51,9 +51,9 @@ template RayBasis<double> ray_basis<double>(const Camera&, PictureSize);
 
 double ray_condition(const Camera& camera) {
     const glm::dvec3 axis = camera.center * 0.5 - camera.eye * 0.5;
-    const glm::dvec3 forward = times_two_to(axis, -exponent_of(largest(axis)));
-    const glm::dvec3 right = times_two_to(camera.right, -exponent_of(largest(camera.right)));
-    const glm::dvec3 up = times_two_to(camera.up, -exponent_of(largest(camera.up)));
+    const glm::dvec3 forward = times_two_to(axis, -exponent_of(largest_of(axis)));
+    const glm::dvec3 right = times_two_to(camera.right, -exponent_of(largest_of(camera.right)));
+    const glm::dvec3 up = times_two_to(camera.up, -exponent_of(largest_of(camera.up)));
     const glm::dvec3 normal = glm::normalize(glm::cross(right, up));
     const double off_plane = std::fabs(glm::dot(forward, normal));
     const double in_plane = glm::length(forward - glm::dot(forward, normal) * normal);

@@ -34,6 +34,30 @@ HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm
     return bounds_of_side<double>(side, c, sphere.radius, error_scale * size, ray);
 }
 
+// Calls add(index) for the drawn spheres that a pixel can show, all of them without lists; it returns the distance of the nearest
+// sure hit, in the units of the lists.
+template <typename Add>
+void for_each_candidate(const DrawnSpheres& drawn, const CandidateLists* lists, Pixel pixel, const Add& add) {
+    if (lists == nullptr) {
+        auto gap = drawn.gone.begin();
+        for (std::uint32_t i = 0; i < drawn.size(); ++i) {
+            if (gap != drawn.gone.end() && *gap == i) {
+                ++gap;
+            } else {
+                add(i);
+            }
+        }
+        return;
+    }
+    for (const TileLevel& level : lists->levels) {
+        double sure_hit = NearestHits<double>::never;
+        for (const Candidate& candidate : lists->at(level, pixel.x, pixel.y)) {
+            if (ends_walk(candidate, sure_hit)) break;
+            sure_hit = add(candidate.index);
+        }
+    }
+}
+
 }  // namespace
 
 DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& other) {
@@ -61,25 +85,14 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
 NearestHits<double> Resolver::contest(Pixel pixel, std::vector<Contest>& contests) const {
     const glm::dvec3 ray = unit_ray(frame_, size_, pixel);
     NearestHits<double> nearest;
-    const auto add = [&](std::uint32_t i) {
+    for_each_candidate(drawn_, lists_, pixel, [&](std::uint32_t i) {
         const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(drawn_.number(i))];
         const HitBounds<double> hit =
             frame_.in_range ? bounds_in_double(sphere, drawn_.side(i), camera_.eye, error_scale_, ray) : unknown_hit;
         nearest.add(static_cast<int>(i), hit);
         if (hit.low < NearestHits<double>::never) contests.push_back({i, hit.low});
-    };
-    if (lists_ == nullptr) {
-        for (std::uint32_t i = 0; i < drawn_.size(); ++i) add(i);
-        return nearest;
-    }
-    for (const TileLevel& level : lists_->levels) {
-        double beyond = NearestHits<double>::never;
-        for (const Candidate& candidate : lists_->at(level, pixel.x, pixel.y)) {
-            if (ends_walk(candidate, beyond)) break;
-            add(candidate.index);
-            beyond = std::ldexp(nearest.smallest_high, drawn_.scale);  // in the units of the lists
-        }
-    }
+        return std::ldexp(nearest.smallest_high, drawn_.scale);
+    });
     return nearest;
 }
 
@@ -100,19 +113,21 @@ std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
     return decide_exactly(camera_, size_, pixel, contenders);
 }
 
-DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel) {
+DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
+                             const CandidateLists* lists) {
     const FloatView view = float_view(camera, size, gpu_unit);
     const glm::vec3 ray = unit_ray(view.rays, size, pixel);
     NearestHits<float> nearest;
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
+    for_each_candidate(drawn, lists, pixel, [&](std::uint32_t i) {
         const glm::vec4& s = drawn.center_radius[i];
         const float w = view.error_scale * (std::fabs(s.x) + std::fabs(s.y) + std::fabs(s.z) + std::fabs(s.w));
         const EyeSide side = s.w > 0.0F ? EyeSide::outside : s.w < 0.0F ? EyeSide::inside : EyeSide::on_surface;
         nearest.add(static_cast<int>(i), bounds_of_side<float>(side, glm::vec3(s), std::fabs(s.w), w, ray));
-    }
+        return nearest.smallest_high;
+    });
     if (!view.all_doubtful && nearest.decided()) return DecisionLevel::in_float;
     DecisionLevel level = DecisionLevel::in_double;
-    Resolver(scene, drawn, camera, size, nullptr).resolve(pixel, level);
+    Resolver(scene, drawn, camera, size, lists).resolve(pixel, level);
     return level;
 }
 

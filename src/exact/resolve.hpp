@@ -23,8 +23,9 @@ struct DecisionCounts {
 
 enum class DecisionLevel { in_float, in_double, exactly };
 
-// What it takes to decide a pixel: float with the bound assumed of GPUs, double, or exact integers.
-DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel);
+// What it takes to decide a pixel: float with the bound assumed of GPUs, double, or exact integers. `lists` as for Resolver.
+DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
+                             const CandidateLists* lists = nullptr);
 
 // Turns what a renderer wrote into the numbers of the exact picture. What is passed in must outlive it.
 class Resolver {

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 #include "base/available_memory.hpp"
 #include "base/error.hpp"
@@ -220,15 +219,10 @@ private:
 
     double number(Column column) const {
         const CsvField& text = field(column);
-        const auto expected = [&](const char* what) { return column_names[column] + std::string(what); };
         double value = 0.0;
-        switch (parse_double(text.text, value)) {
-            case NumberFault::none: break;
-            case NumberFault::not_a_number: records_.fail(text, expected(", a number"));
-            case NumberFault::not_finite: records_.fail(text, expected(", a finite number"));
-            case NumberFault::too_large: records_.fail(text, expected(", a number that a double can hold (at most 1.8e308)"));
-        }
-        return value;
+        const NumberFault fault = parse_double(text.text, value);
+        if (fault == NumberFault::none) return value;
+        records_.fail(text, std::string(column_names[column]) + ", " + expected_instead_of(fault));
     }
 
     double radius_of_row() const {
@@ -239,13 +233,9 @@ private:
     }
 
     std::uint8_t channel(Column column) const {
-        const std::string_view text = field(column).text;
-        unsigned value = 0;
-        const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (text.empty() || read.ec != std::errc{} || read.ptr != text.data() + text.size() || value > color_max) {
-            records_.fail(field(column), column_names[column] + std::string(", a whole number from 0 to 255"));
-        }
-        return static_cast<std::uint8_t>(value);
+        std::uint8_t value = 0;
+        if (parse_whole(field(column).text, value)) return value;
+        records_.fail(field(column), column_names[column] + std::string(", a whole number from 0 to 255"));
     }
 
     const CsvRecords& records_;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+
+#include "base/number.hpp"
 
 namespace sphereview {
 
@@ -101,8 +102,7 @@ const Element& element_of_species(std::string_view species) {
     while (letters < species.size() && is_letter(species[letters])) ++letters;
     if (letters == 0) {
         std::int64_t number = 0;
-        const auto read = std::from_chars(species.data(), species.data() + species.size(), number);
-        return element_of_number(read.ptr == species.data() + species.size() ? number : 0);
+        return element_of_number(parse_whole(species, number) ? number : 0);
     }
     const Element* element = find_element(species.substr(0, letters));
     if (element == nullptr && letters == 2) element = find_element(species.substr(0, 1));

@@ -29,10 +29,7 @@ std::size_t sequence_length(std::string_view bytes) {
 
 }  // namespace
 
-std::string TextSource::place(std::size_t offset) const {
-    const TextPosition position = position_at(text, offset, origin);
-    return name + ":" + std::to_string(position.line) + ":" + std::to_string(position.column) + ": ";
-}
+std::string TextSource::place(std::size_t offset) const { return place_in(name, position_at(text, offset, origin)); }
 
 void TextSource::fail(std::size_t offset, const std::string& message) const { throw InputError(place(offset) + message); }
 

@@ -1,7 +1,8 @@
-// mmCIF (PDBx), read by gemmi into its document, which keeps no place of a value: that is looked for where one is wrong.
+// mmCIF (PDBx), read by gemmi into its document. The document keeps the lines of tables, but not those of values.
 #include <cmath>
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
+#include <optional>
 #include <unordered_map>
 
 #include "base/available_memory.hpp"
@@ -15,7 +16,6 @@ namespace sphereview {
 namespace {
 
 namespace cif = gemmi::cif;
-namespace pegtl = tao::pegtl;
 
 constexpr const char* atom_table = "_atom_site.";
 constexpr const char* table_syntax = "the table _atom_site with Cartn_x, Cartn_y and Cartn_z";
@@ -39,94 +39,21 @@ enum Column : std::size_t {
     occupancy,
     model
 };
-const std::vector<std::string> atom_columns = {"Cartn_x",
-                                               "Cartn_y",
-                                               "Cartn_z",
-                                               "?type_symbol",
-                                               "?auth_atom_id",
-                                               "?label_atom_id",
-                                               "?auth_comp_id",
-                                               "?label_comp_id",
-                                               "?auth_asym_id",
-                                               "?label_asym_id",
-                                               "?auth_seq_id",
-                                               "?label_seq_id",
-                                               "?pdbx_PDB_ins_code",
-                                               "?label_alt_id",
-                                               "?occupancy",
-                                               "?pdbx_PDB_model_num"};
-
-// Where gemmi's grammar of CIF does not go on, and why.
-struct SyntaxFault {
-    const char* place;
-    std::string why;
-};
-
-template <typename Rule>
-struct FaultFinder : pegtl::normal<Rule> {
-    template <typename Input, typename... States>
-    [[noreturn]] static void raise(const Input& in, States&&...) {
-        throw SyntaxFault{in.current(), cif::error_message<Rule>()};
-    }
-};
-
-[[noreturn]] void fail_syntax(const TextSource& source, const SyntaxFault& fault) {
-    const auto offset = static_cast<std::size_t>(fault.place - source.text.data());
-    if (fault.why.starts_with("unterminated")) source.fail(offset, "found an " + fault.why + ", expected its end");
-    const std::string_view rest = source.text.substr(offset);
-    const std::string found =
-        rest.empty() ? "the text ends" : "found " + in_quotes(rest.substr(0, rest.find_first_of(white_space)));
-    const bool in_block = fault.why.find("data_") == std::string::npos;
-    source.fail(offset, found + ", expected " + (in_block ? "CIF: a tag, a value or loop_" : "a data block, data_NAME"));
-}
-
-// Finds where value `wanted` of the table that begins in `line` stands: gemmi's document does not say.
-struct ValueFinder {
-    std::size_t line;
-    std::size_t wanted;
-    bool inside = false;
-    std::size_t count = 0;
-    const char* place = nullptr;
-};
-
-template <typename Rule>
-struct FindValue : pegtl::nothing<Rule> {};
-
-template <>
-struct FindValue<cif::rules::str_loop> {
-    template <typename Input>
-    static void apply(const Input& in, ValueFinder& finder) {
-        finder.inside = in.position().line == finder.line;
-    }
-};
-
-template <>
-struct FindValue<cif::rules::loop_value> {
-    template <typename Input>
-    static void apply(const Input& in, ValueFinder& finder) {
-        if (finder.inside && finder.count++ == finder.wanted) finder.place = in.begin();
-    }
-};
+constexpr std::string_view atom_columns =
+    "Cartn_x Cartn_y Cartn_z ?type_symbol ?auth_atom_id ?label_atom_id ?auth_comp_id ?label_comp_id ?auth_asym_id ?label_asym_id "
+    "?auth_seq_id ?label_seq_id ?pdbx_PDB_ins_code ?label_alt_id ?occupancy ?pdbx_PDB_model_num";
 
 cif::Document read_document(const TextSource& source) {
-    cif::Document document;
-    document.source = source.name;
-    pegtl::memory_input<> input(source.text.data(), source.text.size(), source.name);
     try {
-        pegtl::parse<cif::rules::file, cif::Action, FaultFinder>(input, document);
-        cif::check_for_missing_values(document);
-        cif::check_for_duplicates(document);
-    } catch (const SyntaxFault& fault) {
-        fail_syntax(source, fault);
-    } catch (const std::runtime_error& error) {  // gemmi's words begin with the name and the line
+        return cif::read_memory(source.text.data(), source.text.size(), source.name.c_str());
+    } catch (const std::runtime_error& error) {  // gemmi's message begins with the name and the line
         throw InputError(error.what());
     }
-    return document;
 }
 
 // gemmi keeps only the line of a table, or of a pair of a tag and a value.
 [[noreturn]] void fail_in_line(const TextSource& source, const cif::Item& item, const std::string& message) {
-    throw InputError(source.name + ":" + std::to_string(item.line_number) + ":1: " + message);
+    throw InputError(source.name + ":" + std::to_string(item.line_number) + ": " + message);
 }
 
 const cif::Item& first_item(cif::Table& table) {
@@ -135,24 +62,24 @@ const cif::Item& first_item(cif::Table& table) {
 
 // The one table of atoms.
 cif::Table find_atoms(const TextSource& source, cif::Document& document) {
-    cif::Block* holder = nullptr;
+    const auto words = words_of(atom_columns);
+    const std::vector<std::string> columns(words.begin(), words.end());
+    std::optional<cif::Table> found;
     for (cif::Block& block : document.blocks) {
         if (const cif::Item* item = block.find_loop_item("_atom_site_fract_x")) {
             fail_in_line(source, *item, "found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
         }
         cif::Table any = block.find_mmcif_category(atom_table);
         if (!any.ok()) continue;
-        if (holder != nullptr) fail_in_line(source, first_item(any), "found a second table of atoms, expected one");
-        holder = &block;
-        if (!block.find(atom_table, atom_columns).ok()) {
+        if (found) fail_in_line(source, first_item(any), "found a second table of atoms, expected one");
+        found.emplace(block.find(atom_table, columns));
+        if (!found->ok()) {
             fail_in_line(source, first_item(any),
                          "found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
         }
     }
-    if (holder == nullptr || holder->find(atom_table, atom_columns).length() == 0) {
-        fail_without_atoms(source, table_syntax);
-    }
-    return holder->find(atom_table, atom_columns);
+    if (!found || found->length() == 0) fail_without_atoms(source, table_syntax);
+    return *found;
 }
 
 // The text of a value without its quotes; "" where there is none.
@@ -173,15 +100,9 @@ double coordinate(const TextSource& source, const cif::Table::Row& row, Column c
     double number = cif::as_number(value);
     if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));
     if (std::isfinite(number)) return number;
-    const std::string message = "found " + in_quotes(value) + ", expected the atom's " + "xyz"[column] + ", a number";
-    const auto place = static_cast<std::size_t>(row.tab.positions[column]);
-    if (row.tab.loop_item == nullptr) fail_in_line(source, row.tab.bloc.items[place], message);
-    const cif::Item& table = *row.tab.loop_item;
-    ValueFinder finder{static_cast<std::size_t>(table.line_number),
-                       static_cast<std::size_t>(row.row_index) * table.loop.width() + place};
-    pegtl::memory_input<> input(source.text.data(), source.text.size(), source.name);
-    pegtl::parse<cif::rules::file, FindValue, FaultFinder>(input, finder);
-    source.fail(static_cast<std::size_t>(finder.place - source.text.data()), message);
+    fail_in_line(source, first_item(row.tab),
+                 found_expected(value, std::string(1, "xyz"[column]) + " of atom " + std::to_string(row.row_index + 1) +
+                                           " of the table, a number"));
 }
 
 }  // namespace

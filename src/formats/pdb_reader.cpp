@@ -1,4 +1,5 @@
-// The Protein Data Bank's format 3.3, as gemmi reads it.
+// The Protein Data Bank's format 3.3, as gemmi reads it. gemmi reads a coordinate that is no number as 0. So this file checks the
+// coordinates of the wanted model's atoms and gives gemmi only those lines.
 #include <array>
 #include <gemmi/pdb.hpp>
 

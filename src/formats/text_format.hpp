@@ -18,14 +18,12 @@ namespace sphereview {
 
 class TokenReader;
 
-// Reads a text as it comes in, on all cores. Memory grows with the text, not with the count it claims.
+// Reads a text as it comes in, on all cores. Memory grows with the text, not with the count that the text claims. First each core
+// counts the tokens that begin in its piece; then every piece knows its own spheres, and the pieces are read at once.
 class SphereTextReader {
 public:
-    // How much of a text one core reads at a time.
-    static constexpr std::size_t usual_piece = std::size_t{1} << 16;
-
     // `size`: bytes of the whole text, where that is known.
-    SphereTextReader(std::string name, TextPosition origin, std::optional<std::size_t> size, std::size_t piece = usual_piece)
+    SphereTextReader(std::string name, TextPosition origin, std::optional<std::size_t> size, std::size_t piece = usual_line_piece)
         : name_(std::move(name)), place_(origin), size_(size), piece_(piece) {}
 
     // How much memory a sphere will need, with what is made of it later; refusing at once beats failing late.

@@ -68,16 +68,12 @@ public:
     double number(const Expected& expected, const IsGood& is_good, const char* what_is_good) {
         if (at_end()) fail_at_end(end_found_, expected());
         double value = 0.0;
-        const auto result = std::from_chars(next_, end_, value);
+        const auto result = read_double(next_, end_, value);
         const char* last = result.ptr;
         if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
             last = next_ + token().size();
-            switch (parse_double(token(), value)) {
-                case NumberFault::none: break;
-                case NumberFault::not_a_number: fail(expected() + ", a number");
-                case NumberFault::not_finite: fail(expected() + ", a finite number");
-                case NumberFault::too_large: fail(expected() + ", a number that a double can hold (at most 1.8e308)");
-            }
+            const NumberFault fault = parse_double(token(), value);
+            if (fault != NumberFault::none) fail(expected() + ", " + expected_instead_of(fault));
         }
         if (!is_good(value)) fail(expected() + what_is_good);
         step_to(last);

@@ -1,7 +1,6 @@
 #include <toml++/toml.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <span>
@@ -99,21 +98,17 @@ public:
 
     glm::dvec3 vector(const toml::node& node, const std::string& key) const {
         const std::string expected = "'" + key + "' as three finite numbers [x, y, z]";
-        const toml::array* array = node.as_array();
-        if (array == nullptr) wrong(document_, node, expected);
-        if (array->size() != 3) fail(document_, node, "found " + std::to_string(array->size()) + " values, expected " + expected);
-        return {number(array->at(0), expected), number(array->at(1), expected), number(array->at(2), expected)};
+        const toml::array& array = three_of(node, expected);
+        return {number(array[0], expected), number(array[1], expected), number(array[2], expected)};
     }
 
     Color color(const toml::node& node) const {
         const std::string expected = "'color' as three whole numbers [R, G, B] from 0 to 255";
-        const toml::array* array = node.as_array();
-        if (array == nullptr) wrong(document_, node, expected);
-        if (array->size() != 3) fail(document_, node, "found " + std::to_string(array->size()) + " values, expected " + expected);
+        const toml::array& array = three_of(node, expected);
         std::array<std::uint8_t, 3> channels{};
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto* value = array->at(i).as_integer();
-            if (value == nullptr || value->get() < 0 || value->get() > color_max) wrong(document_, array->at(i), expected);
+            const auto* value = array[i].as_integer();
+            if (value == nullptr || value->get() < 0 || value->get() > color_max) wrong(document_, array[i], expected);
             channels[i] = static_cast<std::uint8_t>(value->get());
         }
         return {channels[0], channels[1], channels[2]};
@@ -127,6 +122,13 @@ public:
     }
 
 private:
+    const toml::array& three_of(const toml::node& node, const std::string& expected) const {
+        const toml::array* array = node.as_array();
+        if (array == nullptr) wrong(document_, node, expected);
+        if (array->size() != 3) fail(document_, node, "found " + std::to_string(array->size()) + " values, expected " + expected);
+        return *array;
+    }
+
     const TomlText& document_;
     const toml::table& table_;
     std::string where_;
@@ -194,8 +196,7 @@ TextSource inside_string(const TomlText& document, const toml::value<std::string
 std::uint32_t sphere_number(const TomlText& document, const toml::source_position& place, std::string_view text,
                             const Scene& scene) {
     std::uint64_t number = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool whole = read.ec == std::errc{} && read.ptr == text.data() + text.size() && (text.size() == 1 || text[0] != '0');
+    const bool whole = parse_whole(text, number) && (text.size() == 1 || text[0] != '0');
     if (whole && number < scene.spheres.size()) return static_cast<std::uint32_t>(number);
     fail(document, place,
          "found " + in_quotes(text) + ", expected the number of one of " + std::to_string(scene.spheres.size()) +

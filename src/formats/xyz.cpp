@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <optional>
@@ -80,9 +79,8 @@ public:
             const std::string type = lower_case(part());
             const std::string_view digits = part();
             std::size_t count = 0;
-            const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), count);
             const bool is_type = type == "r" || type == "i" || type == "s" || type == "l";
-            if (name.empty() || !is_type || read.ec != std::errc{} || read.ptr != digits.data() + digits.size() || count == 0) {
+            if (name.empty() || !is_type || !parse_whole(digits, count) || count == 0) {
                 fail(example);
             }
             if (const auto field = field_named(name, type)) {

@@ -1,37 +1,11 @@
 #include "gpu/gl_object.hpp"
 
-#include <array>
 #include <cstdio>
 #include <new>
-#include <string>
 
 #include "base/error.hpp"
 
 namespace sphereview {
-
-Buffer make_buffer() {
-    GLuint name = 0;
-    glGenBuffers(1, &name);
-    return Buffer(name);
-}
-
-Texture make_texture() {
-    GLuint name = 0;
-    glGenTextures(1, &name);
-    return Texture(name);
-}
-
-Framebuffer make_framebuffer() {
-    GLuint name = 0;
-    glGenFramebuffers(1, &name);
-    return Framebuffer(name);
-}
-
-VertexArray make_vertex_array() {
-    GLuint name = 0;
-    glGenVertexArrays(1, &name);
-    return VertexArray(name);
-}
 
 GLint gl_limit(GLenum name) {
     GLint value = 0;

@@ -10,11 +10,17 @@
 namespace sphereview {
 
 // A move-only owner of one GL name; 0 is the empty state.
-template <void (*Delete)(GLuint)>
+// Generate: the function that makes names, where there is one.
+template <auto& Delete, auto&... Generate>
 class GlObject {
 public:
     GlObject() = default;
     explicit GlObject(GLuint name) : name_(name) {}
+    static GlObject make() {
+        GlObject object;
+        (Generate(1, &object.name_), ...);
+        return object;
+    }
     ~GlObject() { reset(); }
     GlObject(GlObject&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
     GlObject& operator=(GlObject&& other) noexcept {
@@ -32,33 +38,24 @@ public:
 
 private:
     void reset() {
-        if (name_ != 0) Delete(std::exchange(name_, 0));
+        if (name_ == 0) return;
+        if constexpr (sizeof...(Generate) > 0) {
+            Delete(1, &name_);
+        } else {
+            Delete(name_);
+        }
+        name_ = 0;
     }
 
     GLuint name_ = 0;
 };
 
-namespace gl_delete {
-inline void buffer(GLuint name) { glDeleteBuffers(1, &name); }
-inline void texture(GLuint name) { glDeleteTextures(1, &name); }
-inline void framebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
-inline void vertex_array(GLuint name) { glDeleteVertexArrays(1, &name); }
-inline void shader(GLuint name) { glDeleteShader(name); }
-inline void program(GLuint name) { glDeleteProgram(name); }
-}  // namespace gl_delete
-
-using Buffer = GlObject<gl_delete::buffer>;
-using Texture = GlObject<gl_delete::texture>;
-using Framebuffer = GlObject<gl_delete::framebuffer>;
-using VertexArray = GlObject<gl_delete::vertex_array>;
-using Shader = GlObject<gl_delete::shader>;
-using Program = GlObject<gl_delete::program>;
-
-// A new, nameless object of each kind.
-Buffer make_buffer();
-Texture make_texture();
-Framebuffer make_framebuffer();
-VertexArray make_vertex_array();
+using Buffer = GlObject<glDeleteBuffers, glGenBuffers>;
+using Texture = GlObject<glDeleteTextures, glGenTextures>;
+using Framebuffer = GlObject<glDeleteFramebuffers, glGenFramebuffers>;
+using VertexArray = GlObject<glDeleteVertexArrays, glGenVertexArrays>;
+using Shader = GlObject<glDeleteShader>;
+using Program = GlObject<glDeleteProgram>;
 
 // An integer limit of the context, such as GL_MAX_TEXTURE_SIZE.
 GLint gl_limit(GLenum name);

@@ -10,8 +10,8 @@
 namespace sphereview {
 
 GpuRenderer::GpuRenderer(Timings& timings, const TextureBounds& bounds) : tables_(bounds) {
-    no_vertices_ = make_vertex_array();
-    draw_buffer_ = make_buffer();
+    no_vertices_ = VertexArray::make();
+    draw_buffer_ = Buffer::make();
     glDisable(GL_DITHER);
     self_check(timings);
 }
@@ -86,10 +86,10 @@ Image GpuRenderer::shade(const Scene& scene, const DrawnSpheres& drawn, const Ba
     frame.window_corner = {0, last_block_.height - 1};
     upload_draw_block(draw_buffer_, frame);
 
-    const Texture target_texture = make_texture();
+    const Texture target_texture = Texture::make();
     glBindTexture(GL_TEXTURE_2D, target_texture.name());
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, last_block_.width, last_block_.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    const Framebuffer target = make_framebuffer();
+    const Framebuffer target = Framebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, target.name());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_texture.name(), 0);
 

@@ -71,8 +71,8 @@ LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const
 
 LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& bounds)
     : shader_folder_(shader_folder),
-      no_vertices_(make_vertex_array()),
-      draw_buffer_(make_buffer()),
+      no_vertices_(VertexArray::make()),
+      draw_buffer_(Buffer::make()),
       tables_(bounds, LiveLists::most_changes) {
     if (!shader_folder_.empty()) shader_files_ = ShaderFiles(shader_folder_);
     compile(tables_.defines_for(scene_.drawn(), scene_.lists()));
@@ -201,7 +201,7 @@ void LivePicture::prepare_shading(const Document& document, Shading shading) {
     frame_.inverse_depth_range = static_cast<float>(1.0 / std::min(range, 0x1p120));
     frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
     frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
-    frame_.axis_toward = glm::vec4(glm::vec3(axes.toward), 0.0F);
+    frame_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
 }
 
 bool LivePicture::update(const Document& document, const View& view, int step, Shading shading) {
@@ -232,7 +232,7 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
 }
 
 void LivePicture::upload(const Image& finished) {
-    if (!finished_) finished_ = make_texture();
+    if (!finished_) finished_ = Texture::make();
     const bool transparent = finished.channels() == 4;
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, finished_.name());
@@ -312,19 +312,28 @@ std::optional<std::int32_t> LivePicture::traced_number(Pixel pixel) const {
     return visible[0] < 0 ? visible[0] : scene_.drawn().number(static_cast<std::size_t>(visible[0]));
 }
 
+// Whether the drawn spheres and the lists are the document's.
+bool LivePicture::is_of(const Document& document) const {
+    const ChangesSince changes = document.changes_since(revision_);
+    return revision_ != 0 && !changes.order && !changes.geometry;
+}
+
+PixelExplanation LivePicture::explain(const Document& document, Pixel pixel) const {
+    const Scene& scene = document.scene();
+    if (!is_of(document)) return explain_pixel(scene, view_.camera, view_.size, pixel);
+    return explain_pixel(scene, scene_.drawn(), view_.camera, view_.size, pixel, lists_for_any_pixel());
+}
+
 std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
     const PictureSize& size = view_.size;
     if (revision_ == 0 || pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return visible_background;
     DecisionLevel level = DecisionLevel::in_float;
-    const ChangesSince changes = document.changes_since(revision_);
-    if (changes.order || changes.geometry) {
+    if (!is_of(document)) {
         const DrawnSpheres drawn = drawn_spheres(document.scene(), view_.camera);
         return Resolver(document.scene(), drawn, view_.camera, size, nullptr).resolve(pixel, level);
     }
     if (const auto number = traced_number(pixel)) return *number;
-    // Lists of a grid know nothing of other pixels.
-    return Resolver(document.scene(), scene_.drawn(), view_.camera, size, lists_step_ == 1 ? &scene_.lists() : nullptr)
-        .resolve(pixel, level);
+    return Resolver(document.scene(), scene_.drawn(), view_.camera, size, lists_for_any_pixel()).resolve(pixel, level);
 }
 
 std::vector<std::uint32_t> LivePicture::seen_in(const Document& document, const Block& block) const {

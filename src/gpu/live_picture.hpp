@@ -8,6 +8,7 @@
 
 #include "edit/document.hpp"
 #include "edit/selection.hpp"
+#include "exact/explain.hpp"
 #include "gpu/gl_object.hpp"
 #include "gpu/layouts.hpp"
 #include "gpu/number_target.hpp"
@@ -73,6 +74,10 @@ public:
     // Of the document as it is now, seen as in the last update().
     std::int32_t pick(const Document& document, Pixel pixel);
 
+    // The arithmetic of a pixel in the picture, of the document as it is now, seen as in the last update(). Of a fine picture it
+    // tries only the spheres in the pixel's lists.
+    PixelExplanation explain(const Document& document, Pixel pixel) const;
+
     // The numbers of the spheres that pixels of the block show, which lies in the picture; ascending. Of a fine picture, step 1,
     // and of the document of its update().
     std::vector<std::uint32_t> seen_in(const Document& document, const Block& block) const;
@@ -106,6 +111,9 @@ private:
     void prepare_shading(const Document& document, Shading shading);
     void mark_selected(const Selection* selection);
     std::optional<std::int32_t> traced_number(Pixel pixel) const;
+    bool is_of(const Document& document) const;
+    // Lists of a grid know nothing of other pixels.
+    const CandidateLists* lists_for_any_pixel() const { return lists_step_ == 1 ? &scene_.lists() : nullptr; }
 
     std::string shader_folder_;
     ShaderFiles shader_files_;  // the last good ones

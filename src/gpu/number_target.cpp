@@ -29,8 +29,8 @@ NumberTarget::NumberTarget() {
     std::array<GLint, 2> viewport{};
     glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
     largest_side_ = std::min({gl_limit(GL_MAX_TEXTURE_SIZE), viewport[0], viewport[1]});
-    texture_ = make_texture();
-    framebuffer_ = make_framebuffer();
+    texture_ = Texture::make();
+    framebuffer_ = Framebuffer::make();
 }
 
 void NumberTarget::require(int width, int height) {

@@ -1,9 +1,6 @@
 // The outlines of selected and hovered spheres, drawn over a picture in a window. Twin: shaders/marks.glsl.
 #pragma once
 
-#include <cstdint>
-#include <span>
-
 #include "exact/candidates.hpp"
 #include "gpu/gl_object.hpp"
 #include "gpu/layouts.hpp"
@@ -26,6 +23,8 @@ struct OutlinePrograms {
     Program outline;
 };
 
+// The shaders shift and do not divide: an integer division for each pixel made a redraw on llvmpipe three times as long. Outlines are
+// looked for only in the cells near a marked sphere.
 class Outlines {
 public:
     // Draws into framebuffer `window` what `frame`, which is uploaded, says of the picture in `visible`. The marked spheres are in

@@ -2,7 +2,6 @@
 
 #include "base/error.hpp"
 #include "gpu/layouts.hpp"
-#include "gpu/shader_source.hpp"
 
 namespace sphereview {
 

@@ -93,8 +93,8 @@ void upload_draw_block(const Buffer& buffer, const DrawBlock& frame) {
 
 SceneTables::SceneTables(const TextureBounds& bounds, std::size_t spare_spheres) : bounds_(bounds), spare_spheres_(spare_spheres) {
     uniform_capacity_ = std::min(gl_limit(GL_MAX_UNIFORM_BLOCK_SIZE), largest_uniform_block) / static_cast<int>(sizeof(glm::vec4));
-    sphere_buffer_ = make_buffer();
-    color_buffer_ = make_buffer();
+    sphere_buffer_ = Buffer::make();
+    color_buffer_ = Buffer::make();
 }
 
 SceneTables::Storage SceneTables::storage_for(const DrawnSpheres& spheres, const CandidateLists& lists) const {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <string>
-#include <vector>
 
 namespace sphereview {
 
@@ -59,13 +57,13 @@ void Table::upload(const void* data, std::size_t count, TexelKind kind, TextureU
                    std::size_t spare) {
     const Format format = format_of(kind);
     // A texture keeps the kind that it was first bound as.
-    if (!texture_ || flat_ != limits.shift.has_value()) texture_ = make_texture();
+    if (!texture_ || flat_ != limits.shift.has_value()) texture_ = Texture::make();
     kind_ = kind;
     flat_ = limits.shift.has_value();
     shift_ = limits.shift.value_or(0);
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     if (!flat_) {
-        if (!buffer_) buffer_ = make_buffer();
+        if (!buffer_) buffer_ = Buffer::make();
         glBindBuffer(GL_TEXTURE_BUFFER, buffer_.name());
         const std::size_t size = size_for_one_shader((count + spare + 1) * format.bytes);
         glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(size), nullptr, GL_DYNAMIC_DRAW);

@@ -1,4 +1,5 @@
-// Several points a pixel -> one colour.
+// Several points a pixel -> one colour. The average is of the stored bytes, not of linear light: a scene's colours are numbers
+// without a colour space. Anyone can check an average, or make another one from the larger picture.
 #pragma once
 
 #include "image/image.hpp"

@@ -108,7 +108,8 @@ public:
     std::string clipboard() const;
     void set_clipboard(const std::string& text);
 
-    // `on_loss` is called when the connection to the display breaks, which no program survives; it must not use the window.
+    // `on_loss` is called when the connection to the X server breaks; Xlib ends the process when it returns. It must not use the
+    // window. Does nothing where there is no Xlib.
     static void set_connection_lost_handler(void (*on_loss)());
 
 private:

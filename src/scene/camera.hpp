@@ -22,6 +22,8 @@ struct PictureSize {
 struct Pixel {
     int x = 0;
     int y = 0;
+
+    bool operator==(const Pixel&) const = default;
 };
 
 // The camera is these twelve doubles, in scene space. `right` and `up` lead from the screen's centre to the middle of its
@@ -34,6 +36,16 @@ struct Camera {
 
     bool operator==(const Camera&) const = default;
 };
+
+// A camera's own directions, each of length 1. `ahead` is perpendicular to the screen, on the side of it that is seen.
+struct CameraAxes {
+    glm::dvec3 right;
+    glm::dvec3 up;
+    glm::dvec3 ahead;
+    bool mirrored = false;  // x to the left, for an eye that sees y up
+};
+
+CameraAxes camera_axes(const Camera& camera);
 
 // How far from perpendicular and from equally long `right` and `up` may be, and how near the screen's plane the eye,
 // relative to the lengths of the vectors involved.

@@ -148,7 +148,7 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
                 const auto along = [&](const glm::dvec3& axis) {
                     return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
                 };
-                put(along(axes_.right), along(axes_.up), along(axes_.toward), 255);
+                put(along(axes_.right), along(axes_.up), along(-axes_.ahead), 255);
                 continue;
             }
             const double depth = between_0_and_1((hits.distance[k] - range_.nearest) * inverse_range_);

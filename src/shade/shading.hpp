@@ -1,31 +1,52 @@
-// The ways in which a picture can be coloured. docs/shading.md has the formulae.
+// The ways in which a picture can be coloured: one table for the command line, the menus and the settings. A new one is a row here,
+// its formula in picture_shader.cpp and its twin in shaders/surface.frag. docs/shading.md has the formulae.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace sphereview {
 
 enum class Shading { flat, headlight, normal, depth, id };
 
-// By their values.
-inline constexpr std::array<std::string_view, 5> shading_names = {"flat", "headlight", "normal", "depth", "id"};
-inline constexpr std::string_view shading_syntax = "flat, headlight, normal, depth or id";
+struct ShadingMode {
+    std::string_view name;   // on the command line and in reports
+    std::string_view title;  // in the menu
+    std::string_view help;   // one sentence
+    bool depends_on_hit;     // on where the ray hits, not on the sphere alone
+};
 
-constexpr std::string_view name_of(Shading shading) { return shading_names[static_cast<std::size_t>(shading)]; }
+// By their values.
+inline constexpr std::array<ShadingMode, 5> shading_modes = {{
+    {"flat", "Flat", "Shading: the spheres' own colours.", false},
+    {"headlight", "Headlight", "Shading: light from the eye, dimmer with distance.", true},
+    {"normal", "Normals", "Shading: the direction that the surface faces, as a colour.", true},
+    {"depth", "Depth", "Shading: the distance from the eye, from white to dark grey.", true},
+    {"id", "False colours", "Shading: a colour for each sphere that tells it from the others.", false},
+}};
+
+constexpr std::string_view name_of(Shading shading) { return shading_modes[static_cast<std::size_t>(shading)].name; }
+
+constexpr bool depends_on_hit(Shading shading) { return shading_modes[static_cast<std::size_t>(shading)].depends_on_hit; }
 
 constexpr std::optional<Shading> shading_named(std::string_view name) {
-    for (std::size_t i = 0; i < shading_names.size(); ++i) {
-        if (shading_names[i] == name) return static_cast<Shading>(i);
+    for (std::size_t i = 0; i < shading_modes.size(); ++i) {
+        if (shading_modes[i].name == name) return static_cast<Shading>(i);
     }
     return std::nullopt;
 }
 
-// Whether a colour depends on where the ray hits, not on the sphere alone.
-constexpr bool depends_on_hit(Shading shading) {
-    return shading == Shading::headlight || shading == Shading::normal || shading == Shading::depth;
+// "flat, headlight, normal, depth or id".
+inline std::string shading_syntax() {
+    std::string names;
+    for (const ShadingMode& mode : shading_modes) {
+        names += &mode == &shading_modes.front() ? "" : &mode == &shading_modes.back() ? " or " : ", ";
+        names += mode.name;
+    }
+    return names;
 }
 
 }  // namespace sphereview

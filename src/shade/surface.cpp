@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "exact/exact_decision.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -16,23 +17,13 @@ constexpr std::size_t spheres_at_once = 4096;
 constexpr double smallest_radius = 1e-300;  // its inverse is finite
 constexpr double narrowest = 1.0 + 1.0 / 256.0;
 
-double largest(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
-
 // The squares must neither over- nor underflow.
 double length(const glm::dvec3& v) {
-    const double most = largest(v);
+    const double most = largest_of(v);
     if (most == 0.0) return 0.0;
-    if (most > 1e-120 && most < 1e120) return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
-    const glm::dvec3 u(v.x / most, v.y / most, v.z / most);
-    return most * std::sqrt(u.x * u.x + u.y * u.y + u.z * u.z);
-}
-
-glm::dvec3 of_length_one(const glm::dvec3& v) {
-    const double most = largest(v);
-    if (most == 0.0) return v;
-    const glm::dvec3 u(v.x / most, v.y / most, v.z / most);
-    const double size = std::sqrt(u.x * u.x + u.y * u.y + u.z * u.z);
-    return {u.x / size, u.y / size, u.z / size};
+    if (most > 1e-120 && most < 1e120) return std::sqrt(dot(v, v));
+    const glm::dvec3 u = v / most;
+    return most * std::sqrt(dot(u, u));
 }
 
 // A distance from the eye that would not overflow.
@@ -64,18 +55,6 @@ DepthRange depth_range(const Scene& scene, const glm::dvec3& eye) {
     if (range.nearest == none) return {};
     range.farthest = std::max(range.farthest, std::min(range.nearest, 1e308) * narrowest);
     return range;
-}
-
-CameraAxes camera_axes(const Camera& camera) {
-    CameraAxes axes{of_length_one(camera.right), of_length_one(camera.up), {}};
-    const glm::dvec3& r = axes.right;
-    const glm::dvec3& u = axes.up;
-    axes.toward = of_length_one({r.y * u.z - r.z * u.y, r.z * u.x - r.x * u.z, r.x * u.y - r.y * u.x});
-    const glm::dvec3 forward = from_eye(camera.center, camera.eye);
-    const double most = std::max(largest(forward), 1e-300);
-    const double ahead = forward.x / most * axes.toward.x + forward.y / most * axes.toward.y + forward.z / most * axes.toward.z;
-    if (ahead > 0.0) axes.toward = {-axes.toward.x, -axes.toward.y, -axes.toward.z};
-    return axes;
 }
 
 ShadedSphere shaded_sphere(const Sphere& sphere, const glm::dvec3& eye) {

@@ -22,15 +22,6 @@ struct DepthRange {
 // Of all spheres that are not hidden. At least 1/256 of `farthest` wide: narrower, float could not tell what lies where.
 DepthRange depth_range(const Scene& scene, const glm::dvec3& eye);
 
-// The camera's own axes, each of length 1: to the right, up, and from the screen to the eye's side.
-struct CameraAxes {
-    glm::dvec3 right;
-    glm::dvec3 up;
-    glm::dvec3 toward;
-};
-
-CameraAxes camera_axes(const Camera& camera);
-
 // A sphere as its pixels need it.
 struct ShadedSphere {
     glm::dvec3 center;  // relative to the eye

@@ -1,6 +1,7 @@
 // What a person is told of a scene that is no scene, and where.
 #include <gtest/gtest.h>
 
+#include "cli/fails.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -20,9 +21,7 @@ void expect_refused(const std::string& name, const BadScene& bad) {
     const TemporaryFolder folder;
     folder.write(name, bad.content);
     const Outcome outcome = render(folder, {name, "-s", "5x5"});
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
-    EXPECT_TRUE(outcome.errors.starts_with(name + ":" + bad.place + ": ")) << outcome;
+    EXPECT_TRUE(fails(outcome, 2, name + ":" + bad.place + ": "));
     EXPECT_TRUE(contains(outcome.errors, bad.found));
     EXPECT_TRUE(contains(outcome.errors, bad.expected));
     EXPECT_EQ(folder.names(), std::vector<std::string>{name});
@@ -110,18 +109,14 @@ TEST(BadScene, AFolderOrAMissingFileIsNamed) {
     const Outcome directory = render(folder, {"folder"});
     EXPECT_EQ(directory.status, 2) << directory;
     EXPECT_EQ(directory.errors, "folder: cannot be read: it is a folder; expected a file\n");
-    const Outcome missing = render(folder, {"missing.txt"});
-    EXPECT_EQ(missing.status, 2) << missing;
-    EXPECT_EQ(missing.errors, "missing.txt: cannot be read: No such file or directory\n");
+    EXPECT_TRUE(fails(render(folder, {"missing.txt"}), 2, "missing.txt: cannot be read: No such file or directory\n"));
 }
 
 TEST(BadScene, StandardInputIsCalledStdin) {
     const TemporaryFolder folder;
     Command command = cpu_render(folder, {"-"});
     command.input = bad_scene;
-    const Outcome outcome = run(command);
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_TRUE(outcome.errors.starts_with("stdin:4:1: found '-5', expected the radius")) << outcome;
+    EXPECT_TRUE(fails(run(command), 2, "stdin:4:1: found '-5', expected the radius"));
 }
 
 TEST(GoodScene, MayHaveAByteOrderMarkOddLineEndsOrNone) {

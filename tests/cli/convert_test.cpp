@@ -1,6 +1,12 @@
-// Converting between the formats.
+// Converting between the formats; the examples in scenes/.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <fstream>
+#include <sstream>
+
+#include "cli/fails.hpp"
+#include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -111,13 +117,9 @@ TEST_F(Convert, FailsLikeRender) {
         {{"red.txt", "/dev/full"}, 4, "/dev/full: cannot be written: No space left on device"},
     };
     for (const auto& [arguments, status, said] : cases) {
-        const Outcome outcome = convert(arguments);
-        EXPECT_EQ(outcome.status, status) << outcome;
-        EXPECT_TRUE(outcome.errors.starts_with(said)) << outcome;
+        EXPECT_TRUE(fails(convert(arguments), status, said));
     }
-    const Outcome stream = convert({"-", "new.toml"}, bad_scene);
-    EXPECT_EQ(stream.status, 2) << stream;
-    EXPECT_TRUE(stream.errors.starts_with("stdin:4:1: ")) << stream;
+    EXPECT_TRUE(fails(convert({"-", "new.toml"}, bad_scene), 2, "stdin:4:1: "));
     EXPECT_EQ(folder_.names(), before);
 }
 
@@ -127,6 +129,48 @@ TEST_F(Convert, GivesTheSamePicture) {
     ASSERT_EQ(render(folder_, {"rich.toml", "copy.toml", "-s", "50x50"}).status, 0);
     EXPECT_TRUE(folder_.read("rich.png") == folder_.read("copy.png"));
     EXPECT_TRUE(contains(decode_png(folder_.read("rich.png")).bytes, "\x09\x08\x07"));
+}
+
+std::string content_of(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream bytes;
+    bytes << file.rdbuf();
+    return bytes.str();
+}
+
+Outcome script(const std::string& name, const std::vector<std::string>& arguments = {}) {
+    Command command;
+    command.program = PYTHON;
+    command.arguments = {source_file("scenes/make/") + name};
+    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+    return run(command);
+}
+
+std::string first_line_as_text(const std::string& scene, const std::vector<std::string>& options = {}) {
+    Command command;
+    command.arguments = {"convert", scene, "-", "--to", "text"};
+    command.arguments.insert(command.arguments.end(), options.begin(), options.end());
+    const std::string text = run(command).output;
+    return text.substr(0, text.find('\n'));
+}
+
+TEST(Examples, AreWhatTheirScriptsWrite) {
+    for (const auto& [made_by, example, count] : std::vector<std::array<std::string, 3>>{
+             {"helix.py", "helix.xyz", "200"}, {"crystal.py", "crystal.extxyz", "1247"}, {"packing.py", "packing.csv", "827"}}) {
+        const std::string path = source_file("scenes/") + example;
+        const Outcome outcome = script(made_by);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_TRUE(outcome.output == content_of(path)) << made_by << " writes another " << example;
+        EXPECT_EQ(first_line_as_text(path), count);
+    }
+    EXPECT_EQ(first_line_as_text(source_file("scenes/helix.xyz"), {"--frame", "15"}), "200");
+}
+
+TEST(Examples, TheSphereflakeHasItsSpheres) {
+    const TemporaryFolder folder;
+    const Outcome outcome = script("sphereflake.py", {"3"});
+    ASSERT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(first_line_as_text(folder.write("flake.txt", outcome.output)), "820");
 }
 
 }  // namespace

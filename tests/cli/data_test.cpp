@@ -1,8 +1,9 @@
-// Files of atoms and particles on the command line.
+// Files of atoms and particles, and packed ones.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "cli/fails.hpp"
 #include "support/gzip.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
@@ -153,7 +154,7 @@ TEST_F(Data, OfMoleculesIsConvertedAndRendered) {
                  "bad.ent:1:48: found '2oo.000', expected the atom's z in columns 47 to 54, a number");
     folder_.write("bad.cif.gz", gzipped("data_a\n_atom_site.Cartn_x 1\n"));
     expect_fault({"render", "bad.cif.gz"},
-                 "bad.cif.gz:2:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+                 "bad.cif.gz:2: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
 }
 #endif
 
@@ -169,25 +170,79 @@ TEST_F(Data, HasOnlyTheFramesItHas) {
     }
 }
 
-TEST_F(Data, OptionsThatMakeNoSenseAreRefused) {
-    for (const std::string command : {"render", "convert", "explain", "view"}) {
-        const std::string help = " (see 'sphereview " + command + " --help')";
-        std::vector<std::string> words = {command, "a.xyz"};
-        if (command == "convert") words.emplace_back("b.txt");
-        if (command == "explain") words.insert(words.end(), {"--pixel", "1,1"});
-        const auto with = [&](const std::string& option, const std::string& value) {
-            std::vector<std::string> all = words;
-            all.push_back(option + "=" + value);
-            return all;
-        };
-        for (const std::string value : {"-1", "1.5", "x", "99999999999999999999"}) {
-            expect_fault(with("--frame", value),
-                         "sphereview: --frame: found '" + value + "', expected the number of a frame, from 0" + help);
-        }
-        for (const std::string value : {"0", "-1", "nan", "inf", "1e999", "x"}) {
-            expect_fault(with("--radius", value), "sphereview: --radius: found '" + value + "', expected a number above 0" + help);
-        }
+TEST(Gzip, APackedSceneIsRenderedUnderItsOwnName) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    folder.write("packed.txt.gz", gzipped(red_scene));
+    folder.write("Other.TOML.GZ", gzipped("[[sphere]]\ncolor = [255, 0, 0]\ncenter = [0, 0, 200]\nradius = 20\n"));
+    folder.write("no-ending.gz", gzipped(red_scene));
+    const Outcome outcome = render(folder, {"red.txt", "packed.txt.gz", "Other.TOML.GZ", "no-ending.gz", "-s", "5x5"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, "");
+    for (const std::string name : {"packed.png", "Other.png", "no-ending.png"}) {
+        ASSERT_TRUE(folder.has(name)) << name;
+        EXPECT_TRUE(folder.read(name) == folder.read("red.png")) << name;
     }
+}
+
+TEST(Gzip, StandardInputMayBePacked) {
+    const TemporaryFolder folder;
+    Command command = cpu_render(folder, {"-", "-s", "5x5"});
+    command.input = gzipped(red_scene);
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(decode_png(folder.read("stdin.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
+}
+
+TEST(Gzip, ManySpheresAreTheSamePacked) {
+    const TemporaryFolder folder;
+    const std::string scene = many_spheres(300'000);  // several times what is read at once
+    folder.write("a.txt", scene);
+    folder.write("b.txt.gz", gzipped(scene));
+    const Outcome outcome = render(folder, {"a.txt", "b.txt.gz", "-s", "20x20"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(folder.read("a.png") == folder.read("b.png"));
+}
+
+TEST(Gzip, AFaultIsPlacedInTheText) {
+    const TemporaryFolder folder;
+    folder.write("bad.txt.gz", gzipped(bad_scene));
+    EXPECT_TRUE(fails(render(folder, {"bad.txt.gz"}), 2, "bad.txt.gz:4:1: found '-5', expected "));
+}
+
+TEST(Gzip, DamageIsAnErrorInOneLine) {
+    const TemporaryFolder folder;
+    const std::string packed = gzipped(red_scene);
+    folder.write("short.txt.gz", packed.substr(0, packed.size() - 4));
+    EXPECT_TRUE(fails(render(folder, {"short.txt.gz"}), 2, "short.txt.gz: cannot be unpacked: its gzip data end too early\n"));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"short.txt.gz"});
+}
+
+TEST(Gzip, ABombIsRefusedInLittleMemory) {
+    const TemporaryFolder folder;
+    // 1000 members of 1 MB of spaces: 1 GB in 1 MB. As a text it needs memory only until it is refused.
+    const std::string spaces = gzipped(std::string(1'000'000, ' '));
+    std::string bomb = gzipped("1\n");
+    for (int i = 0; i < 1000; ++i) bomb += spaces;
+    folder.write("bomb.txt.gz", bomb);
+    EXPECT_TRUE(fails(render(folder, {"bomb.txt.gz"}), 2,
+                      "bomb.txt.gz: cannot be unpacked: its text is longer than 250 times the file, as no scene's is\n"));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"bomb.txt.gz"});
+}
+
+TEST(Gzip, IsOnlyRead) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    Command command;
+    command.folder = folder.path();
+    for (const std::string name : {"b.toml.gz", "b.txt.GZ"}) {
+        command.arguments = {"convert", "red.txt", name};
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.errors,
+                  name + ": found a name for gzip, which is only read; expected one that ends with .txt or .toml\n");
+    }
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"red.txt"});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
-// Output appears whole or not at all.
+// What is written and with which exit status: one picture, several, none.
 #include <gtest/gtest.h>
 
+#include "cli/fails.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -38,18 +39,13 @@ TEST_F(Output, ThatCannotBeIsRefusedWithTheReason) {
         {long_name, long_name + ": cannot be written: File name too long"},
     };
     for (const auto& [path, said] : cases) {
-        const Outcome outcome = render_into(path);
-        EXPECT_EQ(outcome.status, 4) << path << ": " << outcome;
-        EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
-        EXPECT_TRUE(outcome.errors.starts_with(said)) << outcome;
+        EXPECT_TRUE(fails(render_into(path), 4, said));
         EXPECT_EQ(folder_.names(), before) << path;
     }
 }
 
 TEST_F(Output, ThatIsRefusedIsRefusedBeforeTheScenesAreRead) {
-    const Outcome outcome = render(folder_, {"missing.txt", "-o", "folder/new.png"});
-    EXPECT_EQ(outcome.status, 4) << outcome;
-    EXPECT_TRUE(outcome.errors.starts_with("folder/new.png: cannot be written")) << outcome;
+    EXPECT_TRUE(fails(render(folder_, {"missing.txt", "-o", "folder/new.png"}), 4, "folder/new.png: cannot be written"));
 }
 
 TEST_F(Output, DoesNotReplaceWhatIsProtected) {
@@ -60,9 +56,7 @@ TEST_F(Output, DoesNotReplaceWhatIsProtected) {
     for (const char* path : {"protected.png", "locked/new.png"}) {
         Command command = cpu_render(folder_, {"red.txt", "-s", "5x5", "-o", path});
         command.obeys_permissions = true;
-        const Outcome outcome = run(command);
-        EXPECT_EQ(outcome.status, 4) << outcome;
-        EXPECT_EQ(outcome.errors, std::string(path) + ": cannot be written: Permission denied\n");
+        EXPECT_TRUE(fails(run(command), 4, std::string(path) + ": cannot be written: Permission denied\n"));
     }
     EXPECT_EQ(folder_.read("protected.png"), "old");
     fs::permissions(folder_.path("locked"), fs::perms::owner_all);
@@ -74,9 +68,7 @@ TEST_F(Output, BeyondAFileSizeLimitLeavesTheOldFileAndNothingElse) {
     for (const char* path : {"old.png", "new.png"}) {
         Command command = cpu_render(folder_, {"red.txt", "-s", "1000x1000", "-o", path});
         command.largest_file = 100;
-        const Outcome outcome = run(command);
-        EXPECT_EQ(outcome.status, 4) << outcome;
-        EXPECT_EQ(outcome.errors, std::string(path) + ": cannot be written: File too large\n");
+        EXPECT_TRUE(fails(run(command), 4, std::string(path) + ": cannot be written: File too large\n"));
     }
     Command command;
     command.arguments = {"convert", "red.txt", "old.png", "--to", "toml"};
@@ -92,6 +84,123 @@ TEST_F(Output, OfTwoRunsIsTheSameBytes) {
     ASSERT_EQ(render(folder_, {"red.txt", "-o", "two.png"}).status, 0);
     EXPECT_TRUE(folder_.read("one.png") == folder_.read("two.png"));
 }
+
+TEST(Batch, WritesEachScenesPictureIntoTheCurrentFolderByDefault) {
+    const TemporaryFolder folder;
+    folder.write("sub/red.txt", red_scene);
+    folder.write("sub/blue.version2.toml", blue_scene);
+    const Outcome outcome = render(folder, {"sub/red.txt", "sub/blue.version2.toml", "-s", "5x5"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_EQ(folder.names(), (Names{"blue.version2.png", "red.png", "sub"}));
+    EXPECT_EQ(decode_png(folder.read("red.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
+    EXPECT_EQ(decode_png(folder.read("blue.version2.png")).at(2, 2), (std::vector<int>{0, 0, 250}));
+}
+
+TEST(Batch, FillsTheNameIntoAPattern) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    folder.write("out-red/other", "");
+    folder.write("out-stdin/other", "");
+    Command command = cpu_render(folder, {"red.txt", "-", "-s", "5x5", "-o", "out-{name}/{name}-small.png"});
+    command.input = red_scene;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(folder.has("out-red/red-small.png"));
+    EXPECT_TRUE(folder.has("out-stdin/stdin-small.png"));
+}
+
+TEST(Batch, GoesOnAfterABadSceneAndSummarises) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    folder.write("bad.txt", bad_scene);
+    folder.write("blue.txt", blue_scene);
+    const Outcome outcome = render(folder, {"bad.txt", "red.txt", "missing.txt", "blue.txt", "-s", "5x5"});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    const std::vector<std::string> said = lines(outcome.errors);
+    ASSERT_EQ(said.size(), 3U) << outcome;
+    EXPECT_TRUE(said[0].starts_with("bad.txt:4:1: ")) << said[0];
+    EXPECT_TRUE(said[1].starts_with("missing.txt: cannot be read")) << said[1];
+    EXPECT_EQ(said[2], "sphereview: 2 of 4 scenes failed: bad.txt missing.txt");
+    EXPECT_EQ(folder.names(), (Names{"bad.txt", "blue.png", "blue.txt", "red.png", "red.txt"}));
+}
+
+TEST(Batch, GoesOnAfterAnOutputThatCannotBeWritten) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    folder.write("blue.txt", blue_scene);
+    folder.write("red.png/in-the-way", "");
+    const Outcome outcome = render(folder, {"red.txt", "blue.txt", "-s", "5x5"});
+    EXPECT_EQ(outcome.status, 4) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "red.png: cannot be written: it is a folder"));
+    EXPECT_TRUE(contains(outcome.errors, "1 of 2 scenes failed: red.txt"));
+    EXPECT_TRUE(folder.has("blue.png"));
+}
+
+TEST(Batch, OfOneSceneNeedsNoSummary) {
+    const TemporaryFolder folder;
+    folder.write("bad.txt", bad_scene);
+    const Outcome outcome = render(folder, {"bad.txt"});
+    EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+}
+
+struct Case {
+    std::vector<std::string> arguments;
+    int status;
+};
+
+TEST(ExitStatus, SaysWhatWentWrongAndOfSeveralTheHighestCounts) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    folder.write("blue.txt", blue_scene);
+    folder.write("bad.txt", bad_scene);
+    ASSERT_EQ(render(folder, {"red.txt", "-s", "5x5", "-o", "golden.png"}).status, 0);
+    const std::vector<Case> cases = {
+        {{"red.txt", "-o", "new.png"}, 0},
+        {{"red.txt", "--expect", "golden.png"}, 0},
+        {{"blue.txt", "--expect", "golden.png"}, 1},
+        {{"bad.txt"}, 2},
+        {{"red.txt", "--size", "none"}, 2},
+        {{"red.txt", "-o", "missing/new.png"}, 4},
+        {{"red.txt", "blue.txt", "--expect", "golden.png"}, 1},
+        {{"blue.txt", "bad.txt", "red.txt", "--expect", "golden.png"}, 2},
+        {{"bad.txt", "red.txt", "-o", "missing/{name}.png"}, 4},
+        {{"blue.txt", "--expect", "golden.png", "-o", "/dev/full"}, 4},
+    };
+    for (const auto& [arguments, status] : cases) {
+        std::vector<std::string> all = {"-s", "5x5"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Outcome outcome = render(folder, all);
+        EXPECT_EQ(outcome.status, status) << testing::PrintToString(arguments) << ": " << outcome;
+        EXPECT_EQ(outcome.errors.empty(), status == 0) << outcome;
+    }
+}
+
+#ifndef SPHEREVIEW_SANITIZED  // AddressSanitizer reserves more address space than any sensible limit
+TEST(ExitStatus, Is3WhenMemoryRunsOut) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    Command command = cpu_render(folder, {"red.txt", "-s", "20000x20000"});  // 1.2 GB of pixels
+    command.most_memory = 1'000'000'000;
+    EXPECT_TRUE(fails(run(command), 3, "red.txt: memory ran out\n"));
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"red.txt"});
+}
+
+TEST(ExitStatus, Is3WhenASceneCannotFitInMemory) {
+    const TemporaryFolder folder;
+    folder.write("big.txt", "50000000\n");
+    folder.write("big.toml", "# \n");
+    for (const char* name : {"big.txt", "big.toml"}) std::filesystem::resize_file(folder.path(name), 1'500'000'000);  // sparse
+    for (const auto& [name, said] : {std::pair{"big.txt", "big.txt: 50,000,000 spheres need 6.5 GB of memory, "},
+                                     std::pair{"big.toml", "big.toml: its bytes need 1.5 GB of memory, "}}) {
+        Command command = cpu_render(folder, {name, "-s", "5x5"});
+        command.most_memory = 1'000'000'000;
+        const Outcome outcome = run(command);
+        EXPECT_TRUE(fails(outcome, 3, said));
+        EXPECT_TRUE(outcome.errors.ends_with(" MB are available\n")) << outcome;
+    }
+}
+#endif
 
 }  // namespace
 }  // namespace sphereview::test

@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/fails.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -98,9 +99,7 @@ TEST_F(Report, JsonIsUtf8WhateverThePathsAre) {
 TEST_F(Report, JsonThatCannotBeWrittenIsAnOutputError) {
     Command command = cpu_render(folder_, {"red.txt", "-s", "5x5", "--json"});
     command.output = StandardOutput::full_disk;
-    const Outcome outcome = run(command);
-    EXPECT_EQ(outcome.status, 4) << outcome;
-    EXPECT_EQ(outcome.errors, "stdout: cannot be written: No space left on device\n");
+    EXPECT_TRUE(fails(run(command), 4, "stdout: cannot be written: No space left on device\n"));
 }
 
 TEST_F(Report, JsonThatCannotBeWrittenStopsNoPicture) {

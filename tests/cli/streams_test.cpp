@@ -4,6 +4,7 @@
 
 #include <fstream>
 
+#include "cli/fails.hpp"
 #include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
@@ -63,9 +64,7 @@ TEST(Streams, AMissingStandardOutputOrInputIsAnError) {
     command.arguments = {"-c", "exec \"$0\" render --backend cpu red.txt -s 3x3 -o - >&-", build_file("sphereview")};
     EXPECT_EQ(run(command).status, 4);
     command.arguments = {"-c", "exec \"$0\" render --backend cpu - -s 3x3 <&-", build_file("sphereview")};
-    const Outcome outcome = run(command);
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_TRUE(outcome.errors.starts_with("stdin: cannot be read: ")) << outcome;
+    EXPECT_TRUE(fails(run(command), 2, "stdin: cannot be read: "));
     EXPECT_EQ(folder.names(), std::vector<std::string>{"red.txt"});
 }
 
@@ -85,9 +84,7 @@ TEST(Streams, FifosAreReadAndWrittenInPlace) {
 
 TEST(Streams, AnEndlessDeviceIsNoScene) {
     const TemporaryFolder folder;
-    const Outcome outcome = render(folder, {"/dev/zero"});
-    EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_TRUE(outcome.errors.starts_with("/dev/zero:1:1: found '\\x00'")) << outcome;
+    EXPECT_TRUE(fails(render(folder, {"/dev/zero"}), 2, "/dev/zero:1:1: found '\\x00'"));
 }
 
 }  // namespace

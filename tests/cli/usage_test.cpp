@@ -50,7 +50,7 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"Convert"}, "did you mean 'convert'?"},
         {{"docter"}, "did you mean 'doctor'?"},
         {{"--versoin"}, "unknown option '--versoin'; did you mean '--version'?"},
-        {{"render"}, "SCENE is required (see 'sphereview render --help')"},
+        {{"render"}, "SCENE: found no value, expected the name of a file (see 'sphereview render --help')"},
         {{"render", "a.txt", "--exect", "b.png"}, "unknown option '--exect'; did you mean '--expect'?"},
         {{"render", "--bakend=cpu", "a.txt"}, "unknown option '--bakend'; did you mean '--backend'?"},
         {{"render", "a.txt", "-S", "3x3"}, "unknown option '-S'; did you mean '-s'?"},
@@ -60,32 +60,32 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"a.txt", "--size", "0x3"},
          "--size: found '0x3', expected WIDTHxHEIGHT, such as 1000x1000: sides of at least 1 pixel, at most "
          "429496729 pixels (see 'sphereview view --help')"},
-        {{"a.txt", "--samples", "8"}, "--samples: found '8', expected 1, 4 or 16 (see 'sphereview view --help')"},
         {{"view", "--shader-dir", "no/such/folder"}, "--shader-dir: found 'no/such/folder', expected a folder"},
-        {{"render", "a.txt", "-s"}, "--size: found no value, expected WxH (see"},
-        {{"render", "--output=", "a.txt"}, "--output: found no value, expected FILE (see"},
+        {{"render", "a.txt", "-s"}, "--size: found no value, expected WIDTHxHEIGHT, such as"},
+        {{"render", "--output=", "a.txt"}, "--output: found no value, expected the name of a file (see"},
         {{"render", "a.txt", "-o", "-s", "3x3"}, "--output: found the option '-s', expected the name of a file (see"},
         {{"render", "a.txt", "-s", "3x3", "--size=4x4"}, "--size: found '3x3' and '4x4', expected only one value"},
-        {{"render", "a.txt", "-s", "3"}, "such as 1000x1000"},
         {{"render", "a.txt", "--device", "first"}, "--device: found 'first', expected the number of an EGL device"},
         {{"render", "a.txt", "--device", "-1"}, "--device: found '-1', expected the number of an EGL device"},
-        {{"render", ""}, "SCENE: found '', expected the name of a file"},
-        {{"render", "a.txt", "-o", ""}, "--output: found '', expected the name of a file"},
-        {{"render", "a.txt", "--expect", ""}, "--expect: found '', expected the name of a file"},
-        {{"render", "a.txt", "--expect", "b.png", "--diff", ""}, "--diff: found '', expected the name of a file"},
-        {{"convert", "", "b.txt"}, "IN: found '', expected the name of a file"},
-        {{"convert", "a.txt", ""}, "OUT: found '', expected the name of a file"},
-        {{"explain", "", "-p", "1,1"}, "SCENE: found '', expected the name of a file"},
+        {{"render", ""}, "SCENE: found no value, expected the name of a file"},
+        {{"render", "a.txt", "-o", ""}, "--output: found no value, expected the name of a file"},
+        {{"render", "a.txt", "--expect", ""}, "--expect: found no value, expected the name of a file"},
+        {{"render", "a.txt", "--expect", "b.png", "--diff", ""}, "--diff: found no value, expected the name of a file"},
+        {{"convert", "", "b.txt"}, "IN: found no value, expected the name of a file"},
+        {{"convert", "a.txt", ""}, "OUT: found no value, expected the name of a file"},
+        {{"explain", "", "-p", "1,1"}, "SCENE: found no value, expected the name of a file"},
         {{"render", "a.txt", "--device", "0", "--backend", "cpu"}, "--backend: found 'cpu', expected egl with --device"},
         {{"render", "a.txt", "--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa or cpu"},
-        {{"render", "a.txt", "--backend", ""}, "--backend: found ''"},
+        {{"render", "a.txt", "--backend", ""}, "--backend: found no value"},
+        {{"render", "a.txt", "--fit", "--no-fit"}, "--fit excludes --no-fit"},
+        {{"render", "a.txt", "--view=top", "--no-fit"}, "--no-fit excludes --view"},
         {{"render", "a.txt", "--diff", "d.png"}, "--diff requires --expect"},
-        {{"convert", "a.txt"}, "OUT is required"},
+        {{"convert", "a.txt"}, "OUT: found no value, expected the name of a file (see"},
         {{"convert", "a.txt", "b.toml", "c.toml"}, "unexpected argument 'c.toml'"},
         {{"convert", "a.txt", "b", "--to", "yaml"}, "--to: found 'yaml', expected text or toml"},
-        {{"convert", "a.txt", "b", "--to", ""}, "--to: found ''"},
+        {{"convert", "a.txt", "b", "--to", ""}, "--to: found no value"},
         {{"convert", "a.txt", "-"}, "add --to text or --to toml"},
-        {{"explain", "a.txt"}, "--pixel is required"},
+        {{"explain", "a.txt"}, "--pixel: found no value, expected X,Y, such as 500,500 (see"},
         {{"explain", "a.txt", "--pixle", "5,5"}, "unknown option '--pixle'; did you mean '--pixel'?"},
         {{"explain", "a.txt", "--pixel", "5"}, "--pixel: found '5', expected X,Y"},
         {{"explain", "a.txt", "--pixel", "1000,0"}, "expected a pixel from 0,0 to 999,999"},
@@ -96,6 +96,13 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"doctor", "--timeout", "0"}, "--timeout: found '0', expected a number of seconds above 0, at most 3600"},
         {{"doctor", "--timeout", "nan"}, "--timeout: found 'nan', expected"},
         {{"doctor", "--timeout", "soon"}, "--timeout: found 'soon', expected"},
+        {{"doctor", "--timeout"}, "--timeout: found no value, expected a number of seconds above 0, at most 3600 (see"},
+        {{"a.txt", "--redraw-log"}, "--redraw-log: found no value, expected the name of a file (see"},
+        {{"render", "a.txt", "--view"}, "--view: found no value, expected front, back"},
+        {{"render", "a.txt", "--json=no"}, "--json: found 'no', expected no value (see 'sphereview render --help')"},
+        {{"render", "a.txt", "--fit="}, "--fit: found '', expected no value"},
+        {{"render", "--help=render"}, "--help: found 'render', expected no value"},
+        {{"--version=2"}, "--version: found '2', expected no value (see 'sphereview --help')"},
         {{"doctor", "everything"}, "unexpected argument 'everything'"},
     };
     for (const auto& [arguments, said] : cases) {
@@ -109,6 +116,50 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         EXPECT_TRUE(outcome.errors.starts_with("sphereview: ")) << outcome;
         EXPECT_TRUE(contains(outcome.errors, said));
     }
+}
+
+TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
+    struct Case {
+        std::string option;
+        std::string expected;
+        std::vector<std::string> values;
+        std::vector<std::vector<std::string>> commands = {{"render", "missing.txt"}};
+    };
+    const std::vector<std::vector<std::string>> with_scenes = {{"view", "missing.txt"},
+                                                               {"render", "missing.txt"},
+                                                               {"convert", "missing.txt", "b.txt"},
+                                                               {"explain", "missing.txt", "--pixel", "1,1"}};
+    const std::vector<Case> cases = {
+        {"--size",
+         "WIDTHxHEIGHT, such as 1000x1000: sides of at least 1 pixel, at most 429496729 pixels",
+         {"0x5", "5x0", "-5x5", "1000000x1000000", "429496730x1", "99999999999x1", "1x99999999999999999999", "10", "10x", "x10",
+          "10x10x10", "10x10.5", "1e3x5", " 5x5", "big", ""}},
+        {"--samples", "1, 4 or 16", {"0", "2", "3", "-4", "4.0", "64", "many", "", "4 ", "99999999999999999999"}},
+        {"--background",
+         "black, white, transparent or #rrggbb",
+         {"red", "#ff80", "#gggggg", "#ff80001", "BLACK", " white", "0xff8000", ""}},
+        {"--shade", "flat, headlight, normal, depth or id", {"Flat", "lambert", ""}},
+        {"--view",
+         "front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in degrees",
+         {"side", "90", "90,", "0,91", "x,y", "inf,0", ""}},
+        {"--frame", "the number of a frame, from 0", {"-1", "1.5", "x", "99999999999999999999"}, with_scenes},
+        {"--radius", "a number above 0", {"0", "-1", "nan", "inf", "1e999", "x"}, with_scenes},
+    };
+    for (const auto& [option, expected, values, commands] : cases) {
+        for (const auto& words : commands) {
+            for (const std::string& value : values) {
+                Command command;
+                command.arguments = words;
+                command.arguments.insert(command.arguments.end(), {option, value});
+                const Outcome outcome = run(command);
+                EXPECT_EQ(outcome.status, 2) << outcome;
+                EXPECT_EQ(outcome.output, "");
+                EXPECT_EQ(outcome.errors, "sphereview: " + option + ": found " + (value.empty() ? "no value" : "'" + value + "'") +
+                                              ", expected " + expected + " (see 'sphereview " + words[0] + " --help')\n");
+            }
+        }
+    }
+    EXPECT_TRUE(run({"render", "missing.txt", "--size", "429496729x1"}).errors.starts_with("missing.txt: "));
 }
 
 TEST(Usage, WhatFollowsTheCommandIsAFileWhateverItIsCalled) {

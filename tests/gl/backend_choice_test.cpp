@@ -1,6 +1,7 @@
 // Which renderer draws, and what is said of the others. Mesa's variables make it an old driver, or one that is not there.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "support/render.hpp"
@@ -10,7 +11,6 @@ namespace sphereview::test {
 namespace {
 
 using Json = nlohmann::json;
-using Environment = std::vector<std::pair<std::string, std::optional<std::string>>>;
 
 constexpr const char* old_driver = "MESA_GL_VERSION_OVERRIDE";
 
@@ -74,31 +74,42 @@ TEST_F(BackendChoice, FallsBackToOsmesaWhereEglHasNoDriver) {
     EXPECT_TRUE(matches(line_with(outcome.errors, "backend:"), "red\\.txt: backend: osmesa \\(.*\\); passed over: EGL.*"));
 }
 
-TEST_F(BackendChoice, FallsBackToTheCpuWhereNoGlIsNewEnoughAndSaysWhy) {
-    const Outcome outcome = render_small({"red.txt", "--verbose"}, {{old_driver, "3.2"}});
-    EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_TRUE(matches(line_with(outcome.errors, "backend:"),
-                        "red\\.txt: backend: cpu; passed over: EGL device 0: .*3\\.3.*; OSMesa: .*3\\.3.*"));
-    const Outcome quiet = render_small({"red.txt"}, {{old_driver, "3.2"}});
-    EXPECT_EQ(quiet.errors, "");
-    EXPECT_EQ(decode_png(folder_.read("red.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
-}
-
-TEST_F(BackendChoice, ANamedBackendIsNeverReplaced) {
-    const std::vector<std::pair<std::vector<std::string>, Environment>> cases = {
-        {{"--backend", "egl"}, {{old_driver, "3.2"}}},
-        {{"--backend", "osmesa"}, {{old_driver, "3.2"}}},
-        {{"--device", "0"}, {{old_driver, "3.2"}}},
-        {{}, {{old_driver, "3.2"}, {"SPHEREVIEW_BACKEND", "egl"}}},
+TEST_F(BackendChoice, FallsBackToTheCpuWhereNoGlServesAndSaysWhyButReplacesNoNamedBackend) {
+    for (const char* name : {"libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
+        folder_.write(std::string("lib/") + name, "not a library");
+    }
+    struct Machine {
+        std::pair<std::string, std::string> variable;
+        std::string egl;
+        std::string osmesa;
     };
-    for (const auto& [options, environment] : cases) {
-        std::vector<std::string> arguments = {"red.txt"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        const Outcome outcome = render_small(arguments, environment);
-        EXPECT_EQ(outcome.status, 3) << outcome;
-        EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
-        EXPECT_TRUE(contains(outcome.errors, "3.3"));
-        EXPECT_FALSE(folder_.has("red.png"));
+    const std::vector<Machine> machines = {
+        {{old_driver, "3.2"}, "EGL device 0: .*3\\.3.*", "OSMesa: .*3\\.3.*"},
+        {{"LD_LIBRARY_PATH", FAKE_DRIVERS "/bare"}, "EGL: libEGL .*", "OSMesa: libOSMesa .*"},  // without functions
+        {{"LD_LIBRARY_PATH", folder_.path("lib")}, "EGL: libEGL .*", "OSMesa: libOSMesa .*"},
+    };
+    for (const auto& [variable, egl, osmesa] : machines) {
+        SCOPED_TRACE(variable.second);
+        const std::string backend = "the backend [a-z]+ does not work here: ";
+        for (const auto& [options, named, why] : {std::tuple{std::vector<std::string>{"--backend", "egl"}, "", backend + egl},
+                                                  {{"--backend", "osmesa"}, "", backend + osmesa},
+                                                  {{"--device", "0"}, "", egl.substr(egl.find(": ") + 2)},
+                                                  {{}, "egl", backend + egl}}) {
+            std::vector<std::string> arguments = {"red.txt"};
+            arguments.insert(arguments.end(), options.begin(), options.end());
+            const Outcome outcome =
+                render_small(arguments, {variable, {"SPHEREVIEW_BACKEND", *named == 0 ? std::nullopt : std::optional(named)}});
+            EXPECT_EQ(outcome.status, 3) << outcome;
+            EXPECT_TRUE(matches(outcome.errors, "red\\.txt: " + why + "\n"));
+            EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+            EXPECT_FALSE(folder_.has("red.png"));
+        }
+        const Outcome outcome = render_small({"red.txt", "--verbose"}, {variable});
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_TRUE(matches(line_with(outcome.errors, "backend:"), "red\\.txt: backend: cpu; passed over: " + egl + "; " + osmesa));
+        EXPECT_EQ(render_small({"red.txt"}, {variable}).errors, "");
+        EXPECT_EQ(decode_png(folder_.read("red.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
+        std::filesystem::remove(folder_.path("red.png"));
     }
 }
 

@@ -54,11 +54,8 @@ TEST(Doctor, SaysTheSameInWords) {
 }
 
 TEST(Doctor, AsksForNoDriverWhereOnlyTheDefaultDisplayFails) {
-    Command command;
-    command.arguments = {"doctor", "--json"};
-    command.environment = {{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}};
-    const Outcome outcome = run(command);
-    const Json report = Json::parse(outcome.output);
+    const Json report =
+        Json::parse(run({"doctor", "--json"}, {{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}}).output);
     bool met = false;
     for (const Json& row : report["backends"]) {
         if (row["name"] != "EGL default display" || row["works"].get<bool>()) continue;
@@ -69,10 +66,7 @@ TEST(Doctor, AsksForNoDriverWhereOnlyTheDefaultDisplayFails) {
 }
 
 TEST(Doctor, SaysWhyADriverDoesNotServeAndWhatToDo) {
-    Command command;
-    command.arguments = {"doctor"};
-    command.environment = {{"MESA_GL_VERSION_OVERRIDE", "3.2"}};
-    const Outcome outcome = run(command);
+    const Outcome outcome = run({"doctor"}, {{"MESA_GL_VERSION_OVERRIDE", "3.2"}});
     EXPECT_EQ(outcome.status, 0) << outcome;  // the CPU works
     EXPECT_TRUE(
         contains(outcome.output, "EGL device 0: does not work\n    why:       eglCreateContext for OpenGL 3.3 core failed"));

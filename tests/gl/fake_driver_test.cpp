@@ -10,7 +10,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "support/render.hpp"
+#include "support/program.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
@@ -88,72 +89,18 @@ TEST(FakeDriver, ThatIsOnlySlowIsNotSaidToHang) {
     EXPECT_EQ(row_of(report, "osmesa")["reason"], "the driver gave no answer within 1e-04 s");
 }
 
-TEST(FakeDriver, ThatCrashesIsARowOfDoctor) {
-    EXPECT_TRUE(contains(egl_row("crashing_egl", "60")["reason"].get<std::string>(), "the driver crashed (signal 11)"));
-}
-
-TEST(FakeDriver, ThatEndsTheProgramIsARowOfDoctor) {
-    EXPECT_TRUE(contains(egl_row("exiting_egl", "60")["reason"].get<std::string>(), "the driver ended the program (status 7)"));
-}
-
-TEST(FakeDriver, ThatLacksFunctionsIsARowOfDoctor) {
-    EXPECT_TRUE(contains(egl_row("bare", "60")["reason"].get<std::string>(), "libEGL lacks functions"));
+TEST(FakeDriver, ThatCrashesEndsTheProgramOrLacksFunctionsIsARowOfDoctor) {
+    for (const auto& [driver, said] : {std::pair{"crashing_egl", "the driver crashed (signal 11)"},
+                                       {"exiting_egl", "the driver ended the program (status 7)"},
+                                       {"bare", "libEGL lacks functions"}}) {
+        EXPECT_TRUE(contains(egl_row(driver, "60")["reason"].get<std::string>(), said));
+    }
     const Outcome words = run(with_libraries(fake("bare"), {"doctor"}));
     EXPECT_EQ(words.status, 0) << words;
     EXPECT_TRUE(contains(words.output, "EGL: does not work\n    why:       libEGL lacks functions"));
     EXPECT_TRUE(contains(words.output, "OSMesa: does not work\n    why:       libOSMesa lacks functions"));
     EXPECT_TRUE(contains(words.output, "CPU: works"));
 }
-
-class BrokenLibraries : public testing::TestWithParam<const char*> {
-protected:
-    // Libraries without functions, or files that are no libraries at all.
-    BrokenLibraries() : libraries_(fake("bare")) {
-        folder_.write("red.txt", red_scene);
-        if (std::string(GetParam()) == "Bare") return;
-        for (const char* name : {"libEGL.so.1", "libEGL.so", "libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"}) {
-            folder_.write(std::string("lib/") + name, "not a library");
-        }
-        libraries_ = folder_.path("lib");
-    }
-
-    Outcome render_small(const std::vector<std::string>& options) const {
-        std::vector<std::string> arguments = {"render", "red.txt", "-s", "5x5"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        Command command = with_libraries(libraries_, arguments);
-        command.folder = folder_.path();
-        return run(command);
-    }
-
-    TemporaryFolder folder_;
-    std::string libraries_;
-};
-
-TEST_P(BrokenLibraries, LeaveTheCpuToAutomatic) {
-    const Outcome outcome = render_small({"--verbose"});
-    EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_TRUE(matches(line_with(outcome.errors, "backend:"),
-                        "red\\.txt: backend: cpu; passed over: EGL: libEGL .*; OSMesa: libOSMesa .*"));
-    EXPECT_EQ(decode_png(folder_.read("red.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
-}
-
-TEST_P(BrokenLibraries, MakeANamedBackendFailWithOneLine) {
-    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{"--backend", "egl"}, "the backend egl does not work here: EGL: libEGL"},
-        {{"--backend", "osmesa"}, "the backend osmesa does not work here: OSMesa: libOSMesa"},
-        {{"--device", "0"}, "libEGL"},
-    };
-    for (const auto& [options, said] : cases) {
-        const Outcome outcome = render_small(options);
-        EXPECT_EQ(outcome.status, 3) << outcome;
-        EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
-        EXPECT_TRUE(contains(outcome.errors, said));
-        EXPECT_FALSE(folder_.has("red.png"));
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, BrokenLibraries, testing::Values("Bare", "NoLibraries"),
-                         [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
 }  // namespace sphereview::test

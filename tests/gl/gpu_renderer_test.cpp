@@ -28,7 +28,7 @@ Scene colorful_scene() {
     return scene;
 }
 
-class GpuRendererTest : public testing::TestWithParam<ContextKind> {
+class GpuRendererTest : public InContext {
 protected:
     // What trace() gives for the block, as the scene's numbers of its best guesses: what a window shows.
     std::vector<std::int32_t> trace(const Scene& scene, PictureSize size, const Block& block) {
@@ -40,7 +40,6 @@ protected:
         return visible;
     }
 
-    std::unique_ptr<GlContext> context_ = GetParam().open();
     Timings timings_;
     GpuRenderer gpu_{timings_};
     DrawnSpheres drawn_;
@@ -146,21 +145,20 @@ TEST_P(GpuRendererTest, TellsItsLimitsAndTheContextItsName) {
 TEST_P(GpuRendererTest, OwnersOfGlNamesMoveAndDelete) {
     GLuint name = 0;
     {
-        Buffer first = make_buffer();
+        Buffer first = Buffer::make();
         name = first.name();
         glBindBuffer(GL_UNIFORM_BUFFER, name);  // a name becomes an object when it is bound
         Buffer second = std::move(first);
         EXPECT_FALSE(first);
         EXPECT_EQ(second.name(), name);
         EXPECT_TRUE(glIsBuffer(name));
-        second = make_buffer();
+        second = Buffer::make();
         EXPECT_FALSE(glIsBuffer(name));
     }
     EXPECT_NO_THROW(check_gl("moving"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, GpuRendererTest, testing::ValuesIn(context_kinds()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Contexts, GpuRendererTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace sphereview::test

@@ -42,7 +42,7 @@ inline bool same(const Image& a, const Image& b) {
 class WindowTarget {
 public:
     WindowTarget(int width, int height)
-        : width_(width), height_(height), texture_(make_texture()), framebuffer_(make_framebuffer()) {
+        : width_(width), height_(height), texture_(Texture::make()), framebuffer_(Framebuffer::make()) {
         glBindTexture(GL_TEXTURE_2D, texture_.name());
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         bind();

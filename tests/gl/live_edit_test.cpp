@@ -1,12 +1,16 @@
-// The picture of the window while few of many spheres are edited: what it shows, and that nothing is built anew for it.
+// The picture of the window of many spheres: while few of them are edited, for which nothing is built anew, and while the camera
+// moves.
 #include <gtest/gtest.h>
 
+#include "camera/navigation.hpp"
 #include "gl/live_export.hpp"
 
 namespace sphereview::test {
 namespace {
 
 constexpr TextureBounds only_2d = {.in_buffer = 1, .side = 2048};
+
+using LiveOrbit = LiveAndExported;
 
 class LiveEdit : public LiveAndExported {
 protected:
@@ -16,33 +20,14 @@ protected:
         return scene;
     }
 
-    // Of a doubtful pixel a window shows a guess, which may be another with other lists.
     void expect_shown(LivePicture& picture, const Document& document, int step = 1) {
-        const Scene& scene = document.scene();
-        const Image expected = colored(scene, view_, numbers(scene, view_));
-        const DrawnSpheres drawn = drawn_spheres(scene, view_.camera);
-        const PixelGrid grid{view_.size, step};
-        const Image image = shown(picture, document, view_, step);
-        for (int y = 0; y < view_.size.height; ++y) {
-            for (int x = 0; x < view_.size.width; ++x) {
-                const Pixel traced{grid.traced_column(x / step), grid.traced_row(y / step)};
-                if (at(image, x, y) == at(expected, traced.x, traced.y)) continue;
-                ASSERT_NE(decision_level(scene, drawn, view_.camera, view_.size, traced), DecisionLevel::in_float) << x << "," << y;
-            }
-        }
+        test::expect_shown(picture, document, view_, step, exported(document.scene(), view_));
     }
 
     // Decided, and with every sphere under its present number.
     void expect_exact(LivePicture& picture, const Document& document) {
         picture.update(document, view_, 1);
-        const DrawnSpheres drawn = drawn_spheres(document.scene(), view_.camera);
-        const Resolver resolver(document.scene(), drawn, view_.camera, view_.size, nullptr);
-        DecisionLevel level{};
-        for (int y = 0; y < view_.size.height; y += 3) {
-            for (int x = y % 5; x < view_.size.width; x += 5) {
-                ASSERT_EQ(picture.pick(document, {x, y}), resolver.resolve({x, y}, level)) << x << "," << y;
-            }
-        }
+        expect_picked(picture, document, view_, 3);
     }
 
     // As a picture that has never seen another scene, with the same outlines.
@@ -50,13 +35,8 @@ protected:
         LivePicture anew;
         anew.update(document, view_, 1);
         const Highlights highlights{&selection, {}, 2.0F};
-        EXPECT_TRUE(same(in_window(picture, document, highlights), in_window(anew, document, highlights)));
-    }
-
-    Image in_window(LivePicture& picture, const Document& document, const Highlights& highlights) const {
-        const WindowTarget window(view_.size.width, view_.size.height);
-        picture.show({0, 0, view_.size.width, view_.size.height}, document.scene().background, highlights);
-        return window.pixels();
+        EXPECT_TRUE(
+            same(drawn_into_window(picture, document, view_, highlights), drawn_into_window(anew, document, view_, highlights)));
     }
 
     View view_{Camera(), {203, 101}};
@@ -138,11 +118,51 @@ TEST_P(LiveEdit, ColoursOfNumbersFollowThem) {
     picture.update(document, view_, 1, Shading::id);
     LivePicture anew;
     anew.update(document, view_, 1, Shading::id);
-    EXPECT_TRUE(same(in_window(picture, document, {}), in_window(anew, document, {})));
+    EXPECT_TRUE(same(drawn_into_window(picture, document, view_, {}), drawn_into_window(anew, document, view_, {})));
     EXPECT_EQ(picture.builds(), 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, LiveEdit, testing::ValuesIn(context_kinds()), [](const auto& test) { return test.param.name; });
+// So many that a coarse grid has lists of its own.
+TEST_P(LiveOrbit, MovesAboutManySpheres) {
+    Scene scene = colorful_scene(33'000);
+    for (Sphere& sphere : scene.spheres) sphere.radius *= 0.2;
+    const Document document(scene);
+    LivePicture picture;
+    View view{scene.camera, {203, 101}};
+    for (int turn = 0; turn < 4; ++turn) {
+        view.camera = orbited(view.camera, {0.0, 0.0, 250.0}, 0.2, 0.05);
+        const Image expected = exported(scene, view);
+        for (const int step : {8, 2, 1}) {
+            SCOPED_TRACE(std::to_string(turn) + ", step " + std::to_string(step));
+            expect_shown(picture, document, view, step, expected);
+            if (turn % 2 == 0 && step == 2) break;  // on to the next view, not refined
+        }
+    }
+    EXPECT_EQ(picture.step(), 1);
+    EXPECT_FALSE(picture.update(document, view, 8));  // it has better
+    expect_picked(picture, document, view, 1);
+}
+
+TEST_P(LiveOrbit, FollowsColoursAndPicksWhileItMoves) {
+    Document document(colorful_scene(33'000));
+    LivePicture picture;
+    View view{document.scene().camera, {120, 90}};
+    shown(picture, document, view, 8);
+    Selection all;
+    all.set({0, 1, 3});
+    for (int turn = 0; turn < 3; ++turn) {
+        view.camera = orbited(view.camera, {0.0, 0.0, 250.0}, 0.1, 0.0);
+        Sphere sphere = document.scene().spheres[0];
+        sphere.color = {static_cast<std::uint8_t>(turn), 200, 7};
+        document.apply(change(0, sphere), "colour");
+        LivePicture anew;
+        EXPECT_TRUE(same(shown(picture, document, view, 8, {&all, {}, 2.0F}), shown(anew, document, view, 8, {&all, {}, 2.0F})));
+        expect_picked(picture, document, view, 1);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Contexts, LiveOrbit, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
+INSTANTIATE_TEST_SUITE_P(Contexts, LiveEdit, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace sphereview::test

@@ -12,6 +12,7 @@
 #include "gl/live.hpp"
 #include "gpu/gpu_renderer.hpp"
 #include "shade/shade.hpp"
+#include "tiles/pixel_grid.hpp"
 
 namespace sphereview::test {
 
@@ -30,7 +31,7 @@ inline Scene colorful_scene(int count) {
     return scene;
 }
 
-class LiveAndExported : public testing::TestWithParam<ContextKind> {
+class LiveAndExported : public InContext {
 protected:
     // The numbers that the export's renderer has for the picture, its best guesses for doubtful pixels: what a window shows.
     std::vector<std::int32_t> numbers(const Scene& scene, const View& view) {
@@ -55,14 +56,42 @@ protected:
         return all;
     }
 
+    Image exported(const Scene& scene, const View& view) { return colored(scene, view, numbers(scene, view)); }
+
     // The colours of those numbers.
     static Image colored(const Scene& scene, const View& view, const std::vector<std::int32_t>& numbers) {
         Image image(view.size.width, view.size.height, 4);
         shade_flat(scene, scene.background, {0, 0, view.size.width, view.size.height}, numbers, image);
         return image;
     }
-
-    std::unique_ptr<GlContext> context_ = GetParam().open();
 };
+
+// The picture shows what is expected at the cells' middles. Of a doubtful pixel a window shows a guess, which may be another with
+// other lists.
+inline void expect_shown(LivePicture& picture, const Document& document, const View& view, int step, const Image& expected) {
+    const DrawnSpheres drawn = drawn_spheres(document.scene(), view.camera);
+    const PixelGrid grid{view.size, step};
+    const Image image = shown(picture, document, view, step);
+    for (int y = 0; y < view.size.height; ++y) {
+        for (int x = 0; x < view.size.width; ++x) {
+            const Pixel traced{grid.traced_column(x / step), grid.traced_row(y / step)};
+            if (at(image, x, y) == at(expected, traced.x, traced.y)) continue;
+            ASSERT_NE(decision_level(document.scene(), drawn, view.camera, view.size, traced), DecisionLevel::in_float)
+                << x << "," << y;
+        }
+    }
+}
+
+// What is picked at every so many rows, and 5 columns, is what an export decides.
+inline void expect_picked(LivePicture& picture, const Document& document, const View& view, int rows) {
+    const DrawnSpheres drawn = drawn_spheres(document.scene(), view.camera);
+    const Resolver resolver(document.scene(), drawn, view.camera, view.size, nullptr);
+    DecisionLevel level{};
+    for (int y = 0; y < view.size.height; y += rows) {
+        for (int x = y % 5; x < view.size.width; x += 5) {
+            ASSERT_EQ(picture.pick(document, {x, y}), resolver.resolve({x, y}, level)) << x << "," << y;
+        }
+    }
+}
 
 }  // namespace sphereview::test

@@ -9,8 +9,6 @@
 #include "base/error.hpp"
 #include "exact/resolve.hpp"
 #include "gl/live_export.hpp"
-#include "shade/shade.hpp"
-#include "tiles/pixel_grid.hpp"
 
 namespace sphereview::test {
 namespace {
@@ -27,8 +25,7 @@ TEST_P(LivePictureTest, ShowsWhatAnExportShowsAtEverySize) {
     EXPECT_EQ(picture.step(), 0);
     for (const PictureSize size : {PictureSize{320, 240}, {99, 201}, {1, 1}, {1200, 7}, {3840, 2160}, {33, 34}}) {
         const View view{scene.camera, size};
-        EXPECT_TRUE(same(shown(picture, document, view), colored(scene, view, numbers(scene, view))))
-            << size.width << "x" << size.height;
+        EXPECT_TRUE(same(shown(picture, document, view), exported(scene, view))) << size.width << "x" << size.height;
         EXPECT_EQ(picture.step(), 1);
         EXPECT_GT(picture.last_seconds(), 0.0);
     }
@@ -42,9 +39,9 @@ TEST_P(LivePictureTest, ShowsAnyCamera) {
     View view{scene.camera, {200, 150}};
     shown(picture, document, view);
     view.camera.eye.x = 20.0;  // the screen stays: an oblique view
-    EXPECT_TRUE(same(shown(picture, document, view), colored(scene, view, numbers(scene, view))));
+    EXPECT_TRUE(same(shown(picture, document, view), exported(scene, view)));
     view.camera.center.z = 60.0;  // the eye stays
-    EXPECT_TRUE(same(shown(picture, document, view), colored(scene, view, numbers(scene, view))));
+    EXPECT_TRUE(same(shown(picture, document, view), exported(scene, view)));
 }
 
 TEST_P(LivePictureTest, CoarseGridIsThePictureAtTheCellsMiddles) {
@@ -217,7 +214,7 @@ TEST_P(LivePictureTest, ShowsManySpheresFromEveryKindOfTexture) {
     const Scene scene = colorful_scene(5'000 * 3 / 2);
     Document document(scene);
     const View view{scene.camera, {300, 200}};
-    const Image expected = colored(scene, view, numbers(scene, view));
+    const Image expected = exported(scene, view);
     LivePicture from_buffers;
     LivePicture in_two_dimensions("", {.in_buffer = 1000});
     Selection selection;
@@ -307,8 +304,7 @@ TEST_P(LivePictureTest, TellsWhichSpheresABlockShows) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, LivePictureTest, testing::ValuesIn(context_kinds()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Contexts, LivePictureTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace sphereview::test

@@ -34,9 +34,8 @@ std::vector<std::int32_t> numbers_in(const Image& plain) {
     return numbers;
 }
 
-class OutlineTest : public testing::TestWithParam<ContextKind> {
+class OutlineTest : public InContext {
 protected:
-    std::unique_ptr<GlContext> context_ = GetParam().open();
     LivePicture picture_;
 };
 
@@ -161,8 +160,7 @@ TEST_P(OutlineTest, OfManyAndOfNone) {
     EXPECT_EQ(line, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, OutlineTest, testing::ValuesIn(context_kinds()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Contexts, OutlineTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace sphereview::test

@@ -13,7 +13,7 @@
 namespace sphereview::test {
 namespace {
 
-class ShaderFolderTest : public testing::TestWithParam<ContextKind> {
+class ShaderFolderTest : public InContext {
 protected:
     ShaderFolderTest() {
         for (const auto& entry : std::filesystem::directory_iterator(source_file("shaders"))) {
@@ -36,7 +36,6 @@ protected:
     TemporaryFolder folder_;
     Document document_{two_spheres()};
     View view_{{}, {60, 60}};
-    std::unique_ptr<GlContext> context_ = GetParam().open();
 };
 
 TEST_P(ShaderFolderTest, ABrokenShaderLeavesTheLastGoodOneAndAFixedOneTakesOver) {
@@ -127,8 +126,7 @@ TEST_P(ShaderFolderTest, WithoutOneThereIsNothingToReload) {
     EXPECT_FALSE(picture.update(document_, view_, 1));
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, ShaderFolderTest, testing::ValuesIn(context_kinds()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Contexts, ShaderFolderTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 }  // namespace
 }  // namespace sphereview::test

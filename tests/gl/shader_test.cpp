@@ -109,8 +109,7 @@ TEST_P(ShaderInContext, ThatDoesNotLinkSaysSo) {
     EXPECT_TRUE(contains(fault(), "the shader trace.frag does not link"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, ShaderInContext, testing::ValuesIn(context_kinds()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Contexts, ShaderInContext, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 TEST_F(ShaderTest, IncludesAreTakenOnceAndLinesKeepTheirNumbers) {
     shader_texts() = {{"main.frag", "#version 330 core\n#include \"a.glsl\"\n#include \"b.glsl\"\nvoid main() {}\n"},

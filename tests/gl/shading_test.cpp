@@ -50,10 +50,7 @@ std::vector<Scene> scenes() {
     return all;
 }
 
-class WindowShading : public testing::TestWithParam<ContextKind> {
-protected:
-    std::unique_ptr<GlContext> context_ = GetParam().open();
-};
+using WindowShading = InContext;
 
 TEST_P(WindowShading, IsWithinOneOfTheExports) {
     int which = 0;
@@ -123,8 +120,7 @@ TEST_P(WindowShading, FollowsEdits) {
     EXPECT_EQ(at(drawn_into_window(picture, document, view, {}), 50, 50), opaque({1, 2, 3}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Contexts, WindowShading, testing::ValuesIn(context_kinds()),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Contexts, WindowShading, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 TEST(ShadedExport, IsTheSameOnEveryBackend) {
     const std::string scene = "4\n200 30 40 0 0 300 90\n1 255 3 40 25.5 180 20\n0 0 255 -30 10 150 35\n90 90 90 0 5 10 700\n";

@@ -17,9 +17,10 @@ struct HeldPixel {
 class InspectorHarness : private HeldPixel, public PanelHarness {
 public:
     explicit InspectorHarness(const Scene& scene)
-        : HeldPixel{InspectedPixel{{50, 50}, size, explain_pixel(scene, scene.camera, size, {50, 50})}},
+        : HeldPixel{InspectedPixel{{{50, 50}, size, scene.camera, 0}, explain_pixel(scene, scene.camera, size, {50, 50})}},
           PanelHarness(drawn(), scene) {}
     InspectorHarness() : PanelHarness(drawn()) {}
+    using HeldPixel::pixel;
 
 private:
     Draw drawn() {
@@ -94,6 +95,13 @@ TEST(Inspector, ShowsTheNearestOfManyHits) {
     InspectorHarness panel(scene);
     expect_in_order(panel.text(), {"sphere 0", "seen", "sphere 19", "and 480 more hits"});
     EXPECT_EQ(panel.text().find("sphere 20"), std::string::npos);
+}
+
+TEST(Inspector, CountsWhatWasNotTried) {
+    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
+    EXPECT_EQ(panel.text().find("elsewhere"), std::string::npos);
+    panel.pixel->explanation.elsewhere = 1000;
+    EXPECT_NE(panel.text().find("elsewhere or behind the eye: not hit"), std::string::npos);
 }
 
 TEST(Inspector, AsksForAPixel) {

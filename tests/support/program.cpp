@@ -262,9 +262,10 @@ Outcome Running::wait() {
 
 Outcome run(const Command& command) { return Running(command).wait(); }
 
-Outcome run(std::initializer_list<std::string> arguments) {
+Outcome run(std::vector<std::string> arguments, Environment environment) {
     Command command;
-    command.arguments = arguments;
+    command.arguments = std::move(arguments);
+    command.environment = std::move(environment);
     return run(command);
 }
 

@@ -4,7 +4,6 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
-#include <initializer_list>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -16,6 +15,8 @@ namespace sphereview::test {
 // Where the program's standard output goes.
 enum class StandardOutput { captured, closed_pipe, full_disk };
 
+using Environment = std::vector<std::pair<std::string, std::optional<std::string>>>;
+
 struct Command {
     std::vector<std::string> arguments;
     std::string program = "";       // "": the sphereview that this build made
@@ -23,7 +24,7 @@ struct Command {
     std::string input = "";         // its standard input, through a pipe
     bool input_stays_open = false;  // until Running::close_input()
     // Changes to the environment; nothing removes a variable. SPHEREVIEW_BACKEND is removed unless it is named here.
-    std::vector<std::pair<std::string, std::optional<std::string>>> environment = {};
+    Environment environment = {};
     StandardOutput output = StandardOutput::captured;
     bool errors_to_terminal = false;      // standard error is a terminal
     bool obeys_permissions = false;       // also when the tests run as root
@@ -97,7 +98,7 @@ private:
 // Starts a program and waits for its end.
 Outcome run(const Command& command);
 
-// Runs sphereview with these arguments and nothing special.
-Outcome run(std::initializer_list<std::string> arguments);
+// Runs sphereview with these arguments and changes to the environment.
+Outcome run(std::vector<std::string> arguments, Environment environment = {});
 
 }  // namespace sphereview::test

@@ -54,6 +54,25 @@ const Json& take_marks_away(ViewerWindow& window) {
     });
 }
 
+std::string render_bytes(const TemporaryFolder& folder, const std::string& scene, std::vector<std::string> options) {
+    Command command;
+    command.arguments = {"render", scene, "-o", folder.path("expected.png")};
+    command.arguments.insert(command.arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    return folder.read("expected.png");
+}
+
+void expect_rendered(ViewerWindow& window, const TemporaryFolder& folder, const std::string& scene,
+                     std::vector<std::string> options) {
+    const Json frame = take_marks_away(window);
+    const Json size = frame.at("picture_size");
+    options.insert(options.end(), {"--backend", "cpu", "-s", size[0].dump() + "x" + size[1].dump(), "--shade",
+                                   frame.at("shading").text(), "--samples", frame.at("samples").dump()});
+    EXPECT_TRUE(same_picture(window.picture(), decode_png(render_bytes(folder, scene, options))))
+        << testing::PrintToString(options);
+}
+
 void replace_by_rename(const TemporaryFolder& folder, const std::string& name, const std::string& bytes) {
     std::filesystem::rename(folder.write("." + name + ".new", bytes), folder.path(name));
 }
@@ -85,8 +104,7 @@ void Editing::expect_rendered() {
         window_.key("ctrl+s");
         window_.wait_for("changed", false);
     }
-    const Json frame = take_marks_away();
-    EXPECT_TRUE(same_picture(window_.picture(), rendered(folder_, scene_, frame)));
+    test::expect_rendered(window_, folder_, scene_);
 }
 
 }  // namespace sphereview::test

@@ -30,6 +30,13 @@ std::string announced(ViewerWindow& window, const std::string& part, const std::
 // Nothing is selected or hovered, and no message shown: the picture is the scene's alone.
 const Json& take_marks_away(ViewerWindow& window);
 
+// The file that `render` writes of a scene.
+std::string render_bytes(const TemporaryFolder& folder, const std::string& scene, std::vector<std::string> options);
+
+// The window shows what `render` writes of a scene's file in the window's size, with its shading and samples.
+void expect_rendered(ViewerWindow& window, const TemporaryFolder& folder, const std::string& scene,
+                     std::vector<std::string> options = {});
+
 // A file of another name, renamed to `name`: as editors save.
 void replace_by_rename(const TemporaryFolder& folder, const std::string& name, const std::string& bytes);
 
@@ -42,7 +49,6 @@ protected:
     Place red(double right = 0.0, double down = 0.0);
     void select_red();
     void select(int number);
-    const Json& take_marks_away() { return test::take_marks_away(window_); }
     // Saves the scene, and expects that the window shows it as `render` does.
     void expect_rendered();
 

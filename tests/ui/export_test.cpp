@@ -1,7 +1,8 @@
-// Pictures written from the window: the very bytes of `render`.
+// Pictures written from the window and the picture at rest: the very bytes of `render`, in every shading mode and with any samples.
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <sstream>
 
 #include "support/text_match.hpp"
 #include "ui/editing.hpp"
@@ -10,12 +11,29 @@ namespace sphereview::test {
 
 namespace {
 
-// What `render` writes of a scene file.
-std::string render_bytes(const TemporaryFolder& folder, const std::string& scene, const std::string& size) {
-    const Outcome outcome = run({"render", scene, "-s", size, "-o", folder.path("expected.png")});
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    return folder.read("expected.png");
-}
+class PictureAtRest : public Editing {
+protected:
+    // The window at rest shows the file's scene so.
+    void expect_rest(int samples, const std::string& shading = "flat") {
+        SCOPED_TRACE(shading + " with " + std::to_string(samples));
+        window_.wait_until("such a picture", [&](const Json& f) {
+            return f.at("samples") == samples && f.at("shading") == shading && f.at("exact") == true;
+        });
+        expect_rendered();
+    }
+
+    // Waits until the samples are those of another scene, and returns its first redraw.
+    Json wait_for_another(const Json& revision) {
+        const auto is_other = [&](const Json& f) { return f.at("revision") != revision && f.at("samples") == 4; };
+        const Json found = window_.wait_until("another picture", is_other).at("revision");
+        std::istringstream log(folder_.read("frames.log"));
+        for (std::string line; std::getline(log, line);) {
+            const Json frame = Json::parse(line);
+            if (frame.at("revision") == found) return frame;
+        }
+        throw std::runtime_error("no such redraw");
+    }
+};
 
 }  // namespace
 
@@ -40,8 +58,10 @@ TEST(Exporting, WritesTheBytesOfRenderAndReplacesNothing) {
     window.key("ctrl+shift+s");
     choose_file(window, "viewed.toml");
     window.wait_for("path", folder.path("viewed.toml"));
-    EXPECT_EQ(folder.read("scene-1.png"), render_bytes(folder, folder.path("viewed.toml"), "1000x1000"));
-    EXPECT_NE(folder.read("scene-1.png"), render_bytes(folder, scene, "1000x1000"));
+    for (const char* backend : {"cpu", "egl"}) {
+        EXPECT_EQ(folder.read("scene-1.png"), render_bytes(folder, folder.path("viewed.toml"), {"--backend", backend}));
+    }
+    EXPECT_NE(folder.read("scene-1.png"), render_bytes(folder, scene, {}));
 
     // By name and size; a name that is taken asks.
     window.key("ctrl+e");
@@ -57,7 +77,7 @@ TEST(Exporting, WritesTheBytesOfRenderAndReplacesNothing) {
     window.click_widget("export ok");
     answer(window, "replace", "Replace");
     announced(window, "1920 x 1080");
-    EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, folder.path("viewed.toml"), "1920x1080"));
+    EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, folder.path("viewed.toml"), {"-s", "1920x1080"}));
 }
 
 // So large that nobody need hurry to meet it at work.
@@ -94,7 +114,7 @@ TEST(Exporting, EndsBeforeTheWindowDoes) {
     ViewerWindow window(folder, {scene, "--size", "2000x2000"});
     window.keys({"F12", "ctrl+q"});
     EXPECT_EQ(window.wait_for_end().status, 0);
-    EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, scene, "2000x2000"));
+    EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, scene, {"-s", "2000x2000"}));
 }
 
 TEST(Exporting, SaysWhyItCannotWriteAndLeavesNothing) {
@@ -106,7 +126,7 @@ TEST(Exporting, SaysWhyItCannotWriteAndLeavesNothing) {
     window.key("F12");
     answer(window, "error", "OK");
     wait_for_no_dialogs(window);
-    EXPECT_EQ(window.frame().at("announcement"), "");
+    EXPECT_EQ(window.at("announcement"), "");
     EXPECT_EQ(folder.names(), before);
 }
 
@@ -114,15 +134,79 @@ TEST(Exporting, PutsAnUntitledPictureIntoThePicturesFolder) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path("home/Pictures"));
     ViewerWindow window(folder, {"-", "--size", "64x48", "--background", "white"}, {}, two_spheres);
-    EXPECT_EQ(window.frame().at("title"), "untitled - sphereview");
-    EXPECT_EQ(window.frame().at("spheres"), 2);
+    EXPECT_EQ(window.at("title"), "untitled - sphereview");
+    EXPECT_EQ(window.at("spheres"), 2);
     window.key("F12");
     announced(window, folder.path("home/Pictures/untitled.png") + " (64 x 48)");
-    folder.write("scene.txt", two_spheres);
-    const Outcome outcome =
-        run({"render", folder.path("scene.txt"), "-s", "64x48", "--background", "white", "-o", folder.path("expected.png")});
-    EXPECT_EQ(outcome.status, 0) << outcome.errors;
-    EXPECT_EQ(folder.read("home/Pictures/untitled.png"), folder.read("expected.png"));
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    EXPECT_EQ(folder.read("home/Pictures/untitled.png"), render_bytes(folder, scene, {"-s", "64x48", "--background", "white"}));
+}
+
+TEST_F(PictureAtRest, IsWhatRenderWritesInEveryMode) {
+    window_.choose("View", "4 samples a pixel");
+    expect_rest(4);
+    window_.click_widget("menu View");
+    window_.click_widget("menu Shading");
+    window_.click_widget("item Headlight");
+    expect_rest(4, "headlight");
+    window_.key("F12");
+    announced(window_, "scene.png");
+    EXPECT_EQ(folder_.read("scene.png"), render_bytes(folder_, scene_, {"--shade", "headlight", "--samples", "4"}));
+    for (const auto& [key, samples] : {std::pair{"alt+1", 1}, {"alt+6", 16}}) {
+        window_.key(key);
+        for (const auto& [mode_key, mode] :
+             {std::pair{"ctrl+2", "headlight"}, {"ctrl+3", "normal"}, {"ctrl+4", "depth"}, {"ctrl+5", "id"}, {"ctrl+1", "flat"}}) {
+            window_.key(mode_key);
+            expect_rest(samples, mode);
+        }
+    }
+}
+
+TEST_F(PictureAtRest, GivesWayToTheLivePictureAndComesBack) {
+    window_.key("alt+4");
+    expect_rest(4);
+    select_red();
+    Json revision = window_.at("revision");
+    const Place from = window_.widget("slider x");
+    window_.move_to(from);
+    window_.press();
+    for (const double right : {-25.0, -40.0}) {  // it refines also while the button is held, when the hand rests
+        window_.move_to({from.x + right, from.y});
+        const Json first = wait_for_another(revision);
+        EXPECT_EQ(first.at("samples"), 1) << "at once, as without anti-aliasing";
+        revision = first.at("revision");
+    }
+    window_.release();
+    expect_rest(4);
+    window_.key("ctrl+z");
+    wait_for_another(revision);
+    expect_rest(4);
+}
+
+TEST(Samples, AreKeptOverriddenAndInExports) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    const auto close = [](ViewerWindow& window) {
+        window.key("ctrl+q");
+        EXPECT_EQ(window.wait_for_end().status, 0);
+    };
+    {
+        ViewerWindow window(folder, {scene, "--size", "90x80"});
+        EXPECT_EQ(window.at("samples"), 1);
+        window.key("alt+6");
+        window.wait_for("samples", 16);
+        window.key("F12");
+        announced(window, "scene.png (90 x 80, 16 samples a pixel)");
+        close(window);
+    }
+    EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, scene, {"-s", "90x80", "--samples", "16"}));
+    {
+        ViewerWindow window(folder, {scene});
+        window.wait_for("samples", 16);
+        close(window);
+    }
+    ViewerWindow window(folder, {scene, "--samples", "4"});
+    window.wait_for("samples", 4);
 }
 
 }  // namespace sphereview::test

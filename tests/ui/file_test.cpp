@@ -286,7 +286,9 @@ TEST(Loading, LeavesTheWindowAliveAndTheSceneAsItWas) {
 
 TEST(Reloading, ShowsWhatAnotherProgramWrites) {
     const TemporaryFolder folder;
-    ViewerWindow window(folder, {folder.write("scene.txt", two_spheres)});
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    ViewerWindow window(folder, {scene});
+    window.key("m");  // the mark of the export is drawn over the picture
 
     window.step("the view and the selection stay");
     window.key("ctrl+a");
@@ -326,6 +328,9 @@ TEST(Reloading, ShowsWhatAnotherProgramWrites) {
     window.wait_for("spheres", 2);
     EXPECT_EQ(window.at("scene_error"), "");
     EXPECT_FALSE(window.draws("message scene error"));
+    window.key("Home");
+    window.wait_for("camera", home);
+    expect_rendered(window, folder, scene);
 
     window.step("changes here are asked about");
     edit(window);

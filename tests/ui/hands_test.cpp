@@ -103,6 +103,12 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
     wait_for_shown("inspector", true);
     window_.move_to(red(0, 60));
     window_.widget("hit 0");
+    const double explanations = window_.at("explanations").number();
+    EXPECT_GT(explanations, 0);
+    const double frame = window_.at("frame").number();
+    window_.key("Shift_L");
+    window_.wait_until("a redraw in which nothing is new", [&](const Json& f) { return f.at("frame").number() > frame; });
+    EXPECT_EQ(window_.at("explanations").number(), explanations);
     window_.choose("View", "Pixel inspector");
     wait_for_shown("inspector", false);
     const double wide = window_.at("picture_size")[0].number();
@@ -170,6 +176,8 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
     window_.wait_for("spheres", 2);
     expect_rendered();
 
+    window_.key("alt+6");
+    window_.wait_for("samples", 16);
     // An idle window draws nothing. Nothing to wait for: what is to happen is nothing, for three seconds. The server may still
     // have had something to say before.
     window_.move_to(red());
@@ -184,6 +192,42 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
     EXPECT_LT(window_.processor_seconds() - before, 0.06);  // two ticks of the clock in which it is counted, and some
 }
 
+TEST_F(Pointer, DragsSlidersAndTypesValues) {
+    take_marks_away(window_);
+    const Picture before = window_.picture();
+    const auto changed = [](const Json& f) { return f.at("undo") != ""; };
+    for (const std::string slider : {"slider x", "slider z", "slider radius"}) {
+        window_.step(slider);
+        SCOPED_TRACE(slider);
+        select(0);
+        const Place from = window_.widget(slider);
+        window_.drag(from, {from.x - 25, from.y});
+        window_.wait_until("a step", changed);
+        take_marks_away(window_);
+        EXPECT_FALSE(same_picture(window_.picture(), before));
+        window_.key("ctrl+z");  // one step
+        window_.wait_for("undo", "");
+        take_marks_away(window_);
+        EXPECT_TRUE(same_picture(window_.picture(), before));
+        window_.key("ctrl+shift+z");
+        window_.wait_for("redo", "");
+        expect_rendered();
+        window_.key("ctrl+z");
+        window_.wait_for("undo", "");
+    }
+    EXPECT_EQ(saved(), two_spheres);
+    window_.step("a typed value");
+    select(1);
+    click_with_ctrl(window_.widget("slider x"));
+    window_.widget("slider x");
+    window_.key("ctrl+a");
+    window_.type("-40.125");
+    window_.key("Return");
+    window_.wait_until("a step", changed);
+    expect_rendered();
+    EXPECT_TRUE(contains(folder_.read(name_), "-40.125 0 300"));
+}
+
 TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
     window_.step("a drag moves a sphere under the pointer");
     select_red();
@@ -194,10 +238,14 @@ TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
     EXPECT_NEAR(numbers[4], -48.0, 1.5);
     EXPECT_NEAR(numbers[5], 24.0, 1.5);
     EXPECT_EQ(numbers[6], 300.0);
+    expect_rendered();
     window_.key("ctrl+z");
     window_.wait_for("undo", "");
+    expect_rendered();
+    EXPECT_EQ(folder_.read(name_), two_spheres);
 
     window_.step("with shift in depth");
+    select_red();
     window_.drag(at(0, 0), at(0, 15), 1, {"shift"});
     window_.wait_for("undo", "Move sphere 0");
     numbers = saved_numbers();
@@ -293,6 +341,8 @@ TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
     window_.wait_for("selection", Json::array());
     window_.key("ctrl+h");
     window_.wait_for("selection", {0, 2, 3});
+    window_.click(window_.pixel(20, 20));
+    window_.wait_for("selection", Json::array());
 }
 
 }  // namespace sphereview::test

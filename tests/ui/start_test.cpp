@@ -163,6 +163,17 @@ TEST(LiveShaders, AreInThePictureWhenSaved) {
     folder.write("shaders/shade.frag", good);
     shows(first, true);
     EXPECT_EQ(window.at("shader_error"), "");
+
+    window.step("a double click counts however slow redraws are");
+    for (int rounds = 500; window.at("seconds").number() < 0.4; rounds *= 2) {
+        const Json shown = window.at("frame");
+        folder.write("shaders/shade.frag",
+                     good.substr(0, end) + "for (int i = 0; i < " + std::to_string(rounds) + "; ++i) color.r = sin(color.r);\n}\n");
+        window.wait_for_other("frame", shown);
+    }
+    const Json home = window.at("camera");
+    window.double_click(window.on_screen(100.0 / 3, 0));
+    window.wait_for_other("camera", home);
 }
 
 }  // namespace sphereview::test

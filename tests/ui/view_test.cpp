@@ -3,18 +3,11 @@
 
 #include <cmath>
 
-#include "support/render.hpp"
 #include "ui/editing.hpp"
 
 namespace sphereview::test {
 
 namespace {
-
-// The scene as `render` shows it, in the size of the window's picture.
-Picture rendered_as(const std::string& scene, ViewerWindow& window, std::vector<std::string> options) {
-    options.insert(options.end(), {"-s", window.picture_size()});
-    return picture_of(scene, "cpu", options);
-}
 
 class View : public Editing {
 protected:
@@ -94,10 +87,7 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     window_.wait_until("no frame", [&](const Json&) { return static_cast<bool>(same_picture(window_.picture(), plain)); });
 
     window_.step("fits by keys");
-    const auto expect_fitted = [&](const std::string& view) {
-        take_marks_away();
-        EXPECT_TRUE(same_picture(window_.picture(), rendered_as(two_spheres, window_, {"--view", view}))) << view;
-    };
+    const auto expect_fitted = [&](const std::string& view) { test::expect_rendered(window_, folder_, scene_, {"--view", view}); };
     Json last = home_;
     for (const auto& [key, view] : {std::pair{"4", "iso"}, {"2", "right"}, {"3", "top"}, {"1", "front"}}) {
         window_.key(key);
@@ -136,13 +126,12 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
         EXPECT_EQ(window.at("scene_frame"), Json({1, 3}));
         const Json camera = window.at("camera");
         window.key("m");
-        take_marks_away(window);
+        const std::string second_alone = folder.write("second.xyz", second);
+        expect_rendered(window, folder, second_alone);
         const Picture nitrogen = window.picture();
-        EXPECT_TRUE(same_picture(nitrogen, rendered_as(second, window, {})));
         window.key("3");
         window.wait_for_other("camera", camera);
-        take_marks_away(window);
-        EXPECT_TRUE(same_picture(window.picture(), rendered_as(second, window, {"--view", "top"})));
+        expect_rendered(window, folder, second_alone, {"--view", "top"});
         window.key("Home");
         window.wait_for("camera", camera);
 
@@ -172,17 +161,16 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
 
     // A scene that has a camera is fitted as a view only, and text is as large as the screen wants it: no panel reaches into
     // the picture.
-    ViewerWindow window(folder, {folder.write("scene.txt", two_spheres), "--view", "right"}, {2400, 1600, 192});
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    ViewerWindow window(folder, {scene, "--view", "right"}, {2400, 1600, 192});
     EXPECT_NEAR(height_of_add(window) / usual, 2.0, 0.15);
     window.key("m");
-    take_marks_away(window);
-    EXPECT_TRUE(same_picture(window.picture(), rendered_as(two_spheres, window, {"--view", "right"})));
+    expect_rendered(window, folder, scene, {"--view", "right"});
     EXPECT_EQ(window.at("changed"), false);
     const Json fitted = window.at("camera");
     window.key("Home");
     window.wait_for_other("camera", fitted);
-    take_marks_away(window);
-    EXPECT_TRUE(same_picture(window.picture(), rendered_as(two_spheres, window, {})));
+    expect_rendered(window, folder, scene);
 }
 
 }  // namespace sphereview::test

@@ -17,8 +17,7 @@ constexpr const char* log_name = "frames.log";
 
 std::string number(double value) { return std::to_string(static_cast<int>(value + 0.5)); }
 
-std::vector<std::pair<std::string, std::optional<std::string>>> environment_for(const TemporaryFolder& folder,
-                                                                                const std::string& display) {
+Environment environment_for(const TemporaryFolder& folder, const std::string& display) {
     const std::string home = folder.path("home");
     return {{"DISPLAY", display},
             {"HOME", home},
@@ -187,23 +186,6 @@ Picture ViewerWindow::picture() {
         picture.bytes.append(screen.bytes, ((top + row) * static_cast<std::size_t>(screen.width) + left) * 3, row_bytes);
     }
     return picture;
-}
-
-namespace {
-
-std::string size_of(const Json& frame) {
-    const Json size = frame.at("picture_size");
-    return std::to_string(size[0].get<int>()) + "x" + std::to_string(size[1].get<int>());
-}
-
-}  // namespace
-
-std::string ViewerWindow::picture_size() { return size_of(frame_); }
-
-Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame) {
-    const Outcome outcome = run({"render", scene, "--backend", "cpu", "-s", size_of(frame), "-o", folder.path("expected.png")});
-    if (outcome.status != 0) throw std::runtime_error("render failed: " + outcome.errors);
-    return decode_png(folder.read("expected.png"));
 }
 
 testing::AssertionResult same_picture(const Picture& found, const Picture& expected) {

@@ -80,8 +80,6 @@ public:
     Place on_screen(double x, double y);
     // What the window's picture shows now: read off the screen.
     Picture picture();
-    // The picture's size, as `render` reads one.
-    std::string picture_size();
 
     // Waits for the program's end.
     Outcome wait_for_end() { return program_->wait(); }
@@ -102,9 +100,6 @@ private:
     Json frame_;
     std::string step_;
 };
-
-// The scene file's spheres as rendered with the window's camera and size: what its picture must be.
-Picture rendered(const TemporaryFolder& folder, const std::string& scene, const Json& frame);
 
 // Whether two pictures are equal; says how many pixels differ and where the first is.
 testing::AssertionResult same_picture(const Picture& found, const Picture& expected);

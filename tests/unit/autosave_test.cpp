@@ -1,13 +1,13 @@
-#include "viewer/autosave.hpp"
+#include "viewer/recovery.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/load_scene.hpp"
 #include "support/environment.hpp"
 #include "support/temporary_folder.hpp"
-#include "viewer/recovery.hpp"
 
 namespace sphereview {
 
@@ -93,8 +93,9 @@ TEST_F(AutosaveTest, NeverReplacesWhatIsKeptAtOnce) {
     document.apply(RemoveSpheres{{0}}, "Remove");
     ASSERT_TRUE(autosave.keep(document, ""));
     autosave.finish();
-    const fs::directory_iterator file(folder.path("state/sphereview"));
-    EXPECT_EQ(load_scene(file->path().string()).scene.spheres.size(), 20'000u) << "the newer of the two";
+    const fs::directory_iterator files(folder.path("state/sphereview"));
+    const auto kept = std::ranges::find(begin(files), end(files), ".toml", [](const auto& file) { return file.path().extension(); });
+    EXPECT_EQ(load_scene(kept->path().string()).scene.spheres.size(), 20'000u) << "the newer of the two";
 }
 
 TEST_F(AutosaveTest, DoesNotTryAgainAndAgainWhereNothingCanBeWritten) {

@@ -34,10 +34,10 @@ const std::map<std::string_view, Names> allowed = {
     {"cpu", {"base", "scene", "exact", "tiles", "glm"}},
     {"gpu", {"base", "scene", "edit", "image", "exact", "shade", "tiles", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
-    {"panels", {"base", "scene", "camera", "edit", "exact", "glm", "imgui"}},
+    {"panels", {"base", "scene", "camera", "edit", "exact", "shade", "glm", "imgui"}},
     {"viewer",
      {"base", "scene", "camera", "edit", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app",
-      "glm", "glad", "json", "imgui"}},
+      "glm", "glad", "imgui"}},
     {"app", {"base", "scene",  "camera", "edit",  "formats", "image", "exact", "shade",  "tiles", "cpu",   "gpu", "platform",
              "glm",  "toml++", "stb",    "isa-l", "boost",   "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
 };

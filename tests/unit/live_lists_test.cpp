@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <random>
+#include <tuple>
 
 #include "edit/document.hpp"
+#include "exact/explain.hpp"
 #include "exact/resolve.hpp"
 #include "tiles/build_lists.hpp"
 
@@ -147,6 +149,23 @@ LiveLists built_from(const Scene& scene, const PixelGrid& grid) {
     return {std::move(drawn), EditedLists(std::move(lists), scene.camera, grid), scene.camera};
 }
 
+void expect_the_same_hits(const PixelExplanation& expected, const PixelExplanation& found) {
+    ASSERT_EQ(found.hits.size(), expected.hits.size());
+    for (std::size_t i = 0; i < found.hits.size(); ++i) {
+        const ExplainedHit& a = expected.hits[i];
+        const ExplainedHit& b = found.hits[i];
+        ASSERT_EQ(b.number, a.number);
+        ASSERT_EQ((std::tuple(b.eye, b.discriminant_sign, b.counts, b.as_near_as_last)),
+                  (std::tuple(a.eye, a.discriminant_sign, a.counts, a.as_near_as_last)));
+        ASSERT_EQ((std::tuple(b.a, b.b, b.c, b.discriminant, b.t1, b.t2, b.t, b.point, b.normal)),
+                  (std::tuple(a.a, a.b, a.c, a.discriminant, a.t1, a.t2, a.t, a.point, a.normal)));
+    }
+    EXPECT_EQ((std::tuple(found.origin, found.direction, found.hidden)),
+              (std::tuple(expected.origin, expected.direction, expected.hidden)));
+    EXPECT_EQ(found.missed + found.behind + found.elsewhere, expected.missed + expected.behind);
+    EXPECT_LE(found.level, expected.level);
+}
+
 class Edited : public testing::TestWithParam<int> {};
 
 TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
@@ -207,6 +226,14 @@ TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
                                                  pixel.y <= covered.bottom));
                 }
             }
+            const Pixel pixel{grid.traced_column(static_cast<int>(below(random, static_cast<std::size_t>(grid.size().width)))),
+                              grid.traced_row(static_cast<int>(below(random, static_cast<std::size_t>(grid.size().height))))};
+            const Scene& scene = document.scene();
+            const PixelExplanation by_scene = explain_pixel(scene, camera, grid.picture, pixel);
+            expect_the_same_hits(by_scene, explain_pixel(scene, edited->drawn(), camera, grid.picture, pixel, &edited->lists()));
+            expect_the_same_hits(by_scene, explain_pixel(scene, edited->drawn(), camera, grid.picture, pixel, nullptr));
+            const Resolver by_drawn(scene, edited->drawn(), camera, grid.picture, nullptr);
+            ASSERT_EQ(by_drawn.resolve(pixel, level), by_scene.visible()) << pixel.x << "," << pixel.y;
         }
     }
     EXPECT_GT(followed, edits / 2);

@@ -109,11 +109,14 @@ TEST_F(Commands, AHiddenOneAmongOthersIsHiddenWithThem) {
 }
 
 TEST_F(Commands, AShadingIsChosenAndChecked) {
-    EXPECT_TRUE(is_checked(state, CommandId::shade_flat));
-    run_command(state, CommandId::shade_depth);
+    const auto shade = [](Shading mode) {
+        return static_cast<CommandId>(static_cast<int>(CommandId::first_shading) + static_cast<int>(mode));
+    };
+    EXPECT_TRUE(is_checked(state, shade(Shading::flat)));
+    run_command(state, shade(Shading::depth));
     EXPECT_EQ(state.settings.shading, Shading::depth);
-    EXPECT_TRUE(is_checked(state, CommandId::shade_depth));
-    EXPECT_FALSE(is_checked(state, CommandId::shade_flat));
+    EXPECT_TRUE(is_checked(state, shade(Shading::depth)));
+    EXPECT_FALSE(is_checked(state, shade(Shading::flat)));
     EXPECT_FALSE(is_checked(state, CommandId::help));
     EXPECT_FALSE(state.document.is_changed());
 }

@@ -1,0 +1,64 @@
+// A JSON value, with its members in order. The library behind it is compiled once, in json.cpp.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <ranges>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sphereview {
+
+class Json {
+public:
+    Json(std::nullptr_t = nullptr);
+    Json(bool value);
+    Json(double value);
+    Json(std::int64_t value);
+    template <std::integral Number>
+    Json(Number value) : Json(static_cast<std::int64_t>(value)) {}
+    template <std::convertible_to<std::string_view> Text>
+    Json(const Text& text) : Json(from_text(text)) {}
+    template <typename Value>
+    Json(const std::optional<Value>& value) : Json(value ? Json(*value) : Json(nullptr)) {}
+    template <std::ranges::range List>
+    requires(!std::convertible_to<List, std::string_view>) Json(const List& values) : Json(array()) {
+        for (const auto& value : values) push_back(value);
+    }
+    Json(std::initializer_list<Json> values);  // an object where all are of the form {"key", value}, else a list
+    static Json array();
+    static Json object();
+    static Json parse(std::string_view text);  // null where the text is not JSON
+
+    // These are nothing for a value of another type; a member that is not there is null.
+    bool is_null() const;
+    bool is_object() const;
+    std::optional<bool> boolean() const;
+    std::optional<double> number() const;
+    std::optional<std::int64_t> whole() const;
+    std::optional<std::string> text() const;
+    std::vector<Json> list() const;
+    Json operator[](std::string_view key) const;
+
+    void set(std::string_view key, const Json& value);  // null becomes an object
+    void update(const Json& members);
+    void erase(std::string_view key);
+    void push_back(const Json& value);
+
+    // JSON must be UTF-8: what is not becomes U+FFFD.
+    std::string dump(int indent = -1) const;
+
+private:
+    explicit Json(std::shared_ptr<void> value) : value_(std::move(value)) {}
+    static Json from_text(std::string_view text);
+
+    std::shared_ptr<void> value_;  // the library's; whoever changes a shared one copies it before
+};
+
+bool is_utf8(std::string_view text);
+
+}  // namespace sphereview

@@ -1,0 +1,76 @@
+#include "app/usage_error.hpp"
+
+#include <algorithm>
+
+#include "base/input_file.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// "; did you mean 'NAME'?" for an option of the command or of the program.
+std::string similar_option(const CLI::App& command, const std::string& unknown) {
+    std::vector<std::string> names = {"--version"};
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->get_group().empty()) continue;
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    }
+    // Of two letters every other option is near: only the other case was likely meant.
+    if (unknown.size() == 2) std::erase_if(names, [&](const std::string& name) { return lower_case(name) != lower_case(unknown); });
+    return did_you_mean(unknown, names);
+}
+
+}  // namespace
+
+void wrong(const std::string& name, const std::string& found, std::string_view expected) {
+    throw CLI::ValidationError(name, "found " + found + ", expected " + std::string(expected));
+}
+
+bool is_option(const std::string& word) { return word.starts_with('-') && word != standard_stream; }
+
+void check_values(const CLI::App& command, const std::vector<std::string>& words) {
+    for (const std::string& word : words) {
+        if (word == "--") return;
+        const std::size_t equals = word.find('=');
+        if (!word.starts_with("--") || equals == std::string::npos) continue;
+        const std::string name = word.substr(0, equals);
+        const CLI::Option* option = command.get_option_no_throw(name);
+        if (option == nullptr) continue;
+        if (option->get_items_expected_max() == 0) wrong(name, in_quotes(word.substr(equals + 1)), "no value");
+        if (equals + 1 == word.size()) throw CLI::ArgumentMismatch(name + ":", CLI::ExitCodes::ArgumentMismatch);
+    }
+}
+
+std::string in_words(CLI::App& command, const CLI::ParseError& error) {
+    std::vector<std::string> left = command.remaining();
+    std::erase(left, "--");  // that what follows are no options, CLI11 has heeded
+    const auto unknown = std::ranges::find_if(left, is_option);
+    if (unknown != left.end()) {
+        const std::string name = unknown->starts_with("--") ? unknown->substr(0, unknown->find('=')) : *unknown;
+        return "unknown option " + in_quotes(name) + similar_option(command, name);
+    }
+    const std::string said = error.what();
+    const bool lacks_value =
+        dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+    CLI::Option* option = lacks_value ? command.get_option_no_throw(said.substr(0, said.find_first_of(": "))) : nullptr;
+    if (lacks_value && option == nullptr) {
+        // CLI11 does not name a hidden option; no command has two.
+        for (CLI::Option* hidden : command.get_options([](const CLI::Option* any) { return any->get_group().empty(); })) {
+            option = hidden;
+        }
+    }
+    if (option != nullptr) {
+        // Only the option knows what it expects, and says so of an empty value.
+        try {
+            option->clear();
+            option->add_result("")->run_callback();
+        } catch (const CLI::ValidationError& empty) {
+            return empty.what();
+        }
+    }
+    return left.empty() ? said : "unexpected argument " + in_quotes(left.front());
+}
+
+}  // namespace sphereview

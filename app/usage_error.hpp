@@ -1,0 +1,23 @@
+// Mistakes on the command line, in this program's words where CLI11's are hard to understand.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sphereview {
+
+// What CLI11 makes one line of: "NAME: found FOUND, expected EXPECTED".
+[[noreturn]] void wrong(const std::string& name, const std::string& found, std::string_view expected);
+
+// Whether it is written like an option.
+bool is_option(const std::string& word);
+
+// Refuses "--output=", for whose value CLI11 would take the next word, and "--json=no", of which it would make what it likes.
+void check_values(const CLI::App& command, const std::vector<std::string>& words);
+
+// What is wrong with what follows the command's name.
+std::string in_words(CLI::App& command, const CLI::ParseError& error);
+
+}  // namespace sphereview

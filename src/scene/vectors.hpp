@@ -1,0 +1,27 @@
+// What glm leaves open: the order of the sums, so that the bits are the same everywhere, and vectors near the limits of doubles.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/vec3.hpp>
+
+namespace sphereview {
+
+inline double dot(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+inline glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+// The size of the largest component.
+inline double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
+
+// The vector with length 1; a zero vector stays. Divided first, so that no square leaves the range of doubles.
+inline glm::dvec3 unit(glm::dvec3 v) {
+    const double largest = largest_of(v);
+    if (largest == 0.0) return v;
+    v /= largest;
+    return v / std::sqrt(dot(v, v));
+}
+
+}  // namespace sphereview

@@ -1,0 +1,307 @@
+// What --size, --background, --backend, --samples, --shade, --fit and --view do to a picture.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+using Pixel = std::vector<int>;
+const Pixel red = {255, 0, 0};
+const Pixel green = {0, 255, 0};
+const Pixel blue = {0, 0, 255};
+const Pixel black = {0, 0, 0};
+
+TEST(Size, IsWhatThePictureHas) {
+    struct Case {
+        std::string option;
+        int width;
+        int height;
+    };
+    for (const auto& [option, width, height] :
+         std::vector<Case>{{"1x1", 1, 1}, {"1000,1000", 1000, 1000}, {"7x3", 7, 3}, {"3X7", 3, 7}, {"2001x1", 2001, 1}}) {
+        const Picture picture = picture_of(red_scene, "cpu", {"-s", option});
+        EXPECT_EQ(picture.width, width) << option;
+        EXPECT_EQ(picture.height, height) << option;
+        EXPECT_EQ(picture.at(width / 2, height / 2), red) << option;
+    }
+    // A pixel of a row one pixel high is as wide as the screen: only the middle one meets the sphere.
+    EXPECT_EQ(picture_of(red_scene, "cpu", {"-s", "2001x1"}).at(999, 0), (std::vector<int>{0, 0, 0}));
+    const Picture standard = picture_of(red_scene, "cpu");
+    EXPECT_EQ(standard.width, 1000);
+    EXPECT_EQ(standard.height, 1000);
+}
+
+TEST(Background, IsAnyColourOrNone) {
+    const std::vector<std::pair<std::string, std::vector<int>>> cases = {{"black", {0, 0, 0}},
+                                                                         {"white", {255, 255, 255}},
+                                                                         {"#ff8001", {255, 128, 1}},
+                                                                         {"#FFaA00", {255, 170, 0}},
+                                                                         {"transparent", {0, 0, 0, 0}}};
+    for (const auto& [option, color] : cases) {
+        const Picture picture = picture_of(red_scene, "cpu", {"-s", "5x5", "--background", option});
+        Picture expected = plain_picture(5, 5, color);
+        const std::string sphere("\xFF\x00\x00\xFF", color.size());
+        expected.bytes.replace(color.size() * 12, color.size(), sphere);
+        EXPECT_EQ(picture, expected) << option;
+    }
+}
+
+TEST(Background, OfTheOptionCountsMoreThanTheScenes) {
+    const std::string scene = "background = \"#010203\"\nspheres = \"0\"";
+    EXPECT_EQ(picture_of(scene, "cpu", {"-s", "2x1"}), plain_picture(2, 1, {1, 2, 3}));
+    EXPECT_EQ(picture_of(scene, "cpu", {"-s", "2x1", "--background", "white"}), plain_picture(2, 1, {255, 255, 255}));
+    EXPECT_EQ(picture_of("background = 'transparent'", "cpu", {"-s", "1x2"}), plain_picture(1, 2, {0, 0, 0, 0}));
+}
+
+struct BackendCase {
+    std::optional<std::string> variable;
+    std::vector<std::string> options;
+    std::string said;
+    int status;
+};
+
+TEST(BackendVariable, ChoosesUnlessTheOptionDoes) {
+    const TemporaryFolder folder;
+    folder.write("scene.txt", red_scene);
+    const std::vector<BackendCase> cases = {
+        {"cpu", {}, "scene.txt: backend: cpu\n", 0},
+        {"vulkan", {"--backend", "cpu"}, "scene.txt: backend: cpu\n", 0},
+        {"osmesa", {"--backend", "cpu"}, "scene.txt: backend: cpu\n", 0},
+        {"vulkan", {}, "SPHEREVIEW_BACKEND: found 'vulkan', expected auto, egl, osmesa or cpu", 2},
+        {"cpu", {"--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa or cpu", 2},
+    };
+    for (const auto& [variable, options, said, status] : cases) {
+        Command command;
+        command.arguments = {"render", "scene.txt", "-s", "5x5", "--verbose"};
+        command.arguments.insert(command.arguments.end(), options.begin(), options.end());
+        command.environment = {{"SPHEREVIEW_BACKEND", variable}};
+        command.folder = folder.path();
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, status) << outcome;
+        EXPECT_TRUE(contains(outcome.errors, said));
+    }
+}
+
+const std::string overlapping = "3  255 0 0  0 0 200 41  0 0 250  40 3 150 30  0 255 7  -20 -25 120 12";
+
+std::string size_text(int width, int height) { return std::to_string(width) + "x" + std::to_string(height); }
+
+// What --samples must make of the scene: the picture of `side` times the size, averaged.
+Picture expected(const std::string& background, int width, int height, int side) {
+    return averaged(picture_of(overlapping, "cpu", {"-s", size_text(width * side, height * side), "--background", background}),
+                    side);
+}
+
+TEST(Samples, OfOneIsThePictureWithout) {
+    EXPECT_EQ(picture_of(overlapping, "cpu", {"-s", "50x40", "--samples", "1"}), picture_of(overlapping, "cpu", {"-s", "50x40"}));
+}
+
+TEST(Samples, AreTheAverageOfALargerPicture) {
+    for (const auto& [samples, side] : {std::pair{"4", 2}, {"16", 4}}) {
+        for (const char* background : {"black", "#102030", "transparent"}) {
+            SCOPED_TRACE(std::string(samples) + " " + background);
+            for (const auto& [width, height] : {std::pair{50, 41}, {1, 1}, {301, 1}, {1, 97}, {333, 200}}) {
+                const Picture picture = picture_of(
+                    overlapping, "cpu", {"-s", size_text(width, height), "--background", background, "--samples", samples});
+                EXPECT_EQ(picture, expected(background, width, height, side)) << width << " x " << height;
+            }
+        }
+    }
+}
+
+// Such a picture is traced in several columns of blocks.
+TEST(Samples, OfAPictureWiderThanABlock) {
+    EXPECT_EQ(picture_of(overlapping, "cpu", {"-s", "200001x2", "--samples", "4"}), expected("black", 200'001, 2, 2));
+}
+
+TEST(Samples, KeepInsidesAndSmoothEdges) {
+    const Picture picture = picture_of(overlapping, "cpu", {"-s", "101x101", "--background", "transparent", "--samples", "4"});
+    EXPECT_EQ(picture.at(50, 50), (std::vector<int>{255, 0, 0, 255}));
+    EXPECT_EQ(picture.at(0, 0), (std::vector<int>{0, 0, 0, 0}));
+    int partly = 0;
+    for (int i = 0; i < 101 * 101; ++i) {
+        const int alpha = picture.at(i % 101, i / 101)[3];
+        EXPECT_TRUE(alpha == 0 || alpha == 64 || alpha == 128 || alpha == 191 || alpha == 255) << alpha;
+        if (alpha != 0 && alpha != 255) ++partly;
+    }
+    EXPECT_GT(partly, 50);
+}
+
+TEST(Samples, AreExpectedLikeAnyPicture) {
+    const TemporaryFolder folder;
+    folder.write("scene.txt", overlapping);
+    ASSERT_EQ(render(folder, {"scene.txt", "-s", "60x60", "--samples", "4", "-o", "golden.png"}).status, 0);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "60x60", "--samples", "4", "--expect", "golden.png"}).status, 0);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "60x60", "--samples", "16", "--expect", "golden.png"}).status, 1);
+}
+
+TEST(Samples, AreReported) {
+    const TemporaryFolder folder;
+    folder.write("red.txt", red_scene);
+    const Outcome outcome = render(folder, {"red.txt", "-s", "5x4", "--samples", "16", "--json", "--verbose"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    const auto report = nlohmann::json::parse(outcome.output);
+    EXPECT_EQ(report["samples"], 16);
+    EXPECT_EQ(report["size"], nlohmann::json({5, 4}));
+    EXPECT_EQ(report["decided"]["float"], 5 * 4 * 16);
+    EXPECT_TRUE(contains(outcome.errors, "red.txt: points (16 a pixel) decided: 320 in float, 0 in double, 0 exactly"));
+    EXPECT_TRUE(contains(outcome.errors, "tiles of 8 points, "));
+    EXPECT_EQ(nlohmann::json::parse(render(folder, {"red.txt", "-s", "5x4", "--json"}).output)["samples"], 1);
+}
+
+TEST(Samples, OfPicturesThatAreTooWideAreRefusedBeforeAnyWork) {
+    const TemporaryFolder folder;
+    const std::vector<std::tuple<std::string, std::string, std::string>> cases = {
+        {"107374183x1", "16", "107374182"}, {"1x107374183", "16", "107374182"}, {"214748365x1", "4", "214748364"}};
+    for (const auto& [size, samples, longest] : cases) {
+        const Outcome outcome = render(folder, {"missing.txt", "-s", size, "--samples", samples});
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_TRUE(contains(outcome.errors, "--size: found '" + size + "', expected sides of at most " + longest +
+                                                 " pixels with --samples " + samples));
+    }
+    // One less is only a missing file.
+    const Outcome outcome = render(folder, {"missing.txt", "-s", "107374182x1", "--samples", "16"});
+    EXPECT_TRUE(contains(outcome.errors, "missing.txt: cannot be read"));
+}
+
+// Seen in its middle: facing the eye, as near as anything.
+constexpr const char* red_sphere = "1\n200 100 0\n0 0 200\n20\n";
+
+TEST(Shade, GivesTheColoursOfEachMode) {
+    const std::vector<std::pair<std::string, std::vector<int>>> cases = {{"flat", {200, 100, 0}},
+                                                                         {"headlight", {200, 100, 0}},
+                                                                         {"normal", {128, 128, 255}},
+                                                                         {"depth", {255, 255, 255}},
+                                                                         {"id", {255, 30, 30}}};
+    for (const auto& [mode, color] : cases) {
+        const Picture picture = picture_of(red_sphere, "cpu", {"-s", "5x5", "--shade", mode});
+        EXPECT_EQ(picture.at(2, 2), color) << mode;
+        EXPECT_EQ(picture.at(0, 0), (std::vector<int>{0, 0, 0})) << mode;
+    }
+}
+
+TEST(Shade, DimsWhatIsFarAndWhatTurnsAway) {
+    const std::string scene = "2\n200 200 200 0 0 200 60\n200 200 200 100 0 400 40\n";
+    const Picture picture = picture_of(scene, "cpu", {"-s", "101x101", "--shade", "headlight"});
+    EXPECT_GT(picture.at(50, 50)[0], picture.at(65, 50)[0] + 10);
+    EXPECT_GT(picture.at(65, 50)[0], 20);
+    EXPECT_LT(picture.at(75, 50)[0], 130);
+    EXPECT_GT(picture.at(75, 50)[0], 90);
+}
+
+TEST(Shade, IsFlatUnlessAskedFor) {
+    EXPECT_EQ(picture_of(red_scene, "cpu", {"-s", "50x50"}), picture_of(red_scene, "cpu", {"-s", "50x50", "--shade", "flat"}));
+}
+
+TEST(Shade, IsComparedAndReported) {
+    const TemporaryFolder folder;
+    folder.write("scene.txt", red_scene);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--shade", "normal", "-o", "golden.png"}).status, 0);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--shade", "normal", "--expect", "golden.png"}).status, 0);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--expect", "golden.png"}).status, 1);
+    const Outcome outcome = render(folder, {"scene.txt", "-s", "9x9", "--shade", "id", "--json", "--verbose"});
+    EXPECT_EQ(nlohmann::json::parse(outcome.output).at("shade"), "id");
+    EXPECT_NE(outcome.errors.find("; shaded: id"), std::string::npos) << outcome.errors;
+}
+
+// Red at +x, green at +y, blue at -z, equally far from 0, and a grey one behind all at the other ends.
+constexpr const char* corner =
+    "6\n255 0 0 4 0 0 1\n0 255 0 0 4 0 1\n0 0 255 0 0 -4 1\n9 9 9 -4 0 0 1\n9 9 9 0 -4 0 1\n9 9 9 0 0 4 1\n";
+// The same as XYZ, with elements.
+constexpr const char* molecule = "3\n\nO 100 100 100\nH 101 100 100\nH 100 101 100\n";
+
+Picture seen(const std::string& scene, std::vector<std::string> options) {
+    options.insert(options.end(), {"-s", "101x101"});
+    return picture_of(scene, "cpu", options);
+}
+
+TEST(View, ShowsItsSide) {
+    struct Case {
+        std::string view;
+        Pixel middle, right, top;
+    };
+    const Pixel grey = {9, 9, 9};
+    const std::vector<Case> cases = {{"front", blue, red, green}, {"right", red, grey, green},  {"back", grey, grey, green},
+                                     {"left", grey, blue, green}, {"top", green, red, grey},    {"bottom", grey, red, blue},
+                                     {"90,0", red, grey, green},  {"-90,0", grey, blue, green}, {"0,-90", grey, red, blue}};
+    for (const auto& [view, middle, right, top] : cases) {
+        const Picture picture = seen(corner, {"--view", view});
+        EXPECT_EQ(picture.at(50, 50), middle) << view;
+        EXPECT_EQ(picture.at(92, 50), right) << view;
+        EXPECT_EQ(picture.at(50, 8), top) << view;
+        for (int i = 0; i < 101; ++i) {
+            for (const auto& [x, y] : {std::pair{i, 0}, {i, 100}, {0, i}, {100, i}}) EXPECT_EQ(picture.at(x, y), black) << view;
+        }
+    }
+    const Picture iso = seen(corner, {"--view", "iso"});
+    int reds = 0;
+    int greens = 0;
+    int blues = 0;
+    for (int y = 0; y < 101; ++y) {
+        for (int x = 0; x < 101; ++x) {
+            reds += iso.at(x, y) == red && x > 50 && y > 50 ? 1 : 0;
+            blues += iso.at(x, y) == blue && x < 50 && y > 50 ? 1 : 0;
+            greens += iso.at(x, y) == green && y < 50 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(reds, 50);
+    EXPECT_NEAR(reds, blues, 10);
+    EXPECT_NEAR(reds, greens, 40);
+}
+
+TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {
+    const std::string off_screen = "1\n255 0 0 5000 0 -200 20\n";
+    EXPECT_EQ(seen(off_screen, {}).at(50, 50), black);
+    EXPECT_EQ(seen(off_screen, {"--fit"}).at(50, 50), red);
+    EXPECT_EQ(seen(off_screen, {"--no-fit"}).at(50, 50), black);
+    const Picture fitted = seen(molecule, {});
+    EXPECT_NE(fitted.at(50, 50), black);
+    EXPECT_EQ(fitted, seen(molecule, {"--fit"}));
+    EXPECT_EQ(fitted, seen(molecule, {"--view", "front"}));
+    EXPECT_NE(fitted, seen(molecule, {"--no-fit"}));
+    // Written as TOML, it is seen as it was; text holds no camera, and that is worth a word only if one was asked for.
+    Command convert;
+    convert.arguments = {"convert", "-", "-", "--to", "toml"};
+    convert.input = molecule;
+    EXPECT_EQ(seen(run(convert).output, {}), fitted);
+    convert.arguments.back() = "text";
+    EXPECT_EQ(run(convert).errors, "stdin: the text format cannot hold the names (3); left out\n");
+    convert.arguments.emplace_back("--fit");
+    EXPECT_EQ(run(convert).errors, "stdin: the text format cannot hold the camera, the names (3); left out\n");
+    // Nothing to see: as without.
+    EXPECT_EQ(seen("0", {"--fit"}).at(50, 50), black);
+    // A scene's own camera says from where: here from +x.
+    const std::string from_x = "camera = {eye = [9, 0, 0], center = [8, 0, 0], right = [0, 0, 1], up = [0, 1, 0]}\nspheres = '''" +
+                               std::string(corner) + "'''";
+    EXPECT_EQ(seen(from_x, {"--fit"}), seen(corner, {"--view", "right"}));
+    EXPECT_EQ(seen(from_x, {"--view", "top"}), seen(corner, {"--view", "top"}));
+}
+
+TEST(Fit, IsWhatConvertWritesAndWhatExplainExplains) {
+    const TemporaryFolder folder;
+    for (const std::string view : {"iso", "33,-12"}) {
+        Command convert;
+        convert.arguments = {"convert", "-", "-", "--to", "toml", "--view", view};
+        convert.input = corner;
+        const Outcome scene = run(convert);
+        ASSERT_EQ(scene.status, 0) << scene;
+        const Picture picture = seen(corner, {"--view", view});
+        EXPECT_EQ(picture, seen(scene.output, {})) << view;
+        for (const auto& [x, y] : {std::pair{50, 20}, {70, 60}, {30, 64}, {50, 50}, {0, 0}}) {
+            Command explain;
+            explain.arguments = {
+                "explain", "-", "--view", view, "-s", "101x101", "--pixel", std::to_string(x) + "," + std::to_string(y), "--json"};
+            explain.input = corner;
+            const Outcome outcome = run(explain);
+            ASSERT_EQ(outcome.status, 0) << outcome;
+            EXPECT_EQ(nlohmann::json::parse(outcome.output).at("color").get<Pixel>(), picture.at(x, y)) << view << x << "," << y;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sphereview::test
