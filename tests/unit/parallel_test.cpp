@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <future>
-#include <numeric>
 #include <stdexcept>
 #include <thread>
 #include <vector>

@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "formats/spheres_literal.hpp"
