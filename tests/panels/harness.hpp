@@ -42,12 +42,31 @@ struct DialogHarness {
         panels.tap(ImGuiKey_Backspace);
         panels.type(text);
     }
+    void enter_over(const std::string& widget, const std::string& text) {
+        type_over(widget, text);
+        enter();
+    }
+    void double_click(const std::string& widget) {
+        panels.double_click(widget);
+        panels.frames(4);
+    }
     template <typename Kind>
     Kind& top() {
         return std::get<Kind>(dialogs.back());
     }
     std::string top_id() const { return dialogs.empty() ? "" : id_of(dialogs.back()); }
 };
+
+// Spheres 0, 1, 2, ... in a line, with values that no slider gives.
+inline Scene line_of_spheres(std::size_t count) {
+    Scene scene;
+    scene.spheres.resize(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto x = static_cast<double>(i);
+        scene.spheres[i] = {{x / 3.0, x / 7.0 - 5.0, 200.0 + x / 11.0}, 1.0 + x / 13.0, {10, 20, 30}};
+    }
+    return scene;
+}
 
 // A base, so that it is there when PanelHarness draws for the first time.
 struct HeldSidePanel {
@@ -61,6 +80,9 @@ public:
                        std::move(scene), 1400.0F, 1200.0F) {
         take_actions();
     }
+    SidePanelHarness(std::size_t count, const std::vector<std::uint32_t>& selected) : SidePanelHarness(line_of_spheres(count)) {
+        select(selected);
+    }
 
     SidePanelState& state() { return held; }
 
@@ -69,6 +91,21 @@ public:
         selection.set(numbers);
         frames(2);
     }
+    void type_into(const std::string& widget, const std::string& text) {
+        click(widget);
+        type(text);
+    }
+    void begin_renaming(std::uint32_t number, const std::string& typed) {
+        start_renaming(state(), document.scene(), number);
+        frames(4);
+        ASSERT_TRUE(has("rename"));
+        type(typed);
+    }
+    void undo() {
+        document.undo();
+        frames();
+    }
+    void expect_selected(const std::vector<std::uint32_t>& numbers) const { EXPECT_EQ(selection.numbers(), numbers); }
     const Sphere& sphere(std::uint32_t number) const { return document.scene().spheres.at(number); }
 
     // How many rows were drawn.
@@ -78,16 +115,5 @@ public:
         return count;
     }
 };
-
-// Spheres 0, 1, 2, ... in a line, with values that no slider gives.
-inline Scene line_of_spheres(std::size_t count) {
-    Scene scene;
-    scene.spheres.resize(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto x = static_cast<double>(i);
-        scene.spheres[i] = {{x / 3.0, x / 7.0 - 5.0, 200.0 + x / 11.0}, 1.0 + x / 13.0, {10, 20, 30}};
-    }
-    return scene;
-}
 
 }  // namespace sphereview

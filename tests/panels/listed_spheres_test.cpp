@@ -82,8 +82,6 @@ TEST(ListedSpheres, RowsAndNumbersBelongTogether) {
     EXPECT_EQ(all.row_of(125), std::nullopt);
 }
 
-using Numbers = std::vector<std::uint32_t>;
-
 TEST(SphereList, AMillionSpheresTakeNoMoreWorkThanTheVisibleRows) {
     SidePanelHarness panel(line_of_spheres(1'000'000));
     const int vertices = panel.vertices();
@@ -100,7 +98,7 @@ TEST(SphereList, AMillionSpheresTakeNoMoreWorkThanTheVisibleRows) {
         const std::string above = "row " + std::to_string(number - 1);
         EXPECT_EQ(panel.place(above, 0.0F, 1.0F).y, panel.place("row " + std::to_string(number), 0.0F, 0.0F).y);
         panel.click(above);
-        EXPECT_EQ(panel.selection.numbers(), Numbers{number - 1});
+        panel.expect_selected({number - 1});
     }
 }
 
@@ -109,13 +107,13 @@ TEST(SphereList, EveryRowOfAMillionIsReached) {
     panel.click("row 2");
     panel.tap(ImGuiKey_End);
     panel.frames(2);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{999'999});
+    panel.expect_selected({999'999});
     EXPECT_TRUE(panel.has("row 999999"));
     panel.tap(ImGuiKey_UpArrow);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{999'998});
+    panel.expect_selected({999'998});
     panel.tap(ImGuiKey_Home);
     panel.frames(2);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{0});
+    panel.expect_selected({0});
     EXPECT_TRUE(panel.has("row 0"));
     // By the scroll bar to the very end, and back by the wheel a little.
     const ImVec2 top = panel.place("list scroll bar", 0.5F, 0.001F);
@@ -125,7 +123,7 @@ TEST(SphereList, EveryRowOfAMillionIsReached) {
     EXPECT_EQ(height, std::round(height)) << "whole pixels, so far down, too";
     EXPECT_EQ(panel.place("row 999998", 0.0F, 1.0F).y, panel.place("row 999999", 0.0F, 0.0F).y);
     panel.click("row 999999");
-    EXPECT_EQ(panel.selection.numbers(), Numbers{999'999});
+    panel.expect_selected({999'999});
     panel.wheel(1.0F);
     panel.frames();
     EXPECT_FALSE(panel.has("row 999999")) << "out of sight after three rows";
@@ -145,9 +143,9 @@ TEST(SphereList, PageKeysAndShiftSelectRanges) {
     EXPECT_GT(page, 3U);
     EXPECT_LT(page, 40U);
     panel.tap(ImGuiKey_PageDown);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{3 + 2 * page});
+    panel.expect_selected({3 + 2 * page});
     panel.tap(ImGuiKey_PageUp);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{3 + page});
+    panel.expect_selected({3 + page});
     panel.modifiers(false, true);
     panel.tap(ImGuiKey_End);
     EXPECT_EQ(panel.selection.size(), 500 - (3 + page));
@@ -158,14 +156,13 @@ TEST(SphereList, PageKeysAndShiftSelectRanges) {
 TEST(SphereList, WhatTheFilterShowsIsSelected) {
     SidePanelHarness panel(line_of_spheres(120));
     panel.selection.set({3, 7});
-    panel.click("filter");
-    panel.type("11");
+    panel.type_into("filter", "11");
     panel.modifiers(true);
     panel.click("select filtered");
-    EXPECT_EQ(panel.selection.numbers(), (Numbers{3, 7, 11, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119}));
+    panel.expect_selected({3, 7, 11, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119});
     panel.modifiers(false);
     panel.click("select filtered");
-    EXPECT_EQ(panel.selection.numbers(), (Numbers{11, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119}));
+    panel.expect_selected({11, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119});
 }
 
 TEST(SphereList, AFilterOfManyNamesAnswersBeforeItIsDone) {
@@ -174,8 +171,7 @@ TEST(SphereList, AFilterOfManyNamesAnswersBeforeItIsDone) {
         scene.names.emplace_hint(scene.names.end(), i, (i % 100'000 == 7 ? "Planet " : "dust ") + std::to_string(i));
     }
     SidePanelHarness panel(scene);
-    panel.click("filter");
-    panel.type("PLAN");
+    panel.type_into("filter", "PLAN");
     EXPECT_TRUE(panel.has("row 7")) << "what was found so far";
     EXPECT_FALSE(panel.state().search.done());
     EXPECT_NE(panel.text().find("% looked at"), std::string::npos);

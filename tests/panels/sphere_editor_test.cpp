@@ -23,6 +23,14 @@ void drag_slider(SidePanelHarness& panel, const std::string& slider, float from,
     panel.drag(panel.place(slider, from), panel.place(slider, to));
 }
 
+// The edits since the last call: some, all of one gesture.
+std::vector<EditScene> edits_of_one_gesture(SidePanelHarness& panel) {
+    std::vector<EditScene> edits = panel.taken<EditScene>();
+    EXPECT_FALSE(edits.empty());
+    for (const EditScene& edit : edits) EXPECT_TRUE(edit.gesture != 0 && edit.gesture == edits.front().gesture);
+    return edits;
+}
+
 void type_into(SidePanelHarness& panel, const std::string& slider, const std::string& text, ImGuiKey key = ImGuiKey_Enter) {
     panel.modifiers(true);
     panel.click(panel.place(slider));
@@ -34,15 +42,12 @@ void type_into(SidePanelHarness& panel, const std::string& slider, const std::st
 TEST(SphereEditor, DraggingASliderChangesThatValueAloneInOneGesture) {
     for (const std::size_t which : {0U, 1U, 2U, 3U}) {
         const std::string slider = std::array{"slider x", "slider y", "slider z", "slider radius"}[which];
-        SidePanelHarness panel(line_of_spheres(10));
-        panel.select({3});
+        SidePanelHarness panel(10, {3});
         const Bits before = bits(panel.sphere(3));
         drag_slider(panel, slider, 0.4F, 0.8F);
-        const auto edits = panel.taken<EditScene>();
+        const auto edits = edits_of_one_gesture(panel);
         ASSERT_GE(edits.size(), 5U) << slider;
-        EXPECT_NE(edits.front().gesture, 0U);
         for (const EditScene& edit : edits) {
-            EXPECT_EQ(edit.gesture, edits.front().gesture);
             EXPECT_EQ(edit.name, which == 3 ? "Change radius of sphere 3" : "Move sphere 3");
             EXPECT_EQ(std::get<ChangeSpheres>(edit.edit).numbers, std::vector<std::uint32_t>{3});
             const Bits after = bits(changed_sphere(edit));
@@ -50,7 +55,7 @@ TEST(SphereEditor, DraggingASliderChangesThatValueAloneInOneGesture) {
         }
         EXPECT_EQ(panel.sphere(4), line_of_spheres(10).spheres[4]);
         drag_slider(panel, slider, 0.8F, 0.3F);
-        EXPECT_NE(panel.taken<EditScene>().front().gesture, edits.front().gesture) << "each drag is a gesture of its own";
+        EXPECT_NE(edits_of_one_gesture(panel).front().gesture, edits.front().gesture) << "each drag is a gesture of its own";
         for (int i = 0; i < 2; ++i) panel.document.undo();
         EXPECT_EQ(bits(panel.sphere(3)), before) << "one step takes all of a drag back";
         EXPECT_FALSE(panel.document.can_undo());
@@ -58,8 +63,7 @@ TEST(SphereEditor, DraggingASliderChangesThatValueAloneInOneGesture) {
 }
 
 TEST(SphereEditor, NothingIsAskedForWhileAHeldSliderRests) {
-    SidePanelHarness panel(line_of_spheres(10));
-    panel.select({3});
+    SidePanelHarness panel(10, {3});
     panel.move(panel.place("slider x", 0.7F));
     panel.press();
     panel.take_actions();
@@ -71,8 +75,7 @@ TEST(SphereEditor, NothingIsAskedForWhileAHeldSliderRests) {
 }
 
 TEST(SphereEditor, DraggedValuesAreShortAndInRange) {
-    SidePanelHarness panel(line_of_spheres(10));
-    panel.select({3});
+    SidePanelHarness panel(10, {3});
     drag_slider(panel, "slider x", 0.4F, 0.8F);
     EXPECT_LE(shortest(panel.sphere(3).center.x).size(), 7U) << shortest(panel.sphere(3).center.x);
     const SceneBounds bounds = panel.bounds();
@@ -85,8 +88,7 @@ TEST(SphereEditor, DraggedValuesAreShortAndInRange) {
 }
 
 TEST(SphereEditor, CtrlClickTypesAnyNumberInFull) {
-    SidePanelHarness panel(line_of_spheres(10));
-    panel.select({3});
+    SidePanelHarness panel(10, {3});
     type_into(panel, "slider x", "-123456.7890123456");
     EXPECT_EQ(panel.sphere(3).center.x, -123456.7890123456);
     EXPECT_EQ(panel.document.undo_name(), "Move sphere 3");
@@ -102,15 +104,13 @@ TEST(SphereEditor, NonsenseEscapeAndEnterWithoutTypingChangeNothing) {
          {std::pair("slider x", "abc"), std::pair("slider y", "1e999"), std::pair("slider z", "nan"), std::pair("slider x", "inf"),
           std::pair("slider y", "1 2"), std::pair("slider z", " "), std::pair("slider radius", "0"),
           std::pair("slider radius", "-3"), std::pair("slider radius", "1e-999"), std::pair("slider radius", "2,5")}) {
-        SidePanelHarness panel(line_of_spheres(10));
-        panel.select({3});
+        SidePanelHarness panel(10, {3});
         type_into(panel, slider, text);
         EXPECT_TRUE(panel.taken<EditScene>().empty()) << slider << " " << text;
         EXPECT_EQ(bits(panel.sphere(3)), bits(line_of_spheres(10).spheres[3]));
         EXPECT_EQ(panel.state().typed.field, "") << "the slider is back";
     }
-    SidePanelHarness panel(line_of_spheres(10));
-    panel.select({7});
+    SidePanelHarness panel(10, {7});
     type_into(panel, "slider x", "", ImGuiKey_Enter);
     type_into(panel, "slider x", "12", ImGuiKey_Escape);
     panel.click("slider y", 1);
@@ -136,8 +136,7 @@ TEST(SphereEditor, ExtremeScenesAreEdited) {
 }
 
 TEST(SphereEditor, ColorIsEditedInWholeNumbers) {
-    SidePanelHarness panel(line_of_spheres(5));
-    panel.select({2});
+    SidePanelHarness panel(5, {2});
     type_into(panel, "color", "");  // focuses nothing typed
     EXPECT_TRUE(panel.taken<EditScene>().empty());
     panel.modifiers(true);
@@ -147,14 +146,11 @@ TEST(SphereEditor, ColorIsEditedInWholeNumbers) {
     panel.tap(ImGuiKey_Enter);
     EXPECT_EQ(panel.sphere(2).color, (Color{201, 20, 30}));
     EXPECT_EQ(panel.document.undo_name(), "Recolour sphere 2");
-    panel.document.undo();
+    panel.undo();
     EXPECT_EQ(panel.document.scene(), line_of_spheres(5)) << "typing is one step";
-    panel.frames();
     panel.take_actions();
     panel.drag(panel.place("color", 0.1F), panel.place("color", 0.6F));
-    const auto edits = panel.taken<EditScene>();
-    ASSERT_FALSE(edits.empty());
-    for (const EditScene& edit : edits) EXPECT_EQ(edit.gesture, edits.front().gesture);
+    edits_of_one_gesture(panel);
     panel.document.undo();
     EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
 }
@@ -171,25 +167,20 @@ TEST(SphereEditor, EveryColorIsShownWithoutChange) {
 }
 
 TEST(SphereEditor, PickerIsOneGesture) {
-    SidePanelHarness panel(line_of_spheres(5));
-    panel.select({2});
+    SidePanelHarness panel(5, {2});
     panel.click(panel.place("color", 0.985F));  // the swatch opens it
     panel.frames(3);
     panel.take_actions();
     const ImVec2 start = ImGui::GetIO().MousePos;
     // The picker is placed below the swatch.
     panel.drag({start.x + 40.0F, start.y + 60.0F}, {start.x + 90.0F, start.y + 120.0F});
-    const auto edits = panel.taken<EditScene>();
-    ASSERT_FALSE(edits.empty());
-    for (const EditScene& edit : edits) EXPECT_EQ(edit.gesture, edits.front().gesture);
-    EXPECT_NE(edits.front().gesture, 0U);
+    edits_of_one_gesture(panel);
     panel.document.undo();
     EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
 }
 
 TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
-    SidePanelHarness panel(line_of_spheres(5));
-    panel.select({4, 1, 2});
+    SidePanelHarness panel(5, {4, 1, 2});
     panel.click("hidden");
     EXPECT_EQ(panel.document.undo_name(), "Hide 3 spheres");
     for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(panel.sphere(i).hidden, i == 1 || i == 2 || i == 4) << i;
@@ -201,8 +192,7 @@ TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
 
 TEST(SphereEditor, SlidersMoveAllByTheSameDifferenceInOneStep) {
     for (const std::size_t which : {0U, 1U, 2U}) {
-        SidePanelHarness panel(line_of_spheres(6));
-        panel.select({5, 1, 3});  // the primary one
+        SidePanelHarness panel(6, {5, 1, 3});  // the primary one
         drag_slider(panel, std::array{"slider x", "slider y", "slider z"}[which], 0.5F, 0.8F);
         EXPECT_EQ(panel.document.undo_name(), "Move 3 spheres");
         const auto axis = static_cast<glm::length_t>(which);
@@ -221,11 +211,9 @@ TEST(SphereEditor, SlidersMoveAllByTheSameDifferenceInOneStep) {
 }
 
 TEST(SphereEditor, RadiusScalesAllByTheSameFactorAndThereAndBackIsNothing) {
-    SidePanelHarness panel(line_of_spheres(6));
-    panel.select({0, 5, 2});
+    SidePanelHarness panel(6, {0, 5, 2});
     const Scene before = line_of_spheres(6);
-    const float start = 0.9F;
-    drag_slider(panel, "slider radius", start, 0.6F);
+    drag_slider(panel, "slider radius", 0.9F, 0.6F);
     const double factor = panel.sphere(2).radius / before.spheres[2].radius;
     EXPECT_NE(factor, 1.0);
     for (const std::uint32_t i : {0U, 5U}) EXPECT_EQ(panel.sphere(i).radius, before.spheres[i].radius * factor);
@@ -237,8 +225,7 @@ TEST(SphereEditor, RadiusScalesAllByTheSameFactorAndThereAndBackIsNothing) {
 }
 
 TEST(SphereEditor, ALongDragAddsNothingUp) {
-    SidePanelHarness panel(line_of_spheres(6));
-    panel.select({1, 4, 3});
+    SidePanelHarness panel(6, {1, 4, 3});
     panel.move(panel.place("slider x", 0.5F));
     panel.press();
     for (int i = 0; i < 50; ++i) panel.move(panel.place("slider x", i % 2 == 0 ? 0.2F : 0.8F));
@@ -249,8 +236,7 @@ TEST(SphereEditor, ALongDragAddsNothingUp) {
 }
 
 TEST(SphereEditor, ATypedNumberIsSetForAll) {
-    SidePanelHarness panel(line_of_spheres(6));
-    panel.select({1, 4, 3});
+    SidePanelHarness panel(6, {1, 4, 3});
     type_into(panel, "slider y", "-2.5");
     for (std::uint32_t i = 0; i < 6; ++i) EXPECT_EQ(panel.sphere(i).center.y == -2.5, i == 1 || i == 3 || i == 4) << i;
     type_into(panel, "slider radius", shortest(panel.sphere(3).radius));  // the primary one's own
@@ -262,8 +248,7 @@ TEST(SphereEditor, ATypedNumberIsSetForAll) {
 }
 
 TEST(SphereEditor, TypingAndDraggingInOneFrameKeepsBoth) {
-    SidePanelHarness panel(line_of_spheres(6));
-    panel.select({1, 4, 3});
+    SidePanelHarness panel(6, {1, 4, 3});
     panel.modifiers(true);
     panel.click("slider x");
     panel.modifiers(false);
@@ -311,25 +296,21 @@ TEST(SphereEditor, TheButtonSaysWhatTheCommandDoes) {
 }
 
 TEST(SphereEditor, NameIsTyped) {
-    SidePanelHarness panel(line_of_spheres(5));
-    panel.select({2});
-    panel.click("name");
-    panel.type("venus");
+    SidePanelHarness panel(5, {2});
+    panel.type_into("name", "venus");
     EXPECT_TRUE(panel.document.scene().names.empty()) << "not before it is done";
     panel.click("row 4");
     EXPECT_EQ(panel.document.scene().names.at(2), "venus");
     EXPECT_EQ(panel.selection.primary(), 4U);
     EXPECT_EQ(panel.document.scene().names.size(), 1U);
     panel.select({2});
-    panel.click("name");
-    panel.type("x");
+    panel.type_into("name", "x");
     panel.tap(ImGuiKey_Escape);
     EXPECT_EQ(panel.document.scene().names.at(2), "venus");
 }
 
 TEST(SphereEditor, SelectionThatTheSceneDoesNotHaveIsNotShown) {
-    SidePanelHarness panel(line_of_spheres(5));
-    panel.select({4});
+    SidePanelHarness panel(5, {4});
     EXPECT_TRUE(panel.has("slider x"));
     panel.applies = false;
     panel.document.apply(RemoveSpheres{{3, 4}}, "");

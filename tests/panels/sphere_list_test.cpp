@@ -13,16 +13,16 @@ TEST(SphereList, ClicksSelectOneTogglesOrSelectARange) {
     panel.click("row 1");
     panel.modifiers(true);
     panel.click("row 3");
-    EXPECT_EQ(panel.selection.numbers(), (Numbers{1, 3}));
+    panel.expect_selected({1, 3});
     EXPECT_EQ(panel.selection.primary(), 3U);
     panel.click("row 1");
-    EXPECT_EQ(panel.selection.numbers(), Numbers{3});
+    panel.expect_selected({3});
     panel.modifiers(false, true);
     panel.click("row 4");
     EXPECT_EQ(panel.selection.numbers(), (Numbers{1, 2, 3, 4})) << "from the row clicked last";
     EXPECT_EQ(panel.selection.primary(), 4U);
     panel.click("row 0");
-    EXPECT_EQ(panel.selection.numbers(), (Numbers{0, 1}));
+    panel.expect_selected({0, 1});
     EXPECT_EQ(panel.selection.primary(), 0U);
     panel.modifiers(true, true);
     panel.modifiers(true, false);
@@ -32,7 +32,7 @@ TEST(SphereList, ClicksSelectOneTogglesOrSelectARange) {
     EXPECT_EQ(panel.selection.numbers(), (Numbers{0, 1, 3, 4, 5})) << "a range joins";
     panel.modifiers(false);
     panel.click("row 3");
-    EXPECT_EQ(panel.selection.numbers(), Numbers{3});
+    panel.expect_selected({3});
     const ImVec2 last = panel.place("row 5", 0.5F, 1.0F);
     panel.click(ImVec2{last.x, last.y + 20.0F});
     EXPECT_TRUE(panel.selection.empty()) << "beside the rows";
@@ -66,8 +66,7 @@ TEST(SphereList, FilterNarrowsWhileTyping) {
     scene.names[7] = "Red Giant";
     scene.names[250] = "gIANt";
     SidePanelHarness panel(scene);
-    panel.click("filter");
-    panel.type("gia");
+    panel.type_into("filter", "gia");
     EXPECT_TRUE(panel.has("row 7"));
     EXPECT_TRUE(panel.has("row 250"));
     EXPECT_EQ(panel.rows(), 2U);
@@ -76,8 +75,7 @@ TEST(SphereList, FilterNarrowsWhileTyping) {
     panel.click("clear filter");
     EXPECT_TRUE(panel.has("row 0"));
     EXPECT_TRUE(panel.has("row 1"));
-    panel.click("filter");
-    panel.type("29");
+    panel.type_into("filter", "29");
     EXPECT_TRUE(panel.has("row 29"));
     EXPECT_TRUE(panel.has("row 290"));
     EXPECT_FALSE(panel.has("row 2"));
@@ -91,8 +89,7 @@ TEST(SphereList, FilterFollowsTheScene) {
     Scene scene = line_of_spheres(4);
     scene.names[2] = "moon";
     SidePanelHarness panel(scene);
-    panel.click("filter");
-    panel.type("moo");
+    panel.type_into("filter", "moo");
     EXPECT_EQ(panel.rows(), 1U);
     panel.document.apply(RenameSphere{3, "mood"}, "");
     panel.frames();
@@ -119,38 +116,28 @@ TEST(SphereList, EscapeKeepsTheOldName) {
     Scene scene = line_of_spheres(3);
     scene.names[2] = "sun";
     SidePanelHarness panel(scene);
-    start_renaming(panel.state(), panel.document.scene(), 2);
-    panel.frames(3);
-    panel.type("moon");
+    panel.begin_renaming(2, "moon");
     panel.tap(ImGuiKey_Escape);
     EXPECT_FALSE(panel.has("rename"));
     EXPECT_EQ(panel.document.scene(), scene);
     EXPECT_FALSE(panel.document.can_undo());
-    start_renaming(panel.state(), panel.document.scene(), 2);
-    panel.frames(3);
-    panel.type("moon");
+    panel.begin_renaming(2, "moon");
     panel.click("row 0");
     EXPECT_EQ(panel.document.scene().names.at(2), "moon") << "a click elsewhere accepts the name";
-    EXPECT_EQ(panel.selection.numbers(), Numbers{0});
+    panel.expect_selected({0});
 }
 
 TEST(SphereList, RenamingScrollsToTheRowAndDropsAFilterThatHidesIt) {
     SidePanelHarness panel(line_of_spheres(1000));
-    panel.click("filter");
-    panel.type("3");
-    start_renaming(panel.state(), panel.document.scene(), 800);
-    panel.frames(4);
-    ASSERT_TRUE(panel.has("rename"));
-    panel.type("far");
+    panel.type_into("filter", "3");
+    panel.begin_renaming(800, "far");
     panel.tap(ImGuiKey_Enter);
     EXPECT_EQ(panel.document.scene().names.at(800), "far");
 }
 
 TEST(SphereList, NameIsKeptWhenItsRowScrollsAway) {
     SidePanelHarness panel(line_of_spheres(1000));
-    start_renaming(panel.state(), panel.document.scene(), 0);
-    panel.frames(3);
-    panel.type("first");
+    panel.begin_renaming(0, "first");
     panel.move(panel.place("row 3"));
     for (int i = 0; i < 20; ++i) panel.wheel(-5.0F);
     EXPECT_FALSE(panel.has("row 0"));
@@ -159,9 +146,7 @@ TEST(SphereList, NameIsKeptWhenItsRowScrollsAway) {
 
 TEST(SphereList, RenamingEndsWhenNumbersChangeTheirMeaning) {
     SidePanelHarness panel(line_of_spheres(4));
-    start_renaming(panel.state(), panel.document.scene(), 2);
-    panel.frames(3);
-    panel.type("moon");
+    panel.begin_renaming(2, "moon");
     panel.document.apply(RemoveSpheres{{0}}, "");
     panel.frames(3);
     EXPECT_FALSE(panel.has("rename"));
@@ -175,12 +160,10 @@ TEST(SphereList, DraggedRowGetsAnotherPlace) {
     EXPECT_EQ(panel.sphere(3), before.spheres[1]);
     EXPECT_EQ(panel.sphere(1), before.spheres[2]);
     EXPECT_EQ(panel.document.undo_name(), "Reorder sphere 1");
-    panel.document.undo();
-    panel.frames();
+    panel.undo();
     panel.drag(panel.place("row 4"), panel.place("row 0", 0.5F, 0.1F));
     EXPECT_EQ(panel.sphere(0), before.spheres[4]);
-    panel.document.undo();
-    panel.frames();
+    panel.undo();
     panel.drag(panel.place("row 2"), panel.place("row 5", 0.5F, 0.9F));
     EXPECT_EQ(panel.sphere(5), before.spheres[2]);
 }
@@ -210,28 +193,28 @@ TEST(SphereList, OfManySpheresOnlyVisibleRowsAreDrawn) {
     EXPECT_TRUE(panel.has("row 999"));
     EXPECT_FALSE(panel.has("row 0"));
     panel.click("row 999");
-    EXPECT_EQ(panel.selection.numbers(), Numbers{999});
+    panel.expect_selected({999});
 }
 
 TEST(SphereList, ArrowKeysGoThroughTheList) {
     SidePanelHarness panel(line_of_spheres(500));
     panel.click("row 1");
     panel.tap(ImGuiKey_DownArrow);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{2});
+    panel.expect_selected({2});
     panel.tap(ImGuiKey_UpArrow);
     panel.tap(ImGuiKey_UpArrow);
     panel.tap(ImGuiKey_UpArrow);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{0});
+    panel.expect_selected({0});
     for (int i = 0; i < 60; ++i) panel.tap(ImGuiKey_DownArrow);
     panel.frames(2);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{60});
+    panel.expect_selected({60});
     EXPECT_TRUE(panel.has("row 60")) << "the list follows";
 }
 
 TEST(SphereList, RightClickOffersCommandsForTheRow) {
     SidePanelHarness panel(line_of_spheres(4));
     panel.click("row 2", 1);
-    EXPECT_EQ(panel.selection.numbers(), Numbers{2});
+    panel.expect_selected({2});
     panel.take_actions();
     panel.click("row menu Delete");
     const auto commands = panel.taken<RunCommand>();
@@ -266,6 +249,69 @@ TEST(SphereList, EmptySceneSaysSo) {
     SidePanelHarness panel(Scene{});
     EXPECT_NE(panel.text().find("no spheres"), std::string::npos);
     EXPECT_EQ(panel.rows(), 0U);
+}
+
+TEST(ScenePanel, BackgroundIsChosen) {
+    SidePanelHarness panel(line_of_spheres(2));
+    const auto choose = [&](const std::string& name) {
+        panel.click("background");
+        panel.frames(2);
+        panel.click("background " + name);
+        return to_string(panel.document.scene().background);
+    };
+    EXPECT_EQ(choose("white"), "white");
+    EXPECT_EQ(panel.document.undo_name(), "Change background");
+    EXPECT_EQ(choose("transparent"), "transparent");
+    EXPECT_FALSE(panel.has("background color"));
+    EXPECT_EQ(choose("black"), "black");
+    EXPECT_EQ(choose("colour"), "#808080");
+    EXPECT_TRUE(panel.has("background color"));
+    panel.take_actions();
+    choose("colour");
+    EXPECT_TRUE(panel.taken<EditScene>().empty());
+}
+
+TEST(ScenePanel, ButtonsRunCommands) {
+    SidePanelHarness panel(line_of_spheres(2));
+    panel.click("use view");
+    panel.click("home");
+    const auto commands = panel.taken<RunCommand>();
+    ASSERT_EQ(commands.size(), 2U);
+    EXPECT_EQ(commands[0].command, CommandId::use_view_as_camera);
+    EXPECT_EQ(commands[1].command, CommandId::go_home);
+}
+
+TEST(ScenePanel, TheFrameOfSeveralIsChosen) {
+    SidePanelHarness panel(line_of_spheres(2));
+    EXPECT_FALSE(panel.has("frame"));
+    panel.frames_of_file = 11;
+    panel.frame_of_file = 2;
+    panel.frames(2);
+    panel.take_actions();
+    panel.click(panel.place("frame", 0.99F));
+    auto shown = panel.taken<ShowFrame>();
+    ASSERT_FALSE(shown.empty());
+    EXPECT_EQ(shown.front().frame, 10);
+    panel.click(panel.place("frame", 0.01F));
+    shown = panel.taken<ShowFrame>();
+    ASSERT_FALSE(shown.empty());
+    EXPECT_EQ(shown.front().frame, 0);
+}
+
+TEST(ScenePanel, CameraIsShown) {
+    Scene scene = line_of_spheres(2);
+    scene.camera.eye = {0.123456789, 0.0, -7.0};
+    SidePanelHarness panel(scene);
+    EXPECT_EQ(panel.text().find("0.1235, 0, -7"), std::string::npos);
+    panel.click("camera");
+    EXPECT_NE(panel.text().find("0.1235, 0, -7"), std::string::npos);
+}
+
+TEST(ScenePanel, SmallPanelsScroll) {
+    SidePanelHarness panel(line_of_spheres(50), 200.0F);
+    panel.select({3});
+    EXPECT_GE(panel.rows(), 4U);
+    EXPECT_TRUE(panel.take_actions().empty());
 }
 
 }  // namespace

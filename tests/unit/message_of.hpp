@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
+
+#include "base/error.hpp"
 
 namespace sphereview {
 
@@ -17,6 +20,20 @@ std::string message_of(const Action& action) {
     }
     ADD_FAILURE() << "nothing was thrown";
     return "";
+}
+
+struct WrongText {
+    std::string text;
+    std::string message;  // behind the file's name
+};
+
+// That `read` refuses each text with the whole message.
+template <typename Read>
+void expect_messages(const std::string& file, const Read& read, const std::vector<WrongText>& cases) {
+    for (const WrongText& wrong : cases) {
+        SCOPED_TRACE(testing::PrintToString(wrong.text));
+        EXPECT_EQ(message_of<InputError>([&] { read(wrong.text); }), file + ":" + wrong.message);
+    }
 }
 
 }  // namespace sphereview

@@ -47,6 +47,23 @@ struct Hand : testing::Test {
         mouse.pressed[button] = true;
         frame();
     }
+    void drag_to(glm::dvec2 place) {
+        mouse.place = place;
+        frame();
+    }
+    void cancel() {
+        mouse.cancelled = true;
+        frame();
+    }
+    void press_at(glm::dvec2 place) {
+        mouse.place = place;
+        press();
+    }
+    void expect_shown(const glm::dvec3& point, glm::dvec2 place) const {
+        const auto seen = project(camera, size, point);
+        ASSERT_TRUE(seen);
+        EXPECT_LT(glm::distance(*seen, place), 1e-6);
+    }
     void release(std::size_t button = 0) {
         mouse.released[button] = true;
         frame();
@@ -80,12 +97,8 @@ TEST_F(Hand, ThePointThatWasGrabbedStaysUnderThePointer) {
     const double along = glm::dot(center, ray);
     const glm::dvec3 grabbed = ray * (along - std::sqrt(3600.0 - (glm::dot(center, center) - along * along)));
     for (const glm::dvec2 to : {glm::dvec2(540, 470), glm::dvec2(100, 900), glm::dvec2(990, 3)}) {
-        mouse.place = to;
-        frame();
-        const auto seen = project(camera, size, grabbed + scene.spheres[0].center - center);
-        ASSERT_TRUE(seen);
-        EXPECT_NEAR(seen->x, to.x, 1e-6);
-        EXPECT_NEAR(seen->y, to.y, 1e-6);
+        drag_to(to);
+        expect_shown(grabbed + scene.spheres[0].center - center, to);
         EXPECT_EQ(gesture_of_action(), gesture) << "one step";
     }
     EXPECT_EQ(gesture, 1U);
@@ -96,25 +109,20 @@ TEST_F(Hand, ThePointThatWasGrabbedStaysUnderThePointer) {
 TEST_F(Hand, EscapeTakesAMoveBackAndOnlyThat) {
     selection.set_only(0);
     press();
-    mouse.place.x += 50;
-    frame();
-    mouse.cancelled = true;
-    frame();
+    drag_to(mouse.place + glm::dvec2(50, 0));
+    cancel();
     EXPECT_TRUE(undoes());
     EXPECT_FALSE(control.holds_mouse());
 
     press();
-    mouse.cancelled = true;
-    frame();
+    cancel();
     EXPECT_TRUE(actions.empty()) << "nothing had moved";
 
     // A drag that moved nothing, because the sphere has gone from the selection: what was done before it stays.
     press();
     selection.clear();
-    mouse.place.x += 50;
-    frame();
-    mouse.cancelled = true;
-    frame();
+    drag_to(mouse.place + glm::dvec2(50, 0));
+    cancel();
     EXPECT_TRUE(actions.empty());
 }
 
@@ -122,14 +130,12 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     press();
     release();
     EXPECT_TRUE(selection.contains(0));
-    mouse.place = {10, 10};
-    press();
+    press_at({10, 10});
     mouse.place = {300, 300};
     EXPECT_TRUE(frame().camera) << "an orbit";
     release();
     EXPECT_TRUE(selection.contains(0));
-    mouse.place = {10, 10};
-    press();
+    press_at({10, 10});
     release();
     EXPECT_TRUE(selection.empty());
 }
@@ -137,16 +143,13 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
 TEST_F(Hand, TellsWhetherItMovesTheView) {
     press();
     EXPECT_FALSE(control.moves_camera());  // it may become a click
-    mouse.place.x += 60;
-    frame();
+    drag_to(mouse.place + glm::dvec2(60, 0));
     EXPECT_TRUE(control.moves_camera());
     release();
     EXPECT_FALSE(control.moves_camera());
     selection.set_only(0);
-    mouse.place = {520, 490};
-    press();
-    mouse.place.x += 60;
-    frame();
+    press_at({520, 490});
+    drag_to(mouse.place + glm::dvec2(60, 0));
     EXPECT_TRUE(control.is_dragging());
     EXPECT_FALSE(control.moves_camera());  // but the sphere
 }
@@ -156,10 +159,7 @@ TEST_F(Hand, TheWheelKeepsWhatIsUnderThePointer) {
     const glm::dvec3 point = point_at(camera, size, mouse.place, depth_of(camera, {0, 0, 300}));
     mouse.wheel = 2.0;
     EXPECT_TRUE(frame().camera);
-    const auto seen = project(camera, size, point);
-    ASSERT_TRUE(seen);
-    EXPECT_NEAR(seen->x, 800, 1e-6);
-    EXPECT_NEAR(seen->y, 300, 1e-6);
+    expect_shown(point, {800, 300});
 }
 
 TEST_F(Hand, CtrlAndWheelIsOneStepOverOneSphere) {
@@ -183,11 +183,9 @@ TEST_F(Hand, ControlAndADragSelectsWhatTheBoxShows) {
     scene.spheres.resize(6);
     mouse.control = true;
     const auto drag = [&](glm::dvec2 from, glm::dvec2 to) {
-        mouse.place = from;
-        press();
+        press_at(from);
         EXPECT_FALSE(control.box());
-        mouse.place = to;
-        frame();
+        drag_to(to);
         const bool drawn = control.box().has_value();
         release();
         EXPECT_FALSE(control.box());
@@ -212,16 +210,12 @@ TEST_F(Hand, ControlAndADragSelectsWhatTheBoxShows) {
 
     // Escape leaves the selection as it was; a click is no box.
     in_box = {2};
-    mouse.place = {10, 10};
-    press();
-    mouse.place = {600, 600};
-    frame();
-    mouse.cancelled = true;
-    frame();
+    press_at({10, 10});
+    drag_to({600, 600});
+    cancel();
     release();
     EXPECT_TRUE(selection.empty());
-    mouse.place = {520, 490};
-    press();
+    press_at({520, 490});
     release();
     EXPECT_EQ(selection.numbers(), std::vector<std::uint32_t>{0});
     EXPECT_EQ(boxes.size(), 4U);

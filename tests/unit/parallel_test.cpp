@@ -1,17 +1,34 @@
+// Work on several cores, beside the caller, and in a process of its own.
 #include "base/parallel.hpp"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <numeric>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <future>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
+#include "base/background_job.hpp"
+#include "base/isolated_call.hpp"
 #include "support/eventually.hpp"
 
 namespace sphereview {
+
 namespace {
+
+using End = IsolatedResult::End;
+
+IsolatedResult isolated(const std::function<std::string()>& call) { return call_isolated(call, std::chrono::minutes(5)); }
+
+// Not by std::raise(), which a sanitizer's handler would survive to tell of.
+std::string crash() {
+    std::signal(SIGABRT, SIG_DFL);
+    std::abort();
+}
 
 TEST(Parallel, CallsEachOnce) {
     for (const std::size_t count : {0U, 1U, 2U, 3U, 1000U, 100'000U}) {
@@ -91,5 +108,106 @@ TEST(Parallel, MayBeNestedAndUsedByManyThreads) {
     EXPECT_EQ(calls, 4 * 50 * 100);
 }
 
+TEST(BackgroundJob, EndsAndPassesOnWhatItThrew) {
+    auto value = std::make_shared<int>(0);
+    const BackgroundJob job([value](WorkControl& control) {
+        control.done = 7;
+        *value = 5;
+    });
+    job.wait();
+    EXPECT_TRUE(job.ended());
+    EXPECT_EQ(*value, 5);
+    EXPECT_EQ(job.control().done, 7u);
+    EXPECT_NO_THROW(job.rethrow());
+    const BackgroundJob failing([](WorkControl&) { throw std::runtime_error("no"); });
+    failing.wait();
+    EXPECT_THROW(failing.rethrow(), std::runtime_error);
+}
+
+TEST(BackgroundJob, IsNotWaitedForWhenNobodyWantsIt) {
+    std::promise<void> gate;
+    std::promise<bool> told;
+    {
+        const BackgroundJob job([open = gate.get_future().share(), &told](WorkControl& control) {
+            open.wait();
+            told.set_value(control.cancelled);
+            control.check();
+        });
+        EXPECT_FALSE(job.wait_for(std::chrono::milliseconds(1)));
+    }
+    gate.set_value();  // only now, after its end, can the work go on
+    EXPECT_TRUE(told.get_future().get());
+}
+
+TEST(BackgroundJob, LeavesItsLoopsWhenItIsCancelled) {
+    std::promise<void> begun;
+    std::promise<void> left;
+    {
+        const BackgroundJob job([&](WorkControl& control) {
+            try {
+                parallel_for(1'000'000, [&](std::size_t i) {
+                    if (i == 0) begun.set_value();
+                    while (!control.cancelled) std::this_thread::yield();
+                });
+            } catch (const Cancelled&) {
+                left.set_value();
+            }
+        });
+        begun.get_future().wait();
+    }
+    EXPECT_EQ(left.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+}
+
+TEST(BackgroundJob, SharesTheCoresWithItsLoop) {
+    const auto sum = [] {
+        std::atomic<std::size_t> total = 0;
+        for (int round = 0; round < 200; ++round) {
+            parallel_for(64, [&](std::size_t i) { total += i; });
+        }
+        return total.load();
+    };
+    auto other = std::make_shared<std::size_t>(0);
+    const BackgroundJob job([other, sum](WorkControl&) { *other = sum(); });
+    EXPECT_EQ(sum(), 200u * 64 * 63 / 2);
+    job.wait();
+    EXPECT_EQ(*other, 200u * 64 * 63 / 2);
+}
+
+TEST(IsolatedCall, PassesOnWhatIsReturnedAndSaid) {
+    const std::string large(300'000, 'x');  // more than a pipe holds
+    const IsolatedResult result = isolated([&] {
+        std::fputs("to the terminal", stdout);
+        std::fputs("one\ntwo\n", stderr);
+        return large;
+    });
+    EXPECT_EQ(result.end, End::returned);
+    EXPECT_EQ(result.value, large);
+    EXPECT_EQ(result.errors, "one\ntwo\n");
+}
+
+TEST(IsolatedCall, SaysHowElseItEnded) {
+    const IsolatedResult crashed = isolated(crash);
+    EXPECT_EQ(crashed.end, End::crashed);
+    EXPECT_EQ(crashed.code, SIGABRT);
+    const IsolatedResult ended = isolated([]() -> std::string { std::_Exit(7); });
+    EXPECT_EQ(ended.end, End::exited);
+    EXPECT_EQ(ended.code, 7);
+    EXPECT_EQ(isolated([]() -> std::string { std::_Exit(0); }).end, End::exited);
+    EXPECT_EQ(isolated([]() -> std::string { throw std::runtime_error("no"); }).end, End::exited);
+}
+
+TEST(IsolatedCall, EndsAtTheLimit) {
+    const IsolatedResult result = call_isolated(
+        [] {
+            std::fputs("begun", stderr);
+            while (true) std::this_thread::sleep_for(std::chrono::hours(1));
+            return std::string();
+        },
+        std::chrono::milliseconds(300));
+    EXPECT_EQ(result.end, End::timed_out);
+    EXPECT_EQ(result.errors, "begun");
+}
+
 }  // namespace
+
 }  // namespace sphereview

@@ -1,7 +1,6 @@
 // Scenes that try to be misread.
 #pragma once
 
-#include <cstdint>
 #include <random>
 
 #include "scene/scene.hpp"

@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "unit/message_of.hpp"
+#include "unit/random_scene.hpp"
+#include "unit/scene_difference.hpp"
 
 namespace sphereview {
 
@@ -144,6 +147,48 @@ TEST(LostIn, NamesWhatTheTextFormatCannotHold) {
     scene.spheres[0].hidden = true;
     EXPECT_EQ(lost_in(scene, SceneFormat::text), "the background, the camera, the names (2), the hidden spheres (1)");
     EXPECT_EQ(lost_in(scene, SceneFormat::toml), "");
+}
+
+// What is written is read back the same, bit for bit. SPHEREVIEW_SEED=N tries other scenes.
+TEST(RoundTrip, KeepsEveryBitOfRandomScenes) {
+    constexpr int trials = 500;
+    const char* setting = std::getenv("SPHEREVIEW_SEED");
+    const std::uint64_t seed = setting == nullptr ? 20240607 : std::strtoull(setting, nullptr, 10);
+    int cameras = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        std::mt19937_64 random(seed + static_cast<std::uint64_t>(trial));  // a trial's own, to be tried again alone
+        const Scene scene = random_scene(random);
+        if (scene.camera != Camera{}) ++cameras;
+
+        for (const SceneFormat& format : {SceneFormat::toml, SceneFormat::text}) {
+            const std::string text = write_scene(scene, format);
+            const Scene& expected = format == SceneFormat::toml ? scene : without_extras(scene);
+            ASSERT_NO_THROW(ASSERT_EQ(difference(parse_scene(text, "s"), expected), ""))
+                << "trial " << trial << " of SPHEREVIEW_SEED=" << seed << ":\n"
+                << text;
+        }
+    }
+    EXPECT_GT(cameras, trials / 20);  // else cameras were hardly tried
+}
+
+// The test above can only fail if this can.
+TEST(RoundTrip, IsJudgedByEveryBit) {
+    const auto changed = [](const auto& change) {
+        Scene before;
+        before.spheres.resize(2);
+        Scene after = before;
+        change(after);
+        return difference(after, before);
+    };
+    EXPECT_EQ(changed([](Scene&) {}), "");
+    EXPECT_EQ(changed([](Scene& s) { s.spheres[1].center.x = -0.0; }), "sphere 1.center[0]: -0x0p+0 instead of 0x0p+0");
+    EXPECT_EQ(changed([](Scene& s) { s.camera.up.z = 1; }), "camera.up[2]: 0x1p+0 instead of 0x0p+0");
+    EXPECT_NE(changed([](Scene& s) { s.spheres[0].radius = 20.000000000000004; }), "");
+    EXPECT_NE(changed([](Scene& s) { s.spheres[0].color.b = 0; }), "");
+    EXPECT_NE(changed([](Scene& s) { s.spheres[0].hidden = true; }), "");
+    EXPECT_NE(changed([](Scene& s) { s.spheres.pop_back(); }), "");
+    EXPECT_NE(changed([](Scene& s) { s.names[0] = "x"; }), "");
+    EXPECT_NE(changed([](Scene& s) { s.background.transparent = true; }), "");
 }
 
 }  // namespace sphereview

@@ -4,14 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <random>
 
 #include "exact/resolve.hpp"
+#include "oracle/random.hpp"
 #include "tiles/build_lists.hpp"
 #include "tiles/pixel_range.hpp"
 
 namespace sphereview {
 namespace {
+
+using oracle::Random;
 
 constexpr TileCosts fine = {.smallest_shift = 0, .candidate = 1.0, .test = 1.0};
 constexpr TileCosts coarse = {.smallest_shift = 3, .candidate = 20.0, .test = 1.0};
@@ -70,30 +72,33 @@ TEST(PixelRange, IsTheWholePictureWhereNothingIsKnown) {
     EXPECT_EQ(range_of(ball({0, 0, 100}, 1), {7, 5}, oblique), (PixelRange{0, 0, 6, 4}));
 }
 
-Camera random_camera(std::mt19937_64& random) {
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+Camera random_camera(Random& random) {
     Camera camera;
-    const double field = std::exp(3.0 * unit(random));
-    const glm::dvec3 right = glm::normalize(glm::dvec3(unit(random), unit(random), unit(random)));
-    const glm::dvec3 up = glm::normalize(glm::cross(right, glm::dvec3(unit(random), unit(random), unit(random))));
-    camera.eye = 50.0 * glm::dvec3(unit(random), unit(random), unit(random));
+    const double field = std::exp(random.between(-3.0, 3.0));
+    const glm::dvec3 right = glm::normalize(random.in_cube(1.0));
+    const glm::dvec3 up = glm::normalize(glm::cross(right, random.in_cube(1.0)));
+    camera.eye = random.in_cube(50.0);
     camera.right = field * right;
     camera.up = field * up;
-    camera.center = camera.eye + glm::cross(right, up) + unit(random) * right + unit(random) * up;
+    camera.center = camera.eye + glm::cross(right, up) + random.between(-1.0, 1.0) * right + random.between(-1.0, 1.0) * up;
     return camera;
 }
 
+// Near and far, small and around the eye.
+Sphere random_sphere(Random& random, const glm::dvec3& eye) {
+    const glm::dvec3 place = std::exp(random.between(-5.0, 5.0)) * random.in_cube(1.0);
+    return ball(eye + place, glm::length(place) * std::exp(random.between(-6.0, 2.0)));
+}
+
 TEST(PixelRange, HoldsEveryPixelThatMayShowTheSphere) {
-    std::mt19937_64 random(20261);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    Random random(20261);
     const PictureSize sizes[] = {{31, 17}, {64, 64}, {1, 40}, {97, 1}};
     int hits = 0;
     for (int trial = 0; trial < 20'000; ++trial) {
         SCOPED_TRACE(trial);
         const PictureSize size = sizes[trial % 4];
         const Camera camera = trial % 3 == 0 ? Camera() : random_camera(random);
-        const glm::dvec3 center = camera.eye + std::exp(5.0 * unit(random)) * glm::dvec3(unit(random), unit(random), unit(random));
-        const Sphere sphere = ball(center, glm::length(center - camera.eye) * std::exp(4.0 * unit(random) - 2.0));
+        const Sphere sphere = random_sphere(random, camera.eye);
         const PixelRange range = range_of(sphere, size, camera);
         for (int y = 0; y < size.height; ++y) {
             for (int x = 0; x < size.width; ++x) {
@@ -107,16 +112,14 @@ TEST(PixelRange, HoldsEveryPixelThatMayShowTheSphere) {
 }
 
 TEST(PixelRange, IsTheSameForManySpheresAtATime) {
-    std::mt19937_64 random(20262);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    Random random(20262);
     for (int trial = 0; trial < 300; ++trial) {
         SCOPED_TRACE(trial);
         const PixelPlanes planes(trial == 0 ? Camera() : random_camera(random), {trial % 7 == 0 ? 1 : 97 + trial, 31});
         std::vector<glm::vec4> spheres(200);
         for (glm::vec4& s : spheres) {
-            const glm::dvec3 center = std::exp(5.0 * unit(random)) * glm::dvec3(unit(random), unit(random), unit(random));
-            const double radius = glm::length(center) * std::exp(4.0 * unit(random) - 2.0);
-            s = {center, radius < glm::length(center) ? radius : -radius};
+            const Sphere sphere = random_sphere(random, {});
+            s = {sphere.center, sphere.radius < glm::length(sphere.center) ? sphere.radius : -sphere.radius};
         }
         spheres[3].w = 0.0F;
         spheres[70] = glm::vec4(0.0F);
@@ -129,13 +132,13 @@ TEST(PixelRange, IsTheSameForManySpheresAtATime) {
     }
 }
 
-Scene cloud(std::size_t count, double radius, unsigned seed) {
-    std::mt19937_64 random(seed);
-    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+Scene cloud(std::size_t count, double radius, std::uint64_t seed) {
+    Random random(seed);
     Scene scene;
     for (std::size_t i = 0; i < count; ++i) {
-        const double z = 300.0 + 200.0 * unit(random);
-        scene.spheres.push_back(ball({0.5 * z * unit(random), 0.5 * z * unit(random), z}, radius * (1.5 + unit(random))));
+        const double z = random.between(100.0, 500.0);
+        scene.spheres.push_back(
+            ball({z * random.between(-0.5, 0.5), z * random.between(-0.5, 0.5), z}, radius * random.between(0.5, 2.5)));
     }
     return scene;
 }
@@ -150,24 +153,6 @@ void expect_lists_in_order(const CandidateLists& lists, const DrawnSpheres& draw
             if (i == lists.begins[tile]) continue;
             ASSERT_LE(lists.candidates[i - 1].nearest, candidate.nearest);
             ASSERT_NE(lists.candidates[i - 1].index, candidate.index);
-        }
-    }
-}
-
-TEST(CandidateLists, HoldEverySphereThatAPixelShows) {
-    const PictureSize size{203, 150};
-    for (const auto& [count, radius] : {std::pair<std::size_t, double>{3, 100.0}, {300, 10.0}, {5000, 1.0}, {30'000, 0.5}}) {
-        const Scene scene = cloud(count, radius, 7);
-        const DrawnSpheres drawn = drawn_spheres(scene);
-        const Resolver by_all(scene, drawn, size);
-        for (const TileCosts& costs : {fine, coarse}) {
-            const CandidateLists lists = build_lists(drawn, scene.camera, size, costs);
-            expect_lists_in_order(lists, drawn);
-            const Resolver by_lists(scene, drawn, size, &lists);
-            DecisionLevel level{};
-            for (int y = 0; y < size.height; y += 5) {
-                for (int x = 0; x < size.width; x += 3) ASSERT_EQ(by_lists.resolve({x, y}, level), by_all.resolve({x, y}, level));
-            }
         }
     }
 }
@@ -191,38 +176,45 @@ TEST(PixelGrid, TracesThePixelsInARange) {
     }
 }
 
-TEST(CandidateLists, OfAGridGiveItsPixelsWhatAllSpheresGive) {
-    for (const PictureSize size : {PictureSize{203, 154}, {64, 64}, {7, 130}}) {
-        for (const auto& [count, radius] : {std::pair{30, 90.0}, {3000, 8.0}, {3000, 0.4}}) {
-            const Scene scene = cloud(count, radius, 11);
-            const DrawnSpheres drawn = drawn_spheres(scene);
-            const Resolver by_all(scene, drawn, size);
-            for (const int step : {2, 8}) {
-                const PixelGrid grid{size, step};
-                const CandidateLists lists = build_grid_lists(drawn, scene.camera, grid, fine);
-                expect_lists_in_order(lists, drawn);
-                const Resolver by_lists(scene, drawn, size, &lists);
-                DecisionLevel level{};
-                for (int row = 0; row < grid.size().height; ++row) {
-                    for (int column = 0; column < grid.size().width; ++column) {
-                        const Pixel pixel{grid.traced_column(column), grid.traced_row(row)};
-                        const std::int32_t expected = by_all.resolve(pixel, level);
-                        ASSERT_EQ(by_lists.resolve(pixel, level), expected) << pixel.x << "," << pixel.y;
-                        const PixelRange& r = lists.covered;
-                        ASSERT_TRUE(expected < 0 ||
-                                    (pixel.x >= r.left && pixel.x <= r.right && pixel.y >= r.top && pixel.y <= r.bottom));
-                    }
-                }
-            }
+// Every traced pixel shows by the lists what it shows by all spheres, and nothing where no list covers it.
+void expect_lists_enough(const CandidateLists& lists, const Scene& scene, const DrawnSpheres& drawn, const PixelGrid& grid,
+                         int stride) {
+    expect_lists_in_order(lists, drawn);
+    const Resolver by_all(scene, drawn, grid.picture);
+    const Resolver by_lists(scene, drawn, grid.picture, &lists);
+    DecisionLevel level{};
+    for (int row = 0; row < grid.size().height; row += stride) {
+        for (int column = 0; column < grid.size().width; column += stride) {
+            const Pixel pixel{grid.traced_column(column), grid.traced_row(row)};
+            const std::int32_t expected = by_all.resolve(pixel, level);
+            ASSERT_EQ(by_lists.resolve(pixel, level), expected) << pixel.x << "," << pixel.y;
+            ASSERT_TRUE(expected < 0 || holds(lists.covered, pixel)) << pixel.x << "," << pixel.y;
         }
     }
 }
 
-TEST(CandidateLists, OfAGridLeaveOutWhatLiesBetweenItsRays) {
-    const Scene scene = cloud(20'000, 0.3, 12);
-    const DrawnSpheres drawn = drawn_spheres(scene);
-    const std::size_t all = build_lists(drawn, scene.camera, {1000, 1000}, fine).candidates.size();
-    EXPECT_LT(build_grid_lists(drawn, scene.camera, {{1000, 1000}, 8}, fine).candidates.size(), all / 4);
+TEST(CandidateLists, HoldEverySphereThatAPixelShows) {
+    const PictureSize size{203, 150};
+    for (const auto& [count, radius] : {std::pair<std::size_t, double>{3, 100.0}, {300, 10.0}, {5000, 1.0}, {30'000, 0.5}}) {
+        const Scene scene = cloud(count, radius, 7);
+        const DrawnSpheres drawn = drawn_spheres(scene);
+        for (const TileCosts& costs : {fine, coarse}) {
+            expect_lists_enough(build_lists(drawn, scene.camera, size, costs), scene, drawn, {size, 1}, 3);
+        }
+    }
+}
+
+TEST(CandidateLists, OfAGridGiveItsPixelsWhatAllSpheresGive) {
+    for (const PictureSize size : {PictureSize{203, 154}, {64, 64}, {7, 130}}) {
+        for (const auto& [count, radius] : {std::pair{30, 90.0}, {3000, 8.0}, {3000, 0.4}}) {
+            const Scene scene = cloud(static_cast<std::size_t>(count), radius, 11);
+            const DrawnSpheres drawn = drawn_spheres(scene);
+            for (const int step : {2, 8}) {
+                const PixelGrid grid{size, step};
+                expect_lists_enough(build_grid_lists(drawn, scene.camera, grid, fine), scene, drawn, grid, 1);
+            }
+        }
+    }
 }
 
 TEST(CandidateLists, AreTheSameEachTime) {
@@ -251,17 +243,19 @@ TEST(CandidateLists, StayInProportionToTheSpheres) {
     }
 }
 
-TEST(CandidateLists, AdaptTheirTilesToTheScene) {
+TEST(CandidateLists, AdaptToTheSceneAndTheGrid) {
     const auto finest = [](const Scene& scene) {
         const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, fine);
         return lists.levels.back().shift;
     };
     EXPECT_GT(finest(cloud(4, 50.0, 9)), finest(cloud(100'000, 0.2, 9)));
-}
-
-TEST(CandidateLists, AreEmptyWithoutSpheres) {
-    const CandidateLists lists = build_lists({}, {}, {10, 10}, fine);
-    EXPECT_TRUE(lists.levels.empty() && lists.candidates.empty());
+    const CandidateLists none = build_lists({}, {}, {10, 10}, fine);
+    EXPECT_TRUE(none.levels.empty() && none.candidates.empty());
+    // A grid's leave out what lies between its rays.
+    const Scene scene = cloud(20'000, 0.3, 12);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const std::size_t all = build_lists(drawn, scene.camera, {1000, 1000}, fine).candidates.size();
+    EXPECT_LT(build_grid_lists(drawn, scene.camera, {{1000, 1000}, 8}, fine).candidates.size(), all / 4);
 }
 
 TEST(CandidateLists, SuitPicturesOfAnyShape) {

@@ -1,18 +1,70 @@
-// Our PNG reader on files that libpng wrote.
+// Our PNG code and libpng: each reads what the other wrote.
+#include "image/png.hpp"
+
 #include <gtest/gtest.h>
+#include <png.h>
 #include <zlib.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
-#include "image/png.hpp"
-#include "unit/libpng_writer.hpp"
+#include "support/picture.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
 
 namespace {
+
+// What libpng shall write. `rows` holds the packed bytes of all rows, top row first, as the PNG standard lays them out.
+struct PngSpec {
+    int width = 1;
+    int height = 1;
+    int color_type = PNG_COLOR_TYPE_RGB;
+    std::vector<std::uint8_t> rows;
+    int depth = 8;
+    bool interlaced = false;
+    std::vector<png_color> palette = {};
+    std::vector<std::uint8_t> palette_alpha = {};  // a tRNS chunk for the first colours of the palette
+    bool has_clear_color = false;                  // a tRNS chunk that makes one colour of an RGB or grey picture transparent
+    png_color_16 clear_color{};
+};
+
+// A specification that libpng refuses is a mistake in a test.
+[[noreturn]] void on_error(png_structp /*png*/, png_const_charp message) {
+    std::fprintf(stderr, "libpng: %s\n", message);
+    std::abort();
+}
+
+void append(png_structp png, png_bytep data, png_size_t size) {
+    static_cast<std::string*>(png_get_io_ptr(png))->append(reinterpret_cast<const char*>(data), size);
+}
+
+std::string libpng_written(PngSpec spec) {
+    std::string bytes;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, on_error, nullptr);
+    png_infop info = png_create_info_struct(png);
+    png_set_write_fn(png, &bytes, append, nullptr);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(spec.width), static_cast<png_uint_32>(spec.height), spec.depth,
+                 spec.color_type, spec.interlaced ? PNG_INTERLACE_ADAM7 : PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    if (!spec.palette.empty()) png_set_PLTE(png, info, spec.palette.data(), static_cast<int>(spec.palette.size()));
+    if (!spec.palette_alpha.empty()) {
+        png_set_tRNS(png, info, spec.palette_alpha.data(), static_cast<int>(spec.palette_alpha.size()), nullptr);
+    }
+    if (spec.has_clear_color) png_set_tRNS(png, info, nullptr, 0, &spec.clear_color);
+
+    std::vector<png_bytep> rows;
+    const std::size_t row_bytes = png_get_rowbytes(png, info);
+    for (int y = 0; y < spec.height; ++y) rows.push_back(spec.rows.data() + static_cast<std::size_t>(y) * row_bytes);
+    png_set_rows(png, info, rows.data());
+    png_write_png(png, info, PNG_TRANSFORM_IDENTITY, nullptr);
+    png_destroy_write_struct(&png, &info);
+    return bytes;
+}
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -42,6 +94,18 @@ std::string with_size(std::string file, const std::string& side) {
 
 std::string refusal(std::string_view file) {
     return message_of<InputError>([&] { decode_png(file, "x.png"); });
+}
+
+void expect_libpng_reads(const Image& image) {
+    SCOPED_TRACE(std::to_string(image.width()) + "x" + std::to_string(image.height()) + "x" + std::to_string(image.channels()));
+    const std::string bytes(image.bytes().begin(), image.bytes().end());
+    const std::string file = encode_png(image);
+    EXPECT_EQ(test::decode_png(file), (test::Picture{image.width(), image.height(), image.channels(), bytes}));
+    EXPECT_EQ(encode_png(image), file);  // the same picture gives the same file
+    const Image again = decode_png(file, "x.png");
+    ASSERT_EQ(again.width(), image.width());
+    ASSERT_EQ(again.channels(), image.channels());
+    EXPECT_TRUE(std::ranges::equal(again.bytes(), image.bytes()));
 }
 
 }  // namespace
@@ -127,6 +191,26 @@ TEST(PngReader, RefusesDamageOfAnyByte) {
         file[i] = static_cast<char>(file[i] ^ 1);
         EXPECT_TRUE(refusal(file).starts_with("x.png: not a usable PNG: ")) << i;
     }
+}
+
+TEST(PngWriter, WritesWhatLibpngReads) {
+    std::mt19937 random(1);
+    for (const auto& [width, height] : {std::pair{1, 1}, {1, 9}, {9, 1}, {2, 3}, {7, 5}, {255, 3}, {257, 129}}) {
+        for (const int channels : {3, 4}) {
+            Image noise(width, height, channels);
+            for (std::uint8_t& byte : noise.bytes()) byte = static_cast<std::uint8_t>(random());
+            expect_libpng_reads(noise);
+            Image steps(width, height, channels);
+            for (std::size_t i = 0; i < steps.bytes().size(); ++i) steps.bytes()[i] = static_cast<std::uint8_t>(i / 100);
+            expect_libpng_reads(steps);
+        }
+    }
+}
+
+TEST(PngWriter, MakesAFlatPictureSmall) {
+    Image image(1000, 1000, 3);
+    std::ranges::fill(image.bytes(), std::uint8_t{200});
+    EXPECT_LT(encode_png(image).size(), 20'000U);
 }
 
 }  // namespace sphereview
