@@ -59,10 +59,11 @@ foreach(level IN ITEMS 1 2)
 endforeach()
 
 # A static library from the given sources of this folder, included as "folder/file.hpp". Of LEVEL 1: menus and the like, which nobody waits
-# for; 2, unless said; 3: what computes for each pixel, with the preset's own -O3 and no precompiled header.
+# for; 2, unless said; 3: what computes for each pixel, with the preset's own -O3 and no precompiled header. FAST sources are of level 3 in a
+# room that is not.
 function(add_room name)
-    cmake_parse_arguments(room "" "LEVEL" "SOURCES;LINKS" ${ARGN})
-    add_library(${name} STATIC ${room_SOURCES})
+    cmake_parse_arguments(room "" "LEVEL" "SOURCES;FAST;LINKS" ${ARGN})
+    add_library(${name} STATIC ${room_SOURCES} ${room_FAST})
     target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
     target_link_libraries(${name} PUBLIC ${room_LINKS} PRIVATE sphereview_options)
     if(NOT room_LEVEL)
@@ -71,5 +72,8 @@ function(add_room name)
     if(room_LEVEL LESS 3)
         target_link_libraries(${name} PRIVATE optimised_${room_LEVEL})
         use_precompiled(${name} precompiled_${room_LEVEL})
+    endif()
+    if(room_FAST AND NOT MSVC)
+        set_source_files_properties(${room_FAST} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>" SKIP_PRECOMPILE_HEADERS ON)
     endif()
 endfunction()
