@@ -1,12 +1,11 @@
 // sphereview convert: one scene from one format to another.
-#include <cstdio>
-
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/standard_streams.hpp"
 
 namespace sphereview {
 
@@ -34,8 +33,7 @@ ExitCode run_convert(const ConvertOptions& options) {
         return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
     }();
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
-        std::fprintf(stderr, "%s: the %s format cannot hold %s; left out\n", loaded.name.c_str(), std::string(format.name).c_str(),
-                     lost.c_str());
+        say(loaded.name + ": the " + std::string(format.name) + " format cannot hold " + lost + "; left out");
     }
     write_output(options.output, write_scene(loaded.scene, format));
     return ExitCode::done;

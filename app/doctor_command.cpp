@@ -58,7 +58,12 @@ Probed probe_apart(const std::string& culprit, double timeout_seconds, const std
         return failed(RenderFault::no_answer, " gave no answer within " + shortest(timeout_seconds) + " s");
     }
     if (result.end == End::crashed) return failed(RenderFault::crash, " crashed (signal " + std::to_string(result.code) + ")");
-    Probed probed{Json::parse(result.value)};
+    Probed probed;
+    try {
+        probed.row = Json::parse(result.value, "the probe's answer");
+    } catch (const InputError&) {
+        // A driver ended the process before the answer was whole.
+    }
     if (result.end == End::exited || !probed.row.is_object()) {
         return failed(RenderFault::exit, " ended the program (status " + std::to_string(result.code) + ")");
     }
@@ -122,9 +127,11 @@ Json diagnose(double timeout_seconds) {
 
 std::string in_words(const Json& rows) {
     std::string text = "sphereview " + std::string(version) + "\n";
-    const auto line = [&](const char* label, const std::string& value) { text += "    " + std::string(label) + value + "\n"; };
+    const auto line = [&](const char* label, const std::string& value) {
+        text += "    " + std::string(label) + on_one_line(value) + "\n";
+    };
     for (const Json& row : rows.list()) {
-        text += "\n" + text_of(row, "name") + ": " + (works(row) ? "works" : "does not work") + "\n";
+        text += "\n" + on_one_line(text_of(row, "name")) + ": " + (works(row) ? "works" : "does not work") + "\n";
         if (!works(row)) {
             line("why:       ", text_of(row, "reason"));
             line("try:       ", text_of(row, "advice"));

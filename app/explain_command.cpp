@@ -48,8 +48,9 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
 std::string in_words(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
                      const Background& background, const Color& color) {
     const PictureSize size = options.size;
-    std::string text = "pixel " + std::to_string(options.pixel.x) + "," + std::to_string(options.pixel.y) + " of " + name + " at " +
-                       std::to_string(size.width) + "x" + std::to_string(size.height) + " (0,0 is the top left)\n\n";
+    std::string text = "pixel " + std::to_string(options.pixel.x) + "," + std::to_string(options.pixel.y) + " of " +
+                       on_one_line(name) + " at " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                       " (0,0 is the top left)\n\n";
     text += "ray P = O + t D\n  O = " + vector_in_words(e.origin) + "  the eye\n  D = " + vector_in_words(e.direction) +
             "  through the pixel's centre, where t = 1\n\n";
     for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);

@@ -3,25 +3,36 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
+
+namespace {
+
+// What is said of `concerned`, in one line; or in those of a driver's log.
+Failure failure(ExitCode code, const std::string& concerned, const char* what, bool log = false) {
+    const std::string beginning = concerned.empty() ? "" : on_one_line(concerned) + ": ";
+    return {code, beginning + (log ? on_lines(what) : on_one_line(what))};
+}
+
+}  // namespace
 
 Failure describe_current_exception(const std::string& scene) {
     const std::string concerned = scene.empty() ? "sphereview" : scene;
     try {
         throw;
     } catch (const InputError& error) {
-        return {ExitCode::bad_input, error.what()};
+        return failure(ExitCode::bad_input, "", error.what());
     } catch (const OutputError& error) {
-        return {ExitCode::no_output, error.what()};
+        return failure(ExitCode::no_output, "", error.what());
     } catch (const RenderError& error) {
-        return {ExitCode::no_renderer, (scene.empty() ? "" : scene + ": ") + error.what()};
+        return failure(ExitCode::no_renderer, scene, error.what(), true);
     } catch (const MemoryError& error) {
-        return {ExitCode::no_renderer, error.what()};
+        return failure(ExitCode::no_renderer, "", error.what());
     } catch (const std::bad_alloc&) {
-        return {ExitCode::no_renderer, concerned + ": memory ran out"};
+        return failure(ExitCode::no_renderer, concerned, "memory ran out");
     } catch (const std::exception& error) {
-        return {ExitCode::no_renderer, concerned + ": an unexpected error: " + error.what()};
+        return failure(ExitCode::no_renderer, concerned, ("an unexpected error: " + std::string(error.what())).c_str());
     }
 }
 

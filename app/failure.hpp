@@ -9,7 +9,7 @@ namespace sphereview {
 
 struct Failure {
     ExitCode code = ExitCode::done;
-    std::string message;  // one line, or a shader's log
+    std::string message;  // one line, or a shader's log; safe to print
 };
 
 // Translates the exception being handled; call inside a catch. `scene` is the one that was being rendered, if any: errors that do

@@ -4,6 +4,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
+#include "base/nesting.hpp"
+#include "base/text.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -42,9 +46,17 @@ Json::Json(std::initializer_list<Json> values) {
 Json Json::from_text(std::string_view text) { return Json(owned(text)); }
 Json Json::array() { return Json(owned(Value::array())); }
 Json Json::object() { return Json(owned(Value::object())); }
-Json Json::parse(std::string_view text) {
-    Value value = Value::parse(text, nullptr, false);
-    return value.is_discarded() ? Json() : Json(owned(std::move(value)));
+Json Json::parse(std::string_view text, const std::string& name) {
+    const auto fail = [&](std::size_t offset, const std::string& what) {
+        throw InputError(place_in(name, position_at(text, offset)) + what);
+    };
+    if (const auto deep = find_too_deep(text)) fail(deep->offset, "found values nested deeper than " + std::to_string(most_nested));
+    try {
+        return Json(owned(Value::parse(text)));
+    } catch (const Value::parse_error& error) {
+        fail(error.byte == 0 ? 0 : error.byte - 1, "this is not JSON");
+    }
+    return {};
 }
 
 bool Json::is_null() const { return shown(value_).is_null(); }
@@ -83,7 +95,7 @@ void Json::update(const Json& members) { changed(value_).update(shown(members.va
 void Json::erase(std::string_view key) { changed(value_).erase(std::string(key)); }
 void Json::push_back(const Json& value) { changed(value_).push_back(shown(value.value_)); }
 
-std::string Json::dump(int indent) const { return shown(value_).dump(indent, ' ', false, Value::error_handler_t::replace); }
+std::string Json::dump(int indent) const { return shown(value_).dump(indent, ' ', true, Value::error_handler_t::replace); }
 
 bool is_utf8(std::string_view text) {
     try {

@@ -32,7 +32,8 @@ public:
     Json(std::initializer_list<Json> values);  // an object where all are of the form {"key", value}, else a list
     static Json array();
     static Json object();
-    static Json parse(std::string_view text);  // null where the text is not JSON
+    // Throws InputError with the place in `text`, which `name` is the file of, where that is not JSON or nests too deep.
+    static Json parse(std::string_view text, const std::string& name);
 
     // These are nothing for a value of another type; a member that is not there is null.
     bool is_null() const;
@@ -49,7 +50,7 @@ public:
     void erase(std::string_view key);
     void push_back(const Json& value);
 
-    // JSON must be UTF-8: what is not becomes U+FFFD.
+    // In ASCII alone, which no terminal acts on; what is not UTF-8 becomes U+FFFD.
     std::string dump(int indent = -1) const;
 
 private:

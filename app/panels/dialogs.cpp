@@ -17,7 +17,8 @@ namespace sphereview {
 
 namespace {
 
-float text_height(const std::string& text, float width) {
+float text_height(const std::string& unsafe, float width) {
+    const std::string text = shown_lines(unsafe);
     return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
 }
 
@@ -266,7 +267,7 @@ void ask_to_replace(Dialogs& dialogs, const std::string& path, std::function<voi
     Question question;
     question.id = "replace";
     question.title = "Replace the file?";
-    question.text = on_one_line(path) + "\n\nexists already.";
+    question.text = shown_text(path) + "\n\nexists already.";
     question.answers = {"Replace", "Cancel"};
     question.cancel = 1;
     question.focused = 1;

@@ -145,7 +145,7 @@ void draw_places(const PanelContext& context, FileBrowser& browser, const ImVec2
         const std::string path = text_from(folder);
         if (ImGui::Selectable((as_label(label) + "###" + widget).c_str(), path == browser.folder)) chosen = folder;
         note_widget(context, widget);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", on_one_line(path).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shown_text(path).c_str());
     };
     if (ImGui::BeginChild("places", size, true)) {
         if (!home_folder().empty()) place("Home", "browser home", home_folder());
@@ -175,7 +175,7 @@ Clicked draw_entry(const PanelContext& context, const FileEntry& entry, bool cho
         clicked = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) ? Clicked::twice : Clicked::entry;
     }
     note_widget(context, "entry " + entry.name);
-    const std::string shown = on_one_line(entry.name) + (entry.is_folder ? "/" : "");
+    const std::string shown = shown_text(entry.name) + (entry.is_folder ? "/" : "");
     const ImU32 color = ImGui::GetColorU32(entry.is_folder ? ImGuiCol_CheckMark : ImGuiCol_Text);
     ImGui::GetWindowDrawList()->AddText(begin, color, shown.data(), shown.data() + shown.size());
     if (entry.name == "..") return clicked;

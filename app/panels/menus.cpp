@@ -157,10 +157,10 @@ void draw_recent(const PanelContext& context, const std::vector<std::string>& re
         const std::filesystem::path path = path_from(recent[i]);
         ImGui::PushID(static_cast<int>(i));
         const std::string label = as_label(text_from(path.filename())) + "###recent";
-        const std::string folder = on_one_line(text_from(path.parent_path().filename()));
+        const std::string folder = shown_text(text_from(path.parent_path().filename()));
         if (ImGui::MenuItem(label.c_str(), folder.c_str())) context.actions.emplace_back(OpenFile{recent[i]});
         note_widget(context, "recent " + std::to_string(i));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", on_one_line(recent[i]).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shown_text(recent[i]).c_str());
         ImGui::PopID();
     }
     ImGui::EndMenu();

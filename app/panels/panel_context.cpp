@@ -20,7 +20,7 @@ std::string name_of(const Scene& scene, std::uint32_t number) {
 
 std::string title_of(const Scene& scene, std::uint32_t number) {
     const std::string name = name_of(scene, number);
-    return name.empty() ? "sphere " + std::to_string(number) : "'" + name + "'";
+    return name.empty() ? "sphere " + std::to_string(number) : "'" + shown_text(name) + "'";
 }
 
 std::string spheres_in_words(std::size_t count) { return in_groups(count) + (count == 1 ? " sphere" : " spheres"); }
@@ -29,17 +29,9 @@ std::string title_of(const Scene& scene, const Selection& selection) {
     return selection.size() == 1 ? title_of(scene, selection.numbers().front()) : spheres_in_words(selection.size());
 }
 
-std::string on_one_line(std::string_view text) {
-    std::string line(text);
-    for (char& c : line) {
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-    }
-    return line;
-}
-
 std::string as_label(std::string_view text) {
     std::string label;
-    for (const char c : on_one_line(text)) {
+    for (const char c : shown_text(text)) {
         if (c == '#' && label.ends_with('#')) label += ' ';
         label += c;
     }

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/text.hpp"
 #include "camera/navigation.hpp"
 #include "edit/document.hpp"
 #include "edit/selection.hpp"
@@ -79,8 +80,11 @@ std::string title_of(const Scene& scene, std::uint32_t number);
 std::string spheres_in_words(std::size_t count);
 std::string title_of(const Scene& scene, const Selection& selection);
 
-// On one line: control characters, such as a line's end in a file's name, become spaces.
-std::string on_one_line(std::string_view text);
+// Text from outside as ImGui gets it: safe, on one line or on its own, and no longer than ImGui can draw, which is some 16,000
+// characters.
+inline constexpr std::size_t most_shown = 2000;
+inline std::string shown_text(std::string_view text) { return on_one_line(text, most_shown); }
+inline std::string shown_lines(std::string_view text) { return on_lines(text, most_shown); }
 
 // For a label, in which ImGui takes "##" for the end of what is shown.
 std::string as_label(std::string_view text);

@@ -83,7 +83,7 @@ void draw_words(const PanelContext& context, std::uint32_t number, ImVec2 place,
     const Scene& scene = context.document.scene();
     const Sphere& sphere = scene.spheres[number];
     const std::string name = name_of(scene, number);
-    const std::string title = name.empty() ? title_of(scene, number) : name;
+    const std::string title = name.empty() ? title_of(scene, number) : shown_text(name);
     const std::string radius = short_text(sphere.radius);
     const float radius_left = right - ImGui::CalcTextSize(radius.c_str()).x;
     const float title_right = radius_left - ImGui::GetStyle().ItemSpacing.x;

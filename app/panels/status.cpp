@@ -200,7 +200,7 @@ std::string under_pointer(const PanelContext& context, const Status& status) {
     if (!status.pixel) return "";
     const Scene& scene = context.document.scene();
     if (!status.sphere || *status.sphere >= scene.spheres.size()) return "background";
-    return on_one_line(title_of(scene, *status.sphere));
+    return title_of(scene, *status.sphere);
 }
 
 }  // namespace

@@ -176,8 +176,9 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
 }
 
 void wrapped_text(std::string_view text, float wrap_at) {
+    const std::string safe = shown_lines(text);
     ImGui::PushTextWrapPos(wrap_at);
-    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+    ImGui::TextUnformatted(safe.data(), safe.data() + safe.size());
     ImGui::PopTextWrapPos();
 }
 

@@ -23,15 +23,16 @@ fs::path settings_file() {
     return folder.empty() ? fs::path() : folder / "viewer.json";
 }
 
-// An empty object where there is no file, or none with an object.
-Json read_file(const fs::path& file) {
+// An empty object where there is no file, or none with an object; `fault` says why.
+Json read_file(const fs::path& file, std::string& fault) {
     std::error_code ignored;
     if (file.empty() || !fs::is_regular_file(file, ignored)) return Json::object();
     try {
-        Json json = Json::parse(InputFile(file.string()).bytes());
+        Json json = Json::parse(InputFile(file.string()).bytes(), file.string());
         if (json.is_object()) return json;
-    } catch (const std::exception&) {
-        // An unreadable file counts as none.
+        fault = file.string() + ":1:1: this is not a JSON object";
+    } catch (const std::exception& error) {
+        fault = error.what();
     }
     return Json::object();
 }
@@ -112,8 +113,10 @@ void add_recent(ViewerSettings& settings, const std::string& path) {
 
 void remove_recent(ViewerSettings& settings, const std::string& path) { std::erase(settings.recent, absolute(path)); }
 
-ViewerSettings load_settings() {
-    const Json json = read_file(settings_file());
+ViewerSettings load_settings(std::string* fault) {
+    std::string unreadable;
+    const Json json = read_file(settings_file(), unreadable);
+    if (fault != nullptr) *fault = unreadable;
     ViewerSettings settings;
     read_place(json, settings.place);
     each_number(settings, [&](const char* key, auto& setting, auto range) { read(json, key, range, setting); });
@@ -131,7 +134,8 @@ bool save_settings(const ViewerSettings& settings) noexcept {
     try {
         const fs::path file = settings_file();
         if (file.empty() || !make_user_folder(file.parent_path())) return false;
-        Json json = read_file(file);
+        std::string ignored;
+        Json json = read_file(file, ignored);
         update(json, settings);
         write_output(file.string(), json.dump(4) + "\n");
         return true;

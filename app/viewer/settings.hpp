@@ -41,8 +41,9 @@ struct ViewerSettings {
 void add_recent(ViewerSettings& settings, const std::string& path);
 void remove_recent(ViewerSettings& settings, const std::string& path);
 
-// What was saved last; the default for each setting that is missing, broken or out of its range.
-ViewerSettings load_settings();
+// What was saved last; the default for each setting that is missing, broken or out of its range. `fault` gets what is wrong with a
+// file that cannot be read at all: "FILE:LINE:COLUMN: what was found".
+ViewerSettings load_settings(std::string* fault = nullptr);
 
 // Returns false when that cannot be done. What another version of the program keeps in the same file stays. A path that is not
 // UTF-8 is left out: JSON cannot hold it.

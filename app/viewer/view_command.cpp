@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/freed_memory.hpp"
 #include "base/interrupt.hpp"
+#include "base/standard_streams.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/viewer.hpp"
@@ -37,7 +38,7 @@ std::string keep_for_recovery(const ViewerState& state) {
 
 void save_for_recovery(const ViewerState& state) {
     const std::string said = keep_for_recovery(state);
-    if (!said.empty()) std::fprintf(stderr, "sphereview: %s\n", said.c_str());
+    if (!said.empty()) say("sphereview: " + said);
 }
 
 [[noreturn]] void on_connection_lost() {
@@ -49,7 +50,7 @@ void save_for_recovery(const ViewerState& state) {
         if (!kept.empty()) said += "; " + kept;
         save_settings(open_state->settings);
     }
-    std::fprintf(stderr, "sphereview: %s%s\n", said.c_str(), way_out);
+    say("sphereview: " + said + way_out);
     std::fflush(stderr);  // of all, one may be locked: a read of standard input waits on another thread
     std::_Exit(static_cast<int>(ExitCode::no_renderer));
 }
@@ -124,7 +125,9 @@ void load_first_scene(ViewerState& state) {
 
 ExitCode run_view(const ViewOptions& options) {
     return_large_blocks();
-    ViewerState state(options, load_settings());
+    std::string unreadable;
+    ViewerState state(options, load_settings(&unreadable));
+    if (!unreadable.empty()) say(unreadable + "; the settings begin anew");
     state.background = options.background;
     if (options.shading) state.settings.shading = *options.shading;
     if (options.size) {

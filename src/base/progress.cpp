@@ -24,7 +24,7 @@ Progress::Progress(bool enabled) : enabled_(enabled && stderr_is_terminal()) {}
 Progress::~Progress() { clear(); }
 
 void Progress::start(std::string what, double amount, std::string unit) {
-    what_ = std::move(what);
+    what_ = on_one_line(what);
     amount_ = amount;
     unit_ = std::move(unit);
     begin_ = Clock::now();

@@ -7,6 +7,8 @@
 #include <unistd.h>
 #endif
 
+#include "base/text.hpp"
+
 namespace sphereview {
 
 #ifdef _WIN32
@@ -24,5 +26,7 @@ std::FILE* binary_stdin() { return stdin; }
 std::FILE* binary_stdout() { return stdout; }
 bool stderr_is_terminal() { return isatty(STDERR_FILENO) != 0; }
 #endif
+
+void say(std::string_view line) { std::fputs((on_one_line(line) + "\n").c_str(), stderr); }
 
 }  // namespace sphereview

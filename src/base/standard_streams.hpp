@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdio>
+#include <string_view>
 
 namespace sphereview {
 
@@ -11,5 +12,8 @@ std::FILE* binary_stdout();
 
 // Whether a person watches standard error.
 bool stderr_is_terminal();
+
+// Writes one line to standard error, made safe by on_one_line().
+void say(std::string_view line);
 
 }  // namespace sphereview

@@ -34,22 +34,79 @@ std::string found_expected(std::string_view found, std::string_view expected) {
     return "found " + in_quotes(found) + ", expected " + std::string(expected);
 }
 
+namespace {
+
+// "\xNN"
+void append_in_digits(std::string& text, char character) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const auto byte = static_cast<unsigned char>(character);
+    text += "\\x";
+    text += digits[byte >> 4];
+    text += digits[byte & 15];
+}
+
+}  // namespace
+
+Utf8Character first_character(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    if (first < 0x80) return {1, first};
+    const std::size_t length = first >= 0xC2 && first < 0xE0   ? 2
+                               : first >= 0xE0 && first < 0xF0 ? 3
+                               : first >= 0xF0 && first < 0xF5 ? 4
+                                                               : 0;
+    if (length == 0 || text.size() < length) return {};
+    char32_t code = first & (0x7FU >> length);
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) return {};
+        code = code << 6 | (byte(i) & 0x3FU);
+    }
+    const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+    const bool surrogate = code >= 0xD800 && code < 0xE000;
+    if (overlong || surrogate || code > 0x10FFFF) return {};
+    return {length, code};
+}
+
+namespace {
+
+// Whether it steers a terminal, ends a line or turns the order of others around (Unicode's bidirectional marks).
+bool is_control(char32_t code) {
+    return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) ||
+           (code >= 0x2066 && code <= 0x2069);
+}
+
+std::string printable(std::string_view text, std::size_t most, bool keep_lines) {
+    std::string safe;
+    for (; !text.empty() && most > 0; --most) {
+        const Utf8Character next = first_character(text);
+        const std::string_view bytes = text.substr(0, std::max<std::size_t>(next.length, 1));
+        if (next.length > 0 && (!is_control(next.code) || (keep_lines && next.code == '\n'))) {
+            safe += bytes;
+        } else {
+            for (const char byte : bytes) append_in_digits(safe, byte);
+        }
+        text.remove_prefix(bytes.size());
+    }
+    return text.empty() ? safe : safe + "...";
+}
+
+}  // namespace
+
+std::string on_one_line(std::string_view text, std::size_t most) { return printable(text, most, false); }
+std::string on_lines(std::string_view text, std::size_t most) { return printable(text, most, true); }
+
 std::string in_quotes(std::string_view found) {
     constexpr std::size_t longest = 40;
-    constexpr std::string_view digits = "0123456789abcdef";
     std::string text = "'";
     for (const char character : found) {
         if (text.size() > longest) {
             text += "...";
             break;
         }
-        const auto byte = static_cast<unsigned char>(character);
-        if (byte >= 0x20 && byte < 0x7F) {
+        if (character >= ' ' && character <= '~') {
             text += character;
         } else {
-            text += "\\x";
-            text += digits[byte >> 4];
-            text += digits[byte & 15];
+            append_in_digits(text, character);
         }
     }
     return text + "'";

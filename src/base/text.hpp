@@ -29,6 +29,19 @@ std::string found_expected(std::string_view found, std::string_view expected);
 // `found` in single quotes, made safe for one terminal line: control and non-ASCII bytes as \xNN, at most 40 characters.
 std::string in_quotes(std::string_view found);
 
+// The character of UTF-8 that `text`, which is not empty, begins with; of length 0 where it begins with none (RFC 3629).
+struct Utf8Character {
+    std::size_t length = 0;  // in bytes
+    char32_t code = 0;
+};
+Utf8Character first_character(std::string_view text);
+
+// Text from outside, made safe to print and to show: control characters, line separators, marks that reorder text and bytes that are
+// no UTF-8 become \xNN for each byte. Of a longer text the first `most` characters stay, with "..." behind them.
+std::string on_one_line(std::string_view text, std::size_t most = std::string_view::npos);
+// The same, but line feeds stay.
+std::string on_lines(std::string_view text, std::size_t most = std::string_view::npos);
+
 // "; did you mean 'CANDIDATE'?" for the candidate most like `word`, ignoring case; "" when none is near enough to be what was
 // meant.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);

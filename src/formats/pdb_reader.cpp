@@ -1,5 +1,6 @@
 // The Protein Data Bank's format 3.3, as gemmi reads it. gemmi reads a coordinate that is no number as 0. So this file checks the
-// coordinates of the wanted model's atoms and gives gemmi only those lines.
+// coordinates of the wanted model's atoms and gives gemmi only those lines, none of which gemmi refuses: its messages would count
+// the lines that it got.
 #include <array>
 #include <gemmi/pdb.hpp>
 
@@ -51,7 +52,7 @@ private:
             open_ = has_atoms_ = true;
             if (frames_ - 1 != wanted_) return;
             check(begin, line);
-            atoms_.append(line.substr(0, columns_read)) += '\n';
+            atoms_.append(line.substr(0, columns_read)) += " \n";  // gemmi wants a character behind the coordinates
         } else if (is_record(line, "MODEL")) {
             ++frames_;
             open_ = true;
@@ -61,6 +62,8 @@ private:
     }
 
     void check(std::size_t begin, std::string_view line) const {
+        const std::size_t zero = line.substr(0, columns_read).find('\0');
+        if (zero != std::string_view::npos) source_.fail(begin + zero, "found a zero byte, expected text");
         for (const Field& field : coordinates) {
             const std::string expected = std::string(", expected the atom's ") + field.what + " in columns " +
                                          std::to_string(field.begin + 1) + " to " + std::to_string(field.end);
@@ -82,14 +85,6 @@ private:
     std::string atoms_{};
 };
 
-gemmi::Structure read_structure(const std::string& atoms, const std::string& name) {
-    try {
-        return gemmi::read_pdb_from_memory(atoms.data(), atoms.size(), name);
-    } catch (const std::runtime_error& error) {
-        throw InputError(name + ": the atoms cannot be read: " + error.what());
-    }
-}
-
 std::string number_of(const gemmi::Residue& residue) { return residue.seqid.num.has_value() ? residue.seqid.str() : std::string(); }
 
 }  // namespace
@@ -102,7 +97,7 @@ SphereData read_pdb(std::string_view content, const std::string& name, const Dat
     if (!filter.has_atoms()) fail_without_atoms(source, "a record ATOM or HETATM");
     require_frame(name, options.frame, filter.frames());
 
-    const gemmi::Structure structure = read_structure(filter.atoms(), name);
+    const gemmi::Structure structure = gemmi::read_pdb_from_memory(filter.atoms().data(), filter.atoms().size(), name);
     std::vector<MoleculeAtom> atoms;
     for (const gemmi::Model& model : structure.models) {
         for (const gemmi::Chain& chain : model.chains) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/nesting.hpp"
 #include "base/text.hpp"
 #include "formats/spheres_literal.hpp"
 #include "formats/text_format.hpp"
@@ -258,13 +259,17 @@ void read_spheres(const TomlText& document, const TableReader& reader, Scene& sc
 }
 
 toml::table parse(const TomlText& document) {
+    if (const auto deep = find_too_deep(document.content)) {
+        const std::string most = std::to_string(most_nested);
+        TextSource{document.name, document.content}.fail(
+            deep->offset, deep->in_key ? "found a key of more than " + most + " parts, expected at most " + most
+                                       : "found values nested more than " + most + " deep, expected at most " + most);
+    }
     try {
         return toml::parse(document.content, document.name);
     } catch (const toml::parse_error& error) {
         std::string description;
         for (const char c : error.description()) description += c >= ' ' && c <= '~' ? c : '?';
-        // The parser's name for its limit, which nobody here can change.
-        if (const std::size_t macro = description.find(" (TOML_"); macro != std::string::npos) description.resize(macro);
         toml::source_position place = error.source().begin;
         // A number that is too large is met behind its end.
         if (description.ends_with("representable in 64 bits") || description.ends_with("interpreted as a value")) {

@@ -112,6 +112,24 @@ TEST(BadScene, AFolderOrAMissingFileIsNamed) {
     EXPECT_TRUE(fails(render(folder, {"missing.txt"}), 2, "missing.txt: cannot be read: No such file or directory\n"));
 }
 
+TEST(BadScene, NothingFromOutsideSteersTheTerminalOrForgesALine) {
+    const TemporaryFolder folder;
+    const std::string name = "a\x1b[2J\nb.txt: fine";
+    folder.write(name, "x\x1b[2J");
+    EXPECT_EQ(render(folder, {name}).errors,
+              "a\\x1b[2J\\x0ab.txt: fine:1:1: found 'x\\x1b[2J', expected the number of spheres, a whole number\n");
+    EXPECT_TRUE(fails(render(folder, {"missing\nb.txt: fine"}), 2, "missing\\x0ab.txt: fine: cannot be read"));
+    folder.write("c\x1b.txt", red_scene);
+    const Outcome verbose = render(folder, {"c\x1b.txt", "-v"});
+    EXPECT_EQ(verbose.status, 0) << verbose;
+    EXPECT_FALSE(contains(verbose.errors, "\x1b")) << verbose;
+    folder.write("d.toml", "spheres = '1 255 0 0 0 0 200 20'\nbackground = 'blue'\n[names]\n0 = \"\\u001b[2J\\n\"\n");
+    Command explain{.arguments = {"explain", "c\x1b.txt", "--pixel", "500,500"}, .folder = folder.path()};
+    EXPECT_FALSE(contains(run(explain).output, "\x1b"));
+    explain.arguments[1] = "d.toml";
+    EXPECT_TRUE(contains(run(explain).output, R"('\x1b[2J\x0a')"));
+}
+
 TEST(BadScene, StandardInputIsCalledStdin) {
     const TemporaryFolder folder;
     Command command = cpu_render(folder, {"-"});

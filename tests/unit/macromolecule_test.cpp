@@ -126,6 +126,8 @@ TEST(Pdb, BadPlacesAreReported) {
     EXPECT_EQ(with(47, "        "), "a.pdb:2:47: found '        ', expected the atom's z in columns 47 to 54, a number");
     EXPECT_EQ(with(47, "  3.62 5"), "a.pdb:2:49: found '3.62 5', expected the atom's z in columns 47 to 54, a number");
     EXPECT_EQ(pdb_fault(nitrogen.substr(0, 46)), "a.pdb:1:47: the line ends, expected the atom's z in columns 47 to 54");
+    EXPECT_EQ(with(14, std::string(1, '\0')), "a.pdb:2:14: found a zero byte, expected text");
+    EXPECT_EQ(pdb(nitrogen.substr(0, 54)).scene.spheres.at(0).center, pdb(nitrogen).scene.spheres.at(0).center);
     EXPECT_EQ(pdb_fault(""), "a.pdb:1:1: the text is empty, expected a record ATOM or HETATM");
     EXPECT_EQ(pdb_fault("HEADER\nMODEL 1\nENDMDL\n"), "a.pdb:4:1: the text ends, expected a record ATOM or HETATM");
 }

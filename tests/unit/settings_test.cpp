@@ -70,7 +70,18 @@ TEST_F(Settings, AreTheDefaultsForABrokenFile) {
     for (const char* broken : {"", "{", "null", "[1,2]", "\"text\"", "{\"panel_width\": 500", "\xFF\xFE"}) {
         EXPECT_EQ(in_words(loaded_from(broken)), defaults) << broken;
     }
-    EXPECT_EQ(in_words(loaded_from(std::string(100'000, '['))), defaults);
+    for (const auto& [broken, fault] : std::vector<std::pair<std::string, std::string>>{
+             {std::string(100'000, '['), "1:33: found values nested deeper than 32"},
+             {"{\n\"a\": x}", "2:6: this is not JSON"},
+             {"[]", "1:1: this is not a JSON object"},
+         }) {
+        folder.write("config/sphereview/viewer.json", broken);
+        std::string said;
+        EXPECT_EQ(in_words(load_settings(&said)), defaults);
+        EXPECT_EQ(said, folder.path("config/sphereview/viewer.json") + ":" + fault);
+        EXPECT_TRUE(save_settings({}));
+        EXPECT_LT(folder.read("config/sphereview/viewer.json").size(), 1000U) << "what nests so deep is not written again";
+    }
 }
 
 TEST_F(Settings, AreTheDefaultsWhereAFieldIsWrong) {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/nesting.hpp"
 #include "base/number.hpp"
 
 namespace sphereview {
@@ -67,6 +68,63 @@ TEST(InQuotes, EscapesWhatATerminalWouldActAndCutsLongTexts) {
     EXPECT_EQ(in_quotes("\xC3\xA9"), R"('\xc3\xa9')");
     EXPECT_EQ(in_quotes(std::string(40, 'x')), "'" + std::string(40, 'x') + "'");
     EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
+}
+
+TEST(OnOneLine, EscapesWhatSteersATerminalAndKeepsOtherCharacters) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"a \\'K\xC3\xBCgel' \xE7\x90\x83 \xF0\x9F\x8C\x90", "a \\'K\xC3\xBCgel' \xE7\x90\x83 \xF0\x9F\x8C\x90"},
+        {"\x1b[2J\r\n\x7f", R"(\x1b[2J\x0d\x0a\x7f)"},
+        {"\xC2\x9B[", R"(\xc2\x9b[)"},                                // U+009B begins what ESC [ begins
+        {"\xE2\x80\xAE\xE2\x80\xA8", R"(\xe2\x80\xae\xe2\x80\xa8)"},  // from right to left; the end of a line
+        {"\xFF\xC3", R"(\xff\xc3)"},
+        // Longer forms than needed, a surrogate, beyond Unicode.
+        {"\xC0\x9B\xE0\x82\x9B\xED\xA0\x80\xF4\x90\x80\x80", R"(\xc0\x9b\xe0\x82\x9b\xed\xa0\x80\xf4\x90\x80\x80)"},
+    };
+    for (const auto& [text, safe] : cases) EXPECT_EQ(on_one_line(text), safe);
+    EXPECT_EQ(on_lines("a\n\r\tb\n"), "a\n\\x0d\\x09b\n");
+    EXPECT_EQ(on_one_line("\xC3\xA9\xC3\xA9\xC3\xA9", 2), "\xC3\xA9\xC3\xA9...");
+    EXPECT_EQ(on_one_line("ab", 2), "ab");
+}
+
+namespace {
+
+std::string repeated(int times, const std::string& part) {
+    std::string text;
+    for (int i = 0; i < times; ++i) text += part;
+    return text;
+}
+
+}  // namespace
+
+TEST(FindTooDeep, SeesKeysAndBracketsOutsideStringsAndComments) {
+    const std::string dots = "a" + repeated(40, ".a");
+    const std::string brackets = repeated(40, "[");
+    const std::string basic = R"(""")";
+    for (const std::string& harmless : {
+             "a" + repeated(most_nested - 1, ".a") + "=1",
+             repeated(most_nested, "["),
+             "a = [" + repeated(100, "1.5, ") + "]\n" + repeated(100, "b.c = 1\n") + repeated(100, "[[d]]\n"),
+             "# " + dots + "\n'" + dots + "' = \"" + brackets + "\\\"" + dots + "\"",
+             "a = '''" + brackets + "\n" + dots + "''''\nb = " + basic + dots + "\"\" \\" + basic + dots + basic + "\"\"",
+             std::string("a = 'no end\n\"nor here"),
+         }) {
+        EXPECT_FALSE(find_too_deep(harmless)) << harmless;
+    }
+    const std::vector<std::pair<std::string, std::size_t>> deep = {
+        {dots, 2 * most_nested - 1},
+        {"[[" + dots, 2 * most_nested + 1},
+        {"x = ''''''\n" + dots, 11 + 2 * most_nested - 1},
+        {"x = ''\n" + dots, 7 + 2 * most_nested - 1},
+        {repeated(40, "'a' . "), 6 * most_nested - 2},
+        {brackets, most_nested},
+        {repeated(40, "{a=["), 2 * most_nested},
+        {R"({"a\"":)" + brackets, 7 + most_nested - 1},
+    };
+    for (const auto& [text, offset] : deep) {
+        const auto found = find_too_deep(text);
+        ASSERT_TRUE(found) << text;
+        EXPECT_EQ(found->offset, offset) << text;
+    }
 }
 
 TEST(DidYouMean, NamesTheClosestCandidateThatIsNear) {
