@@ -9,6 +9,15 @@
 #include <random>
 #include <system_error>
 
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#endif
+
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/interrupt.hpp"
@@ -56,19 +65,88 @@ fs::path hidden_sibling(const fs::path& target) {
     return target.parent_path() / name;
 }
 
-// Writes all bytes and closes; false, with errno set, if any step fails. Standard output stays open.
-bool write_and_close(std::FILE* file, std::string_view bytes) {
+// Writes all bytes; false, with errno set, if that fails.
+bool write_to_stdout(std::string_view bytes) {
+    std::FILE* file = binary_stdout();
+    errno = 0;
+#ifdef _WIN32
+    const bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    return std::fflush(file) == 0 && good;
+#else
+    if (std::fflush(file) != 0) return false;
+    while (!bytes.empty()) {
+        const ssize_t count = write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (count >= 0) {
+            bytes.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
+            pollfd ready{STDOUT_FILENO, POLLOUT, 0};  // whoever has the other end made it non-blocking
+            if (poll(&ready, 1, -1) < 0 && errno != EINTR) return false;
+        } else if (errno != EINTR) {
+            return false;
+        }
+    }
+    return true;
+#endif
+}
+
+// A new file for writing, which nobody may read who could not read `old`; null, with errno set, if there can be none.
+std::FILE* create(const fs::path& path, const fs::file_status& old) {
+    errno = 0;
+#ifdef _WIN32
+    static_cast<void>(old);
+    return std::fopen(path.string().c_str(), "wbx");
+#else
+    const auto mode = fs::exists(old) ? static_cast<mode_t>(old.permissions() & fs::perms::all) | S_IWUSR : mode_t{0666};
+    const int handle = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    return handle < 0 ? nullptr : fdopen(handle, "wb");
+#endif
+}
+
+#ifndef _WIN32
+// File systems without such a thing say that it is invalid.
+bool sync(int handle) {
+#ifdef F_FULLFSYNC
+    if (fcntl(handle, F_FULLFSYNC) == 0) return true;
+#endif
+    return fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+}
+#endif
+
+bool is_on_disk(std::FILE* file) {
+#ifdef _WIN32
+    return _commit(_fileno(file)) == 0;
+#else
+    return sync(fileno(file));
+#endif
+}
+
+// The names in `folder` are on the disk when this returns true. Windows takes care of its names itself.
+bool are_names_on_disk(const fs::path& folder) {
+#ifdef _WIN32
+    static_cast<void>(folder);
+    return true;
+#else
+    const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (handle < 0) return errno == EACCES;  // a folder may be written to and not be read
+    const bool done = sync(handle);
+    close(handle);
+    return done;
+#endif
+}
+
+// Writes all bytes and closes; false, with errno set, if any step fails.
+bool write_and_close(std::FILE* file, std::string_view bytes, Durability durability) {
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     good = std::fflush(file) == 0 && good;
-    if (file == stdout) return good;
+    good = good && (durability == Durability::in_system || is_on_disk(file));
     const int first_error = errno;
     const bool closed = std::fclose(file) == 0;
     if (!good) errno = first_error;
     return good && closed;
 }
 
-void replace(const std::string& path, std::string_view bytes) {
+void replace(const std::string& path, std::string_view bytes, Durability durability) {
     const fs::path target = follow_links(path);
     const fs::path temporary = hidden_sibling(target);
     const Unfinished unfinished;
@@ -78,28 +156,28 @@ void replace(const std::string& path, std::string_view bytes) {
         fail(path, why);
     };
 
-    std::FILE* file = std::fopen(temporary.string().c_str(), "wbx");
-    if (file == nullptr) fail(path, last_error());
-    if (!write_and_close(file, bytes)) give_up(last_error());
-
     std::error_code error;
     const fs::file_status old = fs::status(target, error);
+    std::FILE* file = create(temporary, old);
+    if (file == nullptr) fail(path, last_error());
+    if (!write_and_close(file, bytes, durability)) give_up(last_error());
     if (fs::exists(old)) fs::permissions(temporary, old.permissions(), error);
     fs::rename(temporary, target, error);
     if (error) give_up(error.message());
+    if (durability == Durability::on_disk && !are_names_on_disk(target.parent_path())) fail(path, last_error());
 }
 
 }  // namespace
 
-void write_output(const std::string& path, std::string_view bytes) {
+void write_output(const std::string& path, std::string_view bytes, Durability durability) {
     check_output(path);
     if (path == standard_stream) {
-        if (!write_and_close(binary_stdout(), bytes)) fail(path, last_error());
+        if (!write_to_stdout(bytes)) fail(path, last_error());
     } else if (is_special(path)) {
         std::FILE* file = std::fopen(path.c_str(), "wb");
-        if (file == nullptr || !write_and_close(file, bytes)) fail(path, last_error());
+        if (file == nullptr || !write_and_close(file, bytes, Durability::in_system)) fail(path, last_error());
     } else {
-        replace(path, bytes);
+        replace(path, bytes, durability);
     }
 }
 

@@ -6,10 +6,15 @@
 
 namespace sphereview {
 
-// Puts `bytes` into `path`, or onto standard output for "-". A regular file is written beside under a hidden name and
-// renamed, keeping the mode of the file it replaces and following symbolic links; devices and FIFOs are written directly.
-// Not synchronised to the disk: this protects from errors and interruptions, not from a power cut. Throws OutputError.
-void write_output(const std::string& path, std::string_view bytes);
+// Whether a file counts as written once the disk has it and its name, which takes some milliseconds, or already when the system
+// has them: then a power cut may lose the file, or leave it empty.
+enum class Durability { on_disk, in_system };
+
+// Puts `bytes` into `path`, or onto standard output for "-", which is waited for where it is non-blocking. A regular file is
+// written beside under a hidden name and renamed, keeping the mode of the file it replaces and following symbolic links; devices
+// and FIFOs are written directly. Of a file with several names (hard links) only this one gets the bytes: the others keep the old
+// ones. Throws OutputError.
+void write_output(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk);
 
 // Throws OutputError when `path` plainly cannot become an output: a folder, below no folder, or not to be written to.
 // For saying so before long work; write_output checks again.

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
 #include <thread>
 
 #include "base/error.hpp"
@@ -42,6 +47,56 @@ TEST(WriteOutput, ReplacesAFileAndKeepsItsMode) {
     EXPECT_EQ(folder.read("out"), "new");
     EXPECT_EQ(fs::status(folder.path("out")).permissions(), fs::perms{0640});
     EXPECT_EQ(folder.names().size(), 1U);
+}
+
+TEST(WriteOutput, NeverShowsOthersWhatTheFileHidesFromThem) {
+    const test::TemporaryFolder folder;
+    folder.write("out", "old");
+    fs::permissions(folder.path("out"), fs::perms{0600});
+    const mode_t mask = umask(0);
+    // Until the hidden file was seen, of larger and larger outputs.
+    bool seen = false;
+    for (std::size_t size = std::size_t{1} << 20; !seen && size <= std::size_t{1} << 28; size *= 2) {
+        std::atomic<bool> ended = false;
+        std::thread writing([&] {
+            write_output(folder.path("out"), std::string(size, 'x'), Durability::in_system);
+            ended = true;
+        });
+        while (!ended) {
+            for (const std::string& name : folder.names()) {
+                struct stat status {};
+                if (name == "out" || stat(folder.path(name).c_str(), &status) != 0) continue;
+                seen = true;
+                EXPECT_EQ(status.st_mode & 0777U, 0600U);
+            }
+        }
+        writing.join();
+    }
+    umask(mask);
+    EXPECT_TRUE(seen);
+}
+
+TEST(WriteOutput, WaitsForAStandardOutputThatDoesNotBlock) {
+    std::array<int, 2> ends{};
+    ASSERT_EQ(pipe(ends.data()), 0);
+    fcntl(ends[1], F_SETFL, fcntl(ends[1], F_GETFL) | O_NONBLOCK);
+    std::fflush(stdout);
+    const int kept = dup(STDOUT_FILENO);
+    dup2(ends[1], STDOUT_FILENO);
+    close(ends[1]);
+    const std::string bytes(std::size_t{1} << 20, 'x');  // more than a pipe holds
+    std::string got;
+    std::thread reader([&] {
+        std::array<char, 4096> part{};
+        for (ssize_t count = 0; (count = read(ends[0], part.data(), part.size())) > 0;)
+            got.append(part.data(), static_cast<std::size_t>(count));
+    });
+    EXPECT_NO_THROW(write_output("-", bytes));
+    dup2(kept, STDOUT_FILENO);
+    close(kept);
+    reader.join();
+    close(ends[0]);
+    EXPECT_TRUE(got == bytes) << got.size();
 }
 
 TEST(WriteOutput, TakesTheLongestFileName) {
