@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "base/available_memory.hpp"
 #include "base/input_file.hpp"
+#include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
 

@@ -8,10 +8,8 @@
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
-#include "image/average.hpp"
-#include "scene/samples.hpp"
+#include "scene/camera.hpp"
 #include "shade/picture_shader.hpp"
-#include "shade/shade.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/count.hpp"
-
 namespace sphereview {
 
 TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin) {

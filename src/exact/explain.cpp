@@ -161,10 +161,6 @@ std::string number_in_words(double value, int sign) {
 
 }  // namespace
 
-PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel) {
-    return explain_pixel(scene, drawn_spheres(scene, camera), camera, size, pixel, nullptr);
-}
-
 PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
                                const CandidateLists* lists) {
     PixelExplanation out;

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"

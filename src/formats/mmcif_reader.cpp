@@ -6,8 +6,8 @@
 #include <optional>
 #include <unordered_map>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"

@@ -5,11 +5,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
-#include "shade/id_color.hpp"
-#include "shade/shade.hpp"
 
 namespace sphereview {
 
@@ -77,7 +76,18 @@ std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::floor
 
 std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(std::floor(channel * factor + 0.5)); }
 
+// Fills `count` pixels from `out` on with the `channels` bytes of `pixel`; doubling, because most runs are long.
+void fill(std::uint8_t* out, std::size_t count, const std::uint8_t* pixel, std::size_t channels) {
+    const std::size_t size = count * channels;
+    std::memcpy(out, pixel, channels);
+    for (std::size_t done = channels; done < size; done *= 2) std::memcpy(out + done, out, std::min(done, size - done));
+}
+
 }  // namespace
+
+Image make_picture(PictureSize size, const Background& background) {
+    return {size.width, size.height, background.transparent ? 4 : 3};
+}
 
 PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading,
                              const Background& background)
@@ -91,7 +101,6 @@ PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSi
 }
 
 void PictureShader::shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin) const {
-    if (shading_ == Shading::flat) return shade_flat(scene_, background_, block, visible, picture, origin);
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     const auto width = static_cast<std::size_t>(block.width);
     parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
@@ -102,65 +111,63 @@ void PictureShader::shade(const Block& block, std::span<const std::int32_t> visi
 }
 
 Color PictureShader::color(Pixel pixel, std::int32_t visible) const {
-    if (visible < 0) return background_.color;
-    if (shading_ == Shading::flat) return scene_.spheres[static_cast<std::size_t>(visible)].color;
     std::array<std::uint8_t, 3> bytes{};
     shade_row(pixel.x, pixel.y, {&visible, 1}, bytes.data(), bytes.size());
     return {bytes[0], bytes[1], bytes[2]};
 }
 
+// What all pixels show that show this sphere, where that does not depend on the hit.
+std::array<std::uint8_t, 4> PictureShader::pixel_of(std::int32_t number) const {
+    const Color color = number < 0                ? background_.color
+                        : shading_ == Shading::id ? id_color(static_cast<std::uint32_t>(number))
+                                                  : scene_.spheres[static_cast<std::size_t>(number)].color;
+    return {color.r, color.g, color.b, number < 0 && background_.transparent ? std::uint8_t{0} : std::uint8_t{255}};
+}
+
 void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visible, std::uint8_t* out, std::size_t channels) const {
-    const auto put = [&](std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t alpha) {
-        const std::array<std::uint8_t, 4> pixel = {r, g, b, alpha};
-        std::copy_n(pixel.data(), channels, out);
-        out += channels;
-    };
     const double upward = static_cast<double>(ray_coefficients(size_, {x, y}).upward);
     Span span;
     span.first = {rays_.forward.x + upward * rays_.up.x, rays_.forward.y + upward * rays_.up.y,
                   rays_.forward.z + upward * rays_.up.z};
     span.right = rays_.right;
     Hits hits;
-    std::int32_t last = visible_background;
-    for (std::size_t i = 0; i < visible.size();) {
-        const std::int32_t number = visible[i];
-        std::size_t end = i + 1;
-        while (end < visible.size() && end - i < most_at_once && visible[end] == number) ++end;
-        const std::size_t count = end - i;
-        if (number < 0) {
-            const Color& color = background_.color;
-            for (; i < end; ++i) put(color.r, color.g, color.b, background_.transparent ? 0 : 255);
+    const auto color_of = [&](const Sphere& sphere, std::size_t k) -> Color {
+        if (shading_ == Shading::normal) {
+            const auto along = [&](const glm::dvec3& axis) {
+                return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
+            };
+            return {along(axes_.right), along(axes_.up), along(-axes_.ahead)};
+        }
+        const double depth = between_0_and_1((hits.distance[k] - range_.nearest) * inverse_range_);
+        if (shading_ == Shading::depth) {
+            const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
+            return {grey, grey, grey};
+        }
+        const double light = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
+        return {times(sphere.color.r, light), times(sphere.color.g, light), times(sphere.color.b, light)};
+    };
+    for (auto run = visible.begin(); run != visible.end();) {
+        const std::int32_t number = *run;
+        const auto end = std::find_if(run, visible.end(), [=](std::int32_t other) { return other != number; });
+        if (number < 0 || !depends_on_hit(shading_)) {
+            const auto count = static_cast<std::size_t>(end - run);
+            fill(out, count, pixel_of(number).data(), channels);
+            out += count * channels;
+            run = end;
             continue;
         }
         const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
-        if (shading_ == Shading::id) {
-            const Color color = id_color(static_cast<std::uint32_t>(number));
-            for (; i < end; ++i) put(color.r, color.g, color.b, 255);
-            continue;
-        }
-        if (number != last) span.sphere = shaded_sphere(sphere, eye_);
-        last = number;
-        span.across = static_cast<double>(ray_coefficients(size_, {x + static_cast<int>(i), y}).across);
-        span.count = count;
-        find_hits(span, hits);
-        for (std::size_t k = 0; k < count; ++k) {
-            if (shading_ == Shading::normal) {
-                const auto along = [&](const glm::dvec3& axis) {
-                    return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
-                };
-                put(along(axes_.right), along(axes_.up), along(-axes_.ahead), 255);
-                continue;
+        span.sphere = shaded_sphere(sphere, eye_);
+        for (; run != end; run += static_cast<std::ptrdiff_t>(span.count)) {
+            span.across = static_cast<double>(ray_coefficients(size_, {x + static_cast<int>(run - visible.begin()), y}).across);
+            span.count = std::min(static_cast<std::size_t>(end - run), most_at_once);
+            find_hits(span, hits);
+            for (std::size_t k = 0; k < span.count; ++k, out += channels) {
+                const Color color = color_of(sphere, k);
+                const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, 255};
+                std::copy_n(pixel.data(), channels, out);
             }
-            const double depth = between_0_and_1((hits.distance[k] - range_.nearest) * inverse_range_);
-            if (shading_ == Shading::depth) {
-                const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
-                put(grey, grey, grey, 255);
-                continue;
-            }
-            const double light = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
-            put(times(sphere.color.r, light), times(sphere.color.g, light), times(sphere.color.b, light), 255);
         }
-        i = end;
     }
 }
 

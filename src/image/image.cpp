@@ -1,4 +1,4 @@
-#include "image/average.hpp"
+#include "image/image.hpp"
 
 #include <array>
 #include <cassert>
