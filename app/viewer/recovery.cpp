@@ -188,10 +188,7 @@ void Autosave::look(const Document& document, const std::string& original, Clock
         due_ = now + look_again;
         return;
     }
-    if (job_) {
-        finish();
-        due_.reset();
-    }
+    finish();
     if (!document.is_changed()) {
         if (kept_) remove_own_recovery();
         kept_ = false;
@@ -202,39 +199,41 @@ void Autosave::look(const Document& document, const std::string& original, Clock
     } else if (!due_) {
         due_ = now + pause_;
     } else if (now >= *due_) {
-        if (document.scene().spheres.size() <= spheres_at_once) {
-            keep(document, original);
-        } else {
-            keep_in_background(document, original);
-            due_ = now + look_again;
-        }
+        begin(document, original);
+        due_ = now + look_again;
     }
 }
 
-void Autosave::keep_in_background(const Document& document, const std::string& original) {
+void Autosave::begin(const Document& document, const std::string& original) {
     job_begin_ = Clock::now();
     tried_ = document.revision();
     kept_ = true;
-    job_.emplace(
-        [scene = std::make_shared<const Scene>(document.scene()), original](WorkControl&) { write_recovery(*scene, original); });
+    due_.reset();
+    // The copy that is being written comes first, or it would replace this newer one.
+    job_ = std::make_shared<BackgroundJob>(
+        [scene = std::make_shared<const Scene>(document.scene()), original, earlier = job_, done = done_](WorkControl&) {
+            if (earlier) earlier->wait();
+            *done = write_recovery(*scene, original);
+        });
 }
 
 void Autosave::finish() {
     if (!job_) return;
     job_->wait();
     pause_ = std::max(shortest_pause, pauses_per_write * (Clock::now() - job_begin_));
+    due_.reset();
     job_.reset();
 }
 
 bool Autosave::keep(const Document& document, const std::string& original) {
-    finish();  // or the copy being written would replace this newer one
-    const auto begin = Clock::now();
-    const bool done = write_recovery(document.scene(), original);
-    pause_ = std::max(shortest_pause, pauses_per_write * (Clock::now() - begin));
-    tried_ = document.revision();
-    kept_ = kept_ || done;
-    due_.reset();
-    return done;
+    begin(document, original);
+    finish();
+    return *done_;
+}
+
+std::shared_ptr<const BackgroundJob> Autosave::keep_before_reading(const Document& document, const std::string& original) {
+    if (document.is_changed() && document.revision() != tried_) begin(document, original);
+    return job_;
 }
 
 }  // namespace sphereview

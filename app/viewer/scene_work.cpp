@@ -41,9 +41,11 @@ bool is_read_at_once(const std::string& path) {
 }
 
 void start_loading(ViewerState& state, LoadRequest request) {
-    const bool at_once = is_read_at_once(request.path);
+    const auto kept = state.autosave.keep_before_reading(state.document, state.path);
+    const bool at_once = is_read_at_once(request.path) && state.scene().spheres.size() <= spheres_at_once;
     auto loaded = std::make_shared<LoadedScene>();
-    BackgroundJob job([loaded, path = request.path, options = request.options](WorkControl& control) mutable {
+    BackgroundJob job([loaded, kept, path = request.path, options = request.options](WorkControl& control) mutable {
+        if (kept) kept->wait();
         options.control = &control;
         *loaded = load_scene(path, options);
     });

@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <future>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "app/load_scene.hpp"
@@ -26,6 +28,7 @@ namespace {
 ViewerState* open_state = nullptr;
 
 constexpr std::chrono::milliseconds patience_without_window{300};
+constexpr std::chrono::seconds patience{2};  // with a window that does not act on a signal
 
 constexpr const char* way_out = " ('sphereview render' needs no window; 'sphereview doctor' says what works here)";
 
@@ -143,15 +146,26 @@ ExitCode run_view(const ViewOptions& options) {
         Window::set_connection_lost_handler(on_connection_lost);
         // Only now: until there is a window, an interruption ends the program at once, also while it waits for standard input.
         static std::atomic<int> interrupted = 0;
-        pass_interrupts_to([](int signal_number) {
+        static std::promise<void> loop_ended;
+        static std::promise<void> edits_kept;
+        pass_interrupts_to([&state](int signal_number) {
             interrupted = signal_number;
             Window::wake();
+            if (loop_ended.get_future().wait_for(patience) == std::future_status::ready) {
+                edits_kept.get_future().wait();
+                std::this_thread::sleep_for(patience);  // closing a window may hang too
+            } else {
+                save_for_recovery(state);  // the loop hangs, in a driver perhaps, and changes nothing meanwhile
+            }
+            std::_Exit(128 + signal_number);
         });
         Viewer viewer(state, window);
         window.show();
         try {
             viewer.run([] { return interrupted.load() != 0; });
+            loop_ended.set_value();
         } catch (...) {
+            loop_ended.set_value();
             wait_for_saving(state);
             state.autosave.finish();
             save_for_recovery(state);
@@ -163,6 +177,7 @@ ExitCode run_view(const ViewOptions& options) {
         if (interrupted != 0) {
             save_for_recovery(state);
             save_settings(state.settings);
+            edits_kept.set_value();
             return static_cast<ExitCode>(128 + interrupted.load());
         }
         remove_own_recovery();  // saved, or not wanted

@@ -109,6 +109,8 @@ void Viewer::wait_for_work() {
         if (path == state_.path) {
             look_at_file(state_);
         } else {
+            // A driver's compiler may end the program.
+            if (const auto kept = state_.autosave.keep_before_reading(state_.document, state_.path)) kept->wait();
             state_.messages.shader_error = picture_.reload_shaders();
         }
         pacing_.touch();

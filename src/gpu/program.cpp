@@ -109,6 +109,7 @@ ShaderFiles::ShaderFiles(const std::string& folder) {
         const std::string name = entry->path().filename().string();
         if (name.starts_with('.')) continue;  // an editor's
         if (extension != ".vert" && extension != ".frag" && extension != ".glsl") continue;
+        if (std::error_code ignored; !entry->is_regular_file(ignored)) continue;  // a FIFO would be waited for
         read_[name] = InputFile(entry->path().string()).bytes();
     }
     if (error) throw InputError(folder + ": cannot read the shaders in it: " + error.message());

@@ -1,5 +1,6 @@
 // Shaders that a person edits while the picture is shown.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -87,6 +88,7 @@ TEST_P(ShaderFolderTest, AShaderMayBeAsSimpleAsCanBe) {
 }
 
 TEST_P(ShaderFolderTest, WhatTheFolderLacksIsTheProgramsOwn) {
+    ASSERT_EQ(mkfifo(folder_.path("fifo.glsl").c_str(), 0600), 0);  // is not waited for
     TemporaryFolder other;
     other.write("shade.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(0.0, 0.0, 1.0, 1.0); }\n");
     other.write(".#trace.frag", "an editor's");

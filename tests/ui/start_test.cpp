@@ -116,6 +116,15 @@ TEST(Recovery, OffersChangesUntilTheyAreSavedOrDiscarded) {
     }
     {
         ViewerWindow window(folder, {});
+        window.step("a window that hangs");
+        answer(window, "recover", "Recover");
+        edit(window);
+        window.server().hang();
+        window.send(SIGTERM);
+        EXPECT_EQ(window.wait_for_end().status, 128 + SIGTERM);
+    }
+    {
+        ViewerWindow window(folder, {});
         window.step("discarded");
         answer(window, "recover", "Discard");
         wait_for_no_dialogs(window);

@@ -168,6 +168,7 @@ XServer::XServer(const ScreenOptions& options) {
 }
 
 void XServer::kill() { xvfb_->send(SIGKILL); }
+void XServer::hang() { xvfb_->send(SIGSTOP); }
 
 Picture XServer::screen() const {
     const Connection x(display_);

@@ -25,6 +25,7 @@ public:
     const std::string& display() const { return display_; }
     // As a crash would.
     void kill();
+    void hang();  // answers nothing any more
     // What the screen shows, RGB.
     Picture screen() const;
     // What a window manager sends to the program's window when its close button is pressed (WM_DELETE_WINDOW).
