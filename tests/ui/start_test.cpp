@@ -1,6 +1,7 @@
 // Starts that are refused, ends that nobody asked for, and shaders that are edited while the program runs.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -28,8 +29,12 @@ std::string refused(const TemporaryFolder& folder, const std::string& scene, con
 // Waits until the running window has kept its changes, or has forgotten them.
 void wait_for_kept(ViewerWindow& window, const TemporaryFolder& folder, bool kept) {
     window.wait_until(kept ? "changes that are kept" : "no changes that are kept", [&](const Json&) {
-        const std::string state = folder.path("home/state/sphereview");
-        return kept == (std::filesystem::exists(state) && !std::filesystem::is_empty(state));
+        std::error_code none;
+        const std::filesystem::directory_iterator files(folder.path("home/state/sphereview"), none);
+        return kept == std::any_of(begin(files), end(files), [](const auto& file) {
+                   const std::string name = file.path().filename().string();
+                   return name.starts_with("recovery-") && name.ends_with(".toml");  // whole: before, its name is hidden
+               });
     });
 }
 
@@ -118,10 +123,13 @@ TEST(Recovery, OffersChangesUntilTheyAreSavedOrDiscarded) {
         ViewerWindow window(folder, {});
         window.step("a window that hangs");
         answer(window, "recover", "Recover");
+        window.wait_for("spheres", 1);
         edit(window);
         window.server().hang();
         window.send(SIGTERM);
-        EXPECT_EQ(window.wait_for_end().status, 128 + SIGTERM);
+        const Outcome outcome = window.wait_for_end();
+        EXPECT_EQ(outcome.status, 128 + SIGTERM);
+        EXPECT_TRUE(contains(outcome.errors, "unsaved changes of untitled are kept")) << outcome;
     }
     {
         ViewerWindow window(folder, {});
