@@ -118,7 +118,13 @@ std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const ch
 }
 
 constexpr const char* a_file = "the name of a file";
+const std::string backends_listed = listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or");
 const std::string scene_files = "Scene file: " + listed(format_names(), "or") + "; - is standard input";
+
+std::optional<Backend> backend_named(const std::string& name) {
+    const auto found = std::ranges::find(backend_names, name);
+    return found == backend_names.end() ? std::nullopt : std::optional(static_cast<Backend>(found - backend_names.begin()));
+}
 
 template <typename Field>
 CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, const std::string& type, const std::string& help) {
@@ -210,9 +216,8 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
-    const std::string backends(backend_names);
-    add_option(command, options.backend, {"--backend", "NAME", backends + " [auto, or SPHEREVIEW_BACKEND]", backends},
-               [](const std::string& text) { return backend_named(text); });
+    add_option(command, options.backend, {"--backend", "NAME", backends_listed + " [auto, or SPHEREVIEW_BACKEND]", backends_listed},
+               backend_named);
     add_option(command, options.device,
                {"--device", "N", "Number of an EGL device, as 'doctor' lists them",
                 "the number of an EGL device, as 'sphereview doctor' lists them"},
@@ -241,7 +246,7 @@ void check(const CLI::App& command, RenderOptions& options) {
     const char* variable = std::getenv("SPHEREVIEW_BACKEND");
     if (!named && variable != nullptr && *variable != '\0') {
         const std::optional<Backend> backend = backend_named(variable);
-        if (!backend) wrong("SPHEREVIEW_BACKEND", in_quotes(variable), backend_names);
+        if (!backend) wrong("SPHEREVIEW_BACKEND", in_quotes(variable), backends_listed);
         options.backend = *backend;
     }
     if (!options.device) return;

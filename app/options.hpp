@@ -2,18 +2,27 @@
 // anything.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/backend_name.hpp"
-#include "app/exit_code.hpp"
+#include "app/failure.hpp"
 #include "app/load_scene.hpp"
 #include "formats/scene_format.hpp"
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 
 namespace sphereview {
+
+// The renderers that a person can ask for.
+enum class Backend { automatic, egl, osmesa, cpu };
+
+// By their values.
+inline constexpr std::array<std::string_view, 4> backend_names = {"auto", "egl", "osmesa", "cpu"};
+
+constexpr std::string_view name_of(Backend backend) { return backend_names[static_cast<std::size_t>(backend)]; }
 
 struct RenderOptions {
     std::vector<std::string> scenes;    // paths, or "-"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "panels/dialog_parts.hpp"
+#include "base/user_folders.hpp"
 #include "panels/file_listing.hpp"
 #include "panels/widgets.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "panels/dialog_parts.hpp"
+#include "base/user_folders.hpp"
 #include "panels/file_listing.hpp"
 #include "panels/panel_context.hpp"
 #include "panels/widgets.hpp"
@@ -234,9 +234,8 @@ std::pair<Clicked, FileEntry> draw_entries(const PanelContext& context, FileBrow
 }
 
 std::string label_of(const FileKind& kind) {
-    std::string endings;
-    for (const std::string& ending : kind.endings) endings += (endings.empty() ? " (" : ", ") + ending;
-    return as_label(kind.name + (kind.endings.empty() || kind.endings.size() > 3 ? "" : endings + ")"));
+    const bool few = !kind.endings.empty() && kind.endings.size() <= 3;
+    return as_label(kind.name + (few ? " (" + joined(kind.endings, ", ") + ")" : ""));
 }
 
 void choose_kind(FileBrowser& browser, std::size_t kind) {

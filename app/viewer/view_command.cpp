@@ -58,7 +58,6 @@ void recover(ViewerState& state, const Recovery& recovery) {
     const std::string path = recovery.original;
     const auto accept = [&state, path, recovery](LoadedScene loaded) {
         if (!path.empty()) loaded.format = format_of_name(path);
-        loaded.has_camera = !is_data(loaded.format);
         adopt(state, std::move(loaded), path);
         state.document.mark_unsaved();
         // Now they are this process's to keep: until they are, their file stays.
@@ -90,7 +89,7 @@ void offer_recovery(ViewerState& state) {
 }
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
-    const bool fits_view = loaded.has_camera && state.options.fit.wanted.value_or(false);
+    const bool fits_view = loaded.has_camera() && state.options.fit.wanted.value_or(false);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
     if (fits_view) {

@@ -94,7 +94,7 @@ void replace(const std::string& path, std::string_view bytes) {
 void write_output(const std::string& path, std::string_view bytes) {
     check_output(path);
     if (path == standard_stream) {
-        if (!write_and_close(binary_stdout(), bytes)) fail(path, last_error());
+        if (!write_and_close(binary(stdout), bytes)) fail(path, last_error());
     } else if (is_special(path)) {
         std::FILE* file = std::fopen(path.c_str(), "wb");
         if (file == nullptr || !write_and_close(file, bytes)) fail(path, last_error());
