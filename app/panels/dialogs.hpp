@@ -124,8 +124,9 @@ Decision draw_content(const PanelContext& context, Question& question, const Dia
 Decision draw_content(const PanelContext& context, ExportForm& form, const DialogKeys& keys, Dialogs& dialogs);
 Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs);
 
-// Asks whether a file may be replaced. If so, the dialog below the question goes away, and `then` is called.
-void ask_to_replace(Dialogs& dialogs, const std::string& path, std::function<void()> then);
+// The decision of a dialog in which a file was chosen: to go away and call `accept`; where the file would be replaced, only once
+// the person agrees.
+Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept);
 
 // Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
 void draw_text(const std::string& text, float width, float most);

@@ -108,8 +108,7 @@ Decision confirm(FileBrowser& browser, Dialogs& dialogs) {
     auto accept = [give = browser.accept, text = text_from(path)] {
         if (give) give(text);
     };
-    if (!browser.saving || !exists) return {true, std::move(accept)};
-    return {false, [&dialogs, text = text_from(path), accept = std::move(accept)] { ask_to_replace(dialogs, text, accept); }};
+    return accept_file(dialogs, text_from(path), browser.saving && exists, std::move(accept));
 }
 
 // A text box that is typed into does not see that its text was replaced. So each folder has a box of its own.

@@ -25,14 +25,6 @@ void ask(ViewerState& state, Question question) {
     state.dialogs.push_back(std::move(question));
 }
 
-// What to do with a scene that was asked for now: `then`, and before that the question about edits, if any were made meanwhile.
-std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then) {
-    return [&state, revision = state.document.revision(), then = std::move(then)](LoadedScene loaded) {
-        if (state.document.revision() == revision) return then(std::move(loaded));
-        with_edits_safe(state, [then, kept = std::make_shared<LoadedScene>(std::move(loaded))] { then(std::move(*kept)); });
-    };
-}
-
 void read_scene(ViewerState& state, const std::string& path) {
     // The stamp is of before the reading: what is written meanwhile shows as a change.
     const auto accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
@@ -244,6 +236,13 @@ void with_edits_safe(ViewerState& state, std::function<void()> then) {
                     if (answer == 0) save_scene(state, then);
                     if (answer == 1) then();
                 }});
+}
+
+std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then) {
+    return [&state, revision = state.document.revision(), then = std::move(then)](LoadedScene loaded) {
+        if (state.document.revision() == revision) return then(std::move(loaded));
+        with_edits_safe(state, [then, kept = std::make_shared<LoadedScene>(std::move(loaded))] { then(std::move(*kept)); });
+    };
 }
 
 void new_scene(ViewerState& state) {

@@ -106,12 +106,7 @@ void load_first_scene(ViewerState& state) {
     const LoadOptions options = load_options(state, state.options.data.frame);
     if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
     adopt(state, {.format = SceneFormat::toml}, "");
-    const auto accept = [&state, revision = state.document.revision()](LoadedScene loaded) {
-        if (state.document.revision() == revision) return adopt_first_scene(state, std::move(loaded));
-        with_edits_safe(state, [&state, kept = std::make_shared<LoadedScene>(std::move(loaded))] {
-            adopt_first_scene(state, std::move(*kept));
-        });
-    };
+    const auto accept = unless_edited(state, [&state](LoadedScene loaded) { adopt_first_scene(state, std::move(loaded)); });
     const auto fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
     start_loading(state, {.path = path, .options = options, .accept = accept, .fail = fail});
     if (!state.loading->job.wait_for(patience_without_window)) return;

@@ -219,15 +219,7 @@ void Viewer::draw_box() const {
     const auto on_screen = [&](const glm::dvec2& place) {
         return ImVec2(static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_));
     };
-    const ImVec2 from = on_screen(glm::min(box->from, box->to));
-    const ImVec2 to = on_screen(glm::max(box->from, box->to));
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(area_.x, area_.y), ImVec2(area_.x + area_.width, area_.y + area_.height));
-    draw->AddRectFilled(from, to, IM_COL32(255, 255, 255, 40));
-    // Light beside dark: seen on every colour.
-    draw->AddRect(ImVec2(from.x - 1.0F, from.y - 1.0F), ImVec2(to.x + 1.0F, to.y + 1.0F), IM_COL32(0, 0, 0, 160));
-    draw->AddRect(from, to, IM_COL32(255, 255, 255, 220));
-    draw->PopClipRect();
+    draw_frame(area_, on_screen(glm::min(box->from, box->to)), on_screen(glm::max(box->from, box->to)), 160, 220, 40);
 }
 
 void Viewer::redraw() {

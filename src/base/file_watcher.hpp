@@ -33,7 +33,8 @@ public:
     void watch(const std::vector<std::string>& paths);
 
     // Which of them were written, replaced or created, and then left alone from one look to the next: a file that is half
-    // written is not told of. Looks at most four times a second. Whether the content is another is for the caller to see.
+    // written is not told of, nor one that is gone. Looks at most four times a second. Whether the content is another is for the
+    // caller to see.
     std::vector<std::string> look(Time now);
 
     // When to call look(); nothing while there is nothing to watch.
