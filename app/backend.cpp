@@ -1,17 +1,14 @@
 #include "app/backend.hpp"
 
-#include <array>
 #include <cstdlib>
 #include <functional>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
 namespace {
-
-constexpr std::array<std::pair<Backend, std::string_view>, 4> names = {
-    {{Backend::automatic, "auto"}, {Backend::egl, "egl"}, {Backend::osmesa, "osmesa"}, {Backend::cpu, "cpu"}}};
 
 bool hardware_ruled_out() {
     // As Mesa reads it.
@@ -20,14 +17,11 @@ bool hardware_ruled_out() {
     return setting == "1" || setting == "true" || setting == "yes" || setting == "y" || setting == "t";
 }
 
+using OpenContext = std::function<std::unique_ptr<GlContext>()>;
+
 // Opens a context and a renderer in it, and notes where; throws RenderError when either does not work.
-void open_gl(OpenBackend& open, Backend backend, const std::string& where,
-             const std::function<std::unique_ptr<GlContext>()>& open_context, Timings& timings) {
-    std::unique_ptr<GlContext> context;
-    {
-        const PhaseTimer timer(timings, Phase::context);
-        context = open_context();
-    }
+void open_gl(OpenBackend& open, Backend backend, const std::string& where, const OpenContext& open_context, Timings& timings) {
+    std::unique_ptr<GlContext> context = timed(timings, Phase::context, open_context);
     std::optional<GpuRenderer> gpu;
     gpu.emplace(timings);
     open.backend = backend;
@@ -37,33 +31,36 @@ void open_gl(OpenBackend& open, Backend backend, const std::string& where,
     open.context = std::move(context);
 }
 
+// Notes why where that does not work.
+bool try_gl(OpenBackend& open, Backend backend, const std::string& where, const OpenContext& open_context, Timings& timings) {
+    try {
+        open_gl(open, backend, where, open_context, timings);
+        return true;
+    } catch (const RenderError& error) {
+        open.passed_over.push_back(where + ": " + error.what());
+        return false;
+    }
+}
+
 void close(OpenBackend& open) {
     open.gpu.reset();
     open.context.reset();
     open.tile_costs = cpu_tile_costs;
 }
 
-bool try_egl_device(OpenBackend& open, const EglDevice& device, Timings& timings) {
-    try {
-        open_gl(
-            open, Backend::egl, device.name, [&] { return open_egl(device); }, timings);
-        return true;
-    } catch (const RenderError& error) {
-        open.passed_over.push_back(device.name + ": " + error.what());
-        return false;
-    }
-}
-
 // Hardware first, then software.
 bool try_egl(OpenBackend& open, Timings& timings) {
     std::vector<EglDevice> devices;
     try {
-        const PhaseTimer timer(timings, Phase::context);
-        devices = list_egl_devices();
+        devices = timed(timings, Phase::context, list_egl_devices);
     } catch (const RenderError& error) {
         open.passed_over.push_back(std::string("EGL: ") + error.what());
         return false;
     }
+    const auto try_device = [&](const EglDevice& device) {
+        return try_gl(
+            open, Backend::egl, device.name, [&] { return open_egl(device); }, timings);
+    };
     const bool has_devices = !devices.empty() && devices.front().kind == EglDevice::Kind::device;
     std::vector<const EglDevice*> later;
     for (const EglDevice& device : devices) {
@@ -71,30 +68,20 @@ bool try_egl(OpenBackend& open, Timings& timings) {
         const bool perhaps_hardware = has_devices ? device.kind == EglDevice::Kind::device && !device.software : true;
         if (!perhaps_hardware || hardware_ruled_out()) {
             later.push_back(&device);
-        } else if (try_egl_device(open, device, timings)) {
+        } else if (try_device(device)) {
             if (!open.context->is_software()) return true;
             close(open);
             later.insert(later.begin(), &device);
         }
     }
     for (const EglDevice* device : later) {
-        if (!try_egl_device(open, *device, timings)) continue;
+        if (!try_device(*device)) continue;
         if (open.context->is_software() || !hardware_ruled_out()) return true;
         open.passed_over.push_back(device->name + ": it is hardware, which LIBGL_ALWAYS_SOFTWARE rules out");
         close(open);
     }
     if (devices.empty()) open.passed_over.push_back("EGL: it offers no device");
     return false;
-}
-
-bool try_osmesa(OpenBackend& open, Timings& timings) {
-    try {
-        open_gl(open, Backend::osmesa, "OSMesa", open_osmesa, timings);
-        return true;
-    } catch (const RenderError& error) {
-        open.passed_over.push_back(std::string("OSMesa: ") + error.what());
-        return false;
-    }
 }
 
 void open_numbered_device(OpenBackend& open, int number, Timings& timings) {
@@ -113,27 +100,7 @@ void open_numbered_device(OpenBackend& open, int number, Timings& timings) {
     throw InputError("sphereview: --device: found '" + std::to_string(number) + "', " + range + " (see 'sphereview doctor')");
 }
 
-std::string joined(const std::vector<std::string>& reasons) {
-    std::string text;
-    for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
-    return text;
-}
-
 }  // namespace
-
-std::string_view name_of(Backend backend) {
-    for (const auto& [value, name] : names) {
-        if (value == backend) return name;
-    }
-    return "";
-}
-
-std::optional<Backend> backend_named(std::string_view name) {
-    for (const auto& [value, known] : names) {
-        if (known == name) return value;
-    }
-    return std::nullopt;
-}
 
 OpenBackend open_backend(Backend backend, std::optional<int> device, Timings& timings) {
     OpenBackend open;
@@ -143,10 +110,10 @@ OpenBackend open_backend(Backend backend, std::optional<int> device, Timings& ti
         return open;
     }
     if (backend != Backend::osmesa && try_egl(open, timings)) return open;
-    if (backend != Backend::egl && try_osmesa(open, timings)) return open;
+    if (backend != Backend::egl && try_gl(open, Backend::osmesa, "OSMesa", open_osmesa, timings)) return open;
     if (backend != Backend::automatic) {
-        throw RenderError("the backend " + std::string(name_of(backend)) + " does not work here: " + joined(open.passed_over) +
-                          " (see 'sphereview doctor')");
+        throw RenderError("the backend " + std::string(name_of(backend)) +
+                          " does not work here: " + joined(open.passed_over, "; ") + " (see 'sphereview doctor')");
     }
     return open;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/backend_name.hpp"
+#include "app/options.hpp"
 #include "base/timings.hpp"
 #include "cpu/cpu_renderer.hpp"
 #include "gpu/gpu_renderer.hpp"

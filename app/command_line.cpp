@@ -88,8 +88,8 @@ CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Rea
 }
 
 // Declares an option without a value, which sets the field to `value`.
-template <typename Field>
-CLI::Option* add_flag(CLI::App& command, Field& field, const std::string& name, const std::string& help, bool value = true) {
+template <typename Field, typename Value = bool>
+CLI::Option* add_flag(CLI::App& command, Field& field, const std::string& name, const std::string& help, Value value = true) {
     const auto set = [&field, value] { field = value; };
     return command.add_flag_callback(name, set, help);
 }
@@ -118,7 +118,13 @@ std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const ch
 }
 
 constexpr const char* a_file = "the name of a file";
+const std::string backends_listed = listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or");
 const std::string scene_files = "Scene file: " + listed(format_names(), "or") + "; - is standard input";
+
+std::optional<Backend> backend_named(const std::string& name) {
+    const auto found = std::ranges::find(backend_names, name);
+    return found == backend_names.end() ? std::nullopt : std::optional(static_cast<Backend>(found - backend_names.begin()));
+}
 
 template <typename Field>
 CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, const std::string& type, const std::string& help) {
@@ -210,9 +216,8 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
-    const std::string backends(backend_names);
-    add_option(command, options.backend, {"--backend", "NAME", backends + " [auto, or SPHEREVIEW_BACKEND]", backends},
-               [](const std::string& text) { return backend_named(text); });
+    add_option(command, options.backend, {"--backend", "NAME", backends_listed + " [auto, or SPHEREVIEW_BACKEND]", backends_listed},
+               backend_named);
     add_option(command, options.device,
                {"--device", "N", "Number of an EGL device, as 'doctor' lists them",
                 "the number of an EGL device, as 'sphereview doctor' lists them"},
@@ -224,6 +229,9 @@ void declare(CLI::App& command, RenderOptions& options) {
              "For comparison: keep float's best guess where float cannot tell which sphere is seen. What is lost: the "
              "picture may differ by a few pixels from one machine to the next",
              false);
+    add_flag(command, options.durability, "--no-sync",
+             "Do not wait until the disk has each picture, some milliseconds: for many of them. A power cut may lose the last ones",
+             Durability::in_system);
     add_flag(command, options.timings, "--timings", "Say on stderr how long each phase took, in ms");
     add_flag(command, options.json, "--json", "Report each scene as one JSON line on stdout");
     add_flag(command, options.verbose, "--verbose",
@@ -241,7 +249,7 @@ void check(const CLI::App& command, RenderOptions& options) {
     const char* variable = std::getenv("SPHEREVIEW_BACKEND");
     if (!named && variable != nullptr && *variable != '\0') {
         const std::optional<Backend> backend = backend_named(variable);
-        if (!backend) wrong("SPHEREVIEW_BACKEND", in_quotes(variable), backend_names);
+        if (!backend) wrong("SPHEREVIEW_BACKEND", in_quotes(variable), backends_listed);
         options.backend = *backend;
     }
     if (!options.device) return;

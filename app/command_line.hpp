@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "app/exit_code.hpp"
+#include "app/failure.hpp"
 
 namespace sphereview {
 

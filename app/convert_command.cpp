@@ -2,7 +2,6 @@
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
 #include "base/error.hpp"
-#include "base/gunzip.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/standard_streams.hpp"
@@ -14,22 +13,17 @@ ExitCode run_convert(const ConvertOptions& options) {
     if (!input.empty() && input == file_identity(options.output)) {
         throw InputError(options.output + ": the output is also the input");
     }
-    const std::string endings = listed(format_endings(is_written), "or");
-    const SceneFormat& named = format_of_name(options.output);
-    if (!is_written(named)) {  // whatever --to says: no command could open the file
-        throw InputError(options.output + ": found a name for " + std::string(named.name) +
-                         ", which is only read; expected one that ends with " + endings);
-    }
-    if (without_gzip_ending(options.output) != options.output) {
-        throw InputError(options.output + ": found a name for gzip, which is only read; expected one that ends with " + endings);
+    // Whatever --to says: no command could open the file.
+    if (const std::string fault = name_fault(options.output); !fault.empty()) {
+        throw InputError(options.output + ": found " + fault);
     }
     check_output(options.output);
 
-    const SceneFormat format = options.to.value_or(named);
+    const SceneFormat format = options.to.value_or(format_of_name(options.output));
     FitOptions fit = options.fit;
     if (format.holds_only_spheres && !fit.wanted) fit.wanted = false;  // no camera is made only to be lost
     const LoadedScene loaded = [&] {
-        Progress progress(true);
+        Progress progress;
         return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
     }();
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {

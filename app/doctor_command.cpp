@@ -6,24 +6,132 @@
 #include "app/failure.hpp"
 #include "app/json.hpp"
 #include "app/options.hpp"
-#include "app/probe.hpp"
+#include "app/render_picture.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/isolated_call.hpp"
 #include "base/output_file.hpp"
 #include "base/text.hpp"
+#include "gpu/live_picture.hpp"
+#include "image/compare.hpp"
 #include "platform/gl_context.hpp"
 
 namespace sphereview {
 
 namespace {
 
-// What became of a probe: the row's facts, or the reason why it does not work, with its kind.
-struct Probed {
-    Json row;
-    RenderFault fault = RenderFault::other;
-};
+constexpr PictureSize test_size{64, 48};
+constexpr Background test_background{{10, 20, 30}, false};
+
+// A sphere in front of a part of another, one around the eye's side, one behind the eye.
+Scene test_scene() {
+    Scene scene;
+    scene.spheres = {{{0.0, 0.0, 300.0}, 80.0, {255, 0, 0}},
+                     {{40.0, 30.0, 150.0}, 20.0, {0, 200, 100}},
+                     {{-120.0, -60.0, 260.0}, 50.0, {1, 2, 3}},
+                     {{0.0, 0.0, -100.0}, 50.0, {255, 255, 255}}};
+    return scene;
+}
+
+Image render_test(OpenBackend& backend) {
+    Timings timings;
+    PictureFacts facts;
+    const Scene scene = test_scene();
+    return render_picture(backend, scene, drawn_spheres(scene), {scene.camera, test_size, test_background, true}, timings, facts,
+                          [](double) {});
+}
+
+// As a window shows it.
+Image show_test() {
+    const auto [width, height] = test_size;
+    const Texture colors = Texture::make();
+    glBindTexture(GL_TEXTURE_2D, colors.name());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    const Framebuffer window = Framebuffer::make();
+    glBindFramebuffer(GL_FRAMEBUFFER, window.name());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colors.name(), 0);
+    LivePicture live;
+    live.update(Document(test_scene()), {test_scene().camera, test_size}, 1);
+    live.show({0, 0, width, height}, test_background, {});
+    // The bottom row of the window comes first.
+    Image picture(width, height, 4);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int y = 0; y < height; ++y) {
+        glReadPixels(0, height - 1 - y, width, 1, GL_RGBA, GL_UNSIGNED_BYTE, picture.at(0, y));
+    }
+    check_gl("showing");
+    return picture;
+}
+
+Json describe_context(const GlContext& context, const GpuRenderer& gpu) {
+    const GlDescription gl = describe_gl();
+    return {{"vendor", gl.vendor},
+            {"renderer", gl.renderer},
+            {"version", gl.version},
+            {"glsl", gl.glsl},
+            {"software", context.is_software()},
+            {"largest_uniform_block_bytes", gl.largest_uniform_block},
+            {"spheres_in_uniform_block", gpu.uniform_capacity()},
+            {"largest_texture_side", gl.largest_texture_side},
+            {"largest_viewport", gl.largest_viewport}};
+}
+
+void check_pixels(const Image& picture, const Image& expected, const std::string& what) {
+    const Comparison comparison = compare(picture, expected);
+    if (!comparison.equal()) throw RenderError(what + " is wrong: " + describe(comparison, picture, expected));
+}
+
+Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>& open_context) {
+    OpenBackend cpu;
+    const Image expected = render_test(cpu);
+    OpenBackend open;
+    Timings timings;
+    open.context = open_context();
+    open.backend = backend;
+    open.gpu.emplace(timings);
+    Json result = {{"works", true}};
+    result.update(describe_context(*open.context, *open.gpu));
+    check_pixels(render_test(open), expected, "a test picture");
+    check_pixels(show_test(), expected, "the same picture in a window");
+    return result;
+}
+
+// These render a small scene and check every pixel: {"works": true, "renderer", ...limits}. They throw RenderError where that does
+// not work.
+Json probe_cpu() {
+    OpenBackend cpu;
+    const Image picture = render_test(cpu);
+    // Where the red sphere, the green one and the background are follows from the scene.
+    const auto is = [&](int x, int y, Color c) {
+        const std::uint8_t* at = picture.at(x, y);
+        return at[0] == c.r && at[1] == c.g && at[2] == c.b;
+    };
+    if (!is(32, 24, {255, 0, 0}) || !is(44, 14, {0, 200, 100}) || !is(0, 0, test_background.color)) {
+        throw RenderError("a test picture came out wrong");
+    }
+    return {{"works", true}, {"renderer", "the CPU renderer"}};
+}
+
+Json probe_osmesa() { return probe_gl(Backend::osmesa, open_osmesa); }
+
+// `index`: into list_egl().
+Json probe_egl(std::size_t index) {
+    const std::vector<EglDevice> devices = list_egl_devices();
+    if (index >= devices.size()) throw RenderError("EGL no longer offers it");
+    return probe_gl(Backend::egl, [&] { return open_egl(devices[index]); });
+}
+
+// What EGL offers: {"devices": [{"name", "device", "software"}]}.
+Json list_egl() {
+    Json devices = Json::array();
+    for (const EglDevice& device : list_egl_devices()) {
+        devices.push_back({{"name", device.name},
+                           {"device", device.kind == EglDevice::Kind::device ? Json(device.index) : Json(nullptr)},
+                           {"software", device.software}});
+    }
+    return {{"devices", devices}};
+}
 
 bool works(const Json& row) { return row["works"].boolean() == true; }
 std::string text_of(const Json& row, const char* key) { return row[key].text().value_or(""); }
@@ -44,36 +152,35 @@ std::string probe(const std::function<Json()>& call) {
 }
 
 // Probes in a copy of the process, so that a driver that hangs or crashes ends only the copy.
-Probed probe_apart(const std::string& culprit, double timeout_seconds, const std::function<Json()>& call) {
+Json probe_apart(const std::string& culprit, double timeout_seconds, const std::function<Json()>& call) {
     const auto limit = std::chrono::milliseconds(static_cast<long long>(timeout_seconds * 1000.0));
     const IsolatedResult result = call_isolated([&] { return probe(call); }, limit);
     const auto failed = [&](RenderFault fault, const std::string& reason) {
         std::string_view said = trimmed(result.errors);
         said = said.substr(said.find_last_of("\r\n") + 1);
         const std::string why = culprit + reason + (said.empty() ? "" : "; it said: " + std::string(said));
-        return Probed{{{"works", false}, {"reason", why}}, fault};
+        return Json{{"works", false}, {"reason", why}, {"fault", static_cast<int>(fault)}};
     };
     using End = IsolatedResult::End;
     if (result.end == End::timed_out) {
         return failed(RenderFault::no_answer, " gave no answer within " + shortest(timeout_seconds) + " s");
     }
     if (result.end == End::crashed) return failed(RenderFault::crash, " crashed (signal " + std::to_string(result.code) + ")");
-    Probed probed;
+    Json row;
     try {
-        probed.row = Json::parse(result.value, "the probe's answer");
+        row = Json::parse(result.value, "the probe's answer");
     } catch (const InputError&) {
         // A driver ended the process before the answer was whole.
     }
-    if (result.end == End::exited || !probed.row.is_object()) {
+    if (result.end == End::exited || !row.is_object()) {
         return failed(RenderFault::exit, " ended the program (status " + std::to_string(result.code) + ")");
     }
-    if (const auto fault = probed.row["fault"].whole()) probed.fault = static_cast<RenderFault>(*fault);
-    probed.row.erase("fault");
-    return probed;
+    return row;
 }
 
 // What a person can do about the backend of `row`, which does not work; `earlier` are the rows before it.
-std::string advice(const Json& row, RenderFault fault, const Json& earlier) {
+std::string advice(const Json& row, const Json& earlier) {
+    const auto fault = static_cast<RenderFault>(row["fault"].whole().value_or(0));
     const std::string backend = text_of(row, "backend");
     const bool slow = fault == RenderFault::no_answer;
     if (backend == "cpu") {
@@ -103,18 +210,19 @@ std::string advice(const Json& row, RenderFault fault, const Json& earlier) {
 
 Json diagnose(double timeout_seconds) {
     Json rows = Json::array();
-    const auto add = [&](const std::string& backend, const std::string& name, const Json& device, const Probed& probed) {
+    const auto add = [&](const std::string& backend, const std::string& name, const Json& device, const Json& probed) {
         Json row = {{"backend", backend}, {"name", name}, {"device", device}};
-        row.update(probed.row);
-        if (!works(row)) row.set("advice", advice(row, probed.fault, rows));
+        row.update(probed);
+        if (!works(row)) row.set("advice", advice(row, rows));
+        row.erase("fault");
         rows.push_back(row);
     };
     const std::string driver = "the driver";
-    const Probed egl = probe_apart(driver, timeout_seconds, list_egl);
-    if (egl.row["devices"].is_null()) {
+    const Json egl = probe_apart(driver, timeout_seconds, list_egl);
+    if (egl["devices"].is_null()) {
         add("egl", "EGL", nullptr, egl);
     } else {
-        const std::vector<Json> devices = egl.row["devices"].list();
+        const std::vector<Json> devices = egl["devices"].list();
         for (std::size_t i = 0; i < devices.size(); ++i) {
             add("egl", text_of(devices[i], "name"), devices[i]["device"],
                 probe_apart(driver, timeout_seconds, [i] { return probe_egl(i); }));

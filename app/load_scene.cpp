@@ -30,7 +30,6 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded;
     loaded.name = stream.name();
     loaded.format = detect_format(stream.bytes(), stream.name());
-    loaded.has_camera = !loaded.format.is_data;
     if (!loaded.format.has_frames) require_frame(loaded.name, options.data.frame, 1);
     if (loaded.format.stream != nullptr) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
@@ -52,9 +51,9 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
     const FitOptions& fit = options.fit;
-    if (!fit.wanted.value_or(!loaded.has_camera)) return loaded;
+    if (!fit.wanted.value_or(!loaded.has_camera())) return loaded;
     Camera& camera = loaded.scene.camera;
-    const ViewAxes present = loaded.has_camera ? axes_of(camera) : data_axes;
+    const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
     camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present))).value_or(camera);
     return loaded;
 }

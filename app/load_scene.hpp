@@ -20,8 +20,10 @@ struct LoadedScene {
     Scene scene{};
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    bool has_camera = true;   // its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden
     std::int64_t frames = 1;  // in the file
+
+    // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
+    bool has_camera() const { return !format.is_data; }
 };
 
 // From where a scene is seen, if not by its own camera.

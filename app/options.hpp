@@ -2,18 +2,28 @@
 // anything.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "app/backend_name.hpp"
-#include "app/exit_code.hpp"
+#include "app/failure.hpp"
 #include "app/load_scene.hpp"
+#include "base/output_file.hpp"
 #include "formats/scene_format.hpp"
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 
 namespace sphereview {
+
+// The renderers that a person can ask for.
+enum class Backend { automatic, egl, osmesa, cpu };
+
+// By their values.
+inline constexpr std::array<std::string_view, 4> backend_names = {"auto", "egl", "osmesa", "cpu"};
+
+constexpr std::string_view name_of(Backend backend) { return backend_names[static_cast<std::size_t>(backend)]; }
 
 struct RenderOptions {
     std::vector<std::string> scenes;    // paths, or "-"
@@ -29,6 +39,7 @@ struct RenderOptions {
     std::optional<std::string> expect;  // a golden image, may hold {name}
     std::optional<std::string> diff;    // where the picture of the difference goes, may hold {name}
     bool certify = true;
+    Durability durability = Durability::on_disk;  // of pictures
     bool timings = false;
     bool json = false;
     bool verbose = false;

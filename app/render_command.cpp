@@ -2,17 +2,22 @@
 #include <algorithm>
 #include <cstdio>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/failure.hpp"
+#include "app/json.hpp"
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
-#include "app/render_report.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/progress.hpp"
+#include "base/standard_streams.hpp"
+#include "base/text.hpp"
+#include "base/timings.hpp"
 #include "image/compare.hpp"
 #include "image/png.hpp"
 #include "tiles/build_lists.hpp"
@@ -20,6 +25,114 @@
 namespace sphereview {
 
 namespace {
+
+// What one render has to say: for people on stderr, for programs as a JSON line on stdout.
+struct RenderReport {
+    RenderJob job;
+    std::size_t spheres = 0;
+    std::string backend;                   // "" while none was opened
+    std::string renderer;                  // OpenBackend::description
+    std::vector<std::string> passed_over;  // better ones, with reasons
+    Timings timings;
+    PictureFacts facts;
+    std::optional<Comparison> comparison;
+    ExitCode status = ExitCode::done;
+    std::string error;  // "" when done
+};
+
+Json to_json(const RenderReport& report, const RenderOptions& options) {
+    Json timings;
+    for (std::size_t i = 0; i < phase_names.size(); ++i) timings.set(phase_names[i], report.timings[static_cast<Phase>(i)]);
+    Json json = {
+        {"scene", report.job.label},
+        {"status", static_cast<int>(report.status)},
+        {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
+        {"output", report.job.output},
+        {"size", {options.size.width, options.size.height}},
+        {"samples", options.samples},
+        {"shade", name_of(options.shading)},
+        {"spheres", report.spheres},
+        {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
+        {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
+        {"passed_over", report.passed_over},
+        {"decided",
+         {{"float", report.facts.decisions.in_float},
+          {"double", report.facts.decisions.in_double},
+          {"exact", report.facts.decisions.exactly}}},
+        {"spheres_in", report.facts.spheres_in.empty() ? Json(nullptr) : Json(report.facts.spheres_in)},
+        {"tiles",
+         {{"sides", report.facts.tile_sides},
+          {"candidates", report.facts.candidates},
+          {"longest_list", report.facts.longest_list}}},
+        {"timings_ms", timings},
+    };
+    if (report.comparison) {
+        const Comparison& comparison = *report.comparison;
+        const bool has_first = comparison.different_pixels > 0;
+        json.set("comparison", {{"expected", report.job.expect},
+                                {"equal", comparison.equal()},
+                                {"same_size", comparison.same_size},
+                                {"different_pixels", comparison.different_pixels},
+                                {"largest_difference", comparison.largest},
+                                {"first", has_first ? Json{comparison.first_x, comparison.first_y} : Json(nullptr)}});
+    }
+    return json;
+}
+
+void print_backend(const RenderReport& report, const RenderOptions& options) {
+    std::string line = report.job.label + ": backend: " + report.renderer;
+    if (!report.passed_over.empty()) line += "; passed over: " + joined(report.passed_over, "; ");
+    if (options.shading != Shading::flat) line += "; shaded: " + std::string(name_of(options.shading));
+    say(line);
+}
+
+// Tiles and decisions are of points where a pixel has several.
+std::string unit_of(const RenderOptions& options) {
+    return options.samples == 1 ? "pixels" : "points (" + std::to_string(options.samples) + " a pixel)";
+}
+
+// "NAME: tiles of 16 and 4 pixels, candidates: 2,600,000, in the longest list: 400; spheres in buffer textures".
+void print_tiles(const RenderReport& report, const RenderOptions& options) {
+    const PictureFacts& facts = report.facts;
+    if (facts.spheres_in.empty()) return;
+    std::vector<std::string> sides;
+    for (const int side : facts.tile_sides) sides.push_back(std::to_string(side));
+    const std::string tiles = sides.empty() ? "no sphere is in the picture"
+                                            : "tiles of " + listed(sides, "and") + (options.samples == 1 ? " pixels" : " points");
+    say(report.job.label + ": " + tiles + ", candidates: " + in_groups(facts.candidates) +
+        ", in the longest list: " + in_groups(facts.longest_list) + "; spheres in " + facts.spheres_in);
+}
+
+// Nothing was counted where best guesses were kept, or nothing was drawn.
+void print_decisions(const RenderReport& report, const RenderOptions& options) {
+    const DecisionCounts& counts = report.facts.decisions;
+    if (counts.in_float + counts.in_double + counts.exactly == 0) return;
+    say(report.job.label + ": " + unit_of(options) + " decided: " + std::to_string(counts.in_float) + " in float, " +
+        std::to_string(counts.in_double) + " in double, " + std::to_string(counts.exactly) + " exactly");
+}
+
+void print_timings(const RenderReport& report) {
+    for (std::size_t i = 0; i < phase_names.size(); ++i) {
+        std::fprintf(stderr, "%-10s %9s ms\n", std::string(phase_names[i]).c_str(),
+                     fixed(report.timings[static_cast<Phase>(i)], 3).c_str());
+    }
+}
+
+// On stderr: what `options` ask for (--verbose, --timings), and the error if there is one.
+void print_words(const RenderReport& report, const RenderOptions& options) {
+    if (options.verbose && !report.renderer.empty()) print_backend(report, options);
+    if (options.timings) print_timings(report);
+    if (options.verbose || options.timings) {
+        print_tiles(report, options);
+        print_decisions(report, options);
+    }
+    if (!report.error.empty()) std::fprintf(stderr, "%s\n", report.error.c_str());
+}
+
+// On stdout, as one line. Throws OutputError.
+void print_json(const RenderReport& report, const RenderOptions& options) {
+    write_output(std::string(standard_stream), to_json(report, options).dump() + "\n");
+}
 
 // Renders one scene after the other; opens the backend when the first needs it and keeps it.
 class Batch {
@@ -31,9 +144,6 @@ public:
         ++started_;
         RenderReport report;
         report.job = job;
-        report.size = options_.size;
-        report.samples = options_.samples;
-        report.shading = options_.shading;
         try {
             work(job, report);
         } catch (...) {
@@ -53,9 +163,9 @@ public:
 private:
     void print_json_if_possible(const RenderReport& report) {
         try {
-            print_json(report);
+            print_json(report, options_);
         } catch (const OutputError& error) {
-            std::fprintf(stderr, "%s\n", error.what());
+            say(error.what());
             report_failed_ = true;  // what does not arrive whole is not worth going on with; the pictures are
         }
     }
@@ -70,10 +180,7 @@ private:
 
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
         progress_.start(job.name + order, 1e-6 * options_.size.width * options_.size.height, "Mpixel");
-        const DrawnSpheres drawn = [&] {
-            const PhaseTimer timer(report.timings, Phase::prepare);
-            return drawn_spheres(scene);
-        }();
+        const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
         const PictureOptions options{scene.camera,     options_.size,    options_.background.value_or(scene.background),
                                      options_.certify, options_.samples, options_.shading};
         const Image picture = render_by_what_holds_it(scene, drawn, options, report);
@@ -120,23 +227,19 @@ private:
         return opened;
     }
 
-    static void write_png(const Image& picture, const std::string& path, Timings& timings) {
-        const std::string png = [&] {
-            const PhaseTimer timer(timings, Phase::encode);
-            return encode_png(picture);
-        }();
-        const PhaseTimer timer(timings, Phase::write);
-        write_output(path, png);
+    void write_png(const Image& picture, const std::string& path, Timings& timings) const {
+        const std::string png = timed(timings, Phase::encode, [&] { return encode_png(picture); });
+        timed(timings, Phase::write, [&] { write_output(path, png, options_.durability); });
     }
 
-    static void check(const Image& picture, const Image& golden, const RenderJob& job, RenderReport& report) {
+    void check(const Image& picture, const Image& golden, const RenderJob& job, RenderReport& report) const {
         const Comparison comparison = compare(picture, golden);
         report.comparison = comparison;
         if (!comparison.equal()) {
             report.status = ExitCode::differs;
-            report.error = job.label + ": differs from " + *job.expect + ": " + describe(comparison, picture, golden);
+            report.error = on_one_line(job.label + ": differs from " + *job.expect + ": " + describe(comparison, picture, golden));
         }
-        if (job.diff) write_output(*job.diff, encode_png(difference_picture(picture, golden)));
+        if (job.diff) write_output(*job.diff, encode_png(difference_picture(picture, golden)), options_.durability);
     }
 
     const RenderOptions& options_;
@@ -144,7 +247,7 @@ private:
     std::size_t started_ = 0;
     bool report_failed_ = false;
     OpenBackend cpu_;
-    Progress progress_{true};
+    Progress progress_;
 };
 
 }  // namespace
@@ -162,7 +265,7 @@ ExitCode run_render(const RenderOptions& options) {
     if (jobs.size() > 1 && !failed.empty()) {
         std::string summary = std::to_string(failed.size()) + " of " + std::to_string(jobs.size()) + " scenes failed:";
         for (const std::string& scene : failed) summary += " " + scene;
-        std::fprintf(stderr, "sphereview: %s\n", summary.c_str());
+        say("sphereview: " + summary);
     }
     return batch.report_failed() ? std::max(worst, ExitCode::no_output) : worst;
 }

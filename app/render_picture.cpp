@@ -149,10 +149,8 @@ void describe(const CandidateLists& lists, PictureFacts& facts) {
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress) {
     const PictureSize size = sampled_size(options.size, sample_side(options.samples));
-    const CandidateLists lists = [&] {
-        const PhaseTimer timer(timings, Phase::lists);
-        return build_lists(drawn, options.camera, size, backend.tile_costs);
-    }();
+    const CandidateLists lists =
+        timed(timings, Phase::lists, [&] { return build_lists(drawn, options.camera, size, backend.tile_costs); });
     PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress);
     describe(lists, facts);
     if (!backend.gpu) {
@@ -160,8 +158,7 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
         const CpuRenderer cpu(drawn, lists, options.camera, size);
         return picture.draw(cpu_block_width, cpu_block_height(size, lists),
                             [&](const Block& block, std::span<std::int32_t> visible) {
-                                const PhaseTimer timer(timings, Phase::trace);
-                                cpu.trace(block, visible);
+                                timed(timings, Phase::trace, [&] { cpu.trace(block, visible); });
                             });
     }
     GpuRenderer& gpu = *backend.gpu;

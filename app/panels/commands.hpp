@@ -1,4 +1,5 @@
-// Everything a menu offers, with its shortcut: one table for the menus, the keys and the help.
+// Everything a menu offers, with its shortcut: for the menus, the keys and the help. The table is in viewer/perform.cpp, beside
+// what each command does.
 #pragma once
 
 #include <optional>
@@ -63,11 +64,12 @@ struct CommandInfo {
     std::string_view help;      // one sentence
     bool separator_before = false;
     std::string_view submenu = {};  // within the menu; "": in the menu itself
+    bool enabled = true;            // whether it has something to do now
+    bool checked = false;           // whether it stands for what is chosen now: the menu marks it
 };
 
-// In the order of the menus.
-std::span<const CommandInfo> all_commands();
-const CommandInfo& info_of(CommandId id);
+// Of the command of that id, which must be among them.
+const CommandInfo& info_of(std::span<const CommandInfo> commands, CommandId id);
 
 // The alternatives of a shortcut.
 std::string first_shortcut(std::string_view shortcut);  // "Ctrl+Shift+Z"
@@ -79,7 +81,8 @@ bool matches(std::string_view shortcut, std::string_view key_name, bool control,
 
 // What a pressed key stands for. Symbols without Ctrl and Alt ("?") are left to command_for_character(): a key is named by what
 // it gives without Shift, so only the typed character tells which key is "?".
-std::optional<CommandId> command_for_key(std::string_view key_name, bool control, bool shift, bool alt);
-std::optional<CommandId> command_for_character(char32_t character);
+std::optional<CommandId> command_for_key(std::span<const CommandInfo> commands, std::string_view key_name, bool control, bool shift,
+                                         bool alt);
+std::optional<CommandId> command_for_character(std::span<const CommandInfo> commands, char32_t character);
 
 }  // namespace sphereview

@@ -9,11 +9,13 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "panels/dialog_parts.hpp"
+#include "base/user_folders.hpp"
 #include "panels/file_listing.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -23,46 +25,6 @@ float text_height(const std::string& unsafe, float width) {
 }
 
 float highest_fault() { return 5.0F * ImGui::GetTextLineHeight(); }
-
-}  // namespace
-
-void draw_text(const std::string& text, float width, float most) {
-    const bool scrolled = text_height(text, width) > most;
-    const float wrap_at = scrolled ? width - ImGui::GetStyle().ScrollbarSize : ImGui::GetCursorPosX() + width;
-    if (scrolled) ImGui::BeginChild("text", {width, most});
-    wrapped_text(text, wrap_at);
-    if (scrolled) ImGui::EndChild();
-}
-
-void draw_fault(const std::string& text, float width) {
-    if (text.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0F, 0.48F, 0.44F, 1.0F));
-    draw_text(text, width, highest_fault());
-    ImGui::PopStyleColor();
-}
-
-float fault_height(const std::string& text, float width) { return std::min(text_height(text, width), highest_fault()); }
-
-FormEnd draw_form_end(const PanelContext& context, const std::string& name, const char* ok, bool possible, const DialogKeys& keys) {
-    FormEnd end = FormEnd::open;
-    const ImVec2 size(96.0F * context.scale, 0.0F);
-    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
-    ImGui::BeginDisabled(!possible);
-    if (ImGui::Button(ok, size)) end = FormEnd::ok;
-    ImGui::EndDisabled();
-    ImGui::PopStyleColor();
-    note_widget(context, name + " ok");
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel", size)) end = FormEnd::cancel;
-    note_widget(context, name + " cancel");
-    if (end != FormEnd::open) return end;
-    if (keys.escape) return FormEnd::cancel;
-    return keys.enter && possible ? FormEnd::ok : FormEnd::open;
-}
-
-namespace fs = std::filesystem;
-
-namespace {
 
 // Where the picture will go; a name without ".png" gets it.
 std::string target_of(const ExportForm& form) {
@@ -121,49 +83,6 @@ void draw_size(const PanelContext& context, ExportForm& form) {
     draw_presets(context, form);
 }
 
-}  // namespace
-
-std::string fault_of(const ExportForm& form) {
-    if (form.path.find_first_not_of(" \t") == std::string::npos) return "The file needs a name.";
-    const fs::path typed = typed_path(form.path, path_from(form.folder));
-    std::error_code none;
-    if (fs::is_directory(typed, none) || fs::is_directory(path_from(target_of(form)), none)) {
-        return "This is a folder: the file needs a name.";
-    }
-    if (!fs::is_directory(typed.parent_path(), none)) return "There is no folder " + text_from(typed.parent_path()) + ".";
-    if (form.width < 1 || form.height < 1) return "Each side needs at least 1 pixel.";
-    if (form.width > form.most_pixels / form.height) {
-        return "At most " + in_groups(static_cast<std::uint64_t>(form.most_pixels)) + " pixels, please; these are " +
-               in_groups(static_cast<std::uint64_t>(form.width) * static_cast<std::uint64_t>(form.height)) + ".";
-    }
-    return "";
-}
-
-Decision draw_content(const PanelContext& context, ExportForm& form, const DialogKeys& keys, Dialogs& dialogs) {
-    if (form.folder.empty()) form.folder = text_from(typed_path(form.path, home_folder()).parent_path());
-    const float width = std::min(560.0F * context.scale, 0.85F * ImGui::GetMainViewport()->Size.x);
-    draw_name(context, form, width);
-    draw_size(context, form);
-    const std::string fault = fault_of(form);
-    draw_fault(fault, width);
-    if (fault.empty()) draw_fault(form.error, width);
-    ImGui::Dummy({0.0F, 0.3F * ImGui::GetFontSize()});
-    switch (draw_form_end(context, "export", "Export", fault.empty(), keys)) {
-        case FormEnd::open: return {};
-        case FormEnd::cancel: return {true, {}};
-        case FormEnd::ok: break;
-    }
-    const std::string path = target_of(form);
-    auto accept = [give = form.accept, path, size = PictureSize{form.width, form.height}] {
-        if (give) give(path, size);
-    };
-    std::error_code none;
-    if (!fs::exists(path_from(path), none)) return {true, std::move(accept)};
-    return {false, [&dialogs, path, accept = std::move(accept)] { ask_to_replace(dialogs, path, accept); }};
-}
-
-namespace {
-
 const std::string& heading_of(const Question& question) { return question.title; }
 const std::string& heading_of(const FileBrowser& browser) { return browser.title; }
 std::string heading_of(const ExportForm&) { return "Export picture"; }
@@ -221,6 +140,95 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
 
 }  // namespace
 
+void draw_text(const std::string& text, float width, float most) {
+    const bool scrolled = text_height(text, width) > most;
+    const float wrap_at = scrolled ? width - ImGui::GetStyle().ScrollbarSize : ImGui::GetCursorPosX() + width;
+    if (scrolled) ImGui::BeginChild("text", {width, most});
+    wrapped_text(text, wrap_at);
+    if (scrolled) ImGui::EndChild();
+}
+
+void draw_fault(const std::string& text, float width) {
+    if (text.empty()) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0F, 0.48F, 0.44F, 1.0F));
+    draw_text(text, width, highest_fault());
+    ImGui::PopStyleColor();
+}
+
+float fault_height(const std::string& text, float width) { return std::min(text_height(text, width), highest_fault()); }
+
+FormEnd draw_form_end(const PanelContext& context, const std::string& name, const char* ok, bool possible, const DialogKeys& keys) {
+    FormEnd end = FormEnd::open;
+    const ImVec2 size(96.0F * context.scale, 0.0F);
+    ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
+    ImGui::BeginDisabled(!possible);
+    if (ImGui::Button(ok, size)) end = FormEnd::ok;
+    ImGui::EndDisabled();
+    ImGui::PopStyleColor();
+    note_widget(context, name + " ok");
+    ImGui::SameLine();
+    if (ImGui::Button("Cancel", size)) end = FormEnd::cancel;
+    note_widget(context, name + " cancel");
+    if (end != FormEnd::open) return end;
+    if (keys.escape) return FormEnd::cancel;
+    return keys.enter && possible ? FormEnd::ok : FormEnd::open;
+}
+
+Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept) {
+    if (!replaces) return {true, std::move(accept)};
+    Question question;
+    question.id = "replace";
+    question.title = "Replace the file?";
+    question.text = shown_text(path) + "\n\nexists already.";
+    question.answers = {"Replace", "Cancel"};
+    question.cancel = 1;
+    question.focused = 1;
+    question.answer = [&dialogs, accept = std::move(accept)](int number) {
+        if (number != 0) return;
+        dialogs.pop_back();
+        accept();
+    };
+    return {false, [&dialogs, question = std::move(question)] { dialogs.emplace_back(question); }};
+}
+
+std::string fault_of(const ExportForm& form) {
+    if (form.path.find_first_not_of(" \t") == std::string::npos) return "The file needs a name.";
+    const fs::path typed = typed_path(form.path, path_from(form.folder));
+    std::error_code none;
+    if (fs::is_directory(typed, none) || fs::is_directory(path_from(target_of(form)), none)) {
+        return "This is a folder: the file needs a name.";
+    }
+    if (!fs::is_directory(typed.parent_path(), none)) return "There is no folder " + text_from(typed.parent_path()) + ".";
+    if (form.width < 1 || form.height < 1) return "Each side needs at least 1 pixel.";
+    if (form.width > form.most_pixels / form.height) {
+        return "At most " + in_groups(static_cast<std::uint64_t>(form.most_pixels)) + " pixels, please; these are " +
+               in_groups(static_cast<std::uint64_t>(form.width) * static_cast<std::uint64_t>(form.height)) + ".";
+    }
+    return "";
+}
+
+Decision draw_content(const PanelContext& context, ExportForm& form, const DialogKeys& keys, Dialogs& dialogs) {
+    if (form.folder.empty()) form.folder = text_from(typed_path(form.path, home_folder()).parent_path());
+    const float width = std::min(560.0F * context.scale, 0.85F * ImGui::GetMainViewport()->Size.x);
+    draw_name(context, form, width);
+    draw_size(context, form);
+    const std::string fault = fault_of(form);
+    draw_fault(fault, width);
+    if (fault.empty()) draw_fault(form.error, width);
+    ImGui::Dummy({0.0F, 0.3F * ImGui::GetFontSize()});
+    switch (draw_form_end(context, "export", "Export", fault.empty(), keys)) {
+        case FormEnd::open: return {};
+        case FormEnd::cancel: return {true, {}};
+        case FormEnd::ok: break;
+    }
+    const std::string path = target_of(form);
+    auto accept = [give = form.accept, path, size = PictureSize{form.width, form.height}] {
+        if (give) give(path, size);
+    };
+    std::error_code none;
+    return accept_file(dialogs, path, fs::exists(path_from(path), none), std::move(accept));
+}
+
 std::string id_of(const Dialog& dialog) {
     if (const auto* question = std::get_if<Question>(&dialog)) return question->id;
     return std::holds_alternative<ExportForm>(dialog) ? "export" : "browser";
@@ -261,22 +269,6 @@ Decision draw_content(const PanelContext& context, Question& question, const Dia
     if (!chosen && keys.enter) chosen = question.focused;
     if (!chosen) return {};
     return answered(question, *chosen);
-}
-
-void ask_to_replace(Dialogs& dialogs, const std::string& path, std::function<void()> then) {
-    Question question;
-    question.id = "replace";
-    question.title = "Replace the file?";
-    question.text = shown_text(path) + "\n\nexists already.";
-    question.answers = {"Replace", "Cancel"};
-    question.cancel = 1;
-    question.focused = 1;
-    question.answer = [&dialogs, then = std::move(then)](int number) {
-        if (number != 0) return;
-        dialogs.pop_back();
-        then();
-    };
-    dialogs.emplace_back(std::move(question));
 }
 
 }  // namespace sphereview

@@ -111,4 +111,33 @@ struct DialogKeys {
 // its callback, which may add dialogs. Not movable: callbacks hold references to `dialogs` while it is not empty.
 void draw_dialogs(const PanelContext& context, Dialogs& dialogs, const DialogKeys& keys);
 
+// What follows is what the dialogs share: for dialogs.cpp and file_browser.cpp.
+
+// What the person decided in this frame.
+struct Decision {
+    bool done = false;           // the dialog goes away
+    std::function<void()> then;  // called after all dialogs are drawn and this one, if done, is gone; may add dialogs
+};
+
+// Each draws the content of its dialog. `keys`: none but for the dialog on top.
+Decision draw_content(const PanelContext& context, Question& question, const DialogKeys& keys, Dialogs& dialogs);
+Decision draw_content(const PanelContext& context, ExportForm& form, const DialogKeys& keys, Dialogs& dialogs);
+Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs);
+
+// The decision of a dialog in which a file was chosen: to go away and call `accept`; where the file would be replaced, only once
+// the person agrees.
+Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept);
+
+// Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
+void draw_text(const std::string& text, float width, float most);
+
+// Draws the text in red, a few lines high at most; nothing for "". fault_height(): of what is drawn, in pixels.
+void draw_fault(const std::string& text, float width);
+float fault_height(const std::string& text, float width);
+
+// The two buttons at the end of a form, noted as "NAME ok" and "NAME cancel". Enter is the first, Escape the second; `ok` can be
+// pressed only if `possible`.
+enum class FormEnd { open, ok, cancel };
+FormEnd draw_form_end(const PanelContext& context, const std::string& name, const char* ok, bool possible, const DialogKeys& keys);
+
 }  // namespace sphereview

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "panels/dialog_parts.hpp"
+#include "base/user_folders.hpp"
 #include "panels/file_listing.hpp"
 #include "panels/panel_context.hpp"
 #include "panels/widgets.hpp"
@@ -108,8 +108,7 @@ Decision confirm(FileBrowser& browser, Dialogs& dialogs) {
     auto accept = [give = browser.accept, text = text_from(path)] {
         if (give) give(text);
     };
-    if (!browser.saving || !exists) return {true, std::move(accept)};
-    return {false, [&dialogs, text = text_from(path), accept = std::move(accept)] { ask_to_replace(dialogs, text, accept); }};
+    return accept_file(dialogs, text_from(path), browser.saving && exists, std::move(accept));
 }
 
 // A text box that is typed into does not see that its text was replaced. So each folder has a box of its own.
@@ -234,9 +233,8 @@ std::pair<Clicked, FileEntry> draw_entries(const PanelContext& context, FileBrow
 }
 
 std::string label_of(const FileKind& kind) {
-    std::string endings;
-    for (const std::string& ending : kind.endings) endings += (endings.empty() ? " (" : ", ") + ending;
-    return as_label(kind.name + (kind.endings.empty() || kind.endings.size() > 3 ? "" : endings + ")"));
+    const bool few = !kind.endings.empty() && kind.endings.size() <= 3;
+    return as_label(kind.name + (few ? " (" + joined(kind.endings, ", ") + ")" : ""));
 }
 
 void choose_kind(FileBrowser& browser, std::size_t kind) {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cstdlib>
 #include <ctime>
 #include <tuple>
 
 #include "base/text.hpp"
+#include "base/user_folders.hpp"
 
 namespace sphereview {
 
@@ -18,14 +18,6 @@ fs::path path_from(std::string_view text) { return fs::path(std::u8string(text.b
 std::string text_from(const fs::path& path) {
     const std::u8string text = path.u8string();
     return {text.begin(), text.end()};
-}
-
-fs::path home_folder() {
-    for (const char* variable : {"HOME", "USERPROFILE"}) {
-        const char* home = std::getenv(variable);
-        if (home != nullptr && *home != '\0') return path_from(home);
-    }
-    return {};
 }
 
 fs::path typed_path(std::string_view typed, const fs::path& folder) {

@@ -13,9 +13,6 @@ namespace sphereview {
 std::filesystem::path path_from(std::string_view text);
 std::string text_from(const std::filesystem::path& path);
 
-// The user's home folder; empty when the system names none.
-std::filesystem::path home_folder();
-
 // What was typed, without white space around it, as an absolute path: ~ is the home folder, a relative path lies in `folder`.
 std::filesystem::path typed_path(std::string_view typed, const std::filesystem::path& folder);
 

@@ -27,93 +27,47 @@ constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"File dropped on the window", "Opens the scene in it."},
 });
 
-void cell(std::string_view words) {
-    ImGui::TableNextColumn();
-    wrapped_text(words);
-}
-
-// Of the columns of the commands' tables: the shortcut's and the name's; the help has the rest.
-struct Widths {
-    float what = 0.0F;
-    float name = 0.0F;
-};
-
-// Without the name's column if that has no width.
-bool begin_table(const char* id, float what, float name) {
-    if (!ImGui::BeginTable(id, name > 0.0F ? 3 : 2, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return false;
-    ImGui::TableSetupColumn("what", ImGuiTableColumnFlags_WidthFixed, what);
-    if (name > 0.0F) ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthFixed, name);
-    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
-    return true;
-}
-
-void heading(std::string_view title) {
+// Words side by side under a title; the last column gets the width that the others leave. All lines have as many words.
+void draw_table(const std::string& title, const std::vector<std::vector<std::string>>& lines) {
     ImGui::Dummy(ImVec2(0.0F, 0.3F * ImGui::GetTextLineHeight()));
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
     wrapped_text(title);
     ImGui::PopStyleColor();
-}
-
-Widths widest() {
-    Widths widths;
-    for (const CommandInfo& info : all_commands()) {
-        widths.what = std::max(widths.what, width_of(every_shortcut(info.shortcut)));
-        widths.name = std::max(widths.name, width_of(info.label));
+    const auto columns = static_cast<int>(lines.front().size());
+    if (!ImGui::BeginTable(title.c_str(), columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return;
+    for (std::size_t i = 0; i + 1 < lines.front().size(); ++i) {
+        float widest = 0.0F;
+        for (const auto& words : lines) widest = std::max(widest, width_of(words[i]));
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
     }
-    return widths;
-}
-
-void draw_mouse() {
-    float widest_mouse = 0.0F;
-    for (const MouseHelp& line : mouse_table) widest_mouse = std::max(widest_mouse, width_of(line.mouse));
-    heading("Mouse");
-    if (!begin_table("mouse", widest_mouse, 0.0F)) return;
-    for (const MouseHelp& line : mouse_table) {
-        cell(line.mouse);
-        cell(line.help);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    for (const auto& words : lines) {
+        for (const std::string& word : words) {
+            ImGui::TableNextColumn();
+            wrapped_text(word);
+        }
     }
     ImGui::EndTable();
 }
 
+void draw_mouse() {
+    std::vector<std::vector<std::string>> lines;
+    for (const MouseHelp& line : mouse_table) lines.push_back({std::string(line.mouse), std::string(line.help)});
+    draw_table("Mouse", lines);
+}
+
 // A table for each menu.
-void draw_commands() {
-    const Widths widths = widest();
-    std::string_view menu;
-    bool in_table = false;
-    for (const CommandInfo& info : all_commands()) {
-        if (info.menu != menu) {
-            if (in_table) ImGui::EndTable();
-            menu = info.menu;
-            heading(menu);
-            in_table = begin_table(std::string(menu).c_str(), widths.what, widths.name);
+void draw_commands(std::span<const CommandInfo> commands) {
+    while (!commands.empty()) {
+        const std::string menu(commands.front().menu);
+        std::vector<std::vector<std::string>> lines;
+        for (; !commands.empty() && commands.front().menu == menu; commands = commands.subspan(1)) {
+            const CommandInfo& info = commands.front();
+            lines.push_back({every_shortcut(info.shortcut), std::string(info.label), std::string(info.help)});
         }
-        if (!in_table) continue;
-        cell(every_shortcut(info.shortcut));
-        cell(info.label);
-        cell(info.help);
+        draw_table(menu, lines);
     }
-    if (in_table) ImGui::EndTable();
 }
-
-}  // namespace
-
-std::span<const MouseHelp> mouse_help() { return mouse_table; }
-
-void draw_help(const PanelContext& context, bool& open) {
-    if (!open) return;
-    const ImGuiViewport* viewport = ImGui::GetMainViewport();
-    const ImVec2 size(std::min(860.0F * context.scale, 0.95F * viewport->WorkSize.x),
-                      std::min(640.0F * context.scale, 0.9F * viewport->WorkSize.y));
-    ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5F, 0.5F));
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
-    if (ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-        draw_mouse();
-        draw_commands();
-    }
-    ImGui::End();
-}
-
-namespace {
 
 // What the menu says now: undoing and redoing name the step.
 std::string label_of(const PanelContext& context, const CommandInfo& info) {
@@ -130,11 +84,9 @@ std::string history_text(const PanelContext& context) {
 }
 
 void draw_item(const PanelContext& context, const CommandInfo& info) {
-    const bool enabled = !context.enabled || context.enabled(info.id);
-    const bool checked = context.checked && context.checked(info.id);
     // The label changes with the step; what follows "###" is the same widget for ImGui all the time.
     const std::string label = label_of(context, info) + "###" + std::string(info.label);
-    if (ImGui::MenuItem(label.c_str(), first_shortcut(info.shortcut).c_str(), checked, enabled)) {
+    if (ImGui::MenuItem(label.c_str(), first_shortcut(info.shortcut).c_str(), info.checked, info.enabled)) {
         context.actions.emplace_back(RunCommand{info.id});
     }
     note_widget(context, "item " + std::string(info.label));
@@ -144,10 +96,8 @@ void draw_item(const PanelContext& context, const CommandInfo& info) {
 
 // Notes a menu's title before it is drawn: ImGui's last item is another once the menu is open.
 void note_menu(const PanelContext& context, const std::string& name) {
-    if (context.rectangles == nullptr) return;
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const float width = ImGui::CalcTextSize(name.c_str()).x;
-    (*context.rectangles)["menu " + name] = {low.x, low.y, low.x + width, low.y + ImGui::GetTextLineHeight()};
+    note_rectangle(context, "menu " + name, low, {ImGui::CalcTextSize(name.c_str()).x, ImGui::GetTextLineHeight()});
 }
 
 void draw_recent(const PanelContext& context, const std::vector<std::string>& recent) {
@@ -170,7 +120,7 @@ void draw_submenu(const PanelContext& context, const CommandInfo& first) {
     const std::string name(first.submenu);
     note_menu(context, name);
     if (!ImGui::BeginMenu(name.c_str())) return;
-    for (const CommandInfo& info : all_commands()) {
+    for (const CommandInfo& info : context.commands) {
         if (info.menu == first.menu && info.submenu == first.submenu) draw_item(context, info);
     }
     ImGui::EndMenu();
@@ -181,7 +131,7 @@ void draw_menu(const PanelContext& context, const std::string& menu, const std::
     if (!ImGui::BeginMenu(menu.c_str())) return;
     bool first = true;
     std::string_view submenu;
-    for (const CommandInfo& info : all_commands()) {
+    for (const CommandInfo& info : context.commands) {
         if (info.menu != menu) continue;
         if (info.separator_before && !first) ImGui::Separator();
         if (info.submenu.empty()) {
@@ -198,10 +148,26 @@ void draw_menu(const PanelContext& context, const std::string& menu, const std::
 
 }  // namespace
 
+std::span<const MouseHelp> mouse_help() { return mouse_table; }
+
+void draw_help(const PanelContext& context, bool& open) {
+    if (!open) return;
+    const ImGuiViewport* viewport = ImGui::GetMainViewport();
+    const ImVec2 size(std::min(860.0F * context.scale, 0.95F * viewport->WorkSize.x),
+                      std::min(640.0F * context.scale, 0.9F * viewport->WorkSize.y));
+    ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5F, 0.5F));
+    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+    if (ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+        draw_mouse();
+        draw_commands(context.commands);
+    }
+    ImGui::End();
+}
+
 float draw_menu_bar(const PanelContext& context, const std::vector<std::string>& recent) {
     if (!ImGui::BeginMainMenuBar()) return 0.0F;
     std::string_view menu;
-    for (const CommandInfo& info : all_commands()) {
+    for (const CommandInfo& info : context.commands) {
         if (info.menu == menu) continue;
         menu = info.menu;
         draw_menu(context, std::string(menu), recent);

@@ -6,11 +6,12 @@
 
 namespace sphereview {
 
+void note_rectangle(const PanelContext& context, const std::string& name, ImVec2 low, ImVec2 size) {
+    if (context.rectangles != nullptr) (*context.rectangles)[name] = {low.x, low.y, low.x + size.x, low.y + size.y};
+}
+
 void note_widget(const PanelContext& context, const std::string& name) {
-    if (context.rectangles == nullptr) return;
-    const ImVec2 low = ImGui::GetItemRectMin();
-    const ImVec2 high = ImGui::GetItemRectMax();
-    (*context.rectangles)[name] = {low.x, low.y, high.x, high.y};
+    note_rectangle(context, name, ImGui::GetItemRectMin(), ImGui::GetItemRectSize());
 }
 
 std::string name_of(const Scene& scene, std::uint32_t number) {

@@ -1,10 +1,12 @@
 // What panels are given and what they give back: they change nothing themselves.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -58,19 +60,19 @@ struct Rectangle {
 struct PanelContext {
     const Document& document;
     const Selection& selection;
-    const SceneBounds& bounds;                 // what the sliders' ranges come from: of the scene, but still during a drag
-    std::function<bool(CommandId)> enabled;    // whether a command has something to do now
-    float scale = 1.0F;                        // sizes that are not text are times this
-    std::uint64_t& gesture;                    // the number of the current drag; whoever begins one adds 1
-    std::optional<std::uint32_t>& hovered;     // the sphere under the pointer, in the picture or in the list
-    std::vector<Action>& actions;              // what is to be done after all panels are drawn, in order
-    WidgetRectangles* rectangles = nullptr;    // collected when not null
-    std::function<bool(CommandId)> checked{};  // whether a command stands for what is chosen now
-    std::int64_t frame = 0;                    // of the scene's file, which has several where `frames` is not 1
+    const SceneBounds& bounds;               // what the sliders' ranges come from: of the scene, but still during a drag
+    std::span<const CommandInfo> commands;   // as they are now, in the order of the menus
+    float scale = 1.0F;                      // sizes that are not text are times this
+    std::uint64_t& gesture;                  // the number of the current drag; whoever begins one adds 1
+    std::optional<std::uint32_t>& hovered;   // the sphere under the pointer, in the picture or in the list
+    std::vector<Action>& actions;            // what is to be done after all panels are drawn, in order
+    WidgetRectangles* rectangles = nullptr;  // collected when not null
+    std::int64_t frame = 0;                  // of the scene's file, which has several where `frames` is not 1
     std::int64_t frames = 1;
 };
 
-// Notes the rectangle of ImGui's last widget where `rectangles` are collected.
+// Notes a rectangle, or that of ImGui's last widget, where `rectangles` are collected.
+void note_rectangle(const PanelContext& context, const std::string& name, ImVec2 low, ImVec2 size);
 void note_widget(const PanelContext& context, const std::string& name);
 
 // A sphere's name; "" where it has none.

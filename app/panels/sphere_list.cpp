@@ -190,9 +190,9 @@ constexpr const char* row_menu = "row menu";
 
 // Returns whether the item was chosen.
 bool draw_row_menu_item(const PanelContext& context, CommandId id) {
-    const CommandInfo& info = info_of(id);
+    const CommandInfo& info = info_of(context.commands, id);
     const std::string label(info.label);
-    const bool chosen = ImGui::MenuItem(label.c_str(), first_shortcut(info.shortcut).c_str(), false, context.enabled(id));
+    const bool chosen = ImGui::MenuItem(label.c_str(), first_shortcut(info.shortcut).c_str(), false, info.enabled);
     note_widget(context, "row menu " + label);
     return chosen;
 }

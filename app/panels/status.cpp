@@ -9,28 +9,6 @@
 
 namespace sphereview {
 
-std::size_t HiddenSpheres::count(const Document& document) {
-    if (revision_ == document.revision()) return count_;
-    const std::vector<Sphere>& spheres = document.scene().spheres;
-    const auto look_at = [&](std::size_t number) {
-        const bool hidden = spheres[number].hidden;
-        if (hidden && !hidden_[number]) ++count_;
-        if (!hidden && hidden_[number]) --count_;
-        hidden_[number] = hidden;
-    };
-    ChangesSince changes;
-    if (revision_ != 0) changes = document.changes_since(revision_);
-    if (revision_ == 0 || changes.order) {
-        hidden_.assign(spheres.size(), false);
-        count_ = 0;
-        for (std::size_t number = 0; number < spheres.size(); ++number) look_at(number);
-    } else {
-        for (const std::uint32_t number : changes.spheres) look_at(number);
-    }
-    revision_ = document.revision();
-    return count_;
-}
-
 namespace {
 
 constexpr ImGuiWindowFlags quiet_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
@@ -38,10 +16,7 @@ constexpr ImGuiWindowFlags quiet_window = ImGuiWindowFlags_NoTitleBar | ImGuiWin
                                           ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 void note_window(const PanelContext& context, const std::string& name) {
-    if (context.rectangles == nullptr) return;
-    const ImVec2 low = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    (*context.rectangles)[name] = {low.x, low.y, low.x + size.x, low.y + size.y};
+    note_rectangle(context, name, ImGui::GetWindowPos(), ImGui::GetWindowSize());
 }
 
 void draw_announcement(const PanelContext& context, const std::string& text, const Rectangle& area) {
@@ -134,22 +109,6 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Re
     return bottom;
 }
 
-}  // namespace
-
-bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area) {
-    const Trouble scene{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error, false,
-                        area.y};
-    const float below = draw_trouble(context, scene, area);
-    draw_trouble(context,
-                 {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
-                 area);
-    const bool cancelled = messages.work && draw_work(context, *messages.work, area);
-    if (!messages.announcement.empty()) draw_announcement(context, messages.announcement, area);
-    return cancelled;
-}
-
-namespace {
-
 // Columns from left to right, each as wide as its widest text can be.
 class Columns {
 public:
@@ -205,11 +164,23 @@ std::string under_pointer(const PanelContext& context, const Status& status) {
 
 }  // namespace
 
+bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area) {
+    const Trouble scene{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error, false,
+                        area.y};
+    const float below = draw_trouble(context, scene, area);
+    draw_trouble(context,
+                 {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
+                 area);
+    const bool cancelled = messages.work && draw_work(context, *messages.work, area);
+    if (!messages.announcement.empty()) draw_announcement(context, messages.announcement, area);
+    return cancelled;
+}
+
 void draw_status_bar(const PanelContext& context, const Status& status) {
     const std::size_t spheres = context.document.scene().spheres.size();
     Columns columns(context.scale);
     columns.put(status.renderer, std::min(width_of(status.renderer), 0.3F * columns.rest()));
-    columns.put(spheres_text(spheres, status.hidden, context.selection.size()),
+    columns.put(spheres_text(spheres, context.bounds.hidden, context.selection.size()),
                 width_of(spheres_text(spheres, std::max<std::size_t>(spheres, 1), std::max<std::size_t>(spheres, 1))));
     if (context.frames > 1) {
         columns.put(frame_text(context.frame, context.frames), width_of(frame_text(context.frames - 1, context.frames)));

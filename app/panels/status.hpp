@@ -12,16 +12,6 @@
 
 namespace sphereview {
 
-class HiddenSpheres {
-public:
-    std::size_t count(const Document& document);
-
-private:
-    std::uint64_t revision_ = 0;  // of what follows; 0: none yet
-    std::vector<bool> hidden_;
-    std::size_t count_ = 0;
-};
-
 // What goes on beside the window's loop.
 struct WorkShown {
     std::string text;                // "Reading big.txt: 35 of 70 MB"
@@ -49,7 +39,6 @@ struct Status {
     std::optional<Pixel> pixel;  // under the pointer
     PictureSize size;
     std::optional<std::uint32_t> sphere;  // that the pixel shows
-    std::size_t hidden = 0;               // spheres: HiddenSpheres counts them
 };
 
 // Draws into the current ImGui window, one line high. Its columns stay where they are while numbers change.

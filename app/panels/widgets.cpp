@@ -162,14 +162,14 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
     for (const CommandButton& button : buttons) left -= text_width(button);
     for (const CommandButton& button : buttons) {
         if (&button != buttons.data()) ImGui::SameLine();
-        ImGui::BeginDisabled(!context.enabled(button.id));
+        const CommandInfo& info = info_of(context.commands, button.id);
+        ImGui::BeginDisabled(!info.enabled);
         if (ImGui::Button(button.label, {std::max(1.0F, text_width(button) + left / count), 0.0F})) {
             context.actions.emplace_back(RunCommand{button.id});
         }
         ImGui::EndDisabled();
         note_widget(context, button.widget);
         if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) continue;
-        const CommandInfo& info = info_of(button.id);
         const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
         ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
     }

@@ -101,6 +101,15 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     return picture;
 }
 
+void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int light, int inside) {
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
+    draw->AddRectFilled(low, high, IM_COL32(255, 255, 255, inside));
+    draw->AddRect(ImVec2(low.x - 1.0F, low.y - 1.0F), ImVec2(high.x + 1.0F, high.y + 1.0F), IM_COL32(0, 0, 0, dark));
+    draw->AddRect(low, high, IM_COL32(255, 255, 255, light));
+    draw->PopClipRect();
+}
+
 void draw_export_area(const ViewerState& state, const Rectangle& picture) {
     if (!state.export_area_shown) return;
     const PictureSize size{state.settings.export_width, state.settings.export_height};
@@ -112,12 +121,7 @@ void draw_export_area(const ViewerState& state, const Rectangle& picture) {
     const ImVec2 middle(picture.x + 0.5F * picture.width, picture.y + 0.5F * picture.height);
     const ImVec2 low(std::floor(middle.x - half_width), std::floor(middle.y - half_height));
     const ImVec2 high(std::ceil(middle.x + half_width), std::ceil(middle.y + half_height));
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
-    // Light beside dark: seen on every colour.
-    draw->AddRect(ImVec2(low.x - 1.0F, low.y - 1.0F), ImVec2(high.x + 1.0F, high.y + 1.0F), IM_COL32(0, 0, 0, 140));
-    draw->AddRect(low, high, IM_COL32(255, 255, 255, 90));
-    draw->PopClipRect();
+    draw_frame(picture, low, high, 140, 90);
 }
 
 }  // namespace sphereview

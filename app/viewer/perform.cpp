@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <glm/geometric.hpp>
 
 #include "edit/selection.hpp"
@@ -71,6 +72,11 @@ EditScene reorder_selected(const ViewerState& state, int by) {
     return {ReorderSphere{from, to}, "Move " + selected_in_words(state) + (by < 0 ? " up" : " down"), 0};
 }
 
+EditScene move_up(const ViewerState& state) { return reorder_selected(state, -1); }
+EditScene move_down(const ViewerState& state) { return reorder_selected(state, 1); }
+
+EditScene use_view_as_camera(const ViewerState& state) { return {ChangeCamera{state.camera}, "Use of this view as the camera", 0}; }
+
 // What an undo or redo concerned is selected; what has gone is not.
 void select_touched(ViewerState& state, const Touched& touched) {
     if (!touched.empty()) state.selection.set(touched);
@@ -90,22 +96,7 @@ void center_on_selection(ViewerState& state) {
     state.camera = centered_on(state.camera, state.pivot);
 }
 
-// What a choice of anti-aliasing means; 0: the command is none.
-int samples_of(CommandId command) {
-    switch (command) {
-        case CommandId::no_anti_aliasing: return 1;
-        case CommandId::anti_aliasing_4: return 4;
-        case CommandId::anti_aliasing_16: return 16;
-        default: return 0;
-    }
-}
-
-std::optional<Shading> shading_of(CommandId command) {
-    if (command < CommandId::first_shading || command > CommandId::last_shading) return std::nullopt;
-    return static_cast<Shading>(static_cast<int>(command) - static_cast<int>(CommandId::first_shading));
-}
-
-void apply(ViewerState& state, EditScene& action) {
+void apply(ViewerState& state, EditScene action) {
     const bool adds_or_removes =
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
     const bool reorders = std::holds_alternative<ReorderSphere>(action.edit);
@@ -115,96 +106,184 @@ void apply(ViewerState& state, EditScene& action) {
     if (adds_or_removes || reorders) select_touched(state, touched);
 }
 
+// Everything about a command.
+struct Command {
+    CommandInfo info;
+    std::function<void(ViewerState&)> run;
+    std::function<bool(const ViewerState&)> enabled{};  // whether it has something to do; none: always
+    std::function<bool(const ViewerState&)> checked{};  // whether it stands for what is chosen now; none: never
+};
+
+// What a command does that edits the scene.
+std::function<void(ViewerState&)> edits(EditScene (*edit)(const ViewerState&)) {
+    return [edit](ViewerState& state) { apply(state, edit(state)); };
+}
+
+bool selects_any(const ViewerState& state) { return !state.selection.empty(); }
+
+// A command that shows and hides something.
+Command toggle(const CommandInfo& info, bool ViewerState::*shown) {
+    return {info, [shown](ViewerState& s) { s.*shown = !(s.*shown); }, {}, [shown](const ViewerState& s) { return s.*shown; }};
+}
+
+// A command that chooses one of several values.
+template <typename T>
+Command choice(const CommandInfo& info, T ViewerSettings::*setting, T value) {
+    return {info,
+            [setting, value](ViewerState& s) { s.settings.*setting = value; },
+            {},
+            [setting, value](const ViewerState& s) { return s.settings.*setting == value; }};
+}
+
+Command shade(std::size_t mode) {
+    constexpr std::array<std::string_view, 9> keys = {"Ctrl+1", "Ctrl+2", "Ctrl+3", "Ctrl+4", "Ctrl+5",
+                                                      "Ctrl+6", "Ctrl+7", "Ctrl+8", "Ctrl+9"};
+    const auto id = static_cast<CommandId>(static_cast<std::size_t>(CommandId::first_shading) + mode);
+    const ShadingMode& words = shading_modes.at(mode);
+    return choice({id, "View", words.title, keys.at(mode), words.help, false, "Shading"}, &ViewerSettings::shading,
+                  static_cast<Shading>(mode));
+}
+
+std::vector<Command> make_commands() {
+    using Id = CommandId;
+    std::vector<Command> commands = {
+        {{Id::file_new, "File", "New", "Ctrl+N", "Begins an empty scene."}, new_scene},
+        {{Id::file_open, "File", "Open...", "Ctrl+O", "Opens a scene file."}, ask_for_scene},
+        {{Id::file_save, "File", "Save", "Ctrl+S", "Writes the scene to its file.", true}, [](ViewerState& s) { save_scene(s); }},
+        {{Id::file_save_as, "File", "Save as...", "Ctrl+Shift+S", "Writes the scene to another file."},
+         [](ViewerState& s) { save_scene_as(s); }},
+        {{Id::export_picture, "File", "Export picture...", "Ctrl+E", "Asks for a name and a size and writes the view as a PNG.",
+          true},
+         ask_for_export},
+        {{Id::export_now, "File", "Export now", "F12",
+          "Writes the view as a PNG at once, under the next free name beside the scene."},
+         export_now},
+        {{Id::quit, "File", "Quit", "Ctrl+Q", "Closes the window.", true}, quit},
+        {{Id::undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change of the scene back."},
+         [](ViewerState& s) { select_touched(s, s.document.undo()); },
+         [](const ViewerState& s) { return s.document.can_undo(); }},
+        {{Id::redo, "Edit", "Redo", "Ctrl+Shift+Z|Ctrl+Y", "Makes the change again that was taken back."},
+         [](ViewerState& s) { select_touched(s, s.document.redo()); },
+         [](const ViewerState& s) { return s.document.can_redo(); }},
+        {{Id::add_sphere, "Edit", "Add sphere", "Insert", "Adds a sphere in the middle of the view.", true}, edits(add_sphere)},
+        {{Id::duplicate, "Edit", "Duplicate", "Ctrl+D", "Adds copies of the selected spheres."},
+         edits(duplicate_selected),
+         selects_any},
+        {{Id::remove, "Edit", "Delete", "Delete|Backspace", "Deletes the selected spheres."}, edits(remove_selected), selects_any},
+        {{Id::rename, "Edit", "Rename", "F2", "Gives the selected sphere a name."},
+         [](ViewerState& s) { start_renaming(s.side_panel, s.scene(), s.selection.numbers().front()); },
+         [](const ViewerState& s) { return s.selection.size() == 1; }},
+        {{Id::hide, "Edit", "Hide or show", "H", "Hides the selected spheres, or shows them again."},
+         edits(hide_or_show_selected),
+         selects_any},
+        {{Id::select_all, "Edit", "Select all", "Ctrl+A", "Selects every sphere.", true},
+         [](ViewerState& s) { s.selection.set_all(s.scene().spheres.size()); },
+         [](const ViewerState& s) { return s.selection.size() < s.scene().spheres.size(); }},
+        {{Id::select_none, "Edit", "Select none", "Ctrl+Shift+A|Escape", "Selects no sphere."},
+         [](ViewerState& s) { s.selection.clear(); },
+         selects_any},
+        {{Id::invert_selection, "Edit", "Invert selection", "Ctrl+I", "Selects the spheres that are not selected, and no others."},
+         [](ViewerState& s) { s.selection.invert(s.scene().spheres.size()); },
+         [](const ViewerState& s) { return !s.scene().spheres.empty(); }},
+        {{Id::select_same_color, "Edit", "Select same colour", "Ctrl+L", "Selects every sphere that has a selected one's colour."},
+         [](ViewerState& s) { s.selection.set(colored_like(s.scene().spheres, s.selection.numbers())); },
+         selects_any},
+        {{Id::select_hidden, "Edit", "Select hidden", "Ctrl+H", "Selects every hidden sphere."},
+         [](ViewerState& s) { s.selection.set(hidden_ones(s.scene().spheres)); }},
+        {{Id::move_up, "Edit", "Move up", "Ctrl+Up",
+          "Moves the selected sphere up in the list; of two equal hits the upper sphere is seen.", true},
+         edits(move_up),
+         [](const ViewerState& s) { return s.selection.size() == 1 && s.selection.numbers().front() > 0; }},
+        {{Id::move_down, "Edit", "Move down", "Ctrl+Down", "Moves the selected sphere down in the list."},
+         edits(move_down),
+         [](const ViewerState& s) {
+             return s.selection.size() == 1 && s.selection.numbers().front() + 1 < s.scene().spheres.size();
+         }},
+        {{Id::go_home, "View", "Go home", "Home", "Returns to the scene's own camera."}, go_home},
+        {{Id::center_on_selection, "View", "Centre on selection", "C|.",
+          "Brings the selected spheres to the middle of the picture."},
+         center_on_selection,
+         selects_any},
+        {{Id::fit_all, "View", "Fit everything", "F", "Moves the view so that it sees everything, the way it looks.", true},
+         [](ViewerState& s) { fly_to_fit(s, axes_of(s.camera)); }},
+        {{Id::view_front, "View", "From the front", "1", "Fits everything, seen along z."},
+         [](ViewerState& s) { fly_to_fit(s, axes_from(0.0, 0.0)); }},
+        {{Id::view_right, "View", "From the right", "2", "Fits everything, seen against x."},
+         [](ViewerState& s) { fly_to_fit(s, axes_from(90.0, 0.0)); }},
+        {{Id::view_top, "View", "From the top", "3", "Fits everything, seen from above."},
+         [](ViewerState& s) { fly_to_fit(s, axes_from(0.0, 90.0)); }},
+        {{Id::view_iso, "View", "From a corner", "4", "Fits everything, seen isometrically: all three axes equally long."},
+         [](ViewerState& s) { fly_to_fit(s, isometric_axes()); }},
+        {{Id::use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home",
+          "An edit like any other: Home returns here then.", true},
+         edits(use_view_as_camera),
+         [](const ViewerState& s) { return s.camera != s.scene().camera; }},
+        {{Id::next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays.", true},
+         [](ViewerState& s) { show_frame(s, s.frame + 1); },
+         [](const ViewerState& s) { return has_frame(s, s.frame + 1); }},
+        {{Id::previous_frame, "View", "Previous frame", "Page Up", "Shows the frame before."},
+         [](ViewerState& s) { show_frame(s, s.frame - 1); },
+         [](const ViewerState& s) { return has_frame(s, s.frame - 1); }},
+        toggle({Id::toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
+               &ViewerState::panel_shown),
+        toggle(
+            {Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
+            &ViewerState::inspector_shown),
+        toggle({Id::toggle_export_area, "View", "Area of the export", "M",
+                "Marks what an export shows, where the window shows more or less."},
+               &ViewerState::export_area_shown),
+        choice({Id::no_anti_aliasing, "View", "Anti-aliasing off", "Alt+1", "A pixel shows what is at its centre.", true},
+               &ViewerSettings::samples, 1),
+        choice({Id::anti_aliasing_4, "View", "4 samples a pixel", "Alt+4",
+                "When nothing moves, and in exports, a pixel is the average of 4 points."},
+               &ViewerSettings::samples, 4),
+        choice({Id::anti_aliasing_16, "View", "16 samples a pixel", "Alt+6", "The average of 16 points."}, &ViewerSettings::samples,
+               16),
+        {{Id::larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger.", true},
+         [](ViewerState& s) { scale_text(s, 1.1); }},
+        {{Id::smaller_text, "View", "Smaller text", "Ctrl+-", "Makes text and panels smaller."},
+         [](ViewerState& s) { scale_text(s, 1.0 / 1.1); }},
+        toggle({Id::help, "Help", "Keys and mouse", "F1|?", "Lists every shortcut and what the mouse does."},
+               &ViewerState::help_shown),
+    };
+    auto place = std::ranges::find(commands, Id::toggle_panel, [](const Command& command) { return command.info.id; });
+    for (std::size_t mode = 0; mode < shading_modes.size(); ++mode) place = commands.insert(place, shade(mode)) + 1;
+    return commands;
+}
+
+const std::vector<Command>& all_commands() {
+    static const std::vector<Command> commands = make_commands();
+    return commands;
+}
+
+const Command& command_of(CommandId id) {
+    return *std::ranges::find(all_commands(), id, [](const Command& command) { return command.info.id; });
+}
+
+bool is_enabled(const ViewerState& state, const Command& command) { return !command.enabled || command.enabled(state); }
+
+bool is_checked(const ViewerState& state, const Command& command) { return command.checked && command.checked(state); }
+
 }  // namespace
 
-bool is_enabled(const ViewerState& state, CommandId command) {
-    const std::size_t count = state.scene().spheres.size();
-    const auto& selected = state.selection.numbers();
-    switch (command) {
-        case CommandId::undo: return state.document.can_undo();
-        case CommandId::redo: return state.document.can_redo();
-        case CommandId::duplicate:
-        case CommandId::remove:
-        case CommandId::hide:
-        case CommandId::select_none:
-        case CommandId::select_same_color:
-        case CommandId::center_on_selection: return !selected.empty();
-        case CommandId::rename: return selected.size() == 1;
-        case CommandId::move_up: return selected.size() == 1 && selected.front() > 0;
-        case CommandId::move_down: return selected.size() == 1 && selected.front() + 1 < count;
-        case CommandId::select_all: return selected.size() < count;
-        case CommandId::invert_selection: return count > 0;
-        case CommandId::next_frame: return has_frame(state, state.frame + 1);
-        case CommandId::previous_frame: return has_frame(state, state.frame - 1);
-        case CommandId::use_view_as_camera: return state.camera != state.scene().camera;
-        default: return true;
+std::vector<CommandInfo> commands_of(const ViewerState& state) {
+    std::vector<CommandInfo> infos;
+    for (const Command& command : all_commands()) {
+        infos.push_back(command.info);
+        infos.back().enabled = is_enabled(state, command);
+        infos.back().checked = is_checked(state, command);
     }
+    return infos;
 }
 
-bool is_checked(const ViewerState& state, CommandId command) {
-    switch (command) {
-        case CommandId::toggle_panel: return state.panel_shown;
-        case CommandId::toggle_inspector: return state.inspector_shown;
-        case CommandId::toggle_export_area: return state.export_area_shown;
-        default: return samples_of(command) == state.settings.samples || shading_of(command) == state.settings.shading;
-    }
-}
-
-void run_command(ViewerState& state, CommandId command) {
-    if (!is_enabled(state, command)) return;
-    if (const auto shading = shading_of(command)) state.settings.shading = *shading;
-    switch (command) {
-        case CommandId::first_shading:
-        case CommandId::last_shading: return;
-        case CommandId::file_new: return new_scene(state);
-        case CommandId::file_open: return ask_for_scene(state);
-        case CommandId::file_save: return save_scene(state);
-        case CommandId::file_save_as: return save_scene_as(state);
-        case CommandId::export_picture: return ask_for_export(state);
-        case CommandId::export_now: return export_now(state);
-        case CommandId::quit: return quit(state);
-        case CommandId::undo: return select_touched(state, state.document.undo());
-        case CommandId::redo: return select_touched(state, state.document.redo());
-        case CommandId::add_sphere: return perform(state, {add_sphere(state)});
-        case CommandId::duplicate: return perform(state, {duplicate_selected(state)});
-        case CommandId::remove: return perform(state, {remove_selected(state)});
-        case CommandId::hide: return perform(state, {hide_or_show_selected(state)});
-        case CommandId::move_up: return perform(state, {reorder_selected(state, -1)});
-        case CommandId::move_down: return perform(state, {reorder_selected(state, 1)});
-        case CommandId::rename: return start_renaming(state.side_panel, state.scene(), state.selection.numbers().front());
-        case CommandId::select_all: return state.selection.set_all(state.scene().spheres.size());
-        case CommandId::select_none: return state.selection.clear();
-        case CommandId::invert_selection: return state.selection.invert(state.scene().spheres.size());
-        case CommandId::select_same_color:
-            return state.selection.set(colored_like(state.scene().spheres, state.selection.numbers()));
-        case CommandId::select_hidden: return state.selection.set(hidden_ones(state.scene().spheres));
-        case CommandId::go_home: return go_home(state);
-        case CommandId::center_on_selection: return center_on_selection(state);
-        case CommandId::fit_all: return fly_to_fit(state, axes_of(state.camera));
-        case CommandId::view_front: return fly_to_fit(state, axes_from(0.0, 0.0));
-        case CommandId::view_right: return fly_to_fit(state, axes_from(90.0, 0.0));
-        case CommandId::view_top: return fly_to_fit(state, axes_from(0.0, 90.0));
-        case CommandId::view_iso: return fly_to_fit(state, isometric_axes());
-        case CommandId::use_view_as_camera:
-            return perform(state, {EditScene{ChangeCamera{state.camera}, "Use of this view as the camera", 0}});
-        case CommandId::next_frame: return show_frame(state, state.frame + 1);
-        case CommandId::previous_frame: return show_frame(state, state.frame - 1);
-        case CommandId::toggle_panel: state.panel_shown = !state.panel_shown; return;
-        case CommandId::toggle_inspector: state.inspector_shown = !state.inspector_shown; return;
-        case CommandId::toggle_export_area: state.export_area_shown = !state.export_area_shown; return;
-        case CommandId::no_anti_aliasing:
-        case CommandId::anti_aliasing_4:
-        case CommandId::anti_aliasing_16: state.settings.samples = samples_of(command); return;
-        case CommandId::larger_text: return scale_text(state, 1.1);
-        case CommandId::smaller_text: return scale_text(state, 1.0 / 1.1);
-        case CommandId::help: state.help_shown = !state.help_shown; return;
-    }
+void run_command(ViewerState& state, CommandId id) {
+    if (const Command& command = command_of(id); is_enabled(state, command)) command.run(state);
 }
 
 void perform(ViewerState& state, std::vector<Action> actions) {
     for (Action& action : actions) {
         if (auto* edit = std::get_if<EditScene>(&action)) {
-            apply(state, *edit);
+            apply(state, std::move(*edit));
         } else if (auto* select = std::get_if<SelectSpheres>(&action)) {
             state.selection = std::move(select->selection);
             state.selection.keep_below(state.scene().spheres.size());

@@ -11,10 +11,7 @@ void perform(ViewerState& state, std::vector<Action> actions);
 
 void run_command(ViewerState& state, CommandId command);
 
-// Whether the command has something to do now.
-bool is_enabled(const ViewerState& state, CommandId command);
-
-// Whether the command stands for what is chosen now: the menu marks it.
-bool is_checked(const ViewerState& state, CommandId command);
+// Every command as it is now, in the order of the menus.
+std::vector<CommandInfo> commands_of(const ViewerState& state);
 
 }  // namespace sphereview

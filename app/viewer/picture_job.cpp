@@ -57,29 +57,6 @@ PictureOptions picture_options(const ViewerState& state, PictureSize size) {
     return {state.camera, size, state.shown_background(), true, state.settings.samples, state.settings.shading};
 }
 
-}  // namespace
-
-bool rest_picture_is_shown(ViewerState& state) {
-    if (!state.rest_picture) return false;
-    RestPicture& picture = *state.rest_picture;
-    const bool same = same_spheres(state.document, picture.revision);
-    if (!same || picture.options != picture_options(state, state.picture_size)) state.rest_picture.reset();
-    if (!same) state.snapshot = {};
-    return state.rest_picture && picture.is_made();
-}
-
-void make_rest_picture(ViewerState& state) {
-    // Shaders of a folder are there to be looked at; and one picture at a time is made.
-    if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
-    const PictureOptions options = picture_options(state, state.picture_size);
-    auto image = std::make_shared<Image>();
-    BackgroundJob job(
-        [image, options, scene = snapshot(state)](WorkControl& control) { *image = render_beside(*scene, options, control); });
-    state.rest_picture.emplace(RestPicture{state.document.revision(), options, std::move(image), std::move(job)});
-}
-
-namespace {
-
 // Begins to write a file; none may be on its way. `fail` is called with what went wrong, now or later.
 void start_export(ViewerState& state, const std::string& path, PictureSize size, std::function<void(const std::string& why)> fail) {
     const PictureOptions options = picture_options(state, size);
@@ -136,6 +113,25 @@ void ask_for_export(ViewerState& state, const std::string& first_path, const std
 }
 
 }  // namespace
+
+bool rest_picture_is_shown(ViewerState& state) {
+    if (!state.rest_picture) return false;
+    RestPicture& picture = *state.rest_picture;
+    const bool same = same_spheres(state.document, picture.revision);
+    if (!same || picture.options != picture_options(state, state.picture_size)) state.rest_picture.reset();
+    if (!same) state.snapshot = {};
+    return state.rest_picture && picture.is_made();
+}
+
+void make_rest_picture(ViewerState& state) {
+    // Shaders of a folder are there to be looked at; and one picture at a time is made.
+    if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
+    const PictureOptions options = picture_options(state, state.picture_size);
+    auto image = std::make_shared<Image>();
+    BackgroundJob job(
+        [image, options, scene = snapshot(state)](WorkControl& control) { *image = render_beside(*scene, options, control); });
+    state.rest_picture.emplace(RestPicture{state.document.revision(), options, std::move(image), std::move(job)});
+}
 
 void export_now(ViewerState& state) {
     if (state.exporting) return;

@@ -25,7 +25,8 @@ RedrawLog::RedrawLog(const std::string& path) : file_(nullptr, std::fclose) {
     if (!file_) throw OutputError(path + ": the frame log cannot be written");
 }
 
-void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const WidgetRectangles& widgets) {
+void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& frame,
+                    const WidgetRectangles& widgets) {
     if (!file_) return;
     Json rectangles = Json::object();
     for (const auto& [name, r] : widgets) rectangles.set(name, {r.left, r.top, r.right, r.bottom});
@@ -36,16 +37,16 @@ void RedrawLog::add(const ViewerState& state, const LoggedRedraw& frame, const W
     const Json line = {
         {"frame", frame.number},
         {"revision", state.document.revision()},
-        {"step", frame.step},
+        {"step", facts.status.step},
         {"builds", frame.builds},
         {"explanations", frame.explanations},
         {"exact", frame.exact},
-        {"samples", frame.samples},
+        {"samples", frame.exact ? state.settings.samples : 1},
         {"shading", name_of(state.settings.shading)},
         {"resting", frame.resting},
         {"seconds", frame.seconds},
         {"title", frame.title},
-        {"renderer", frame.renderer},
+        {"renderer", facts.status.renderer},
         {"path", state.path},
         {"scene_frame", {state.frame, state.frames}},
         {"changed", state.document.is_changed()},

@@ -12,16 +12,13 @@ namespace sphereview {
 
 struct LoggedRedraw {
     std::uint64_t number = 0;
-    int step = 1;                    // of the picture's grid
     std::uint64_t builds = 0;        // how often the picture's lists were built from nothing
     std::uint64_t explanations = 0;  // how often a pixel's arithmetic was made for the inspector
     bool exact = false;              // the picture is what `render` writes
-    int samples = 1;                 // points a pixel, in the picture that is shown
     bool resting = false;            // nothing waits to be done: the next frame comes with the next event
     Rectangle picture;
     double seconds = 0.0;  // from the first of its events to the swap
     std::string title;
-    std::string renderer;
 };
 
 class RedrawLog {
@@ -30,7 +27,8 @@ public:
     explicit RedrawLog(const std::string& path);
 
     bool wanted() const { return file_ != nullptr; }
-    void add(const ViewerState& state, const LoggedRedraw& frame, const WidgetRectangles& widgets);
+    // `facts`: of the picture that the redraw shows.
+    void add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& frame, const WidgetRectangles& widgets);
 
 private:
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;

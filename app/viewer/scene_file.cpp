@@ -14,12 +14,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string absolute_path(const std::string& path) {
-    std::error_code error;
-    const fs::path absolute = fs::absolute(path, error);
-    return error ? path : absolute.lexically_normal().string();
-}
-
 // A question of its kind that waits already is asked for the latest purpose instead of twice.
 void ask(ViewerState& state, Question question) {
     for (Dialog& dialog : state.dialogs) {
@@ -31,14 +25,6 @@ void ask(ViewerState& state, Question question) {
     state.dialogs.push_back(std::move(question));
 }
 
-// What to do with a scene that was asked for now: `then`, and before that the question about edits, if any were made meanwhile.
-std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then) {
-    return [&state, revision = state.document.revision(), then = std::move(then)](LoadedScene loaded) {
-        if (state.document.revision() == revision) return then(std::move(loaded));
-        with_edits_safe(state, [then, kept = std::make_shared<LoadedScene>(std::move(loaded))] { then(std::move(*kept)); });
-    };
-}
-
 void read_scene(ViewerState& state, const std::string& path) {
     // The stamp is of before the reading: what is written meanwhile shows as a change.
     const auto accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
@@ -47,7 +33,7 @@ void read_scene(ViewerState& state, const std::string& path) {
     });
     const auto fail = [&state, path](const std::string& why) {
         // A broken file can be repaired, and is then looked for where it was.
-        if (std::error_code error; !fs::exists(path, error)) remove_recent(state.settings, absolute_path(path));
+        if (std::error_code error; !fs::exists(path, error)) remove_recent(state.settings, path);
         report_error(state, "The scene cannot be opened", why);
         look_at_file(state);
     };
@@ -110,12 +96,7 @@ FileBrowser file_dialog(const ViewerState& state) {
 std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&)) {
     std::vector<FileKind> kinds;
     for (const SceneFormat& format : scene_formats()) {
-        if (!wanted(format)) continue;
-        FileKind& kind = kinds.emplace_back();
-        kind.name = format.name;
-        for (const std::string_view ending : format.endings) {
-            if (!ending.empty()) kind.endings.emplace_back(ending);
-        }
+        if (wanted(format)) kinds.push_back({std::string(format.name), endings_of(format)});
     }
     return kinds;
 }
@@ -129,8 +110,6 @@ std::vector<FileKind> read_kinds() {
     kinds.push_back({"All files", {}});
     return kinds;
 }
-
-bool is_packed(const std::string& path) { return without_gzip_ending(path) != path; }
 
 void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
     const std::string lost = lost_in(state.scene(), format);
@@ -148,7 +127,6 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
     const std::string ending(is_written(format) ? format.endings[0] : SceneFormat::toml.endings[0]);
-    const std::vector<std::string> endings = format_endings(is_written);
     const fs::path stem = state.path.empty() ? "scene" : fs::path(without_gzip_ending(state.path)).stem();
     FileBrowser browser = file_dialog(state);
     browser.saving = true;
@@ -158,21 +136,13 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
     const auto chosen =
         std::ranges::find(browser.kinds, is_written(format) ? format.name : SceneFormat::toml.name, &FileKind::name);
     browser.kind = static_cast<decltype(browser.kind)>(chosen - browser.kinds.begin());
-    browser.accept = [&state, then, endings](const std::string& path) {
+    browser.accept = [&state, then](const std::string& path) {
         const std::string absolute = absolute_path(path);
-        const SceneFormat named = format_of_name(absolute);
-        if (!is_written(named)) {
+        if (const std::string fault = name_fault(absolute); !fault.empty()) {
             return report_error(state, "The scene cannot be saved",
-                                in_quotes(fs::path(absolute).filename().string()) + " is a name for " + std::string(named.name) +
-                                    ", which is only read. Take one that ends with " + listed(endings, "or") + ".");
+                                in_quotes(fs::path(absolute).filename().string()) + " is " + fault + ".");
         }
-        if (is_packed(absolute)) {
-            return report_error(state, "The scene cannot be saved",
-                                in_quotes(fs::path(absolute).filename().string()) +
-                                    " is a name for gzip, which is only read. Take one that ends with " + listed(endings, "or") +
-                                    ".");
-        }
-        write_unless_lost(state, absolute, named, then);
+        write_unless_lost(state, absolute, format_of_name(absolute), then);
     };
     state.dialogs.push_back(std::move(browser));
 }
@@ -268,6 +238,13 @@ void with_edits_safe(ViewerState& state, std::function<void()> then) {
                 }});
 }
 
+std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then) {
+    return [&state, revision = state.document.revision(), then = std::move(then)](LoadedScene loaded) {
+        if (state.document.revision() == revision) return then(std::move(loaded));
+        with_edits_safe(state, [then, kept = std::make_shared<LoadedScene>(std::move(loaded))] { then(std::move(*kept)); });
+    };
+}
+
 void new_scene(ViewerState& state) {
     with_edits_safe(state, [&state] { adopt(state, {.format = SceneFormat::toml}, ""); });
 }
@@ -285,7 +262,7 @@ void ask_for_scene(ViewerState& state) {
 }
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
-    if (state.path.empty() || !is_written(state.format) || is_packed(state.path)) return save_scene_as(state, then);
+    if (state.path.empty() || !is_written(state.format) || !name_fault(state.path).empty()) return save_scene_as(state, then);
     write_unless_lost(state, state.path, state.format, then);
 }
 

@@ -19,6 +19,9 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);
 // being saved is whole.
 void with_edits_safe(ViewerState& state, std::function<void()> then);
 
+// What to do with a scene that is asked for now: `then`, and before that the question about edits, if any are made meanwhile.
+std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then);
+
 // Each asks what there is to ask, in dialogs, before anything is lost.
 void new_scene(ViewerState& state);
 void open_scene(ViewerState& state, const std::string& path);

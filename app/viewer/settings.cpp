@@ -96,22 +96,22 @@ void update(Json& json, const ViewerSettings& settings) {
     json.set("recent", recent);
 }
 
-std::string absolute(const std::string& path) {
+}  // namespace
+
+std::string absolute_path(const std::string& path) {
     std::error_code error;
     const fs::path full = fs::absolute(path, error).lexically_normal();
     return error ? path : full.string();
 }
 
-}  // namespace
-
 void add_recent(ViewerSettings& settings, const std::string& path) {
-    const std::string full = absolute(path);
+    const std::string full = absolute_path(path);
     std::erase(settings.recent, full);
     settings.recent.insert(settings.recent.begin(), full);
     if (settings.recent.size() > most_recent) settings.recent.resize(most_recent);
 }
 
-void remove_recent(ViewerSettings& settings, const std::string& path) { std::erase(settings.recent, absolute(path)); }
+void remove_recent(ViewerSettings& settings, const std::string& path) { std::erase(settings.recent, absolute_path(path)); }
 
 ViewerSettings load_settings(std::string* fault) {
     std::string unreadable;

@@ -37,6 +37,9 @@ struct ViewerSettings {
     Shading shading = Shading::flat;
 };
 
+// The path from the root, without . and ..; as it is where the system names no current folder.
+std::string absolute_path(const std::string& path);
+
 // The path, made absolute, becomes the latest.
 void add_recent(ViewerSettings& settings, const std::string& path);
 void remove_recent(ViewerSettings& settings, const std::string& path);

@@ -62,7 +62,6 @@ void recover(ViewerState& state, const Recovery& recovery) {
     const std::string path = recovery.original;
     const auto accept = [&state, path, recovery](LoadedScene loaded) {
         if (!path.empty()) loaded.format = format_of_name(path);
-        loaded.has_camera = !is_data(loaded.format);
         adopt(state, std::move(loaded), path);
         state.document.mark_unsaved();
         // Now they are this process's to keep: until they are, their file stays.
@@ -94,7 +93,7 @@ void offer_recovery(ViewerState& state) {
 }
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
-    const bool fits_view = loaded.has_camera && state.options.fit.wanted.value_or(false);
+    const bool fits_view = loaded.has_camera() && state.options.fit.wanted.value_or(false);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
     if (fits_view) {
@@ -111,12 +110,7 @@ void load_first_scene(ViewerState& state) {
     const LoadOptions options = load_options(state, state.options.data.frame);
     if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
     adopt(state, {.format = SceneFormat::toml}, "");
-    const auto accept = [&state, revision = state.document.revision()](LoadedScene loaded) {
-        if (state.document.revision() == revision) return adopt_first_scene(state, std::move(loaded));
-        with_edits_safe(state, [&state, kept = std::make_shared<LoadedScene>(std::move(loaded))] {
-            adopt_first_scene(state, std::move(*kept));
-        });
-    };
+    const auto accept = unless_edited(state, [&state](LoadedScene loaded) { adopt_first_scene(state, std::move(loaded)); });
     const auto fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
     start_loading(state, {.path = path, .options = options, .accept = accept, .fail = fail});
     if (!state.loading->job.wait_for(patience_without_window)) return;

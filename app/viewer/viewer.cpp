@@ -76,9 +76,8 @@ Viewer::Viewer(ViewerState& state, Window& window)
       window_(window),
       imgui_(window, state.settings.text_scale),
       picture_(state.options.shader_folder),
-      log_(state.options.redraw_log),
-      renderer_(window.renderer()) {
-    facts_.status.renderer = renderer_;
+      log_(state.options.redraw_log) {
+    facts_.status.renderer = window.renderer();
     state_.messages.shader_error = picture_.shader_log();
 }
 
@@ -143,6 +142,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
     std::vector<InputEvent> events = input_.take_frame();
     if (!events.empty()) pacing_.touch();
     const bool typing = ImGui::GetIO().WantTextInput;
+    const std::vector<CommandInfo> commands = commands_of(state_);
     for (const InputEvent& event : events) {
         if (takes_over(event)) state_.flight.reset();
         if (std::holds_alternative<CloseRequested>(event)) {
@@ -155,10 +155,10 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
-            if (const auto command = command_for_key(key->name, m.control, m.shift, m.alt))
+            if (const auto command = command_for_key(commands, key->name, m.control, m.shift, m.alt))
                 actions.emplace_back(RunCommand{*command});
         } else if (const auto* typed = std::get_if<CharacterTyped>(&event); typed != nullptr && !typing && state_.dialogs.empty()) {
-            if (const auto command = command_for_character(typed->character)) actions.emplace_back(RunCommand{*command});
+            if (const auto command = command_for_character(commands, typed->character)) actions.emplace_back(RunCommand{*command});
         }
     }
     return events;
@@ -221,15 +221,7 @@ void Viewer::draw_box() const {
     const auto on_screen = [&](const glm::dvec2& place) {
         return ImVec2(static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_));
     };
-    const ImVec2 from = on_screen(glm::min(box->from, box->to));
-    const ImVec2 to = on_screen(glm::max(box->from, box->to));
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(area_.x, area_.y), ImVec2(area_.x + area_.width, area_.y + area_.height));
-    draw->AddRectFilled(from, to, IM_COL32(255, 255, 255, 40));
-    // Light beside dark: seen on every colour.
-    draw->AddRect(ImVec2(from.x - 1.0F, from.y - 1.0F), ImVec2(to.x + 1.0F, to.y + 1.0F), IM_COL32(0, 0, 0, 160));
-    draw->AddRect(from, to, IM_COL32(255, 255, 255, 220));
-    draw->PopClipRect();
+    draw_frame(area_, on_screen(glm::min(box->from, box->to)), on_screen(glm::max(box->from, box->to)), 160, 220, 40);
 }
 
 void Viewer::redraw() {
@@ -249,18 +241,11 @@ void Viewer::redraw() {
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
     if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
-    const PanelContext context{state_.document,
-                               state_.selection,
-                               state_.bounds,
-                               [this](CommandId command) { return is_enabled(state_, command); },
-                               imgui_.scale(),
-                               state_.gesture,
-                               state_.hovered,
-                               actions,
-                               log_.wanted() ? &widgets_ : nullptr,
-                               [this](CommandId command) { return is_checked(state_, command); },
-                               state_.frame,
-                               state_.frames};
+    const std::vector<CommandInfo> commands = commands_of(state_);
+    const PanelContext context{state_.document, state_.selection, state_.bounds,
+                               commands,        imgui_.scale(),   state_.gesture,
+                               state_.hovered,  actions,          log_.wanted() ? &widgets_ : nullptr,
+                               state_.frame,    state_.frames};
     const bool asked = !state_.dialogs.empty();
     area_ = draw_panels(state_, context, facts_);
     draw_export_area(state_, area_);
@@ -289,9 +274,9 @@ void Viewer::redraw() {
     rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
     if (log_.wanted()) {
         const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_;
-        log_.add(state_,
-                 {++redraw_number_, picture_.step(), picture_.builds(), explanations_, exact, exact ? state_.settings.samples : 1,
-                  resting, area_, seconds_between(begin, Clock::now()), title_for(state_), renderer_},
+        log_.add(state_, facts_,
+                 {++redraw_number_, picture_.builds(), explanations_, exact, resting, area_, seconds_between(begin, Clock::now()),
+                  title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
@@ -312,8 +297,7 @@ void Viewer::note_facts() {
         if (state_.hovered != sphere) pacing_.touch();
         state_.hovered = sphere;
     }
-    facts_.status = {renderer_, picture_.last_seconds(),       picture_.step(), pixel, state_.picture_size,
-                     sphere,    hidden_.count(state_.document)};
+    facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
     if (!pixel || !state_.inspector_shown) {
         facts_.inspected.reset();
         return;

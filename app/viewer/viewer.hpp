@@ -52,8 +52,6 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
-    HiddenSpheres hidden_;
-    std::string renderer_;
     std::shared_ptr<const Image> uploaded_;  // the rest picture that the window's context holds
     bool rest_picture_works_ = false;        // it is being made
 

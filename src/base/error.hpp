@@ -1,4 +1,4 @@
-// The errors a person can cause or meet. Each type has one exit status (app/exit_code.hpp); a programmer's mistake asserts.
+// The errors a person can cause or meet. Each type has one exit status (app/failure.hpp); a programmer's mistake asserts.
 #pragma once
 
 #include <stdexcept>

@@ -42,7 +42,7 @@ InputStream::InputStream(const std::string& path, Content content)
     const bool from_stdin = path == standard_stream;
     std::error_code ignored;
     if (!from_stdin && fs::is_directory(path, ignored)) fail("it is a folder; expected a file");
-    std::FILE* file = from_stdin ? binary_stdin() : std::fopen(path.c_str(), "rb");
+    std::FILE* file = from_stdin ? binary(stdin) : std::fopen(path.c_str(), "rb");
     if (file == nullptr) fail(std::strerror(errno));
     file_ = {file, from_stdin ? &leave_open : &std::fclose};
 

@@ -67,7 +67,7 @@ fs::path hidden_sibling(const fs::path& target) {
 
 // Writes all bytes; false, with errno set, if that fails.
 bool write_to_stdout(std::string_view bytes) {
-    std::FILE* file = binary_stdout();
+    std::FILE* file = binary(stdout);
     errno = 0;
 #ifdef _WIN32
     const bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();

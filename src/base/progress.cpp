@@ -19,7 +19,7 @@ std::string three_digits(double value) { return fixed(value, value < 10 ? 2 : va
 
 }  // namespace
 
-Progress::Progress(bool enabled) : enabled_(enabled && stderr_is_terminal()) {}
+Progress::Progress() : enabled_(stderr_is_terminal()) {}
 
 Progress::~Progress() { clear(); }
 

@@ -10,8 +10,7 @@ namespace sphereview {
 // One at a time, used from one thread. Destruction clears it.
 class Progress {
 public:
-    // `enabled` false: silent whatever standard error is.
-    explicit Progress(bool enabled);
+    Progress();
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;

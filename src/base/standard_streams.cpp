@@ -11,21 +11,20 @@
 
 namespace sphereview {
 
+std::FILE* binary(std::FILE* stream) {
 #ifdef _WIN32
-std::FILE* binary_stdin() {
-    _setmode(_fileno(stdin), _O_BINARY);
-    return stdin;
-}
-std::FILE* binary_stdout() {
-    _setmode(_fileno(stdout), _O_BINARY);
-    return stdout;
-}
-bool stderr_is_terminal() { return _isatty(_fileno(stderr)) != 0; }
-#else
-std::FILE* binary_stdin() { return stdin; }
-std::FILE* binary_stdout() { return stdout; }
-bool stderr_is_terminal() { return isatty(STDERR_FILENO) != 0; }
+    _setmode(_fileno(stream), _O_BINARY);
 #endif
+    return stream;
+}
+
+bool stderr_is_terminal() {
+#ifdef _WIN32
+    return _isatty(_fileno(stderr)) != 0;
+#else
+    return isatty(STDERR_FILENO) != 0;
+#endif
+}
 
 void say(std::string_view line) { std::fputs((on_one_line(line) + "\n").c_str(), stderr); }
 

@@ -6,9 +6,8 @@
 
 namespace sphereview {
 
-// Standard input and output without any translation of line ends.
-std::FILE* binary_stdin();
-std::FILE* binary_stdout();
+// Standard input or output without any translation of line ends from now on.
+std::FILE* binary(std::FILE* stream);
 
 // Whether a person watches standard error.
 bool stderr_is_terminal();

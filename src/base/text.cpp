@@ -170,6 +170,17 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
     return best;
 }
 
+std::string joined(std::span<const std::string> words, std::string_view between) {
+    std::string text;
+    for (const std::string& word : words) text += std::string(&word == words.data() ? "" : between) + word;
+    return text;
+}
+
+std::string listed(std::span<const std::string> words, std::string_view last) {
+    if (words.size() < 2) return joined(words, "");
+    return joined(words.first(words.size() - 1), ", ") + " " + std::string(last) + " " + words.back();
+}
+
 std::string in_groups(std::uint64_t value) {
     std::string text = std::to_string(value);
     for (std::size_t end = text.size(); end > 3; end -= 3) text.insert(end - 3, ",");

@@ -47,6 +47,12 @@ std::string on_lines(std::string_view text, std::size_t most = std::string_view:
 // meant.
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
+// "a; b; c", when `between` is "; ".
+std::string joined(std::span<const std::string> words, std::string_view between);
+
+// "a, b or c", when `last` is "or".
+std::string listed(std::span<const std::string> words, std::string_view last);
+
 // 1234567 as "1,234,567".
 std::string in_groups(std::uint64_t value);
 

@@ -40,4 +40,11 @@ private:
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+// What work() returns; the time that work() takes is added to the phase.
+template <typename Work>
+auto timed(Timings& timings, Phase phase, const Work& work) {
+    const PhaseTimer timer(timings, phase);
+    return work();
+}
+
 }  // namespace sphereview

@@ -32,12 +32,6 @@ fs::path from_environment(const char* variable) {
 
 fs::path below(const fs::path& folder, const fs::path& name) { return folder.empty() ? fs::path() : folder / name; }
 
-#ifdef _WIN32
-fs::path home_folder() { return from_environment(L"USERPROFILE"); }
-#else
-fs::path home_folder() { return from_environment("HOME"); }
-#endif
-
 #if !defined(_WIN32) && !defined(__APPLE__)
 
 // A folder of the user's own choice, or the one that the specification gives.
@@ -78,12 +72,15 @@ bool is_folder(const fs::path& path) {
 }  // namespace
 
 #ifdef _WIN32
+fs::path home_folder() { return from_environment(L"USERPROFILE"); }
 fs::path config_folder() { return below(from_environment(L"APPDATA"), program); }
 fs::path state_folder() { return below(from_environment(L"LOCALAPPDATA"), program); }
 #elif defined(__APPLE__)
+fs::path home_folder() { return from_environment("HOME"); }
 fs::path config_folder() { return below(home_folder(), fs::path("Library/Application Support") / program); }
 fs::path state_folder() { return config_folder(); }
 #else
+fs::path home_folder() { return from_environment("HOME"); }
 fs::path config_folder() { return below(xdg_folder("XDG_CONFIG_HOME", ".config"), program); }
 fs::path state_folder() { return below(xdg_folder("XDG_STATE_HOME", ".local/state"), program); }
 #endif

@@ -5,6 +5,9 @@
 
 namespace sphereview {
 
+// The user's home folder; empty when the system names none.
+std::filesystem::path home_folder();
+
 // Settings: $XDG_CONFIG_HOME or ~/.config, %APPDATA%, ~/Library/Application Support; each with /sphereview. Empty when the
 // system names no home.
 std::filesystem::path config_folder();

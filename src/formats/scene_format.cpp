@@ -1,6 +1,7 @@
 #include "formats/scene_format.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
@@ -31,9 +32,8 @@ constexpr std::array<SceneFormat, 6> table = {{
 const SceneFormat* named_format(std::string_view path) {
     const std::string name = lower_case(without_gzip_ending(path));
     for (const SceneFormat& format : table) {
-        for (const std::string_view ending : format.endings) {
-            if (!ending.empty() && name.ends_with(ending)) return &format;
-        }
+        const auto ends = [&](const std::string& ending) { return name.ends_with(ending); };
+        if (std::ranges::any_of(endings_of(format), ends)) return &format;
     }
     return nullptr;
 }
@@ -51,6 +51,12 @@ const SceneFormat* find_format(std::string_view name) {
     return found == table.end() ? nullptr : &*found;
 }
 
+std::vector<std::string> endings_of(const SceneFormat& format) {
+    std::vector<std::string> endings(format.endings.begin(), format.endings.end());
+    std::erase(endings, "");
+    return endings;
+}
+
 std::vector<std::string> format_names(bool (*wanted)(const SceneFormat&)) {
     std::vector<std::string> names;
     for (const SceneFormat& format : table) {
@@ -62,26 +68,22 @@ std::vector<std::string> format_names(bool (*wanted)(const SceneFormat&)) {
 std::vector<std::string> format_endings(bool (*wanted)(const SceneFormat&)) {
     std::vector<std::string> endings;
     for (const SceneFormat& format : table) {
-        if (wanted != nullptr && !wanted(format)) continue;
-        for (const std::string_view ending : format.endings) {
-            if (!ending.empty()) endings.emplace_back(ending);
-        }
+        if (wanted == nullptr || wanted(format)) std::ranges::move(endings_of(format), std::back_inserter(endings));
     }
     return endings;
-}
-
-std::string listed(const std::vector<std::string>& words, const std::string& last) {
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 < words.size() ? ", " : " " + last + " ";
-        text += words[i];
-    }
-    return text;
 }
 
 const SceneFormat& format_of_name(std::string_view path) {
     const SceneFormat* named = named_format(path);
     return named == nullptr ? table[0] : *named;
+}
+
+std::string name_fault(std::string_view path) {
+    const SceneFormat& named = format_of_name(path);
+    const bool packed = without_gzip_ending(path) != path;
+    if (is_written(named) && !packed) return "";
+    return "a name for " + std::string(is_written(named) ? "gzip" : named.name) +
+           ", which is only read; expected one that ends with " + listed(format_endings(is_written), "or");
 }
 
 const SceneFormat& detect_format(std::string_view content, std::string_view name) {
@@ -108,14 +110,13 @@ void require_frame(const std::string& name, std::int64_t frame, std::int64_t fra
 
 std::string lost_in(const Scene& scene, const SceneFormat& format) {
     if (!format.holds_only_spheres) return "";
-    std::string lost;
-    const auto add = [&](const std::string& what) { lost += (lost.empty() ? "" : ", ") + what; };
-    if (scene.background != Background{}) add("the background");
-    if (scene.camera != Camera{}) add("the camera");
-    if (!scene.names.empty()) add("the names (" + std::to_string(scene.names.size()) + ")");
+    std::vector<std::string> lost;
+    if (scene.background != Background{}) lost.emplace_back("the background");
+    if (scene.camera != Camera{}) lost.emplace_back("the camera");
+    if (!scene.names.empty()) lost.push_back("the names (" + std::to_string(scene.names.size()) + ")");
     const auto hidden = std::count_if(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
-    if (hidden != 0) add("the hidden spheres (" + std::to_string(hidden) + ")");
-    return lost;
+    if (hidden != 0) lost.push_back("the hidden spheres (" + std::to_string(hidden) + ")");
+    return joined(lost, ", ");
 }
 
 }  // namespace sphereview

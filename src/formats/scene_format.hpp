@@ -53,15 +53,20 @@ inline bool is_data(const SceneFormat& format) { return format.is_data; }
 inline bool is_written(const SceneFormat& format) { return format.write != nullptr; }
 inline bool has_frames(const SceneFormat& format) { return format.has_frames; }
 
+// The endings of the format's file names: those that are not "".
+std::vector<std::string> endings_of(const SceneFormat& format);
+
 // The names, or the endings of file names, of the formats for which `wanted` holds; all for null.
 std::vector<std::string> format_names(bool (*wanted)(const SceneFormat&) = nullptr);
 std::vector<std::string> format_endings(bool (*wanted)(const SceneFormat&) = nullptr);
 
-// "a, b or c", when `last` is "or".
-std::string listed(const std::vector<std::string>& words, const std::string& last);
-
 // The format by the ending of the name, in any letter case and also with .gz behind it; text for all other names.
 const SceneFormat& format_of_name(std::string_view path);
+
+// What such a name is, where no scene may be written under it: "a name for CSV, which is only read; expected one that ends with
+// ...";
+// "" where one may.
+std::string name_fault(std::string_view path);
 
 // The format of a file that begins with `content`. A name of data decides. Else the content does, as far as it is clear; where the
 // name is one for text or TOML, only between these. At last the name.

@@ -74,10 +74,8 @@ public:
         : document_(document), table_(table), where_(std::move(where)) {
         for (const auto& [key, value] : table) {
             if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
-            std::string known;
-            for (const std::string& name : keys) known += (known.empty() ? "" : ", ") + name;
             fail(document, key.source().begin,
-                 "found the unknown key " + in_quotes(key.str()) + " in " + where_ + ", expected one of " + known +
+                 "found the unknown key " + in_quotes(key.str()) + " in " + where_ + ", expected one of " + joined(keys, ", ") +
                      did_you_mean(key.str(), keys));
         }
     }

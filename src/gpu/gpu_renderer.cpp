@@ -41,7 +41,6 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& list
     const PhaseTimer timer(timings, Phase::prepare);
     std::vector<std::string> defines = tables_.defines_for(spheres, lists);
     if (!trace_ || defines != defines_) {
-        shade_ = Program();
         trace_ = make_program("trace.frag", defines);
         defines_ = std::move(defines);
     }
@@ -73,40 +72,6 @@ void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Tim
     }
     const PhaseTimer timer(timings, Phase::read_back);
     visible_.read(in_target, visible);
-    last_block_ = block;
-}
-
-Image GpuRenderer::shade(const Scene& scene, const DrawnSpheres& drawn, const Background& background) {
-    if (!shade_) shade_ = make_program("shade.frag", defines_);
-    tables_.upload_colors(shown_colors(scene, drawn));
-    tables_.bind();
-    DrawBlock frame = frame_;
-    frame.background = shown_background(background);
-    frame.picture_size = {last_block_.width, last_block_.height};
-    frame.window_corner = {0, last_block_.height - 1};
-    upload_draw_block(draw_buffer_, frame);
-
-    const Texture target_texture = Texture::make();
-    glBindTexture(GL_TEXTURE_2D, target_texture.name());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, last_block_.width, last_block_.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    const Framebuffer target = Framebuffer::make();
-    glBindFramebuffer(GL_FRAMEBUFFER, target.name());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target_texture.name(), 0);
-
-    glUseProgram(shade_.name());
-    visible_.bind(TextureUnit::visible_spheres);
-    draw_block(no_vertices_, {0, 0, last_block_.width, last_block_.height});
-
-    // Row 0 of the target is the bottom row of the window.
-    Image upside_down(last_block_.width, last_block_.height, 4);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, last_block_.width, last_block_.height, GL_RGBA, GL_UNSIGNED_BYTE, upside_down.bytes().data());
-    check_gl("shading");
-    Image picture(last_block_.width, last_block_.height, 4);
-    for (int y = 0; y < picture.height(); ++y) {
-        std::copy_n(upside_down.at(0, picture.height() - 1 - y), static_cast<std::size_t>(picture.width()) * 4, picture.at(0, y));
-    }
-    return picture;
 }
 
 }  // namespace sphereview

@@ -13,7 +13,6 @@
 #include "gpu/layouts.hpp"
 #include "gpu/number_target.hpp"
 #include "gpu/scene_tables.hpp"
-#include "image/image.hpp"
 
 namespace sphereview {
 
@@ -38,22 +37,17 @@ public:
     // Writes, row by row, what each pixel of the block shows (exact/visible.hpp), as indices among the drawn spheres.
     void trace(const Block& block, std::span<std::int32_t> visible, Timings& timings);
 
-    // Colours the block that was traced last, from (0, 0), as a window shows it, through shade.frag. An RGBA picture.
-    Image shade(const Scene& scene, const DrawnSpheres& drawn, const Background& background);
-
 private:
     void self_check(Timings& timings);
 
     SceneTables tables_;
     std::vector<std::string> defines_;  // that the shaders were compiled with
     Program trace_;
-    Program shade_;
     VertexArray no_vertices_;
     Buffer draw_buffer_;
     NumberTarget visible_;
     DrawBlock frame_;
     PixelRange covered_;  // of the picture; the rest shows no sphere
-    Block last_block_;
 };
 
 }  // namespace sphereview

@@ -1,7 +1,6 @@
 #include "scene/bounds.hpp"
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <mutex>
 
@@ -15,7 +14,7 @@ constexpr double most = std::numeric_limits<double>::max();
 constexpr std::size_t spheres_at_once = 16384;
 
 // What nothing takes up: less than any sphere.
-constexpr SceneBounds nothing{glm::dvec3(most), glm::dvec3(-most), 0.0};
+constexpr SceneBounds nothing{glm::dvec3(most), glm::dvec3(-most), 0.0, 0};
 
 // By hand: min and max of glm do not become SIMD.
 void include(SceneBounds& bounds, const glm::dvec3& low, const glm::dvec3& high, double radius) {
@@ -41,11 +40,13 @@ SceneBounds bounds_of(const Scene& scene) {
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[i];
             if (!sphere.hidden) include(part, sphere.center - sphere.radius, sphere.center + sphere.radius, sphere.radius);
+            part.hidden += sphere.hidden ? 1 : 0;
         }
         const std::lock_guard lock(mutex);
         include(all, part.low, part.high, part.largest_radius);
+        all.hidden += part.hidden;
     });
-    if (all.largest_radius == 0.0) return {};
+    if (all.largest_radius == 0.0) return {.hidden = all.hidden};
     for (int axis = 0; axis < 3; ++axis) {
         all.low[axis] = std::max(all.low[axis], -most);
         all.high[axis] = std::min(all.high[axis], most);

@@ -1,6 +1,7 @@
 // How much room a scene takes up.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 
 #include "scene/scene.hpp"
@@ -12,6 +13,7 @@ struct SceneBounds {
     glm::dvec3 low{-100.0, -100.0, 100.0};
     glm::dvec3 high{100.0, 100.0, 300.0};
     double largest_radius = 20.0;
+    std::size_t hidden = 0;  // how many spheres are
 
     glm::dvec3 middle() const { return 0.5 * low + 0.5 * high; }
     // The longest side, but not less than the largest sphere: more than 0, and finite.

@@ -1,4 +1,4 @@
-// The GPU renderer in this process: its numbers, and the colours that its window shader makes of them.
+// The GPU renderer in this process: its numbers.
 #include "gpu/gpu_renderer.hpp"
 
 #include <gtest/gtest.h>
@@ -7,7 +7,6 @@
 
 #include "exact/resolve.hpp"
 #include "gl/contexts.hpp"
-#include "shade/picture_shader.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
@@ -44,42 +43,6 @@ protected:
     GpuRenderer gpu_{timings_};
     DrawnSpheres drawn_;
 };
-
-// A picture of any kind as RGBA.
-std::vector<std::uint8_t> rgba_bytes(const Image& picture) {
-    std::vector<std::uint8_t> bytes;
-    for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            const std::uint8_t* pixel = picture.at(x, y);
-            bytes.insert(bytes.end(), pixel, pixel + 3);
-            bytes.push_back(picture.channels() == 4 ? pixel[3] : 255);
-        }
-    }
-    return bytes;
-}
-
-TEST_P(GpuRendererTest, ShadesAWindowExactlyAsAnExport) {
-    const Scene scene = colorful_scene();
-    const std::vector<Background> backgrounds = {
-        {{0, 0, 0}, false}, {{255, 255, 255}, false}, {{1, 128, 254}, false}, {{0, 0, 0}, true}};
-    // Large first: later pictures use a part of the larger target.
-    for (const PictureSize size : {PictureSize{320, 240}, PictureSize{99, 201}, PictureSize{1, 1}}) {
-        const Block whole{0, 0, size.width, size.height};
-        const std::vector<std::int32_t> visible = trace(scene, size, whole);
-        for (const Background& background : backgrounds) {
-            Image expected = make_picture(size, background);
-            PictureShader(scene, scene.camera, size, Shading::flat, background).shade(whole, visible, expected);
-            const Image shaded = gpu_.shade(scene, drawn_, background);
-            ASSERT_EQ(shaded.width(), size.width);
-            ASSERT_EQ(shaded.height(), size.height);
-            EXPECT_TRUE(std::ranges::equal(shaded.bytes(), rgba_bytes(expected))) << size.width << "x" << size.height;
-        }
-        if (size.width == 1) continue;
-        EXPECT_TRUE(std::ranges::count(visible, visible_background) > 0);
-        EXPECT_TRUE(std::ranges::find(visible, 0) != visible.end() && std::ranges::find(visible, 255) != visible.end());
-        EXPECT_EQ(std::ranges::find(visible, 2), visible.end());  // hidden
-    }
-}
 
 TEST_P(GpuRendererTest, TracesBlocksThatJoinToTheWholePicture) {
     const Scene scene = colorful_scene();

@@ -4,6 +4,7 @@
 #include <ctime>
 #include <filesystem>
 
+#include "base/user_folders.hpp"
 #include "panels/file_listing.hpp"
 #include "panels/harness.hpp"
 #include "panels/panel_context.hpp"

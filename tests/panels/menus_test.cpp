@@ -26,9 +26,10 @@ TEST(Commands, AreEachDescribedOnce) {
     std::set<CommandId> seen;
     std::set<std::string_view> menus;
     std::string_view menu;
-    for (const CommandInfo& info : all_commands()) {
+    const std::vector<CommandInfo> commands = all_commands();
+    for (const CommandInfo& info : commands) {
         EXPECT_TRUE(seen.insert(info.id).second) << info.label;
-        EXPECT_EQ(&info_of(info.id), &info);
+        EXPECT_EQ(&info_of(commands, info.id), &info);
         EXPECT_FALSE(info.label.empty());
         EXPECT_TRUE(info.help.ends_with('.')) << info.label;
         const bool begins = info.menu != menu;
@@ -40,18 +41,19 @@ TEST(Commands, AreEachDescribedOnce) {
 }
 
 TEST(Commands, HaveKeysThatNoOtherHas) {
+    const std::vector<CommandInfo> commands = all_commands();
     std::set<CommandId> reached;
     for (const std::string& key : all_keys()) {
         for (int held = 0; held < 8; ++held) {
             std::vector<std::string_view> meant;
-            for (const CommandInfo& info : all_commands()) {
+            for (const CommandInfo& info : commands) {
                 if (matches(info.shortcut, key, held & 1, held & 2, held & 4)) meant.push_back(info.label);
             }
             EXPECT_LE(meant.size(), 1U) << key << " with " << held << ": " << meant[0] << ", " << meant[1];
-            if (const auto command = command_for_key(key, held & 1, held & 2, held & 4)) reached.insert(*command);
+            if (const auto command = command_for_key(commands, key, held & 1, held & 2, held & 4)) reached.insert(*command);
         }
     }
-    for (const CommandInfo& info : all_commands()) EXPECT_TRUE(reached.contains(info.id)) << info.label;
+    for (const CommandInfo& info : commands) EXPECT_TRUE(reached.contains(info.id)) << info.label;
 }
 
 // All that can be pressed for a shortcut: C(trl), S(hift) and A(lt) before the key.
@@ -90,17 +92,18 @@ TEST(Shortcuts, MatchTheirKeysWithWhatMustBeHeld) {
 }
 
 TEST(Shortcuts, AreFoundForKeysAndCharacters) {
-    EXPECT_EQ(command_for_key("z", true, false, false), CommandId::undo);
-    EXPECT_EQ(command_for_key("f12", false, false, false), CommandId::export_now);
-    EXPECT_EQ(command_for_key("+", true, true, false), CommandId::larger_text);
-    EXPECT_EQ(command_for_key("f11", false, false, false), std::nullopt);
+    const std::vector<CommandInfo> commands = all_commands();
+    EXPECT_EQ(command_for_key(commands, "z", true, false, false), CommandId::undo);
+    EXPECT_EQ(command_for_key(commands, "f12", false, false, false), CommandId::export_now);
+    EXPECT_EQ(command_for_key(commands, "+", true, true, false), CommandId::larger_text);
+    EXPECT_EQ(command_for_key(commands, "f11", false, false, false), std::nullopt);
     // One press tells of a key and of a character; only one of them may count.
-    EXPECT_EQ(command_for_key("?", false, true, false), std::nullopt);
-    EXPECT_EQ(command_for_character(U'?'), CommandId::help);
-    EXPECT_EQ(command_for_key("h", false, false, false), CommandId::hide);
-    EXPECT_EQ(command_for_character(U'h'), std::nullopt);
-    EXPECT_EQ(command_for_character(U'ä'), std::nullopt);
-    EXPECT_EQ(command_for_character(0), std::nullopt);
+    EXPECT_EQ(command_for_key(commands, "?", false, true, false), std::nullopt);
+    EXPECT_EQ(command_for_character(commands, U'?'), CommandId::help);
+    EXPECT_EQ(command_for_key(commands, "h", false, false, false), CommandId::hide);
+    EXPECT_EQ(command_for_character(commands, U'h'), std::nullopt);
+    EXPECT_EQ(command_for_character(commands, U'ä'), std::nullopt);
+    EXPECT_EQ(command_for_character(commands, 0), std::nullopt);
 }
 
 class MenuBar : public testing::Test {
@@ -132,7 +135,7 @@ TEST_F(MenuBar, RunsEveryCommand) {
 }
 
 TEST_F(MenuBar, DisabledItemsDoNothing) {
-    harness.enabled = [](CommandId id) { return id != CommandId::undo; };
+    for (CommandInfo& info : harness.commands) info.enabled = info.id != CommandId::undo;
     EXPECT_EQ(choose("Edit", "Undo"), std::vector<CommandId>{});
     harness.click(ImVec2(700.0F, 500.0F));
     EXPECT_EQ(choose("Edit", "Redo"), std::vector{CommandId::redo});

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "viewer/perform.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -9,6 +11,15 @@ namespace {
 constexpr double frame_seconds = 1.0 / 60.0;
 
 }  // namespace
+
+std::vector<CommandInfo> all_commands() {
+    std::vector<CommandInfo> commands = commands_of(ViewerState({}, {}));
+    for (CommandInfo& info : commands) {
+        info.enabled = true;
+        info.checked = false;
+    }
+    return commands;
+}
 
 PanelHarness::PanelHarness(Draw draw, Scene scene, float width, float height)
     : document(std::move(scene)), draw_(std::move(draw)), bounds_(bounds_of(document.scene())) {
@@ -55,8 +66,7 @@ void PanelHarness::frame(double seconds) {
     std::vector<Action> actions;
     ImGui::NewFrame();
     if (logging_) ImGui::LogToClipboard(0);
-    draw_(
-        {document, selection, bounds_, enabled, scale, gesture, hovered, actions, &rectangles, {}, frame_of_file, frames_of_file});
+    draw_({document, selection, bounds_, commands, scale, gesture, hovered, actions, &rectangles, frame_of_file, frames_of_file});
     ImGui::Render();
     if (applies) {
         for (const Action& action : actions) {

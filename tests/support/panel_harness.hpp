@@ -13,6 +13,9 @@
 
 namespace sphereview {
 
+// The viewer's commands, all enabled and none checked.
+std::vector<CommandInfo> all_commands();
+
 // Every call that moves or presses something draws at least one frame. One harness lives at a time.
 class PanelHarness {
 public:
@@ -33,7 +36,7 @@ public:
     std::uint64_t gesture = 0;
     std::optional<std::uint32_t> hovered;  // as the last frame left it
     WidgetRectangles rectangles;
-    std::function<bool(CommandId)> enabled = [](CommandId) { return true; };
+    std::vector<CommandInfo> commands = all_commands();
     float scale = 1.0F;
     std::int64_t frame_of_file = 0;
     std::int64_t frames_of_file = 1;

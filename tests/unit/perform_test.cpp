@@ -20,6 +20,9 @@ struct Commands : testing::Test {
         before = scene;
     }
 
+    bool is_enabled(CommandId id) const { return info_of(commands_of(state), id).enabled; }
+    bool is_checked(CommandId id) const { return info_of(commands_of(state), id).checked; }
+
     Scene before;
     ViewerState state;
 };
@@ -29,10 +32,10 @@ struct Commands : testing::Test {
 TEST_F(Commands, EachIsOneStepThatUndoes) {
     for (const CommandId id : {CommandId::add_sphere, CommandId::duplicate, CommandId::remove, CommandId::hide,
                                CommandId::move_down, CommandId::use_view_as_camera}) {
-        SCOPED_TRACE(std::string(info_of(id).label));
+        SCOPED_TRACE(std::string(info_of(commands_of(state), id).label));
         state.selection.set_only(0);
         state.camera.eye.x = 5.0;
-        ASSERT_TRUE(is_enabled(state, id));
+        ASSERT_TRUE(is_enabled(id));
         run_command(state, id);
         EXPECT_TRUE(state.document.is_changed());
         run_command(state, CommandId::undo);
@@ -46,13 +49,13 @@ TEST_F(Commands, EachIsOneStepThatUndoes) {
 TEST_F(Commands, WithoutASelectionThereIsNothingToDo) {
     for (const CommandId id : {CommandId::duplicate, CommandId::remove, CommandId::hide, CommandId::move_up, CommandId::move_down,
                                CommandId::rename, CommandId::undo, CommandId::redo, CommandId::use_view_as_camera}) {
-        EXPECT_FALSE(is_enabled(state, id)) << info_of(id).label;
+        EXPECT_FALSE(is_enabled(id)) << info_of(commands_of(state), id).label;
         run_command(state, id);
         EXPECT_FALSE(state.document.can_undo());
     }
     state.selection.set_only(0);
-    EXPECT_FALSE(is_enabled(state, CommandId::move_up));
-    EXPECT_TRUE(is_enabled(state, CommandId::move_down));
+    EXPECT_FALSE(is_enabled(CommandId::move_up));
+    EXPECT_TRUE(is_enabled(CommandId::move_down));
 }
 
 TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
@@ -70,19 +73,19 @@ TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
 
 TEST_F(Commands, WhatIsShownIsMarked) {
     for (const CommandId toggle : {CommandId::toggle_panel, CommandId::toggle_inspector, CommandId::toggle_export_area}) {
-        const bool was = is_checked(state, toggle);
+        const bool was = is_checked(toggle);
         run_command(state, toggle);
-        EXPECT_NE(is_checked(state, toggle), was);
+        EXPECT_NE(is_checked(toggle), was);
     }
 }
 
 TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
     const auto marked = [&] {
         std::vector<CommandId> found;
-        for (const CommandInfo& info : all_commands()) {
+        for (const CommandInfo& info : commands_of(state)) {
             const bool is_choice =
                 info.label.find("nti-aliasing") != std::string_view::npos || info.label.find("samples") != std::string_view::npos;
-            if (is_choice && is_checked(state, info.id)) found.push_back(info.id);
+            if (is_choice && info.checked) found.push_back(info.id);
         }
         return found;
     };
@@ -112,12 +115,12 @@ TEST_F(Commands, AShadingIsChosenAndChecked) {
     const auto shade = [](Shading mode) {
         return static_cast<CommandId>(static_cast<int>(CommandId::first_shading) + static_cast<int>(mode));
     };
-    EXPECT_TRUE(is_checked(state, shade(Shading::flat)));
+    EXPECT_TRUE(is_checked(shade(Shading::flat)));
     run_command(state, shade(Shading::depth));
     EXPECT_EQ(state.settings.shading, Shading::depth);
-    EXPECT_TRUE(is_checked(state, shade(Shading::depth)));
-    EXPECT_FALSE(is_checked(state, shade(Shading::flat)));
-    EXPECT_FALSE(is_checked(state, CommandId::help));
+    EXPECT_TRUE(is_checked(shade(Shading::depth)));
+    EXPECT_FALSE(is_checked(shade(Shading::flat)));
+    EXPECT_FALSE(is_checked(CommandId::help));
     EXPECT_FALSE(state.document.is_changed());
 }
 
@@ -152,7 +155,7 @@ TEST_F(Commands, SelectByWhatSpheresAre) {
     run_command(state, CommandId::select_same_color);
     EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{1, 2}));
     run_command(state, CommandId::select_none);
-    EXPECT_FALSE(is_enabled(state, CommandId::select_same_color));
+    EXPECT_FALSE(is_enabled(CommandId::select_same_color));
     run_command(state, CommandId::invert_selection);
     EXPECT_EQ(state.selection.size(), 3U);
 }

@@ -19,6 +19,7 @@ struct DataInViewer : testing::Test {
 
     double x() const { return state.scene().spheres.at(0).center.x; }
     Question* question() { return state.dialogs.empty() ? nullptr : std::get_if<Question>(&state.dialogs.back()); }
+    bool is_enabled(CommandId id) const { return info_of(commands_of(state), id).enabled; }
     void add_sphere() { run_command(state, CommandId::add_sphere); }
     void answer(int number) {
         ASSERT_NE(question(), nullptr);
@@ -36,7 +37,7 @@ struct DataInViewer : testing::Test {
 
 TEST_F(DataInViewer, FramesAreSteppedThroughWithViewAndSelection) {
     EXPECT_EQ(state.frames, 3);
-    EXPECT_FALSE(is_enabled(state, CommandId::previous_frame));
+    EXPECT_FALSE(is_enabled(CommandId::previous_frame));
     state.camera.eye.x = 7.0;
     state.selection.set_only(0);
     run_command(state, CommandId::next_frame);
@@ -49,7 +50,7 @@ TEST_F(DataInViewer, FramesAreSteppedThroughWithViewAndSelection) {
     perform(state, {ShowFrame{2}});
     EXPECT_EQ(x(), 3.0);
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
-    EXPECT_FALSE(is_enabled(state, CommandId::next_frame));
+    EXPECT_FALSE(is_enabled(CommandId::next_frame));
     for (const std::int64_t frame : {std::int64_t{-1}, std::int64_t{3}}) show_frame(state, frame);
     EXPECT_EQ(state.frame, 2);
     run_command(state, CommandId::previous_frame);
@@ -123,7 +124,7 @@ TEST(RadiusOption, HoldsForEveryFileThatIsOpened) {
     EXPECT_EQ(state.scene().spheres.at(1).radius, 0.25);
     open_scene(state, folder.write("b.csv", "x,y,z\n1,2,3\n"));
     EXPECT_EQ(state.scene().spheres.at(0).radius, 0.25);
-    EXPECT_FALSE(is_enabled(state, CommandId::next_frame));
+    EXPECT_FALSE(info_of(commands_of(state), CommandId::next_frame).enabled);
 }
 
 }  // namespace sphereview

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "unit/message_of.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
@@ -121,7 +122,7 @@ TEST(SceneFormats, AreListedForHelpDialogsAndMessages) {
     EXPECT_EQ(listed(format_names(), "or"), "text, TOML, XYZ, CSV, PDB or mmCIF");
     EXPECT_EQ(listed(format_names(has_frames), "and"), "XYZ, PDB and mmCIF");
     EXPECT_EQ(listed(format_endings(is_written), "or"), ".txt or .toml");
-    EXPECT_EQ(listed({"a"}, "or"), "a");
+    EXPECT_EQ(listed(std::vector<std::string>{"a"}, "or"), "a");
     for (const SceneFormat& format : scene_formats()) {
         EXPECT_EQ(find_format(format.name), &format);
         for (const std::string_view ending : format.endings)

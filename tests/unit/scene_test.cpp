@@ -124,6 +124,7 @@ TEST(Bounds, AreWhatTheDefaultScreenShowsWhereNothingIs) {
         EXPECT_EQ(bounds.high, glm::dvec3(100, 100, 300));
         EXPECT_EQ(bounds.middle(), glm::dvec3(0, 0, 200));
         EXPECT_EQ(bounds.extent(), 200.0);
+        EXPECT_EQ(bounds.hidden, static_cast<std::size_t>(i));
         scene.spheres.push_back({{5, 5, 5}, 1.0, {}, true});  // hidden
     }
 }
@@ -149,6 +150,7 @@ TEST(Bounds, HoldAllSpheresThatAreNotHidden) {
         EXPECT_EQ(bounds.low, low);
         EXPECT_EQ(bounds.high, high);
         EXPECT_EQ(bounds.largest_radius, largest);
+        EXPECT_EQ(bounds.hidden, static_cast<std::size_t>(std::ranges::count_if(scene.spheres, &Sphere::hidden)));
     }
 }
 
