@@ -55,25 +55,14 @@ TEST_F(Expect, TransparencyCounts) {
     EXPECT_TRUE(contains(outcome.errors,
                          "24 of 25 pixels differ, by at most R 0 G 0 B 0 A 255; the first at pixel 0,0: "
                          "found (0, 0, 0, 0), expected (0, 0, 0, 255)"));
-    Picture opaque = plain_picture(5, 5, {0, 0, 0, 255});
-    opaque.bytes[48] = '\xFF';
-    folder_.write("opaque.png", encode_png(opaque));
-    EXPECT_EQ(render_small({"red.txt", "--expect", "opaque.png"}).status, 0);
 }
 
 TEST_F(Expect, AMissingOrBrokenGoldenIsABadInput) {
     const std::string png = folder_.read("golden.png");
-    std::string corrupt = png;
-    corrupt[corrupt.size() - 20] ^= '\x55';
     folder_.write("cut.png", png.substr(0, png.size() / 2));
-    folder_.write("header.png", png.substr(0, 20));
-    folder_.write("corrupt.png", corrupt);
-    folder_.write("endless.png", png.substr(0, png.size() - 12));  // all pixels, but no last chunk
-    folder_.write("empty.png", "");
     folder_.write("folder/file", "");
     const auto before = folder_.names();
-    for (const char* golden :
-         {"endless.png", "missing.png", "cut.png", "header.png", "corrupt.png", "empty.png", "blue.txt", "folder"}) {
+    for (const char* golden : {"missing.png", "cut.png", "blue.txt", "folder"}) {
         EXPECT_TRUE(fails(render_small({"red.txt", "--expect", golden}), 2, std::string(golden) + ": "));
     }
     EXPECT_EQ(folder_.names(), before);
@@ -89,12 +78,6 @@ TEST_F(Expect, DiffMarksTheDifferentPixels) {
     Picture marked = plain_picture(5, 5, {0, 0, 0});
     marked.bytes.replace(36, 3, "\xFF\xFF\xFF");
     EXPECT_EQ(decode_png(folder_.read("diff.png")), marked);
-
-    EXPECT_EQ(render(folder_, {"red.txt", "--expect", "golden.png", "--diff", "diff.png", "-s", "7x3"}).status, 1);
-    const Picture both = decode_png(folder_.read("diff.png"));
-    EXPECT_EQ(both.width, 7);
-    EXPECT_EQ(both.height, 5);
-    EXPECT_EQ(both.at(6, 4), (std::vector<int>{255, 0, 255}));
 }
 
 TEST_F(Expect, ADiffThatCannotBeWrittenCountsMoreThanTheDifference) {
@@ -193,10 +176,8 @@ TEST_F(Refusal, OfAnOutputThatIsAnInputAGoldenOrAnotherOutput) {
 TEST_F(Refusal, OfConvertingAFileIntoItself) {
     std::filesystem::create_symlink("a.txt", folder_.path("link.toml"));
     for (const char* output : {"a.txt", "./a.txt", "here/a.txt", "link.toml"}) {
-        Command command;
-        command.arguments = {"convert", "a.txt", output, "--to", "toml"};
-        command.folder = folder_.path();
-        expect_refused(command, std::string(output) + ": the output is also the input");
+        expect_refused({.arguments = {"convert", "a.txt", output, "--to", "toml"}, .folder = folder_.path()},
+                       std::string(output) + ": the output is also the input");
     }
 }
 

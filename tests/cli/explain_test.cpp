@@ -14,11 +14,8 @@ using Json = nlohmann::json;
 
 // At 3x3 the centre pixel's ray is the axis: D = (0, 0, 100).
 Outcome explain(const std::string& scene, std::vector<std::string> options) {
-    Command command;
-    command.arguments = {"explain", "-", "-s", "3x3", "-p", "1,1"};
-    command.arguments.insert(command.arguments.end(), options.begin(), options.end());
-    command.input = scene;
-    return run(command);
+    options.insert(options.begin(), {"explain", "-", "-s", "3x3", "-p", "1,1"});
+    return run({.arguments = options, .input = scene});
 }
 
 Json explain_as_json(const std::string& scene) {

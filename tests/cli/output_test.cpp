@@ -20,26 +20,15 @@ protected:
     TemporaryFolder folder_;
 };
 
+// tests/unit/output_file_test.cpp has every reason.
 TEST_F(Output, ThatCannotBeIsRefusedWithTheReason) {
     folder_.write("folder/file", "");
-    fs::create_symlink("loop", folder_.path("loop"));
-    fs::create_symlink("missing/new.png", folder_.path("dangling"));
     const auto before = folder_.names();
-    const std::string long_name = std::string(300, 'n') + ".png";
-    const std::vector<std::pair<std::string, std::string>> cases = {
-        {"folder", "folder: cannot be written: it is a folder"},
-        {"folder/", "folder/: cannot be written: it is a folder"},
-        {"new/", "new/: cannot be written: it names a folder"},
-        {"missing/new.png", "missing/new.png: cannot be written: the folder missing does not exist"},
-        {"red.txt/new.png", "red.txt/new.png: cannot be written: Not a directory"},
-        {"dangling", "dangling: cannot be written: the folder missing does not exist"},
-        {"loop", "loop: cannot be written: Too many levels of symbolic links"},
-        {"/proc/new.png", "/proc/new.png: cannot be written: "},
-        {"/dev/full", "/dev/full: cannot be written: No space left on device"},
-        {long_name, long_name + ": cannot be written: File name too long"},
-    };
-    for (const auto& [path, said] : cases) {
-        EXPECT_TRUE(fails(render_into(path), 4, said));
+    for (const auto& [path, said] : {std::pair{"folder/", "it is a folder"},
+                                     {"missing/new.png", "the folder missing does not exist"},
+                                     {"/proc/new.png", ""},
+                                     {"/dev/full", "No space left on device"}}) {
+        EXPECT_TRUE(fails(render_into(path), 4, std::string(path) + ": cannot be written: " + said));
         EXPECT_EQ(folder_.names(), before) << path;
     }
 }
@@ -70,19 +59,11 @@ TEST_F(Output, BeyondAFileSizeLimitLeavesTheOldFileAndNothingElse) {
         command.largest_file = 100;
         EXPECT_TRUE(fails(run(command), 4, std::string(path) + ": cannot be written: File too large\n"));
     }
-    Command command;
-    command.arguments = {"convert", "red.txt", "old.png", "--to", "toml"};
-    command.folder = folder_.path();
-    command.largest_file = 10;
-    EXPECT_EQ(run(command).status, 4);
+    EXPECT_EQ(
+        run({.arguments = {"convert", "red.txt", "old.png", "--to", "toml"}, .folder = folder_.path(), .largest_file = 10}).status,
+        4);
     EXPECT_EQ(folder_.read("old.png"), "old");
     EXPECT_EQ(folder_.names(), (Names{"old.png", "red.txt"}));
-}
-
-TEST_F(Output, OfTwoRunsIsTheSameBytes) {
-    ASSERT_EQ(render(folder_, {"red.txt", "-o", "one.png"}).status, 0);
-    ASSERT_EQ(render(folder_, {"red.txt", "-o", "two.png"}).status, 0);
-    EXPECT_TRUE(folder_.read("one.png") == folder_.read("two.png"));
 }
 
 TEST(Batch, WritesEachScenesPictureIntoTheCurrentFolderByDefault) {
@@ -135,13 +116,6 @@ TEST(Batch, GoesOnAfterAnOutputThatCannotBeWritten) {
     EXPECT_TRUE(contains(outcome.errors, "red.png: cannot be written: it is a folder"));
     EXPECT_TRUE(contains(outcome.errors, "1 of 2 scenes failed: red.txt"));
     EXPECT_TRUE(folder.has("blue.png"));
-}
-
-TEST(Batch, OfOneSceneNeedsNoSummary) {
-    const TemporaryFolder folder;
-    folder.write("bad.txt", bad_scene);
-    const Outcome outcome = render(folder, {"bad.txt"});
-    EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
 }
 
 struct Case {

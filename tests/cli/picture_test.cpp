@@ -75,12 +75,10 @@ TEST(BackendVariable, ChoosesUnlessTheOptionDoes) {
         {"cpu", {"--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa or cpu", 2},
     };
     for (const auto& [variable, options, said, status] : cases) {
-        Command command;
-        command.arguments = {"render", "scene.txt", "-s", "5x5", "--verbose"};
-        command.arguments.insert(command.arguments.end(), options.begin(), options.end());
-        command.environment = {{"SPHEREVIEW_BACKEND", variable}};
-        command.folder = folder.path();
-        const Outcome outcome = run(command);
+        std::vector<std::string> arguments = {"render", "scene.txt", "-s", "5x5", "--verbose"};
+        arguments.insert(arguments.end(), options.begin(), options.end());
+        const Outcome outcome =
+            run({.arguments = arguments, .folder = folder.path(), .environment = {{"SPHEREVIEW_BACKEND", variable}}});
         EXPECT_EQ(outcome.status, status) << outcome;
         EXPECT_TRUE(contains(outcome.errors, said));
     }
@@ -96,15 +94,11 @@ Picture expected(const std::string& background, int width, int height, int side)
                     side);
 }
 
-TEST(Samples, OfOneIsThePictureWithout) {
-    EXPECT_EQ(picture_of(overlapping, "cpu", {"-s", "50x40", "--samples", "1"}), picture_of(overlapping, "cpu", {"-s", "50x40"}));
-}
-
 TEST(Samples, AreTheAverageOfALargerPicture) {
-    for (const auto& [samples, side] : {std::pair{"4", 2}, {"16", 4}}) {
+    for (const auto& [samples, side] : {std::pair{"1", 1}, {"4", 2}, {"16", 4}}) {
         for (const char* background : {"black", "#102030", "transparent"}) {
             SCOPED_TRACE(std::string(samples) + " " + background);
-            for (const auto& [width, height] : {std::pair{50, 41}, {1, 1}, {301, 1}, {1, 97}, {333, 200}}) {
+            for (const auto& [width, height] : {std::pair{50, 41}, {1, 1}, {301, 1}, {1, 97}}) {
                 const Picture picture = picture_of(
                     overlapping, "cpu", {"-s", size_text(width, height), "--background", background, "--samples", samples});
                 EXPECT_EQ(picture, expected(background, width, height, side)) << width << " x " << height;
@@ -116,19 +110,6 @@ TEST(Samples, AreTheAverageOfALargerPicture) {
 // Such a picture is traced in several columns of blocks.
 TEST(Samples, OfAPictureWiderThanABlock) {
     EXPECT_EQ(picture_of(overlapping, "cpu", {"-s", "200001x2", "--samples", "4"}), expected("black", 200'001, 2, 2));
-}
-
-TEST(Samples, KeepInsidesAndSmoothEdges) {
-    const Picture picture = picture_of(overlapping, "cpu", {"-s", "101x101", "--background", "transparent", "--samples", "4"});
-    EXPECT_EQ(picture.at(50, 50), (std::vector<int>{255, 0, 0, 255}));
-    EXPECT_EQ(picture.at(0, 0), (std::vector<int>{0, 0, 0, 0}));
-    int partly = 0;
-    for (int i = 0; i < 101 * 101; ++i) {
-        const int alpha = picture.at(i % 101, i / 101)[3];
-        EXPECT_TRUE(alpha == 0 || alpha == 64 || alpha == 128 || alpha == 191 || alpha == 255) << alpha;
-        if (alpha != 0 && alpha != 255) ++partly;
-    }
-    EXPECT_GT(partly, 50);
 }
 
 TEST(Samples, AreExpectedLikeAnyPicture) {
@@ -184,19 +165,6 @@ TEST(Shade, GivesTheColoursOfEachMode) {
     }
 }
 
-TEST(Shade, DimsWhatIsFarAndWhatTurnsAway) {
-    const std::string scene = "2\n200 200 200 0 0 200 60\n200 200 200 100 0 400 40\n";
-    const Picture picture = picture_of(scene, "cpu", {"-s", "101x101", "--shade", "headlight"});
-    EXPECT_GT(picture.at(50, 50)[0], picture.at(65, 50)[0] + 10);
-    EXPECT_GT(picture.at(65, 50)[0], 20);
-    EXPECT_LT(picture.at(75, 50)[0], 130);
-    EXPECT_GT(picture.at(75, 50)[0], 90);
-}
-
-TEST(Shade, IsFlatUnlessAskedFor) {
-    EXPECT_EQ(picture_of(red_scene, "cpu", {"-s", "50x50"}), picture_of(red_scene, "cpu", {"-s", "50x50", "--shade", "flat"}));
-}
-
 TEST(Shade, IsComparedAndReported) {
     const TemporaryFolder folder;
     folder.write("scene.txt", red_scene);
@@ -237,20 +205,6 @@ TEST(View, ShowsItsSide) {
             for (const auto& [x, y] : {std::pair{i, 0}, {i, 100}, {0, i}, {100, i}}) EXPECT_EQ(picture.at(x, y), black) << view;
         }
     }
-    const Picture iso = seen(corner, {"--view", "iso"});
-    int reds = 0;
-    int greens = 0;
-    int blues = 0;
-    for (int y = 0; y < 101; ++y) {
-        for (int x = 0; x < 101; ++x) {
-            reds += iso.at(x, y) == red && x > 50 && y > 50 ? 1 : 0;
-            blues += iso.at(x, y) == blue && x < 50 && y > 50 ? 1 : 0;
-            greens += iso.at(x, y) == green && y < 50 ? 1 : 0;
-        }
-    }
-    EXPECT_GT(reds, 50);
-    EXPECT_NEAR(reds, blues, 10);
-    EXPECT_NEAR(reds, greens, 40);
 }
 
 TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {
@@ -264,9 +218,7 @@ TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {
     EXPECT_EQ(fitted, seen(molecule, {"--view", "front"}));
     EXPECT_NE(fitted, seen(molecule, {"--no-fit"}));
     // Written as TOML, it is seen as it was; text holds no camera, and that is worth a word only if one was asked for.
-    Command convert;
-    convert.arguments = {"convert", "-", "-", "--to", "toml"};
-    convert.input = molecule;
+    Command convert{.arguments = {"convert", "-", "-", "--to", "toml"}, .input = molecule};
     EXPECT_EQ(seen(run(convert).output, {}), fitted);
     convert.arguments.back() = "text";
     EXPECT_EQ(run(convert).errors, "stdin: the text format cannot hold the names (3); left out\n");
@@ -284,21 +236,16 @@ TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {
 TEST(Fit, IsWhatConvertWritesAndWhatExplainExplains) {
     const TemporaryFolder folder;
     for (const std::string view : {"iso", "33,-12"}) {
-        Command convert;
-        convert.arguments = {"convert", "-", "-", "--to", "toml", "--view", view};
-        convert.input = corner;
-        const Outcome scene = run(convert);
+        const Outcome scene = run({.arguments = {"convert", "-", "-", "--to", "toml", "--view", view}, .input = corner});
         ASSERT_EQ(scene.status, 0) << scene;
         const Picture picture = seen(corner, {"--view", view});
         EXPECT_EQ(picture, seen(scene.output, {})) << view;
         for (const auto& [x, y] : {std::pair{50, 20}, {70, 60}, {30, 64}, {50, 50}, {0, 0}}) {
-            Command explain;
-            explain.arguments = {
-                "explain", "-", "--view", view, "-s", "101x101", "--pixel", std::to_string(x) + "," + std::to_string(y), "--json"};
-            explain.input = corner;
-            const Outcome outcome = run(explain);
+            const std::string pixel = std::to_string(x) + "," + std::to_string(y);
+            const Outcome outcome =
+                run({.arguments = {"explain", "-", "--view", view, "-s", "101x101", "--pixel", pixel, "--json"}, .input = corner});
             ASSERT_EQ(outcome.status, 0) << outcome;
-            EXPECT_EQ(nlohmann::json::parse(outcome.output).at("color").get<Pixel>(), picture.at(x, y)) << view << x << "," << y;
+            EXPECT_EQ(nlohmann::json::parse(outcome.output).at("color").get<Pixel>(), picture.at(x, y)) << view << pixel;
         }
     }
 }

@@ -96,12 +96,6 @@ TEST_F(Report, JsonIsUtf8WhateverThePathsAre) {
     EXPECT_EQ(Json::parse(outcome.output)["scene"], "\xEF\xBF\xBD\"\n.txt");
 }
 
-TEST_F(Report, JsonThatCannotBeWrittenIsAnOutputError) {
-    Command command = cpu_render(folder_, {"red.txt", "-s", "5x5", "--json"});
-    command.output = StandardOutput::full_disk;
-    EXPECT_TRUE(fails(run(command), 4, "stdout: cannot be written: No space left on device\n"));
-}
-
 TEST_F(Report, JsonThatCannotBeWrittenStopsNoPicture) {
     for (const StandardOutput output : {StandardOutput::full_disk, StandardOutput::closed_pipe}) {
         Command command = cpu_render(folder_, {"red.txt", "bad.txt", "two.txt", "-s", "5x5", "--json", "-o", "out-{name}.png"});

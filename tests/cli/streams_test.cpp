@@ -43,11 +43,7 @@ TEST(Streams, AClosedOrFullStandardOutputIsAnOutputError) {
                                                             {"--version"}};
     for (const auto& arguments : commands) {
         for (const StandardOutput output : {StandardOutput::closed_pipe, StandardOutput::full_disk}) {
-            Command command;
-            command.arguments = arguments;
-            command.folder = folder.path();
-            command.output = output;
-            const Outcome outcome = run(command);
+            const Outcome outcome = run({.arguments = arguments, .folder = folder.path(), .output = output});
             EXPECT_EQ(outcome.status, 4) << testing::PrintToString(arguments) << outcome;
             const bool full = output == StandardOutput::full_disk;
             EXPECT_EQ(outcome.errors,
@@ -80,11 +76,6 @@ TEST(Streams, FifosAreReadAndWrittenInPlace) {
     EXPECT_EQ(decode_png(png).at(2, 2), (std::vector<int>{255, 0, 0}));
     EXPECT_TRUE(std::filesystem::is_fifo(folder.path("picture")));
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"picture", "scene"}));
-}
-
-TEST(Streams, AnEndlessDeviceIsNoScene) {
-    const TemporaryFolder folder;
-    EXPECT_TRUE(fails(render(folder, {"/dev/zero"}), 2, "/dev/zero:1:1: found '\\x00'"));
 }
 
 }  // namespace

@@ -23,9 +23,7 @@ TEST(Usage, EachCommandHasHelpWithExamplesAndExitStatus) {
     };
     for (const auto& [arguments, parts] : cases) {
         SCOPED_TRACE(arguments.front());
-        Command command;
-        command.arguments = arguments;
-        const Outcome outcome = run(command);
+        const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 0) << outcome;
         EXPECT_EQ(outcome.errors, "");
         for (const std::string& part : parts) EXPECT_TRUE(contains(outcome.output, part));
@@ -38,13 +36,8 @@ TEST(Usage, VersionIsTheProjects) {
     EXPECT_EQ(outcome.output, "sphereview " + std::string(version) + "\n");
 }
 
-struct Mistake {
-    std::vector<std::string> arguments;
-    std::string said;
-};
-
 TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
-    const std::vector<Mistake> cases = {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{""}, "unknown command ''"},
         {{"rendr", "a.txt"}, "unknown command 'rendr'; did you mean 'render'?"},
         {{"Convert"}, "did you mean 'convert'?"},
@@ -107,9 +100,7 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
     };
     for (const auto& [arguments, said] : cases) {
         SCOPED_TRACE(said);
-        Command command;
-        command.arguments = arguments;
-        const Outcome outcome = run(command);
+        const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 2) << outcome;
         EXPECT_EQ(outcome.output, "");
         EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
@@ -142,16 +133,17 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
         {"--view",
          "front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in degrees",
          {"side", "90", "90,", "0,91", "x,y", "inf,0", ""}},
-        {"--frame", "the number of a frame, from 0", {"-1", "1.5", "x", "99999999999999999999"}, with_scenes},
-        {"--radius", "a number above 0", {"0", "-1", "nan", "inf", "1e999", "x"}, with_scenes},
+        {"--frame", "the number of a frame, from 0", {"1.5", "x", "99999999999999999999"}},
+        {"--frame", "the number of a frame, from 0", {"-1"}, with_scenes},
+        {"--radius", "a number above 0", {"-1", "nan", "inf", "1e999", "x"}},
+        {"--radius", "a number above 0", {"0"}, with_scenes},
     };
     for (const auto& [option, expected, values, commands] : cases) {
         for (const auto& words : commands) {
             for (const std::string& value : values) {
-                Command command;
-                command.arguments = words;
-                command.arguments.insert(command.arguments.end(), {option, value});
-                const Outcome outcome = run(command);
+                std::vector<std::string> arguments = words;
+                arguments.insert(arguments.end(), {option, value});
+                const Outcome outcome = run(arguments);
                 EXPECT_EQ(outcome.status, 2) << outcome;
                 EXPECT_EQ(outcome.output, "");
                 EXPECT_EQ(outcome.errors, "sphereview: " + option + ": found " + (value.empty() ? "no value" : "'" + value + "'") +
@@ -166,9 +158,7 @@ TEST(Usage, WhatFollowsTheCommandIsAFileWhateverItIsCalled) {
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"render", "-s", "3x3", "--", "-absent.txt"},
                                                       {"render", "-s", "3x3", "--expect", "g.png", "doctor"},
                                                       {"convert", "doctor", "render"}}) {
-        Command command;
-        command.arguments = arguments;
-        const Outcome outcome = run(command);
+        const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.status, 2) << outcome;
         EXPECT_TRUE(contains(outcome.errors, "cannot be read: No such file or directory"));
     }
@@ -193,20 +183,17 @@ TEST(Usage, APathAsFirstWordIsASceneForTheWindow) {
         {"-"},     {}};
     for (const auto& arguments : lines_that_open) {
         SCOPED_TRACE(testing::PrintToString(arguments));
-        Command command;
-        command.arguments = arguments;
-        command.folder = folder.path();
-        command.input = red_scene;
-        command.environment = {{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}, {"HOME", folder.path()}};
-        const Outcome outcome = run(command);
+        const Outcome outcome =
+            run({.arguments = arguments,
+                 .folder = folder.path(),
+                 .input = red_scene,
+                 .environment = {{"DISPLAY", std::nullopt}, {"WAYLAND_DISPLAY", std::nullopt}, {"HOME", folder.path()}}});
         EXPECT_EQ(outcome.status, 3) << outcome;
         EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
         EXPECT_TRUE(contains(outcome.errors, "no display"));
         EXPECT_TRUE(contains(outcome.errors, "sphereview render"));
     }
-    Command command;
-    command.arguments = {"scene"};  // but not where there is no such file
-    const Outcome outcome = run(command);
+    const Outcome outcome = run({"scene"});  // but not where there is no such file
     EXPECT_EQ(outcome.status, 2) << outcome;
     EXPECT_TRUE(contains(outcome.errors, "unknown command 'scene'"));
 }

@@ -22,12 +22,9 @@ protected:
     }
 
     Outcome render_small(const std::vector<std::string>& arguments, const Environment& environment = {}) const {
-        Command command;
-        command.arguments = {"render", "-s", "5x5"};
-        command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-        command.environment = environment;
-        command.folder = folder_.path();
-        return run(command);
+        std::vector<std::string> all = {"render", "-s", "5x5"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        return run({.arguments = all, .folder = folder_.path(), .environment = environment});
     }
 
     // How many spheres the GL backends take, as doctor says.

@@ -76,10 +76,7 @@ TEST(Doctor, SaysWhyADriverDoesNotServeAndWhatToDo) {
 }
 
 TEST(Doctor, ThatCannotWriteFails) {
-    Command command;
-    command.arguments = {"doctor", "--json"};
-    command.output = StandardOutput::full_disk;
-    EXPECT_EQ(run(command).status, 4);
+    EXPECT_EQ(run({.arguments = {"doctor", "--json"}, .output = StandardOutput::full_disk}).status, 4);
 }
 
 }  // namespace

@@ -153,7 +153,7 @@ TEST_P(LiveOrbit, MovesAboutManySpheres) {
     }
     EXPECT_EQ(picture.step(), 1);
     EXPECT_FALSE(picture.update(document, view, 8));  // it has better
-    expect_picked(picture, document, view, 1);
+    expect_picked(picture, document, view, 4);
 }
 
 TEST_P(LiveOrbit, FollowsColoursAndPicksWhileItMoves) {
@@ -170,7 +170,7 @@ TEST_P(LiveOrbit, FollowsColoursAndPicksWhileItMoves) {
         document.apply(change(0, sphere), "colour");
         LivePicture anew;
         EXPECT_TRUE(same(shown(picture, document, view, 8, {&all, {}, 2.0F}), shown(anew, document, view, 8, {&all, {}, 2.0F})));
-        expect_picked(picture, document, view, 1);
+        expect_picked(picture, document, view, 9);
     }
 }
 

@@ -51,12 +51,11 @@ TEST(NoDisplay, IsEverOpened) {
                                                     {"cpu", std::nullopt, "backend: cpu"},
                                                     {"auto", old, "backend: cpu; passed over: EGL device 0"}}) {
         const Listener x_server;
-        Command command;
-        command.arguments = {"render", "-", "-s", "5x5", "-o", "-", "--verbose", "--backend", backend};
-        command.input = red_scene;
-        command.environment = {
-            {"DISPLAY", x_server.display()}, {"XAUTHORITY", "/nowhere"}, {"MESA_GL_VERSION_OVERRIDE", gl_version}};
-        const Outcome outcome = run(command);
+        const Outcome outcome =
+            run({.arguments = {"render", "-", "-s", "5x5", "-o", "-", "--verbose", "--backend", backend},
+                 .input = red_scene,
+                 .environment = {
+                     {"DISPLAY", x_server.display()}, {"XAUTHORITY", "/nowhere"}, {"MESA_GL_VERSION_OVERRIDE", gl_version}}});
         EXPECT_EQ(outcome.status, 0) << outcome;
         EXPECT_TRUE(contains(outcome.errors, said));
         EXPECT_EQ(decode_png(outcome.output).at(2, 2), (std::vector<int>{255, 0, 0}));
@@ -78,10 +77,7 @@ TEST(NoDisplay, ListenerNoticesAVisitor) {
 }
 
 TEST(NoDisplay, LibraryIsLinked) {
-    Command command;
-    command.program = "/usr/bin/env";
-    command.arguments = {"ldd", build_file("sphereview")};
-    const Outcome outcome = run(command);
+    const Outcome outcome = run({.arguments = {"ldd", build_file("sphereview")}, .program = "/usr/bin/env"});
     ASSERT_EQ(outcome.status, 0) << outcome;
     EXPECT_TRUE(contains(outcome.output, "libc."));
     for (const char* library : {"libX11", "libxcb", "libwayland", "libglfw", "libEGL", "libGL.", "libOSMesa"}) {

@@ -14,7 +14,7 @@ std::string many_spheres(int count) {
 }
 
 std::string endless_scene() {
-    constexpr int count = 20;
+    constexpr int count = 6;
     std::array<char, 64> line{};
     std::string text = std::to_string(count) + "\n";
     for (int i = 0; i < count; ++i) {
@@ -25,11 +25,9 @@ std::string endless_scene() {
 }
 
 Command cpu_render(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
-    Command command;
-    command.arguments = {"render", "--backend", "cpu"};
-    command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
-    command.folder = folder.path();
-    return command;
+    std::vector<std::string> all = {"render", "--backend", "cpu"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return {.arguments = all, .folder = folder.path()};
 }
 
 Outcome render(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
@@ -37,11 +35,9 @@ Outcome render(const TemporaryFolder& folder, const std::vector<std::string>& ar
 }
 
 Picture picture_of(const std::string& scene, const std::string& backend, const std::vector<std::string>& options) {
-    Command command;
-    command.arguments = {"render", "-", "-o", "-", "--backend", backend};
-    command.arguments.insert(command.arguments.end(), options.begin(), options.end());
-    command.input = scene;
-    const Outcome outcome = run(command);
+    std::vector<std::string> arguments = {"render", "-", "-o", "-", "--backend", backend};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run({.arguments = arguments, .input = scene});
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.errors, "");
     return decode_png(outcome.output);

@@ -152,13 +152,12 @@ TEST_F(PictureAtRest, IsWhatRenderWritesInEveryMode) {
     window_.key("F12");
     announced(window_, "scene.png");
     EXPECT_EQ(folder_.read("scene.png"), render_bytes(folder_, scene_, {"--shade", "headlight", "--samples", "4"}));
-    for (const auto& [key, samples] : {std::pair{"alt+1", 1}, {"alt+6", 16}}) {
+    window_.key("alt+6");
+    expect_rest(16, "headlight");
+    window_.key("alt+1");
+    for (const auto& [key, mode] : {std::pair{"ctrl+3", "normal"}, {"ctrl+4", "depth"}, {"ctrl+5", "id"}, {"ctrl+1", "flat"}}) {
         window_.key(key);
-        for (const auto& [mode_key, mode] :
-             {std::pair{"ctrl+2", "headlight"}, {"ctrl+3", "normal"}, {"ctrl+4", "depth"}, {"ctrl+5", "id"}, {"ctrl+1", "flat"}}) {
-            window_.key(mode_key);
-            expect_rest(samples, mode);
-        }
+        expect_rest(1, mode);
     }
 }
 

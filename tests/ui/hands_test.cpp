@@ -61,31 +61,21 @@ protected:
 }  // namespace
 
 TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
-    const auto by_button = [&](const std::string& name) { return [&, name] { window_.click_widget(name); }; };
-    const auto by_key = [&](const std::string& name) { return [&, name] { window_.key(name); }; };
-    const auto by_menu = [&](const std::string& item) { return [&, item] { window_.choose("Edit", item); }; };
-    struct Ways {
-        std::string undo;
-        int spheres;
-        std::vector<std::function<void()>> ways;
+    // One way each: tests/panels has every button, key and menu item.
+    const std::vector<std::tuple<std::string, int, std::function<void()>>> commands = {
+        {"Duplicate sphere 0", 3, [&] { window_.click_widget("duplicate"); }},
+        {"Delete sphere 0", 1, [&] { window_.key("Delete"); }},
+        {"Hide sphere 0", 2, [&] { window_.click_widget("row 0 eye"); }},
+        {"Move sphere 0 down", 2, [&] { window_.choose("Edit", "Move down"); }},
     };
-    const std::vector<Ways> commands = {
-        {"Add sphere 2", 3, {by_button("add"), by_key("Insert"), by_menu("Add sphere")}},
-        {"Duplicate sphere 0", 3, {by_button("duplicate"), by_key("ctrl+d"), by_menu("Duplicate")}},
-        {"Delete sphere 0", 1, {by_button("delete"), by_key("Delete"), by_menu("Delete")}},
-        {"Hide sphere 0", 2, {by_button("hide"), by_key("h"), by_menu("Hide or show"), by_button("row 0 eye")}},
-        {"Move sphere 0 down", 2, {by_key("ctrl+Down"), by_menu("Move down")}},
-    };
-    for (const Ways& command : commands) {
-        window_.step(command.undo);
-        SCOPED_TRACE(command.undo);
-        for (const auto& way : command.ways) {
-            select(0);
-            way();
-            window_.wait_for("undo", command.undo);
-            EXPECT_EQ(window_.at("spheres"), command.spheres);
-            expect_undone();
-        }
+    for (const auto& [undo, spheres, act] : commands) {
+        window_.step(undo);
+        SCOPED_TRACE(undo);
+        select(0);
+        act();
+        window_.wait_for("undo", undo);
+        EXPECT_EQ(window_.at("spheres"), spheres);
+        expect_undone();
     }
 
     window_.step("windows open and close by key and menu");
@@ -95,13 +85,9 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
         window_.key(key);
         wait_for_shown("help", false);
     }
-    window_.choose("Help", "Keys and mouse");
-    wait_for_shown("help", true);
-    window_.key("F1");
-    wait_for_shown("help", false);
     window_.key("i");
     wait_for_shown("inspector", true);
-    window_.move_to(red(0, 60));
+    window_.move_to(red(40, 125));  // below the inspector
     window_.widget("hit 0");
     const double explanations = window_.at("explanations").number();
     EXPECT_GT(explanations, 0);
@@ -133,11 +119,8 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
 
     window_.step("quick clicks and keys");
     const Place eye = window_.widget("row 0 eye");
-    expect_steps(20, [&] { window_.click_many(eye, 20); });
-    select(0);
-    const Place hidden = window_.widget("hidden");
-    expect_steps(11, [&] { window_.click_many(hidden, 11); });
-    expect_steps(20, [&] { window_.key_many("Insert", 20); });
+    expect_steps(11, [&] { window_.click_many(eye, 11); });
+    expect_steps(12, [&] { window_.key_many("Insert", 12); });
 
     window_.step("a row that is dragged");
     const Place first = window_.widget("row 0");
@@ -178,7 +161,7 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
 
     window_.key("alt+6");
     window_.wait_for("samples", 16);
-    // An idle window draws nothing. Nothing to wait for: what is to happen is nothing, for three seconds. The server may still
+    // An idle window draws nothing. Nothing to wait for: what is to happen is nothing, for two seconds. The server may still
     // have had something to say before.
     window_.move_to(red());
     Json last;
@@ -186,7 +169,7 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
     for (int i = 0; i < 5 && last != window_.at("frame"); ++i) {
         last = window_.at("frame");
         before = window_.processor_seconds();
-        std::this_thread::sleep_for(std::chrono::seconds(3));
+        std::this_thread::sleep_for(std::chrono::seconds(2));
     }
     EXPECT_EQ(window_.at("frame"), last);
     EXPECT_LT(window_.processor_seconds() - before, 0.06);  // two ticks of the clock in which it is counted, and some
@@ -196,7 +179,7 @@ TEST_F(Pointer, DragsSlidersAndTypesValues) {
     take_marks_away(window_);
     const Picture before = window_.picture();
     const auto changed = [](const Json& f) { return f.at("undo") != ""; };
-    for (const std::string slider : {"slider x", "slider z", "slider radius"}) {
+    for (const std::string slider : {"slider z", "slider radius"}) {
         window_.step(slider);
         SCOPED_TRACE(slider);
         select(0);

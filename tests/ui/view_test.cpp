@@ -13,20 +13,24 @@ class View : public Editing {
 protected:
     View() : Editing("scene.toml"), home_(window_.at("camera")) {}
 
-    // The view is another than home; saved as the scene's camera, it is rendered as it is shown; undo and Home lead back.
-    Json expect_view_rendered(const std::string& step) {
+    // The view is another than home, which is no edit; Home leads back.
+    Json expect_view(const std::string& step) {
         window_.step(step);
         SCOPED_TRACE(step);
         const Json view = window_.wait_for_other("camera", home_);
-        EXPECT_EQ(window_.at("undo"), "");  // views are no edits
+        EXPECT_EQ(window_.at("undo"), "");
+        window_.key("Home");
+        window_.wait_for("camera", home_);
+        return view;
+    }
+    // Saved as the scene's camera, the view is rendered as it is shown.
+    void expect_view_rendered() {
+        window_.wait_for_other("camera", home_);
         window_.key("ctrl+Home");
         window_.wait_for("undo", "Use of this view as the camera");
         expect_rendered();
         window_.key("ctrl+z");
         window_.wait_for("undo", "");
-        window_.key("Home");
-        window_.wait_for("camera", home_);
-        return view;
     }
 
     Json home_;
@@ -37,21 +41,23 @@ protected:
 TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     // Drags that orbit, pan, pan by shift, and zoom.
     window_.drag(window_.pixel(50, 50), window_.pixel(150, 90));
-    EXPECT_LT(expect_view_rendered("orbit")[0][0].number(), -10.0);  // the scene turns with the pointer
+    expect_view_rendered();
+    EXPECT_LT(expect_view("orbit")[0][0].number(), -10.0);  // the scene turns with the pointer
     window_.drag(red(), red(70, 33), 2);
-    expect_view_rendered("pan");
+    expect_view("pan");
     window_.drag(red(), red(-70, 33), 1, {"shift"});
-    expect_view_rendered("pan by shift");
+    expect_view("pan by shift");
     window_.drag(red(), red(0, -80), 3);
-    expect_view_rendered("zoom");
+    expect_view("zoom");
 
     // The wheel zooms at the pointer: what is there stays there, here the edge of a sphere and the small one's middle.
     window_.move_to(red(50, 20));
     window_.wheel(3);
-    expect_view_rendered("wheel in");
+    expect_view_rendered();
+    expect_view("wheel in");
     window_.move_to(red(50, 20));
     window_.wheel(-3);
-    expect_view_rendered("wheel out");
+    expect_view("wheel out");
     const Place green = window_.on_screen(100.0 / 3, 0);
     window_.move_to(green);
     window_.wait_for("hovered", 1);
@@ -68,10 +74,10 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
                        [](const Json& f) { return std::abs(f.at("camera")[0][0].number() - 100.0) < 1.0; });
     window_.move_to(red());
     window_.wait_for("hovered", 1);
-    expect_view_rendered("double click");
+    expect_view("double click");
 
     window_.step("sizes of the window");
-    for (const auto& [width, height] : {std::pair{1001, 701}, std::pair{700, 951}, std::pair{1399, 555}, std::pair{1300, 701}}) {
+    for (const auto& [width, height] : {std::pair{701, 951}, std::pair{1100, 555}}) {
         SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
         const Json before = window_.at("picture_size");
         window_.resize(width, height);
@@ -89,7 +95,7 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     window_.step("fits by keys");
     const auto expect_fitted = [&](const std::string& view) { test::expect_rendered(window_, folder_, scene_, {"--view", view}); };
     Json last = home_;
-    for (const auto& [key, view] : {std::pair{"4", "iso"}, {"2", "right"}, {"3", "top"}, {"1", "front"}}) {
+    for (const auto& [key, view] : {std::pair{"4", "iso"}, {"1", "front"}}) {
         window_.key(key);
         last = window_.wait_for_other("camera", last);
         expect_fitted(view);
@@ -162,7 +168,7 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
     // A scene that has a camera is fitted as a view only, and text is as large as the screen wants it: no panel reaches into
     // the picture.
     const std::string scene = folder.write("scene.txt", two_spheres);
-    ViewerWindow window(folder, {scene, "--view", "right"}, {2400, 1600, 192});
+    ViewerWindow window(folder, {scene, "--view", "right"}, {2000, 1400, 192});
     EXPECT_NEAR(height_of_add(window) / usual, 2.0, 0.15);
     window.key("m");
     expect_rendered(window, folder, scene, {"--view", "right"});

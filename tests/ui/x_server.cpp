@@ -178,11 +178,14 @@ Picture XServer::screen() const {
                               static_cast<unsigned>(attributes.height), AllPlanes, ZPixmap);
     if (image == nullptr) throw std::runtime_error("the screen cannot be read");
     Picture picture{attributes.width, attributes.height, 3, {}};
-    picture.bytes.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 3);
+    picture.bytes.resize(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 3);
+    char* to = picture.bytes.data();
     for (int row = 0; row < attributes.height; ++row) {
         for (int column = 0; column < attributes.width; ++column) {
             const unsigned long pixel = XGetPixel(image, column, row);
-            for (const int shift : {16, 8, 0}) picture.bytes += static_cast<char>((pixel >> shift) & 0xFFU);
+            *to++ = static_cast<char>(pixel >> 16);
+            *to++ = static_cast<char>(pixel >> 8);
+            *to++ = static_cast<char>(pixel);
         }
     }
     XDestroyImage(image);

@@ -10,6 +10,7 @@
 
 #include "edit/document.hpp"
 #include "scene/scene.hpp"
+#include "support/trials.hpp"
 #include "unit/random_edit.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
@@ -18,7 +19,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr int trials = 3000;
+constexpr int trials = test::trials(3000);
 
 Sphere at(double x) { return {{x, 0.0, 200.0}, 20.0, {}, false}; }
 
@@ -127,9 +128,9 @@ TEST(Edit, ConcernsWhatThereIsToSelectAfterwards) {
     }
 }
 
-// A million named spheres: what copies once too often for each of them would take minutes.
+// Many named spheres: what copies once too often for each of them would take minutes.
 TEST(Edit, TakesManySpheresInOnePass) {
-    constexpr std::uint32_t count = 1'000'000;
+    constexpr std::uint32_t count = 200'000;
     const Scene before = row(count);
     Scene scene = before;
     RemoveSpheres odd;
@@ -358,7 +359,7 @@ void play(std::uint64_t seed, int operations) {
 }  // namespace
 
 TEST(EditHistory, GivesBackEqualScenesAndTellsWhatDiffers) {
-    constexpr std::uint64_t sequences = 150;
+    constexpr std::uint64_t sequences = test::trials(150);
     for (std::uint64_t seed = 1; seed <= sequences; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         play(seed, 250);

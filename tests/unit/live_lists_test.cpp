@@ -10,6 +10,7 @@
 #include "edit/document.hpp"
 #include "exact/explain.hpp"
 #include "exact/resolve.hpp"
+#include "support/trials.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {
@@ -173,7 +174,7 @@ TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
     const PixelGrid grid{{131, 97}, step};
     int followed = 0;
     int edits = 0;
-    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::trials(12)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const std::size_t count = seed % 3 == 0 ? 3000 : seed % 3 == 1 ? 300 : 20;

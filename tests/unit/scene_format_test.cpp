@@ -93,13 +93,6 @@ TEST(DetectFormat, KnowsDataOfAnotherNameByItsContent) {
     }
 }
 
-TEST(FormatOfName, IsTomlForTomlOnly) {
-    EXPECT_EQ(format_of_name("a/b.toml").name, "TOML");
-    EXPECT_EQ(format_of_name("a/b.ToML").name, "TOML");
-    EXPECT_EQ(format_of_name("a/b.txt").name, "text");
-    EXPECT_EQ(format_of_name("-").name, "text");
-}
-
 TEST(ParseScene, ReadsEitherFormatWhateverTheName) {
     const Scene text = parse_scene("1 1 2 3 4 5 6 7", "s.toml");
     const Scene toml = parse_scene("[[sphere]]\ncolor = [1, 2, 3]\ncenter = [4, 5, 6]\nradius = 7\n", "s.txt");
@@ -130,11 +123,6 @@ TEST(SceneFormats, AreListedForHelpDialogsAndMessages) {
     }
     EXPECT_EQ(find_format("xyz"), find_format("XYZ"));
     EXPECT_EQ(find_format("yaml"), nullptr);
-}
-
-TEST(ParseScene, NamesTheFileInBothFormats) {
-    EXPECT_TRUE(message_of<InputError>([] { parse_scene("x", "a b.txt"); }).starts_with("a b.txt:1:1: found 'x'"));
-    EXPECT_TRUE(message_of<InputError>([] { parse_scene("[x", "a b.txt"); }).starts_with("a b.txt:1:"));
 }
 
 TEST(LostIn, NamesWhatTheTextFormatCannotHold) {

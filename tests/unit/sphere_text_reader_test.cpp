@@ -12,12 +12,13 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "formats/text_format.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview {
 
 namespace {
 
-constexpr int trials = 4000;
+constexpr int trials = test::trials(4000);
 constexpr std::size_t whole = std::numeric_limits<std::size_t>::max() / 2;
 
 // What a reader made of a text.
