@@ -30,6 +30,8 @@ constexpr std::string_view time_mark = "# sphereview recovery, milliseconds sinc
 constexpr std::string_view original_mark = "# of: ";
 
 using Milliseconds = std::chrono::milliseconds;
+constexpr auto latest =
+    std::chrono::duration_cast<Milliseconds>(std::chrono::system_clock::duration::max());  // that the clock can say
 
 // A file beside the recovery tells by its lock that the process runs which wrote both: the recovery itself is always replaced.
 fs::path lock_of(fs::path file) { return file.replace_extension(lock_ending); }
@@ -114,7 +116,7 @@ std::optional<Recovery> read_head(const fs::path& file) {
     std::int64_t count = 0;
     if (!time || !original || std::from_chars(time->data(), time->data() + time->size(), count).ec != std::errc()) return {};
     const auto path = unescaped(*original);
-    if (!path) return {};
+    if (!path || count < 0 || Milliseconds(count) > latest) return {};
     return Recovery{file.string(), *path, std::chrono::system_clock::time_point(Milliseconds(count))};
 }
 

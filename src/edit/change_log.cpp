@@ -52,9 +52,10 @@ void compare_spheres(const std::vector<const ChangeSpheres*>& changes, const Sce
     for (const ChangeSpheres* change : changes) {
         for (std::size_t i = 0; i < change->numbers.size(); ++i) all.emplace_back(change->numbers[i], &change->spheres[i]);
     }
-    const auto number_of = [](const auto& one) { return one.first; };
-    std::ranges::stable_sort(all, {}, number_of);
-    all.erase(std::ranges::unique(all, {}, number_of).begin(), all.end());
+    std::ranges::stable_sort(all, {}, [](const auto& one) { return one.first; });
+    // Not std::ranges::unique, which Clang 14 cannot compile with the library of GCC 12.
+    const auto same_number = [](const auto& a, const auto& b) { return a.first == b.first; };
+    all.erase(std::unique(all.begin(), all.end(), same_number), all.end());
     for (const auto& [number, before] : all) compare(number, *before);
 }
 

@@ -61,6 +61,18 @@ const cif::Item& first_item(cif::Table& table) {
     return table.loop_item != nullptr ? *table.loop_item : table.bloc.items[static_cast<std::size_t>(table.positions[0])];
 }
 
+// The block's table of atoms, not ok() where it has none.
+cif::Table atoms_of(const TextSource& source, cif::Block& block) {
+    // gemmi throws its own error for columns of another table in this one.
+    for (const cif::Item& item : block.items) {
+        if (!item.has_prefix(atom_table) || item.type != cif::ItemType::Loop) continue;
+        for (const std::string& tag : item.loop.tags) {
+            if (!gemmi::istarts_with(tag, atom_table)) fail_in_line(source, item, found_expected(tag, "a column of _atom_site"));
+        }
+    }
+    return block.find_mmcif_category(atom_table);
+}
+
 // The one table of atoms.
 cif::Table find_atoms(const TextSource& source, cif::Document& document) {
     const auto words = words_of(atom_columns);
@@ -70,7 +82,7 @@ cif::Table find_atoms(const TextSource& source, cif::Document& document) {
         if (const cif::Item* item = block.find_loop_item("_atom_site_fract_x")) {
             fail_in_line(source, *item, "found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
         }
-        cif::Table any = block.find_mmcif_category(atom_table);
+        cif::Table any = atoms_of(source, block);
         if (!any.ok()) continue;
         if (found) fail_in_line(source, first_item(any), "found a second table of atoms, expected one");
         found.emplace(block.find(atom_table, columns));

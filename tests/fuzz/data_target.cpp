@@ -18,6 +18,8 @@ std::string wrong_with(std::string_view bytes, const char* name) {
             data = format.read(bytes, "data", {frame, {}});
         } catch (const InputError&) {
             continue;
+        } catch (const MemoryError&) {
+            continue;
         }
         if (frame >= data.frames) return "a frame beyond the last was read";
         for (const Sphere& sphere : data.scene.spheres) {

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "fuzz/targets.hpp"
+#include "image/compare.hpp"
 #include "image/png.hpp"
 
 namespace sphereview {
@@ -38,6 +39,18 @@ std::string with_sums(std::string bytes) {
     return bytes;
 }
 
+// What goes wrong when a picture of 3 x 2 pixels is compared with this golden; or "".
+std::string wrong_with_comparison(const Image& golden) {
+    Image actual(3, 2, 4);
+    std::ranges::fill(actual.bytes(), std::uint8_t{0x80});
+    const Comparison comparison = compare(actual, golden);
+    if (describe(comparison, actual, golden).empty()) return "a comparison without words";
+    const Image difference = difference_picture(actual, golden);
+    const bool holds_both =
+        difference.width() == std::max(3, golden.width()) && difference.height() == std::max(2, golden.height());
+    return holds_both ? "" : "a picture of the difference of another size";
+}
+
 // What goes wrong when the bytes are read, and what was read is written and read again; or "".
 std::string wrong_with(const std::string& bytes) {
     Image image;
@@ -49,7 +62,8 @@ std::string wrong_with(const std::string& bytes) {
     const Image again = decode_png(encode_png(image), "again.png");
     const bool same = again.width() == image.width() && again.height() == image.height() && again.channels() == image.channels() &&
                       std::ranges::equal(again.bytes(), image.bytes());
-    return same ? "" : "the picture is another one after writing and reading";
+    if (!same || !compare(again, image).equal()) return "the picture is another one after writing and reading";
+    return wrong_with_comparison(image);
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ std::string fuzz_scene(std::string_view bytes) {
             scene = parse_scene(bytes, name);
         } catch (const InputError&) {
             continue;
+        } catch (const MemoryError&) {
+            continue;
         }
         std::string wrong = lost(scene, SceneFormat::toml, scene);
         if (wrong.empty()) wrong = lost(scene, SceneFormat::text, without_extras(scene));

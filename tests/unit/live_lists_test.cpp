@@ -48,7 +48,7 @@ ChangeSpheres random_change(Random& random, const Scene& scene) {
     ChangeSpheres change;
     for (std::size_t n = 1 + random() % 5; n > 0; --n) change.numbers.push_back(below(random, scene.spheres.size()));
     std::ranges::sort(change.numbers);
-    change.numbers.erase(std::ranges::unique(change.numbers).begin(), change.numbers.end());
+    change.numbers.erase(std::unique(change.numbers.begin(), change.numbers.end()), change.numbers.end());
     for (const std::uint32_t number : change.numbers) {
         Sphere sphere = scene.spheres[number];
         switch (random() % 6) {

@@ -205,6 +205,8 @@ TEST(Mmcif, FaultsAreReported) {
               "a.cif:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\ndata_y\n_atom_site.Cartn_x 1\n"),
               "a.cif:8: found a second table of atoms, expected one");
+    EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site.Cartn_x\n_atom_type.symbol\n1 C\n"),
+              "a.cif:2: found '_atom_type.symbol', expected a column of _atom_site");
     EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site_fract_x\n0.5\n"),
               "a.cif:2: found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
     const std::string table = "expected the table _atom_site with Cartn_x, Cartn_y and Cartn_z";

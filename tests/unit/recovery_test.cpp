@@ -167,6 +167,10 @@ TEST_F(RecoveryTest, PassesOverWhatIsNoRecovery) {
     folder.write("state/sphereview/recovery-1x.toml", "# another comment\n");
     folder.write("state/sphereview/recovery-2147483646-7.toml", "");
     folder.write("state/sphereview/recovery-.toml", "# sphereview recovery, milliseconds since 1970: x\n# of: /a\n");
+    for (const std::string time : {"9223372036854775807", "9223372036855", "-1"}) {  // that the clock cannot say
+        folder.write("state/sphereview/recovery-" + time + ".toml",
+                     "# sphereview recovery, milliseconds since 1970: " + time + "\n# of: /a\n");
+    }
     folder.write("state/sphereview/recovery.toml", "");
     folder.write("state/sphereview/other", "");
     fs::create_directories(folder.path("state/sphereview/recovery-2147483646-8.toml"));
