@@ -18,6 +18,15 @@ float text_height(const std::string& text, float width) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
 }
 
+// Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
+void draw_text(const std::string& text, float width, float most) {
+    const bool scrolled = text_height(text, width) > most;
+    const float wrap_at = scrolled ? width - ImGui::GetStyle().ScrollbarSize : ImGui::GetCursorPosX() + width;
+    if (scrolled) ImGui::BeginChild("text", {width, most});
+    wrapped_text(text, wrap_at);
+    if (scrolled) ImGui::EndChild();
+}
+
 float highest_fault() { return 5.0F * ImGui::GetTextLineHeight(); }
 
 void draw_side(const PanelContext& context, const char* name, int& side) {
@@ -88,14 +97,6 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
 
 }  // namespace
 
-void draw_text(const std::string& text, float width, float most) {
-    const bool scrolled = text_height(text, width) > most;
-    const float wrap_at = scrolled ? width - ImGui::GetStyle().ScrollbarSize : ImGui::GetCursorPosX() + width;
-    if (scrolled) ImGui::BeginChild("text", {width, most});
-    wrapped_text(text, wrap_at);
-    if (scrolled) ImGui::EndChild();
-}
-
 void draw_fault(const std::string& text, float width) {
     if (text.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0F, 0.48F, 0.44F, 1.0F));
@@ -120,23 +121,6 @@ FormEnd draw_form_end(const PanelContext& context, const std::string& name, cons
     if (end != FormEnd::open) return end;
     if (keys.escape) return FormEnd::cancel;
     return keys.enter && possible ? FormEnd::ok : FormEnd::open;
-}
-
-Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept) {
-    if (!replaces) return {true, std::move(accept)};
-    Question question;
-    question.id = "replace";
-    question.title = "Replace the file?";
-    question.text = on_one_line(path) + "\n\nexists already.";
-    question.answers = {"Replace", "Cancel"};
-    question.cancel = 1;
-    question.focused = 1;
-    question.answer = [&dialogs, accept = std::move(accept)](int number) {
-        if (number != 0) return;
-        dialogs.pop_back();
-        accept();
-    };
-    return {false, [&dialogs, question = std::move(question)] { dialogs.emplace_back(question); }};
 }
 
 std::string size_fault(const FileBrowser& browser) {

@@ -114,13 +114,6 @@ struct Decision {
 Decision draw_content(const PanelContext& context, Question& question, const DialogKeys& keys, Dialogs& dialogs);
 Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs);
 
-// The decision of a dialog in which a file was chosen: to go away and call `accept`; where the file would be replaced, only once
-// the person agrees.
-Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept);
-
-// Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
-void draw_text(const std::string& text, float width, float most);
-
 // Draws the fields and buttons for the size, on two lines.
 void draw_size(const PanelContext& context, FileBrowser& browser);
 

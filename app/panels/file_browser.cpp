@@ -80,6 +80,24 @@ Decision refuse(FileBrowser& browser, const std::string& why, FileBrowser::Focus
     return {};
 }
 
+// To go away and call `accept`; where a file would be replaced, only once the person agrees.
+Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept) {
+    if (!replaces) return {true, std::move(accept)};
+    Question question;
+    question.id = "replace";
+    question.title = "Replace the file?";
+    question.text = on_one_line(path) + "\n\nexists already.";
+    question.answers = {"Replace", "Cancel"};
+    question.cancel = 1;
+    question.focused = 1;
+    question.answer = [&dialogs, accept = std::move(accept)](int number) {
+        if (number != 0) return;
+        dialogs.pop_back();
+        accept();
+    };
+    return {false, [&dialogs, question = std::move(question)] { dialogs.emplace_back(question); }};
+}
+
 // The button, Enter or a double click: goes where the path box says if something new stands there, or into a folder that
 // was named; else this is the file.
 Decision confirm(FileBrowser& browser, Dialogs& dialogs) {
