@@ -1,7 +1,6 @@
 #include "panels/dialogs.hpp"
 
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cassert>
@@ -9,13 +8,9 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "base/user_folders.hpp"
-#include "panels/file_listing.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -24,13 +19,16 @@ float text_height(const std::string& unsafe, float width) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
 }
 
-float highest_fault() { return 5.0F * ImGui::GetTextLineHeight(); }
-
-// Where the picture will go; a name without ".png" gets it.
-std::string target_of(const ExportForm& form) {
-    const std::string path = text_from(typed_path(form.path, path_from(form.folder)));
-    return has_ending(path, ".png") ? path : path + ".png";
+// Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
+void draw_text(const std::string& text, float width, float most) {
+    const bool scrolled = text_height(text, width) > most;
+    const float wrap_at = scrolled ? width - ImGui::GetStyle().ScrollbarSize : ImGui::GetCursorPosX() + width;
+    if (scrolled) ImGui::BeginChild("text", {width, most});
+    wrapped_text(text, wrap_at);
+    if (scrolled) ImGui::EndChild();
 }
+
+float highest_fault() { return 5.0F * ImGui::GetTextLineHeight(); }
 
 void draw_side(const PanelContext& context, const char* name, int& side) {
     // Wider than an int, so that what is far too large is not taken for something else.
@@ -42,52 +40,12 @@ void draw_side(const PanelContext& context, const char* name, int& side) {
     note_widget(context, std::string("export ") + name);
 }
 
-void draw_preset(ExportForm& form, PictureSize size, const std::string& label) {
-    if (!ImGui::SmallButton(label.c_str())) return;
-    form.width = size.width;
-    form.height = size.height;
-}
-
 std::string text_of(PictureSize size) { return std::to_string(size.width) + " x " + std::to_string(size.height); }
-
-void draw_presets(const PanelContext& context, ExportForm& form) {
-    for (const PictureSize size : {PictureSize{1000, 1000}, PictureSize{1920, 1080}, PictureSize{3840, 2160}}) {
-        draw_preset(form, size, text_of(size));
-        note_widget(context, "export " + text_of(size));
-        ImGui::SameLine();
-    }
-    if (form.view) {
-        draw_preset(form, *form.view, "As in the window: " + text_of(*form.view) + "###view");
-        note_widget(context, "export view");
-    } else {
-        ImGui::NewLine();
-    }
-}
-
-void draw_name(const PanelContext& context, ExportForm& form, float width) {
-    ImGui::TextUnformatted("File");
-    ImGui::SetNextItemWidth(width);
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputText("##path", &form.path, ImGuiInputTextFlags_AutoSelectAll)) form.error.clear();
-    note_widget(context, "export path");
-}
-
-void draw_size(const PanelContext& context, ExportForm& form) {
-    ImGui::TextUnformatted("Size in pixels");
-    draw_side(context, "width", form.width);
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("x");
-    ImGui::SameLine();
-    draw_side(context, "height", form.height);
-    draw_presets(context, form);
-}
 
 const std::string& heading_of(const Question& question) { return question.title; }
 const std::string& heading_of(const FileBrowser& browser) { return browser.title; }
-std::string heading_of(const ExportForm&) { return "Export picture"; }
 
-// A browser's list takes what room there is; the others are as large as their content.
+// A browser's list takes what room there is; a question is as large as its content.
 bool resizes_itself(const Dialog& dialog) { return !std::holds_alternative<FileBrowser>(dialog); }
 
 void place_next_window(const PanelContext& context, const Dialog& dialog) {
@@ -140,14 +98,6 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
 
 }  // namespace
 
-void draw_text(const std::string& text, float width, float most) {
-    const bool scrolled = text_height(text, width) > most;
-    const float wrap_at = scrolled ? width - ImGui::GetStyle().ScrollbarSize : ImGui::GetCursorPosX() + width;
-    if (scrolled) ImGui::BeginChild("text", {width, most});
-    wrapped_text(text, wrap_at);
-    if (scrolled) ImGui::EndChild();
-}
-
 void draw_fault(const std::string& text, float width) {
     if (text.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0F, 0.48F, 0.44F, 1.0F));
@@ -174,64 +124,36 @@ FormEnd draw_form_end(const PanelContext& context, const std::string& name, cons
     return keys.enter && possible ? FormEnd::ok : FormEnd::open;
 }
 
-Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept) {
-    if (!replaces) return {true, std::move(accept)};
-    Question question;
-    question.id = "replace";
-    question.title = "Replace the file?";
-    question.text = shown_text(path) + "\n\nexists already.";
-    question.answers = {"Replace", "Cancel"};
-    question.cancel = 1;
-    question.focused = 1;
-    question.answer = [&dialogs, accept = std::move(accept)](int number) {
-        if (number != 0) return;
-        dialogs.pop_back();
-        accept();
-    };
-    return {false, [&dialogs, question = std::move(question)] { dialogs.emplace_back(question); }};
+std::string size_fault(const FileBrowser& browser) {
+    if (!browser.size) return "";
+    const auto [width, height] = *browser.size;
+    if (width < 1 || height < 1) return "Each side needs at least 1 pixel.";
+    if (width <= browser.most_pixels / height) return "";
+    return "At most " + in_groups(static_cast<std::uint64_t>(browser.most_pixels)) + " pixels, please; these are " +
+           in_groups(static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height)) + ".";
 }
 
-std::string fault_of(const ExportForm& form) {
-    if (form.path.find_first_not_of(" \t") == std::string::npos) return "The file needs a name.";
-    const fs::path typed = typed_path(form.path, path_from(form.folder));
-    std::error_code none;
-    if (fs::is_directory(typed, none) || fs::is_directory(path_from(target_of(form)), none)) {
-        return "This is a folder: the file needs a name.";
+void draw_size(const PanelContext& context, FileBrowser& browser) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Size in pixels");
+    ImGui::SameLine();
+    draw_side(context, "width", browser.size->width);
+    ImGui::SameLine();
+    ImGui::TextUnformatted("x");
+    ImGui::SameLine();
+    draw_side(context, "height", browser.size->height);
+    for (const PictureSize preset : {PictureSize{1000, 1000}, PictureSize{1920, 1080}, PictureSize{3840, 2160}}) {
+        if (ImGui::SmallButton(text_of(preset).c_str())) browser.size = preset;
+        note_widget(context, "export " + text_of(preset));
+        ImGui::SameLine();
     }
-    if (!fs::is_directory(typed.parent_path(), none)) return "There is no folder " + text_from(typed.parent_path()) + ".";
-    if (form.width < 1 || form.height < 1) return "Each side needs at least 1 pixel.";
-    if (form.width > form.most_pixels / form.height) {
-        return "At most " + in_groups(static_cast<std::uint64_t>(form.most_pixels)) + " pixels, please; these are " +
-               in_groups(static_cast<std::uint64_t>(form.width) * static_cast<std::uint64_t>(form.height)) + ".";
-    }
-    return "";
-}
-
-Decision draw_content(const PanelContext& context, ExportForm& form, const DialogKeys& keys, Dialogs& dialogs) {
-    if (form.folder.empty()) form.folder = text_from(typed_path(form.path, home_folder()).parent_path());
-    const float width = std::min(560.0F * context.scale, 0.85F * ImGui::GetMainViewport()->Size.x);
-    draw_name(context, form, width);
-    draw_size(context, form);
-    const std::string fault = fault_of(form);
-    draw_fault(fault, width);
-    if (fault.empty()) draw_fault(form.error, width);
-    ImGui::Dummy({0.0F, 0.3F * ImGui::GetFontSize()});
-    switch (draw_form_end(context, "export", "Export", fault.empty(), keys)) {
-        case FormEnd::open: return {};
-        case FormEnd::cancel: return {true, {}};
-        case FormEnd::ok: break;
-    }
-    const std::string path = target_of(form);
-    auto accept = [give = form.accept, path, size = PictureSize{form.width, form.height}] {
-        if (give) give(path, size);
-    };
-    std::error_code none;
-    return accept_file(dialogs, path, fs::exists(path_from(path), none), std::move(accept));
+    if (ImGui::SmallButton(("As in the window: " + text_of(browser.view) + "###view").c_str())) browser.size = browser.view;
+    note_widget(context, "export view");
 }
 
 std::string id_of(const Dialog& dialog) {
     if (const auto* question = std::get_if<Question>(&dialog)) return question->id;
-    return std::holds_alternative<ExportForm>(dialog) ? "export" : "browser";
+    return std::get<FileBrowser>(dialog).size ? "export" : "browser";
 }
 
 void draw_dialogs(const PanelContext& context, Dialogs& dialogs, const DialogKeys& keys) {

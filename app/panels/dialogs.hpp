@@ -25,22 +25,6 @@ struct Question {
     int focused = 0;
 };
 
-// "Export picture": a name and a size. `accept` gets an absolute path that ends in ".png", and is called only when nothing lies
-// there or the person agrees to replace it. Widgets: "export path", "export width", "export height", "export ok", "export cancel".
-struct ExportForm {
-    std::string path;  // a relative one lies in the folder of the first
-    int width = 1000;
-    int height = 1000;
-    std::string error;  // shown when not empty: why the last try did not work
-    std::function<void(const std::string& path, PictureSize size)> accept;
-    std::optional<PictureSize> view;         // of the picture in the window, for a button; "export view"
-    std::int64_t most_pixels = 429'496'729;  // as image/image.hpp has it
-    std::string folder;                      // of the first path
-};
-
-// Why the form cannot be accepted; "" if it can.
-std::string fault_of(const ExportForm& form);
-
 // What a folder holds.
 struct FileEntry {
     std::string name;
@@ -65,8 +49,9 @@ struct FileKind {
 };
 
 // The file dialog. `accept` gets an absolute path; a new one only when `saving`, an existing one then only when the person agrees
-// to replace it. Widgets: "browser path", "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0",
-// "browser hidden", "browser kind", "kind TOML", "browser sort name" ("size", "date"), "entry NAME".
+// to replace it. With a `size` the file is a picture, whose size is chosen, too: at first that one. Widgets: "browser path",
+// "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0", "browser hidden", "browser kind", "kind
+// TOML", "browser sort name" ("size", "date"), "entry NAME", "export width", "export height", "export 1920 x 1080", "export view".
 struct FileBrowser {
     bool saving = false;  // a name may be new
     std::string title;
@@ -77,7 +62,11 @@ struct FileBrowser {
     std::vector<FileKind> kinds;
     std::size_t kind = 0;
     std::vector<std::string> places;  // folders to go to by a click
-    std::function<void(const std::string& path)> accept;
+    std::optional<PictureSize> size;
+    PictureSize view;                        // of the picture in the window, for a button
+    std::int64_t most_pixels = 429'496'729;  // as image/image.hpp has it
+    std::string error;                       // what is wrong, or why the last try did not work
+    std::function<void(const std::string& path, PictureSize size)> accept;
 
     // What the dialog remembers from frame to frame.
     std::vector<FileEntry> entries;
@@ -85,14 +74,16 @@ struct FileBrowser {
     std::size_t listed_kind = 0;
     bool listed_hidden = false;  // whether `entries` has hidden files
     FileOrder order;
-    bool hidden_files = false;  // shown too
-    bool to_top = false;        // the list begins at its top in the next frame
-    std::string typed_folder;   // what the path box holds
-    std::string error;
+    bool hidden_files = false;                                  // shown too
+    bool to_top = false;                                        // the list begins at its top in the next frame
+    std::string typed_folder;                                   // what the path box holds
     enum class Focus { none, name, path } focus = Focus::name;  // the box that gets the keyboard in the next frame
 };
 
-using Dialog = std::variant<Question, ExportForm, FileBrowser>;
+// Why no picture can be of the size; "" if one can, or there is no size.
+std::string size_fault(const FileBrowser& browser);
+
+using Dialog = std::variant<Question, FileBrowser>;
 
 // Of the dialog, for tests: a question's id, "export", "browser".
 std::string id_of(const Dialog& dialog);
@@ -121,15 +112,10 @@ struct Decision {
 
 // Each draws the content of its dialog. `keys`: none but for the dialog on top.
 Decision draw_content(const PanelContext& context, Question& question, const DialogKeys& keys, Dialogs& dialogs);
-Decision draw_content(const PanelContext& context, ExportForm& form, const DialogKeys& keys, Dialogs& dialogs);
 Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs);
 
-// The decision of a dialog in which a file was chosen: to go away and call `accept`; where the file would be replaced, only once
-// the person agrees.
-Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept);
-
-// Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
-void draw_text(const std::string& text, float width, float most);
+// Draws the fields and buttons for the size, on two lines.
+void draw_size(const PanelContext& context, FileBrowser& browser);
 
 // Draws the text in red, a few lines high at most; nothing for "". fault_height(): of what is drawn, in pixels.
 void draw_fault(const std::string& text, float width);

@@ -64,7 +64,7 @@ bool enter(FileBrowser& browser, const fs::path& folder) {
 // The first listing, or another after the owner set `folder`: of the nearest folder above that can be read.
 void enter_nearest(FileBrowser& browser) {
     fs::path folder = typed_path(browser.folder, home_folder());
-    std::string error;
+    std::string error = browser.listed_folder.empty() ? browser.error : "";  // of the owner
     while (!enter(browser, folder) && folder.has_relative_path()) {
         if (error.empty()) error = browser.error;
         folder = folder.parent_path();
@@ -78,6 +78,24 @@ Decision refuse(FileBrowser& browser, const std::string& why, FileBrowser::Focus
     browser.error = why;
     browser.focus = focus;
     return {};
+}
+
+// To go away and call `accept`; where a file would be replaced, only once the person agrees.
+Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept) {
+    if (!replaces) return {true, std::move(accept)};
+    Question question;
+    question.id = "replace";
+    question.title = "Replace the file?";
+    question.text = shown_text(path) + "\n\nexists already.";
+    question.answers = {"Replace", "Cancel"};
+    question.cancel = 1;
+    question.focused = 1;
+    question.answer = [&dialogs, accept = std::move(accept)](int number) {
+        if (number != 0) return;
+        dialogs.pop_back();
+        accept();
+    };
+    return {false, [&dialogs, question = std::move(question)] { dialogs.emplace_back(question); }};
 }
 
 // The button, Enter or a double click: goes where the path box says if something new stands there, or into a folder that
@@ -105,8 +123,8 @@ Decision confirm(FileBrowser& browser, Dialogs& dialogs) {
     if (browser.saving && !fs::is_directory(path.parent_path(), none)) {
         return refuse(browser, "There is no folder " + text_from(path.parent_path()) + ".");
     }
-    auto accept = [give = browser.accept, text = text_from(path)] {
-        if (give) give(text);
+    auto accept = [give = browser.accept, text = text_from(path), size = browser.size.value_or(PictureSize{})] {
+        if (give) give(text, size);
     };
     return accept_file(dialogs, text_from(path), browser.saving && exists, std::move(accept));
 }
@@ -295,19 +313,24 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     // The name, the buttons and what is wrong stand below the list; that line is always there, so that nothing jumps.
-    const float error_height = std::max(fault_height(browser.error, width), ImGui::GetTextLineHeight());
-    const float below = 2.0F * ImGui::GetFrameHeight() + error_height + 3.0F * spacing.y;
+    const std::string fault = browser.error.empty() ? size_fault(browser) : browser.error;
+    const float error_height = std::max(fault_height(fault, width), ImGui::GetTextLineHeight());
+    const float size_height = browser.size ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() : 0.0F;
+    const float below = 2.0F * ImGui::GetFrameHeight() + size_height + error_height + 3.0F * spacing.y;
     const float height = std::max(5.0F * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y - below);
     draw_places(context, browser, {0.22F * width, height});
     ImGui::SameLine();
     const auto [clicked, entry] = draw_entries(context, browser, height);
     draw_name(context, browser, width);
-    if (browser.error.empty()) {
+    if (browser.size) draw_size(context, browser);
+    if (fault.empty()) {
         ImGui::Dummy({0.0F, error_height});
     } else {
-        draw_fault(browser.error, width);
+        draw_fault(fault, width);
     }
-    const FormEnd end = draw_form_end(context, "browser", browser.saving ? "Save" : "Open", true, keys);
+    const char* const ok = browser.size ? "Export" : browser.saving ? "Save" : "Open";
+    const bool possible = size_fault(browser).empty();
+    const FormEnd end = draw_form_end(context, "browser", ok, possible, keys);
     ImGui::SameLine();
     ImGui::Checkbox("Hidden files", &browser.hidden_files);
     note_widget(context, "browser hidden");
@@ -323,7 +346,7 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     }
     browser.name = entry.name;
     follow_name(browser);
-    return clicked == Clicked::twice ? confirm(browser, dialogs) : Decision{};
+    return clicked == Clicked::twice && possible ? confirm(browser, dialogs) : Decision{};
 }
 
 }  // namespace sphereview

@@ -1,7 +1,5 @@
 #include "panels/panel_context.hpp"
 
-#include <imgui.h>
-
 #include "base/text.hpp"
 
 namespace sphereview {

@@ -1,11 +1,9 @@
 // What the window tells: the line at its bottom, and messages over the picture.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "edit/document.hpp"
 #include "panels/panel_context.hpp"

@@ -95,11 +95,14 @@ fs::path next_free_name(const ViewerState& state) {
     return name;
 }
 
-void ask_for_export(ViewerState& state, const std::string& first_path, const std::string& fault) {
-    ExportForm form;
-    form.path = first_path;
-    form.width = state.settings.export_width;
-    form.height = state.settings.export_height;
+void ask_for_export(ViewerState& state, const fs::path& first, const std::string& fault) {
+    FileBrowser form;
+    form.saving = true;
+    form.title = "Export picture";
+    form.folder = first.parent_path().string();
+    form.name = first.filename().string();
+    form.kinds = {{"PNG", {".png"}}};
+    form.size = PictureSize{state.settings.export_width, state.settings.export_height};
     form.view = state.picture_size;
     form.error = fault;
     form.accept = [&state](const std::string& path, PictureSize size) {
@@ -139,6 +142,6 @@ void export_now(ViewerState& state) {
                  [&state](const std::string& why) { report_error(state, "The picture cannot be exported", why); });
 }
 
-void ask_for_export(ViewerState& state) { ask_for_export(state, next_free_name(state).string(), ""); }
+void ask_for_export(ViewerState& state) { ask_for_export(state, next_free_name(state), ""); }
 
 }  // namespace sphereview

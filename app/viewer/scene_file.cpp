@@ -136,7 +136,7 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
     const auto chosen =
         std::ranges::find(browser.kinds, is_written(format) ? format.name : SceneFormat::toml.name, &FileKind::name);
     browser.kind = static_cast<decltype(browser.kind)>(chosen - browser.kinds.begin());
-    browser.accept = [&state, then](const std::string& path) {
+    browser.accept = [&state, then](const std::string& path, PictureSize) {
         const std::string absolute = absolute_path(path);
         if (const std::string fault = name_fault(absolute); !fault.empty()) {
             return report_error(state, "The scene cannot be saved",
@@ -257,7 +257,7 @@ void ask_for_scene(ViewerState& state) {
     FileBrowser browser = file_dialog(state);
     browser.title = "Open a scene";
     browser.kinds = read_kinds();
-    browser.accept = [&state](const std::string& path) { open_scene(state, path); };
+    browser.accept = [&state](const std::string& path, PictureSize) { open_scene(state, path); };
     state.dialogs.push_back(std::move(browser));
 }
 

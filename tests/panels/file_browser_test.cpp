@@ -146,7 +146,7 @@ protected:
         browser.kinds = {{"Text", {".txt"}}, {"TOML", {".toml"}}};
         if (!saving) browser.kinds.insert(browser.kinds.begin(), {"All scenes", {".txt", ".toml"}});
         browser.places = {folder.path("sub"), "/"};
-        browser.accept = [this](const std::string& path) { accepted.push_back(path); };
+        browser.accept = [this](const std::string& path, PictureSize) { accepted.push_back(path); };
         harness.put(browser);
     }
     FileBrowser& browser() { return harness.top<FileBrowser>(); }

@@ -66,15 +66,15 @@ TEST(Exporting, WritesTheBytesOfRenderAndReplacesNothing) {
     // By name and size; a name that is taken asks.
     window.key("ctrl+e");
     window.wait_for("dialogs", Json::array({"export"}));
-    window.click_widget("export path");
+    window.click_widget("browser name");
     window.key("ctrl+a");
     window.type("scene.png");
     window.click_widget("export 1920 x 1080");
-    window.click_widget("export ok");
+    window.click_widget("browser ok");
     answer(window, "replace", "Cancel");
     window.wait_for("dialogs", Json::array({"export"}));
     EXPECT_EQ(folder.read("scene.png"), "mine");
-    window.click_widget("export ok");
+    window.click_widget("browser ok");
     answer(window, "replace", "Replace");
     announced(window, "1920 x 1080");
     EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, folder.path("viewed.toml"), {"-s", "1920x1080"}));

@@ -82,12 +82,12 @@ TEST_F(DataInViewer, SavingAsksForAnotherName) {
     EXPECT_EQ(browser->name, "a.toml");
     const auto accept = browser->accept;
     state.dialogs.clear();
-    accept(folder.path("b.csv"));  // which it could not write
+    accept(folder.path("b.csv"), {});  // which it could not write
     ASSERT_NE(question(), nullptr);
     EXPECT_EQ(question()->id, "error");
     EXPECT_FALSE(folder.has("b.csv"));
     state.dialogs.clear();
-    accept(folder.path("b.toml"));
+    accept(folder.path("b.toml"), {});
     EXPECT_EQ(state.path, folder.path("b.toml"));
     EXPECT_EQ(state.format, SceneFormat::toml);
     EXPECT_EQ(state.frames, 1);
