@@ -5,7 +5,6 @@
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
 #include "base/text.hpp"
-#include "formats/scene_format.hpp"
 
 namespace sphereview {
 
