@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
-#include "scene/camera.hpp"
 #include "shade/picture_shader.hpp"
 #include "tiles/build_lists.hpp"
 

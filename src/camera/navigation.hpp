@@ -6,7 +6,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
-#include "scene/bounds.hpp"
 #include "scene/camera.hpp"
 
 namespace sphereview {

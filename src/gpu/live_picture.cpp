@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "exact/resolve.hpp"
-#include "gpu/program.hpp"
 #include "tiles/pixel_range.hpp"
 
 namespace sphereview {

@@ -17,8 +17,8 @@
 #include "gpu/scene_tables.hpp"
 #include "gpu/shown_colors.hpp"
 #include "image/image.hpp"
+#include "shade/picture_shader.hpp"
 #include "shade/shading.hpp"
-#include "shade/surface.hpp"
 #include "tiles/live_lists.hpp"
 
 namespace sphereview {

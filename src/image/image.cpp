@@ -2,8 +2,6 @@
 
 #include <array>
 #include <cassert>
-#include <cstddef>
-#include <cstdint>
 
 #include "base/parallel.hpp"
 

@@ -1,8 +1,9 @@
-// What is drawn.
+// What is drawn, and how much room it takes up.
 #pragma once
 
 #include <bit>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <map>
 #include <string>
 #include <string_view>
@@ -42,6 +43,20 @@ struct Scene {
 
     bool operator==(const Scene&) const = default;
 };
+
+// What the spheres that are not hidden take up. Of an empty scene: what the default screen shows at z = 200.
+struct SceneBounds {
+    glm::dvec3 low{-100.0, -100.0, 100.0};
+    glm::dvec3 high{100.0, 100.0, 300.0};
+    double largest_radius = 20.0;
+    std::size_t hidden = 0;  // how many spheres are
+
+    glm::dvec3 middle() const { return 0.5 * low + 0.5 * high; }
+    // The longest side, but not less than the largest sphere: more than 0, and finite.
+    double extent() const;
+};
+
+SceneBounds bounds_of(const Scene& scene);
 
 // Whether values are the same bit for bit; with ==, -0 equals 0, and a file tells them apart.
 inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }

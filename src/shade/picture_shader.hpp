@@ -1,19 +1,34 @@
-// Any shading of a picture, on the CPU: an export's pixels.
+// Any shading of a picture, on the CPU: an export's pixels. Twin: shaders/surface.frag.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 
+#include "exact/rays.hpp"
 #include "exact/visible.hpp"
 #include "image/image.hpp"
+#include "scene/scene.hpp"
 #include "shade/shading.hpp"
-#include "shade/surface.hpp"
 
 namespace sphereview {
 
 // An image for a scene's picture: RGBA where the background is transparent, else RGB.
 Image make_picture(PictureSize size, const Background& background);
+
+// Lengths of hits are eighths of the scene's, so that no sum or difference of its doubles overflows.
+inline constexpr double shading_scale = 0.125;
+
+// What the hits of a scene lie between, seen from an eye: the same in every direction that it may look.
+struct DepthRange {
+    double nearest = 0.0;
+    double farthest = 1.0;
+
+    bool operator==(const DepthRange&) const = default;
+};
+
+// Of all spheres that are not hidden. At least 1/256 of `farthest` wide: narrower, float could not tell what lies where.
+DepthRange depth_range(const Scene& scene, const glm::dvec3& eye);
 
 // The bytes are the same on every machine and of every compiler: double precision, only
 // + - * / and square roots, never contracted or reordered; flat colours are what the scene says, byte for byte. What a colour is
@@ -31,7 +46,6 @@ public:
     Color color(Pixel pixel, std::int32_t visible) const;
 
 private:
-    std::array<std::uint8_t, 4> pixel_of(std::int32_t number) const;
     void shade_row(int x, int y, std::span<const std::int32_t> visible, std::uint8_t* out, std::size_t channels) const;
 
     const Scene& scene_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cstddef>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
