@@ -1,4 +1,4 @@
-// The GPU renderer in this process: its numbers, and the colours that its window shader makes of them.
+// The GPU renderer in this process: its numbers, limits and names.
 #include "gpu/gpu_renderer.hpp"
 
 #include <gtest/gtest.h>
@@ -6,27 +6,11 @@
 #include <algorithm>
 
 #include "exact/resolve.hpp"
-#include "gl/contexts.hpp"
-#include "shade/shade.hpp"
+#include "gl/live_export.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
 namespace {
-
-// Every colour value occurs; every third sphere is hidden.
-Scene colorful_scene() {
-    Scene scene;
-    for (int i = 0; i < 256; ++i) {
-        const auto value = static_cast<std::uint8_t>(i);
-        Sphere sphere;
-        sphere.center = {-90.0 + 12.0 * (i % 16), -90.0 + 12.0 * (i / 16), 200.0};
-        sphere.radius = 6.5;
-        sphere.color = {value, static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(i * 7)};
-        sphere.hidden = i % 3 == 2;
-        scene.spheres.push_back(sphere);
-    }
-    return scene;
-}
 
 class GpuRendererTest : public InContext {
 protected:
@@ -45,44 +29,8 @@ protected:
     DrawnSpheres drawn_;
 };
 
-// A picture of any kind as RGBA.
-std::vector<std::uint8_t> rgba_bytes(const Image& picture) {
-    std::vector<std::uint8_t> bytes;
-    for (int y = 0; y < picture.height(); ++y) {
-        for (int x = 0; x < picture.width(); ++x) {
-            const std::uint8_t* pixel = picture.at(x, y);
-            bytes.insert(bytes.end(), pixel, pixel + 3);
-            bytes.push_back(picture.channels() == 4 ? pixel[3] : 255);
-        }
-    }
-    return bytes;
-}
-
-TEST_P(GpuRendererTest, ShadesAWindowExactlyAsAnExport) {
-    const Scene scene = colorful_scene();
-    const std::vector<Background> backgrounds = {
-        {{0, 0, 0}, false}, {{255, 255, 255}, false}, {{1, 128, 254}, false}, {{0, 0, 0}, true}};
-    // Large first: later pictures use a part of the larger target.
-    for (const PictureSize size : {PictureSize{320, 240}, PictureSize{99, 201}, PictureSize{1, 1}}) {
-        const Block whole{0, 0, size.width, size.height};
-        const std::vector<std::int32_t> visible = trace(scene, size, whole);
-        for (const Background& background : backgrounds) {
-            Image expected = make_picture(size, background);
-            shade_flat(scene, background, whole, visible, expected);
-            const Image shaded = gpu_.shade(scene, drawn_, background);
-            ASSERT_EQ(shaded.width(), size.width);
-            ASSERT_EQ(shaded.height(), size.height);
-            EXPECT_TRUE(std::ranges::equal(shaded.bytes(), rgba_bytes(expected))) << size.width << "x" << size.height;
-        }
-        if (size.width == 1) continue;
-        EXPECT_TRUE(std::ranges::count(visible, visible_background) > 0);
-        EXPECT_TRUE(std::ranges::find(visible, 0) != visible.end() && std::ranges::find(visible, 255) != visible.end());
-        EXPECT_EQ(std::ranges::find(visible, 2), visible.end());  // hidden
-    }
-}
-
 TEST_P(GpuRendererTest, TracesBlocksThatJoinToTheWholePicture) {
-    const Scene scene = colorful_scene();
+    const Scene scene = colorful_scene(256);
     const PictureSize size{90, 70};
     const std::vector<std::int32_t> whole = trace(scene, size, {0, 0, 90, 70});
     for (const Block& block : {Block{0, 0, 90, 33}, Block{17, 33, 60, 30}, Block{89, 69, 1, 1}, Block{0, 69, 90, 1}}) {
@@ -119,7 +67,7 @@ TEST_P(GpuRendererTest, TracesTheSameFromEveryKindOfTexture) {
 
     // A refusal says the figures, and leaves what was there.
     GpuRenderer small(timings_, {.in_buffer = 100, .side = 64});
-    const DrawnSpheres few = drawn_spheres(colorful_scene());
+    const DrawnSpheres few = drawn_spheres(colorful_scene(256));
     const CandidateLists few_lists = build_lists(few, {}, {9, 9}, gpu_tile_costs);
     small.upload(few, few_lists, {}, {9, 9}, timings_);
     try {
