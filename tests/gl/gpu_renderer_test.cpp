@@ -1,4 +1,4 @@
-// The GPU renderer in this process: its numbers.
+// The GPU renderer in this process: its numbers, limits and names.
 #include "gpu/gpu_renderer.hpp"
 
 #include <gtest/gtest.h>
@@ -6,26 +6,11 @@
 #include <algorithm>
 
 #include "exact/resolve.hpp"
-#include "gl/contexts.hpp"
+#include "gl/live_export.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
 namespace {
-
-// Every colour value occurs; every third sphere is hidden.
-Scene colorful_scene() {
-    Scene scene;
-    for (int i = 0; i < 256; ++i) {
-        const auto value = static_cast<std::uint8_t>(i);
-        Sphere sphere;
-        sphere.center = {-90.0 + 12.0 * (i % 16), -90.0 + 12.0 * (i / 16), 200.0};
-        sphere.radius = 6.5;
-        sphere.color = {value, static_cast<std::uint8_t>(255 - i), static_cast<std::uint8_t>(i * 7)};
-        sphere.hidden = i % 3 == 2;
-        scene.spheres.push_back(sphere);
-    }
-    return scene;
-}
 
 class GpuRendererTest : public InContext {
 protected:
@@ -45,7 +30,7 @@ protected:
 };
 
 TEST_P(GpuRendererTest, TracesBlocksThatJoinToTheWholePicture) {
-    const Scene scene = colorful_scene();
+    const Scene scene = colorful_scene(256);
     const PictureSize size{90, 70};
     const std::vector<std::int32_t> whole = trace(scene, size, {0, 0, 90, 70});
     for (const Block& block : {Block{0, 0, 90, 33}, Block{17, 33, 60, 30}, Block{89, 69, 1, 1}, Block{0, 69, 90, 1}}) {
@@ -82,7 +67,7 @@ TEST_P(GpuRendererTest, TracesTheSameFromEveryKindOfTexture) {
 
     // A refusal says the figures, and leaves what was there.
     GpuRenderer small(timings_, {.in_buffer = 100, .side = 64});
-    const DrawnSpheres few = drawn_spheres(colorful_scene());
+    const DrawnSpheres few = drawn_spheres(colorful_scene(256));
     const CandidateLists few_lists = build_lists(few, {}, {{9, 9}}, gpu_tile_costs);
     small.upload(few, few_lists, {}, {9, 9}, timings_);
     try {

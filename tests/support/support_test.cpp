@@ -5,7 +5,6 @@
 
 #include "support/picture.hpp"
 #include "support/program.hpp"
-#include "support/sha256.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_match.hpp"
 
@@ -16,12 +15,6 @@ Outcome shell(const std::string& script, Command command = {}) {
     command.program = "/bin/sh";
     command.arguments = {"-c", script};
     return run(command);
-}
-
-// From FIPS 180-4's examples.
-TEST(Sha256, GivesTheSumsOfTheStandard) {
-    EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-    EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
 TEST(Picture, SurvivesAPng) {

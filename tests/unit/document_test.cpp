@@ -35,27 +35,6 @@ double x_of(const Document& document, std::size_t number) { return document.scen
 
 }  // namespace
 
-TEST(Document, UndoesAndRedoesByName) {
-    Document document(row(3));
-    EXPECT_FALSE(document.can_undo());
-    EXPECT_EQ(document.undo_name(), "");
-    EXPECT_EQ(document.undo(), Numbers{});
-    EXPECT_EQ(document.apply(move(1, 7), "Move"), Numbers{1});
-    EXPECT_EQ(document.apply(RenameSphere{1, "sun"}, "Rename"), Numbers{1});
-    EXPECT_EQ(document.undo_name(), "Rename");
-    EXPECT_EQ(document.undo(), Numbers{1});
-    EXPECT_EQ(document.undo_name(), "Move");
-    EXPECT_EQ(document.redo_name(), "Rename");
-    document.undo();
-    EXPECT_EQ(document.scene(), row(3));
-    EXPECT_EQ(document.redo(), Numbers{1});
-    EXPECT_EQ(x_of(document, 1), 7.0);
-    document.apply(move(0, 5), "Move 0");
-    EXPECT_FALSE(document.can_redo());
-    EXPECT_EQ(document.redo_name(), "");
-    EXPECT_EQ(document.redo(), Numbers{});
-}
-
 TEST(Document, FollowsTheSpheresOfAStepAsTheirNumbersChange) {
     Document document(row(4));
     document.apply(move(3, 9), "x", 1);

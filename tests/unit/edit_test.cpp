@@ -33,14 +33,6 @@ Scene row(std::uint32_t count) {
     return scene;
 }
 
-std::vector<double> places(const Scene& scene) {
-    std::vector<double> x;
-    for (const Sphere& sphere : scene.spheres) x.push_back(sphere.center.x);
-    return x;
-}
-
-using Places = std::vector<double>;
-using Names = std::map<std::uint32_t, std::string>;
 using Numbers = std::vector<std::uint32_t>;
 
 }  // namespace
@@ -87,35 +79,6 @@ TEST(Edit, SaysWhatNumbersSpheresHaveAfterIt) {
     }
     EXPECT_EQ(numbers_after(ReplaceScene{row(3)}, {1, 2, 3, 7}), (Numbers{1, 2}));
     EXPECT_EQ(numbers_after(ChangeSpheres{{1}, {at(7)}}, {0, 1}), (Numbers{0, 1}));
-}
-
-TEST(Edit, InsertsAtTheNumbersThatSpheresHaveAfterwards) {
-    Scene scene = row(3);
-    const Edit inverse = apply(InsertSpheres{{0, 2, 5}, {{at(10), "a"}, {at(11), ""}, {at(12), "c"}}}, scene);
-    EXPECT_EQ(places(scene), (Places{10, 0, 11, 1, 2, 12}));
-    EXPECT_EQ(scene.names, (Names{{0, "a"}, {3, "1"}, {5, "c"}}));
-    EXPECT_EQ(std::get<RemoveSpheres>(inverse).numbers, (Numbers{0, 2, 5}));
-
-    scene = {};
-    apply(InsertSpheres{{0, 1}, {{at(5), ""}, {at(6), "b"}}}, scene);
-    EXPECT_EQ(places(scene), (Places{5, 6}));
-    const Edit insertion = apply(RemoveSpheres{{0, 1}}, scene);
-    EXPECT_EQ(scene, Scene{});
-    EXPECT_EQ(std::get<InsertSpheres>(insertion).spheres, (std::vector<NamedSphere>{{at(5), ""}, {at(6), "b"}}));
-}
-
-TEST(Edit, RemovesAndReordersWithNames) {
-    Scene scene = row(6);
-    apply(RemoveSpheres{{0, 3, 4}}, scene);
-    EXPECT_EQ(places(scene), (Places{1, 2, 5}));
-    EXPECT_EQ(scene.names, (Names{{0, "1"}, {2, "5"}}));
-    scene = row(6);
-    apply(ReorderSphere{1, 4}, scene);
-    EXPECT_EQ(places(scene), (Places{0, 2, 3, 4, 1, 5}));
-    EXPECT_EQ(scene.names, (Names{{2, "3"}, {4, "1"}, {5, "5"}}));
-    apply(ReorderSphere{5, 0}, scene);
-    EXPECT_EQ(places(scene), (Places{5, 0, 2, 3, 4, 1}));
-    EXPECT_EQ(scene.names, (Names{{0, "5"}, {3, "3"}, {5, "1"}}));
 }
 
 TEST(Edit, ConcernsWhatThereIsToSelectAfterwards) {
