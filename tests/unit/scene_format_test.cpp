@@ -106,7 +106,7 @@ TEST(ParseScene, SaysThatTheTextFormatHasNoComments) {
     for (const auto& [text, place] : std::vector<std::pair<std::string, std::string>>{
              {"# two\n2 1 2 3", "1:1"}, {"\xEF\xBB\xBF\n  # two\n # b\n2", "2:3"}, {"# hello\nhello", "1:1"}}) {
         EXPECT_EQ(
-            message_of<InputError>([&] { parse_scene(text, "s.txt"); }),
+            message_of<InputError>([&text = text] { parse_scene(text, "s.txt"); }),
             "s.txt:" + place + ": found '#', expected the number of spheres: only TOML has comments, the text format has none");
     }
 }
