@@ -56,10 +56,10 @@ TEST(BadScene, NothingFromOutsideSteersTheTerminalOrForgesALine) {
               "a\\x1b[2J\\x0ab.txt: fine:1:1: found 'x\\x1b[2J', expected the number of spheres, a whole number\n");
     EXPECT_TRUE(fails(render(folder, {"missing\nb.txt: fine"}), 2, "missing\\x0ab.txt: fine: cannot be read"));
     folder.write("c\x1b.txt", red_scene);
-    const Outcome verbose = render(folder, {"c\x1b.txt", "-v"});
+    const Outcome verbose = render(folder, {"c\x1b.txt", "--verbose"});
     EXPECT_EQ(verbose.status, 0) << verbose;
     EXPECT_FALSE(contains(verbose.errors, "\x1b")) << verbose;
-    folder.write("d.toml", "spheres = '1 255 0 0 0 0 200 20'\nbackground = 'blue'\n[names]\n0 = \"\\u001b[2J\\n\"\n");
+    folder.write("d.toml", "spheres = '1 255 0 0 0 0 200 20'\nbackground = 'white'\n[names]\n0 = \"\\u001b[2J\\n\"\n");
     Command explain{.arguments = {"explain", "c\x1b.txt", "--pixel", "500,500"}, .folder = folder.path()};
     EXPECT_FALSE(contains(run(explain).output, "\x1b"));
     explain.arguments[1] = "d.toml";
