@@ -142,6 +142,6 @@ TEST_P(ShortTurn, FindsNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, ShortTurn, testing::ValuesIn(fuzz_targets),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& target) { return std::string(target.param.name); });
 
 }  // namespace sphereview

@@ -171,7 +171,7 @@ const Proven& some_tile_trials() {
 void expect_lists_caught(const std::string& mistake, const Change& change) {
     for (const auto& [whose, costs] : {std::pair("gpu: ", gpu_tile_costs), {"cpu: ", cpu_tile_costs}}) {
         expect_caught(
-            whose + mistake, [&](const Trial& trial) { return resolved(trial, costs, change); }, some_tile_trials());
+            whose + mistake, [&, costs = costs](const Trial& trial) { return resolved(trial, costs, change); }, some_tile_trials());
     }
 }
 

@@ -256,7 +256,7 @@ TEST(Loading, LeavesTheWindowAliveAndTheSceneAsItWas) {
         window.wait_meanwhile("reading", reads);
         window.key("Escape");
         window.wait_for("loading", nullptr);
-        EXPECT_EQ(window.at("selection"), Json({0}));
+        EXPECT_EQ(window.at("selection"), Json{0});
 
         window.step("the window's end is a reading's");
         open_by_browser(window, fifo);
@@ -304,7 +304,7 @@ TEST(Reloading, ShowsWhatAnotherProgramWrites) {
     folder.write("scene.txt", one_sphere);  // in place
     window.wait_for("spheres", 1);
     EXPECT_EQ(window.at("camera"), view);
-    EXPECT_EQ(window.at("selection"), Json({0}));
+    EXPECT_EQ(window.at("selection"), Json{0});
 
     // A reload is a step like any other; what was there before it is not what the file holds.
     window.key("ctrl+z");

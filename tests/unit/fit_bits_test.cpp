@@ -73,7 +73,10 @@ TEST(FitBits, OfManyCameras) {
     oracle::Random random(18);
     const Scene scene = some_scene();
     for (int i = 0; i < 1000; ++i) {
-        const ViewAxes axes = axes_from(random.between(-400.0, 400.0), random.between(-90.0, 90.0));
+        // In this order: compilers choose the order of a call's arguments.
+        const double up = random.between(-90.0, 90.0);
+        const double around = random.between(-400.0, 400.0);
+        const ViewAxes axes = axes_from(around, up);
         const Camera camera = fitted(scene, axes).value();
         const Camera again = fitted(scene, axes_of(camera)).value();
         for (const Camera& one : {camera, again}) {
