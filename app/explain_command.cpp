@@ -9,7 +9,6 @@
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "exact/explain.hpp"
-#include "exact/explain_words.hpp"
 #include "shade/picture_shader.hpp"
 
 namespace sphereview {

@@ -7,7 +7,6 @@
 #include "base/count.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "formats/token_reader.hpp"
 
 namespace sphereview {
 

@@ -10,7 +10,6 @@
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
 #include "formats/sphere_data.hpp"
-#include "formats/token_reader.hpp"
 
 namespace sphereview {
 
