@@ -46,7 +46,7 @@ Json describe_context(const GlContext& context, const GpuRenderer& gpu) {
 
 void check_pixels(const Image& picture, const Image& expected, const std::string& what) {
     const Comparison comparison = compare(picture, expected);
-    if (!comparison.equal()) throw RenderError(what + " is wrong: " + describe(comparison, picture, expected));
+    if (!comparison.equal()) throw RenderError(what + " is wrong: " + describe(comparison));
 }
 
 Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>& open_context) {

@@ -10,7 +10,6 @@
 #include "app/render_plan.hpp"
 #include "app/render_report.hpp"
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/progress.hpp"
 #include "image/compare.hpp"
@@ -63,8 +62,8 @@ private:
     void work(const RenderJob& job, RenderReport& report) {
         if (job.output) check_output(*job.output);
         if (job.diff) check_output(*job.diff);
-        std::optional<Image> golden;
-        if (job.expect) golden = read_golden(*job.expect);
+        std::optional<PngReader> golden;
+        if (job.expect) golden.emplace(open_png(*job.expect));
         const Scene scene = read_scene(job.scene, report);
         report.spheres = scene.spheres.size();
 
@@ -78,13 +77,11 @@ private:
                                      options_.certify, options_.samples, options_.shading};
         const Image picture = render_by_what_holds_it(scene, drawn, options, report);
 
+        // Before anything is written: the rest of the golden may be damaged.
+        Image difference;
+        if (golden) check(picture, *golden, job.diff ? &difference : nullptr, report);
         if (job.output) write_png(picture, *job.output, report.timings);
-        if (golden) check(picture, *golden, job, report);
-    }
-
-    static Image read_golden(const std::string& path) {
-        const InputFile file(path, Content::binary);
-        return decode_png(file.bytes(), file.name());
+        if (job.diff) write_output(*job.diff, encode_png(difference));
     }
 
     Scene read_scene(const std::string& path, RenderReport& report) {
@@ -129,14 +126,12 @@ private:
         write_output(path, png);
     }
 
-    static void check(const Image& picture, const Image& golden, const RenderJob& job, RenderReport& report) {
-        const Comparison comparison = compare(picture, golden);
+    static void check(const Image& picture, PngReader& golden, Image* difference, RenderReport& report) {
+        const Comparison comparison = compare(picture, golden, difference);
         report.comparison = comparison;
-        if (!comparison.equal()) {
-            report.status = ExitCode::differs;
-            report.error = job.label + ": differs from " + *job.expect + ": " + describe(comparison, picture, golden);
-        }
-        if (job.diff) write_output(*job.diff, encode_png(difference_picture(picture, golden)));
+        if (comparison.equal()) return;
+        report.status = ExitCode::differs;
+        report.error = report.job.label + ": differs from " + *report.job.expect + ": " + describe(comparison);
     }
 
     const RenderOptions& options_;

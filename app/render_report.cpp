@@ -42,7 +42,7 @@ Json to_json(const RenderReport& report) {
         const bool has_first = comparison.different_pixels > 0;
         json.set("comparison", {{"expected", report.job.expect},
                                 {"equal", comparison.equal()},
-                                {"same_size", comparison.same_size},
+                                {"same_size", comparison.same_size()},
                                 {"different_pixels", comparison.different_pixels},
                                 {"largest_difference", comparison.largest},
                                 {"first", has_first ? Json{comparison.first_x, comparison.first_y} : Json(nullptr)}});
