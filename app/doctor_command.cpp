@@ -79,6 +79,7 @@ std::string advice(const Json& row, RenderFault fault, const Json& earlier) {
     if (backend == "cpu") {
         return slow ? "allow it more time with --timeout" : "report this: the CPU renderer needs nothing but a CPU";
     }
+    if (fault == RenderFault::little_memory) return "raise that limit, or use --backend cpu";
     const bool egl = backend == "egl";
     if (fault == RenderFault::no_library) {
         return egl ? "install libEGL and a driver (Debian: apt install libegl1 libgl1-mesa-dri)"

@@ -50,6 +50,7 @@ void check_pixels(const Image& picture, const Image& expected, const std::string
 }
 
 Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>& open_context) {
+    require_address_space_for_gl();
     OpenBackend cpu;
     const Image expected = render_test(cpu);
     OpenBackend open;

@@ -111,8 +111,11 @@ private:
     }
 
     OpenBackend& backend_for(RenderReport& report) {
+        const auto picture_bytes =
+            static_cast<std::uint64_t>(options_.size.width) * static_cast<std::uint64_t>(options_.size.height) * 4;
         // Never closed: the process ends soon, and taking a driver down in good order takes milliseconds.
-        static OpenBackend& opened = *new OpenBackend(open_backend(options_.backend, options_.device, report.timings));
+        static OpenBackend& opened =
+            *new OpenBackend(open_backend(options_.backend, options_.device, report.timings, picture_bytes));
         report.passed_over = opened.passed_over;
         return opened;
     }

@@ -2,6 +2,12 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
+
+#include "base/available_memory.hpp"
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+
 namespace sphereview {
 
 std::string GlContext::renderer() const {
@@ -15,6 +21,19 @@ bool GlContext::is_software() const {
         if (name.find(software) != std::string::npos) return true;
     }
     return false;
+}
+
+void require_address_space_for_gl(std::uint64_t beside) {
+    // Mesa's llvmpipe with 2 threads, which crashes with 450 MB less: its libraries take 200 MB, and each thread has a stack and a
+    // heap of its own. It starts at most 32.
+    constexpr std::uint64_t libraries = 600'000'000;
+    constexpr std::uint64_t of_thread = 150'000'000;
+    const auto left = address_space_left();
+    const std::uint64_t wanted = libraries + of_thread * static_cast<std::uint64_t>(std::min(worker_count(), 32)) + beside;
+    if (!left || *left >= wanted) return;
+    throw RenderError("a GL driver may need " + in_bytes(wanted) + " of address space, of whose limit (ulimit -v) " +
+                          in_bytes(*left) + " are left",
+                      RenderFault::little_memory);
 }
 
 }  // namespace sphereview
