@@ -102,9 +102,16 @@ void open_numbered_device(OpenBackend& open, int number, Timings& timings) {
 
 }  // namespace
 
-OpenBackend open_backend(Backend backend, std::optional<int> device, Timings& timings) {
+OpenBackend open_backend(Backend backend, std::optional<int> device, Timings& timings, std::uint64_t beside) {
     OpenBackend open;
     if (backend == Backend::cpu) return open;
+    try {
+        require_address_space_for_gl(beside);
+    } catch (const RenderError& error) {
+        if (device || backend != Backend::automatic) throw;
+        open.passed_over.push_back(std::string("EGL and OSMesa: ") + error.what());
+        return open;
+    }
     if (device) {
         open_numbered_device(open, *device, timings);
         return open;

@@ -79,10 +79,11 @@ Json describe_context(const GlContext& context, const GpuRenderer& gpu) {
 
 void check_pixels(const Image& picture, const Image& expected, const std::string& what) {
     const Comparison comparison = compare(picture, expected);
-    if (!comparison.equal()) throw RenderError(what + " is wrong: " + describe(comparison, picture, expected));
+    if (!comparison.equal()) throw RenderError(what + " is wrong: " + describe(comparison));
 }
 
 Json probe_gl(Backend backend, const std::function<std::unique_ptr<GlContext>()>& open_context) {
+    require_address_space_for_gl();
     OpenBackend cpu;
     const Image expected = render_test(cpu);
     OpenBackend open;
@@ -186,6 +187,7 @@ std::string advice(const Json& row, const Json& earlier) {
     if (backend == "cpu") {
         return slow ? "allow it more time with --timeout" : "report this: the CPU renderer needs nothing but a CPU";
     }
+    if (fault == RenderFault::little_memory) return "raise that limit, or use --backend cpu";
     const bool egl = backend == "egl";
     if (fault == RenderFault::no_library) {
         return egl ? "install libEGL and a driver (Debian: apt install libegl1 libgl1-mesa-dri)"

@@ -12,7 +12,6 @@
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/progress.hpp"
 #include "base/standard_streams.hpp"
@@ -71,7 +70,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
         const bool has_first = comparison.different_pixels > 0;
         json.set("comparison", {{"expected", report.job.expect},
                                 {"equal", comparison.equal()},
-                                {"same_size", comparison.same_size},
+                                {"same_size", comparison.same_size()},
                                 {"different_pixels", comparison.different_pixels},
                                 {"largest_difference", comparison.largest},
                                 {"first", has_first ? Json{comparison.first_x, comparison.first_y} : Json(nullptr)}});
@@ -173,8 +172,8 @@ private:
     void work(const RenderJob& job, RenderReport& report) {
         if (job.output) check_output(*job.output);
         if (job.diff) check_output(*job.diff);
-        std::optional<Image> golden;
-        if (job.expect) golden = read_golden(*job.expect);
+        std::optional<PngReader> golden;
+        if (job.expect) golden.emplace(open_png(*job.expect));
         const Scene scene = read_scene(job.scene, report);
         report.spheres = scene.spheres.size();
 
@@ -185,13 +184,11 @@ private:
                                      options_.certify, options_.samples, options_.shading};
         const Image picture = render_by_what_holds_it(scene, drawn, options, report);
 
+        // Before anything is written: the rest of the golden may be damaged.
+        Image difference;
+        if (golden) check(picture, *golden, job.diff ? &difference : nullptr, report);
         if (job.output) write_png(picture, *job.output, report.timings);
-        if (golden) check(picture, *golden, job, report);
-    }
-
-    static Image read_golden(const std::string& path) {
-        const InputFile file(path, Content::binary);
-        return decode_png(file.bytes(), file.name());
+        if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability);
     }
 
     Scene read_scene(const std::string& path, RenderReport& report) {
@@ -221,8 +218,11 @@ private:
     }
 
     OpenBackend& backend_for(RenderReport& report) {
+        const auto picture_bytes =
+            static_cast<std::uint64_t>(options_.size.width) * static_cast<std::uint64_t>(options_.size.height) * 4;
         // Never closed: the process ends soon, and taking a driver down in good order takes milliseconds.
-        static OpenBackend& opened = *new OpenBackend(open_backend(options_.backend, options_.device, report.timings));
+        static OpenBackend& opened =
+            *new OpenBackend(open_backend(options_.backend, options_.device, report.timings, picture_bytes));
         report.passed_over = opened.passed_over;
         return opened;
     }
@@ -232,14 +232,12 @@ private:
         timed(timings, Phase::write, [&] { write_output(path, png, options_.durability); });
     }
 
-    void check(const Image& picture, const Image& golden, const RenderJob& job, RenderReport& report) const {
-        const Comparison comparison = compare(picture, golden);
+    static void check(const Image& picture, PngReader& golden, Image* difference, RenderReport& report) {
+        const Comparison comparison = compare(picture, golden, difference);
         report.comparison = comparison;
-        if (!comparison.equal()) {
-            report.status = ExitCode::differs;
-            report.error = on_one_line(job.label + ": differs from " + *job.expect + ": " + describe(comparison, picture, golden));
-        }
-        if (job.diff) write_output(*job.diff, encode_png(difference_picture(picture, golden)), options_.durability);
+        if (comparison.equal()) return;
+        report.status = ExitCode::differs;
+        report.error = on_one_line(report.job.label + ": differs from " + *report.job.expect + ": " + describe(comparison));
     }
 
     const RenderOptions& options_;

@@ -16,6 +16,7 @@
 #include "base/interrupt.hpp"
 #include "base/memory.hpp"
 #include "base/standard_streams.hpp"
+#include "platform/gl_context.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/viewer.hpp"
@@ -135,6 +136,7 @@ ExitCode run_view(const ViewOptions& options) {
     load_first_scene(state);
     offer_recovery(state);
     try {
+        require_address_space_for_gl();
         Window window("sphereview", state.settings.place);
         open_state = &state;
         Window::set_connection_lost_handler(on_connection_lost);

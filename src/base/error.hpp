@@ -13,7 +13,7 @@ struct InputError : std::runtime_error {
 };
 
 // What is wrong with something that renders, as far as a person can do something about that.
-enum class RenderFault { other, no_library, no_driver, old_opengl, no_answer, crash, exit };
+enum class RenderFault { other, no_library, no_driver, old_opengl, little_memory, no_answer, crash, exit };
 
 // Nothing here can render what was asked, and why.
 struct RenderError : std::runtime_error {

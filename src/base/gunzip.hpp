@@ -21,7 +21,7 @@ std::string_view without_gzip_ending(std::string_view name);
 // How far a file may expand: beyond `small`, not to more than `ratio` times its packed size; and never beyond `most` bytes.
 // Numbers expand 2 to 20 times; bombs come near deflate's limit of 1032. Nobody knows the size of a packed text before it ends.
 struct ExpansionBounds {
-    std::uint64_t small = std::uint64_t{1} << 28;
+    std::uint64_t small = std::uint64_t{1} << 26;
     std::uint64_t ratio = 250;
     std::uint64_t most = std::uint64_t{1} << 36;
 };

@@ -56,22 +56,25 @@ std::uint64_t left_in_groups() {
     }
 }
 
-std::uint64_t left_of_address_space() {
+}  // namespace
+
+std::optional<std::uint64_t> address_space_left() {
     rlimit limit{};
     const auto pages = number_in("/proc/self/statm");
-    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || !pages) return unlimited;
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || !pages) return std::nullopt;
     return difference(limit.rlim_cur, *pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
-}  // namespace
-
 std::optional<std::uint64_t> available_memory() {
     const auto free = number_in("/proc/meminfo", "MemAvailable:");
-    const std::uint64_t least = std::min({free ? *free * 1024 : unlimited, left_in_groups(), left_of_address_space()});
+    const std::uint64_t least =
+        std::min({free ? *free * 1024 : unlimited, left_in_groups(), address_space_left().value_or(unlimited)});
     return least != unlimited ? std::optional(least) : std::nullopt;
 }
 
 #else
+
+std::optional<std::uint64_t> address_space_left() { return std::nullopt; }
 
 std::optional<std::uint64_t> available_memory() { return std::nullopt; }
 

@@ -11,6 +11,9 @@ namespace sphereview {
 // groups and of its address space. Nothing where that cannot be told (only Linux tells).
 std::optional<std::uint64_t> available_memory();
 
+// What is left of a limit on this process's address space (ulimit -v); nothing where there is none.
+std::optional<std::uint64_t> address_space_left();
+
 // Throws MemoryError "WHAT 80.0 GB of memory, 3.1 GB are available" when `bytes` are more than that; `what` ends with "need".
 // Asks nobody about amounts that any machine has.
 void require_memory(std::uint64_t bytes, const std::string& what);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
@@ -33,9 +35,10 @@ std::string unquoted(const CsvField& field) {
 // Reads one record after the other. Blank lines are passed over. A field in quotes may hold anything, line ends too.
 class CsvRecords {
 public:
-    // Reads the records that begin in [begin, end); a record begins at `begin`.
-    CsvRecords(const TextSource& source, char separator, char line_end, std::size_t begin, std::size_t end)
-        : source_(source), separator_(separator), line_end_(line_end), next_(begin), end_(end) {}
+    // Reads the records that begin in [begin, end); a record begins at `begin`. Of one with more than `most_fields`, which its
+    // reader refuses, it reads one more than these and no further.
+    CsvRecords(const TextSource& source, char separator, char line_end, std::size_t begin, std::size_t end, std::size_t most_fields)
+        : source_(source), separator_(separator), line_end_(line_end), next_(begin), end_(end), most_fields_(most_fields) {}
 
     // False when there is none; the fields are valid until the next call. Throws InputError where quotes are wrong.
     bool next() {
@@ -67,7 +70,7 @@ public:
                 } else {
                     at = plain_field(at, stop);
                 }
-                if (at == stop) break;
+                if (at == stop || fields_.size() > most_fields_) break;
                 ++at;
             }
             record_end_ = stop;
@@ -77,7 +80,6 @@ public:
     }
 
     const std::vector<CsvField>& fields() const { return fields_; }
-    char separator() const { return separator_; }
     // Where the next record or blank line begins.
     std::size_t offset() const { return next_; }
 
@@ -116,12 +118,14 @@ private:
     char line_end_;
     std::size_t next_;
     std::size_t end_;
+    std::size_t most_fields_;
     std::vector<CsvField> fields_{};
     const char* record_end_ = nullptr;
 };
 
 enum Column : std::size_t { x, y, z, radius, red, green, blue, name_column, column_count };
 constexpr std::array<const char*, column_count> column_names = {"x", "y", "z", "radius", "r", "g", "b", "name"};
+constexpr std::size_t most_columns = 100'000;
 constexpr const char* header_syntax = "a header with x, y, z, and perhaps radius, r, g, b, name";
 
 // Which field each column is.
@@ -154,6 +158,8 @@ char separator_of(std::string_view text) {
 Header header_of(const CsvRecords& records) {
     Header header;
     header.fields = records.fields().size();
+    if (header.fields > most_columns)
+        records.fail(records.fields()[most_columns], "at most " + std::to_string(most_columns) + " columns");
     for (std::size_t i = 0; i < header.fields; ++i) {
         const CsvField& field = records.fields()[i];
         const auto found = std::ranges::find(column_names, header_word(field));
@@ -236,10 +242,11 @@ private:
     double default_radius_;
 };
 
-Spheres read_piece(CsvRecords records, const Header& header, const DataOptions& options) {
+Spheres read_records(CsvRecords& records, const Header& header, const DataOptions& options,
+                     std::size_t most = std::numeric_limits<std::size_t>::max()) {
     Spheres read;
     const RowReader row(records, header, options);
-    while (records.next()) {
+    while (read.spheres.size() < most && records.next()) {
         read.spheres.push_back(row.sphere());
         std::string name = row.name();
         if (!name.empty()) read.names.emplace_back(read.spheres.size() - 1, std::move(name));
@@ -247,12 +254,10 @@ Spheres read_piece(CsvRecords records, const Header& header, const DataOptions& 
     return read;
 }
 
-// Where pieces of the text from `begin` on begin, each with a record, and where the last ends.
+// Where pieces of the text from `begin` on begin, at the beginning of a line, and where the last ends.
 std::vector<std::size_t> piece_places(std::string_view text, std::size_t begin, char line_end) {
     std::vector<std::size_t> places = {begin};
-    // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
-    const bool in_one = text.find('"', begin) != std::string_view::npos;
-    while (!in_one && text.size() - places.back() > usual_line_piece) {
+    while (text.size() - places.back() > usual_line_piece) {
         const std::size_t end = text.find(line_end, places.back() + usual_line_piece);
         if (end == std::string_view::npos) break;
         places.push_back(end + 1);
@@ -261,28 +266,28 @@ std::vector<std::size_t> piece_places(std::string_view text, std::size_t begin, 
     return places;
 }
 
-Scene joined(std::vector<Spheres> pieces, const std::string& name) {
-    Scene scene;
-    std::size_t count = 0;
-    for (const Spheres& piece : pieces) count += piece.spheres.size();
-    if (count > most_spheres)
-        throw InputError(name + ": found " + in_groups(count) + " spheres, expected at most " + in_groups(most_spheres));
-    require_memory(count * sizeof(Sphere), name + ": " + in_groups(count) + " spheres need");
-    if (pieces.size() == 1) {
-        scene.spheres = std::move(pieces[0].spheres);
-    } else {
-        scene.spheres.reserve(count);
-    }
-    std::size_t first = 0;
-    for (Spheres& piece : pieces) {
-        if (pieces.size() > 1) scene.spheres.insert(scene.spheres.end(), piece.spheres.begin(), piece.spheres.end());
-        for (auto& [index, text] : piece.names) {
-            scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(first + index), std::move(text));
+// How many records there can be, but for odd ones that quotes spread over short lines.
+std::size_t most_records(std::string_view text, const std::vector<std::size_t>& places, char line_end) {
+    constexpr std::size_t shortest_record = std::string_view("0,0,0").size();
+    std::vector<std::size_t> counts(places.size() - 1);
+    parallel_for(counts.size(), [&](std::size_t i) {
+        for (LineWalker lines(text.substr(0, places[i + 1]), line_end, places[i]); !lines.at_end();) {
+            const std::size_t begin = lines.offset();
+            if (lines.step() - begin >= shortest_record) ++counts[i];
         }
-        first = scene.spheres.size();
-        piece = {};
+    });
+    return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+}
+
+void append(Scene& scene, const std::string& file, Spheres read) {
+    const std::size_t first = scene.spheres.size();
+    const std::size_t count = first + read.spheres.size();
+    if (count > most_spheres)
+        throw InputError(file + ": found " + in_groups(count) + " spheres, expected at most " + in_groups(most_spheres));
+    scene.spheres.insert(scene.spheres.end(), read.spheres.begin(), read.spheres.end());
+    for (auto& [index, text] : read.names) {
+        scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(first + index), std::move(text));
     }
-    return scene;
 }
 
 }  // namespace
@@ -298,15 +303,42 @@ bool shows_csv(std::string_view head) {
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content)};
     const char line_end = line_end_of(source.text);
-    CsvRecords first(source, separator_of(source.text), line_end, 0, source.text.size());
+    const char separator = separator_of(source.text);
+    CsvRecords first(source, separator, line_end, 0, source.text.size(), most_columns);
     if (!first.next()) source.fail(std::size_t{0}, std::string("the text is empty, expected ") + header_syntax);
     const Header header = header_of(first);
-    const std::vector<std::size_t> places = piece_places(source.text, first.offset(), line_end);
-    std::vector<Spheres> pieces(places.size() - 1);
-    parallel_in_order(pieces.size(), [&](std::size_t i) {
-        pieces[i] = read_piece({source, first.separator(), line_end, places[i], places[i + 1]}, header, options);
-    });
-    return {joined(std::move(pieces), name), 1};
+    const std::size_t most_fields = header.fields + 1;  // with the one behind a separator at the line's end
+    const std::size_t begin = first.offset();
+    const std::vector<std::size_t> places = piece_places(source.text, begin, line_end);
+
+    // Beside the text: the spheres, and for each name an entry of a map.
+    constexpr std::size_t bytes_per_name = 112;
+    const std::size_t most = most_records(source.text, places, line_end);
+    const std::size_t bytes_of_names = header.has(name_column) ? most * bytes_per_name + source.text.size() : 0;
+    require_memory(most * sizeof(Sphere) + bytes_of_names, name + ": up to " + in_groups(most) + " spheres need");
+    Scene scene;
+    scene.spheres.reserve(most);
+    if (source.text.find('"', begin) != std::string_view::npos) {
+        // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
+        constexpr std::size_t records_at_once = 4096;
+        CsvRecords records(source, separator, line_end, begin, source.text.size(), most_fields);
+        std::size_t before = 0;
+        do {
+            before = scene.spheres.size();
+            append(scene, name, read_records(records, header, options, records_at_once));
+        } while (scene.spheres.size() - before == records_at_once);
+        return {std::move(scene), 1};
+    }
+    const std::size_t pieces_at_once = 4 * static_cast<std::size_t>(worker_count());
+    for (std::size_t done = 0; done + 1 < places.size(); done += pieces_at_once) {
+        std::vector<Spheres> pieces(std::min(pieces_at_once, places.size() - 1 - done));
+        parallel_in_order(pieces.size(), [&](std::size_t i) {
+            CsvRecords records(source, separator, line_end, places[done + i], places[done + i + 1], most_fields);
+            pieces[i] = read_records(records, header, options);
+        });
+        for (Spheres& piece : pieces) append(scene, name, std::move(piece));
+    }
+    return {std::move(scene), 1};
 }
 
 }  // namespace sphereview

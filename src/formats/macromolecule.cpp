@@ -1,29 +1,13 @@
 #include "formats/macromolecule.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/text.hpp"
 
 namespace sphereview {
 
 namespace {
-
-// The part of `atoms` that begins at `begin` and is of one residue.
-std::span<const MoleculeAtom> residue_at(std::span<const MoleculeAtom> atoms, std::size_t begin) {
-    const MoleculeAtom& first = atoms[begin];
-    std::size_t end = begin + 1;
-    while (end < atoms.size() && atoms[end].chain == first.chain && atoms[end].residue_number == first.residue_number) ++end;
-    return atoms.subspan(begin, end - begin);
-}
-
-std::string_view fullest_alternative(std::span<const MoleculeAtom> residue) {
-    const MoleculeAtom* fullest = nullptr;
-    for (const MoleculeAtom& atom : residue) {
-        if (atom.alternative.empty()) continue;
-        if (fullest == nullptr || atom.occupancy > fullest->occupancy) fullest = &atom;
-    }
-    return fullest == nullptr ? std::string_view() : fullest->alternative;
-}
 
 std::string name_of(const MoleculeAtom& atom) {
     std::string name;
@@ -36,22 +20,44 @@ std::string name_of(const MoleculeAtom& atom) {
 
 }  // namespace
 
-Scene scene_of(std::span<const MoleculeAtom> atoms, const DataOptions& options) {
-    Scene scene;
-    scene.spheres.reserve(atoms.size());
-    const bool named = atoms.size() <= most_named_atoms;
-    for (std::size_t begin = 0; begin < atoms.size();) {
-        const auto residue = residue_at(atoms, begin);
-        begin += residue.size();
-        const std::string_view kept = fullest_alternative(residue);
-        for (const MoleculeAtom& atom : residue) {
-            if (!atom.alternative.empty() && atom.alternative != kept) continue;
-            if (named) scene.names[static_cast<std::uint32_t>(scene.spheres.size())] = name_of(atom);
-            scene.spheres.push_back(
-                {.center = atom.position, .radius = options.radius.value_or(atom.element->radius), .color = atom.element->color});
-        }
+MoleculeScene::MoleculeScene(std::size_t atoms, const DataOptions& options)
+    : named_(atoms <= most_named_atoms), radius_(options.radius) {
+    scene_.spheres.reserve(atoms);
+}
+
+void MoleculeScene::add(const MoleculeAtom& atom) {
+    if (atom.chain != chain_ || atom.residue_number != number_) {
+        end_residue();
+        chain_ = atom.chain;
+        number_ = atom.residue_number;
     }
-    return scene;
+    if (!atom.alternative.empty()) places_.push_back({scene_.spheres.size(), atom.alternative, atom.occupancy});
+    if (named_) names_.push_back(name_of(atom));
+    scene_.spheres.push_back(
+        {.center = atom.position, .radius = radius_.value_or(atom.element->radius), .color = atom.element->color});
+}
+
+// Removes the places that are not kept, and names what is left.
+void MoleculeScene::end_residue() {
+    const auto fullest = std::ranges::max_element(places_, {}, &Place::occupancy);  // the first of several
+    auto place = places_.begin();
+    std::size_t kept = first_;
+    for (std::size_t i = first_; (named_ || !places_.empty()) && i < scene_.spheres.size(); ++i) {
+        const bool has_others = place != places_.end() && place->sphere == i;
+        if (has_others && (place++)->alternative != fullest->alternative) continue;
+        scene_.spheres[kept] = scene_.spheres[i];
+        if (named_) scene_.names.emplace_hint(scene_.names.end(), static_cast<std::uint32_t>(kept), std::move(names_[i - first_]));
+        ++kept;
+    }
+    if (named_ || !places_.empty()) scene_.spheres.resize(kept);
+    first_ = scene_.spheres.size();
+    places_.clear();
+    names_.clear();
+}
+
+Scene MoleculeScene::take() {
+    end_residue();
+    return std::move(scene_);
 }
 
 bool shows_pdb(std::string_view head) {

@@ -118,35 +118,52 @@ double coordinate(const TextSource& source, const cif::Table::Row& row, Column c
                                            " of the table, a number"));
 }
 
+// What gemmi's document of a text takes at most: a string for each word, in an array that grows, or an item or block of its own for
+// a few; and the longer words' letters. Measured: 54 bytes a word of one digit, 73 for each `data_`.
+std::uint64_t bytes_of_document(std::string_view text) {
+    constexpr std::uint64_t bytes_of_word = 64;
+    const auto ends_word = [&](std::size_t i) { return is_space(text[i]) & !is_space(text[i - 1]); };
+    const std::uint64_t words = text.empty() ? 0 : 1 + count_places(1, text.size(), ends_word);
+    return words * bytes_of_word + 2 * std::uint64_t{text.size()};
+}
+
+MoleculeAtom atom_of(const TextSource& source, const cif::Table::Row& row) {
+    MoleculeAtom atom;
+    atom.position = {coordinate(source, row, x), coordinate(source, row, y), coordinate(source, row, z)};
+    atom.atom = first_of(row, auth_atom, label_atom);
+    const std::string_view symbol = text_of(row, type_symbol);
+    atom.element = &element_of_species(symbol.empty() ? atom.atom : symbol);
+    atom.chain = first_of(row, auth_chain, label_chain);
+    atom.residue = first_of(row, auth_residue, label_residue);
+    atom.residue_number = std::string(first_of(row, auth_number, label_number)).append(text_of(row, insertion_code));
+    atom.alternative = text_of(row, alternative);
+    if (row.has2(occupancy)) atom.occupancy = cif::as_number(row[occupancy], 1.0);
+    return atom;
+}
+
 }  // namespace
 
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options) {
-    // gemmi's document: a string for each value, of some four bytes, in an array that grows.
-    require_memory(content.size() / 4 * 2 * sizeof(std::string), name + ": its atoms need");
     const TextSource source{name, without_byte_order_mark(content)};
     if (trimmed(source.text, white_space).empty()) fail_without_atoms(source, table_syntax);
+    require_memory(bytes_of_document(source.text), name + ": its values need");
     cif::Document document = read_document(source);
     cif::Table table = find_atoms(source, document);
-    std::vector<MoleculeAtom> atoms;
+
     std::unordered_map<std::string_view, std::int64_t> models;
+    std::size_t atoms = 0;  // of the wanted model
     for (const auto row : table) {
-        const std::int64_t frame = models.emplace(text_of(row, model), static_cast<std::int64_t>(models.size())).first->second;
-        if (frame != options.frame) continue;
-        MoleculeAtom atom;
-        atom.position = {coordinate(source, row, x), coordinate(source, row, y), coordinate(source, row, z)};
-        atom.atom = first_of(row, auth_atom, label_atom);
-        const std::string_view symbol = text_of(row, type_symbol);
-        atom.element = &element_of_species(symbol.empty() ? atom.atom : symbol);
-        atom.chain = first_of(row, auth_chain, label_chain);
-        atom.residue = first_of(row, auth_residue, label_residue);
-        atom.residue_number = std::string(first_of(row, auth_number, label_number)).append(text_of(row, insertion_code));
-        atom.alternative = text_of(row, alternative);
-        if (row.has2(occupancy)) atom.occupancy = cif::as_number(row[occupancy], 1.0);
-        atoms.push_back(std::move(atom));
+        const auto count = static_cast<std::int64_t>(models.size());
+        if (models.emplace(text_of(row, model), count).first->second == options.frame) ++atoms;
     }
     const auto frames = static_cast<std::int64_t>(models.size());
     require_frame(name, options.frame, frames);
-    return {scene_of(atoms, options), frames};
+    require_memory(atoms * sizeof(Sphere), name + ": " + in_groups(atoms) + " spheres need");
+    MoleculeScene scene(atoms, options);
+    for (const auto row : table) {
+        if (models.at(text_of(row, model)) == options.frame) scene.add(atom_of(source, row));
+    }
+    return {scene.take(), frames};
 }
 
 }  // namespace sphereview

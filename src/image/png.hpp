@@ -1,6 +1,11 @@
 // PNG files.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,8 +18,44 @@ namespace sphereview {
 // Throws std::bad_alloc when memory does not suffice.
 std::string encode_png(const Image& image);
 
-// Reads a PNG of any kind as 8-bit RGB, or RGBA where it has transparency; 16-bit channels are refused rather than rounded.
-// `name` is how messages call it. Throws InputError.
+// Pixels of one row: first_x, first_x + step and so on. Only an interlaced PNG has steps other than 1.
+struct PngRow {
+    int y;
+    int first_x;
+    int step;
+    std::span<const std::uint8_t> bytes;  // of the pixels, one after the other
+};
+
+// Reads a PNG of any kind as 8-bit RGB, or RGBA where it has transparency; 16-bit channels are refused rather than rounded. Only a
+// row of it is ever in memory. Throws InputError for a file that is no PNG, is cut off or has a wrong sum anywhere, and
+// std::bad_alloc.
+class PngReader {
+public:
+    // Reads up to so many bytes of the file; 0 only at its end.
+    using Source = std::function<std::size_t(char* to, std::size_t most)>;
+
+    // Reads up to the first pixel. `name`: how messages call the file.
+    PngReader(std::string name, Source source);
+    PngReader(PngReader&&) noexcept;
+    ~PngReader();
+
+    const std::string& name() const;
+    int width() const;
+    int height() const;
+    int channels() const;  // 3 or 4
+
+    // Calls `take` for all rows, in the file's order: an interlaced PNG has seven rough pictures one after the other. Once.
+    void read(const std::function<void(const PngRow&)>& take);
+
+private:
+    struct Reading;
+    std::unique_ptr<Reading> reading_;
+};
+
+// The PNG at `path`, or on standard input for "-". Throws InputError also when it cannot be read.
+PngReader open_png(const std::string& path);
+
+// The whole picture, of at most `most_pixels`. Throws as PngReader.
 Image decode_png(std::string_view bytes, const std::string& name);
 
 }  // namespace sphereview

@@ -2,9 +2,12 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <array>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
+#include "base/parallel.hpp"
 #include "platform/dynamic_library.hpp"
 
 namespace sphereview {
@@ -94,5 +97,18 @@ bool GlContext::is_software() const {
 }
 
 std::unique_ptr<GlContext> open_osmesa() { return std::make_unique<OsmesaContext>(); }
+
+void require_address_space_for_gl(std::uint64_t beside) {
+    // Mesa's llvmpipe with 2 threads, which crashes with 450 MB less: its libraries take 200 MB, and each thread has a stack and a
+    // heap of its own. It starts at most 32.
+    constexpr std::uint64_t libraries = 600'000'000;
+    constexpr std::uint64_t of_thread = 150'000'000;
+    const auto left = address_space_left();
+    const std::uint64_t wanted = libraries + of_thread * static_cast<std::uint64_t>(std::min(worker_count(), 32)) + beside;
+    if (!left || *left >= wanted) return;
+    throw RenderError("a GL driver may need " + in_bytes(wanted) + " of address space, of whose limit (ulimit -v) " +
+                          in_bytes(*left) + " are left",
+                      RenderFault::little_memory);
+}
 
 }  // namespace sphereview

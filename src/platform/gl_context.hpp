@@ -1,6 +1,7 @@
 // An OpenGL 3.3 core context without a window.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ public:
 protected:
     GlContext() = default;
 };
+
+// Throws RenderError when a limit on the address space leaves too little for a GL driver and `beside`, the bytes of what is made
+// while it draws: drivers crash where they get less. To be called before any is opened.
+void require_address_space_for_gl(std::uint64_t beside = 0);
 
 // Where EGL can look for a GPU.
 struct EglDevice {

@@ -204,5 +204,35 @@ TEST(Gzip, ABombIsRefusedInLittleMemory) {
     EXPECT_EQ(folder.names(), std::vector<std::string>{"bomb.txt.gz"});
 }
 
+#ifndef SPHEREVIEW_SANITIZED  // AddressSanitizer reserves more address space than any sensible limit
+// Small files whose texts, or what is made of them, are large: the figures are told before memory runs out.
+TEST(Gzip, WhatDoesNotFitInMemoryIsRefusedWithTheFigures) {
+    const TemporaryFolder folder;
+    const auto repeated = [](const std::string& row, int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += row;
+        return text;
+    };
+    folder.write("a.csv.gz", gzipped("x,y,z\n" + repeated("0,0,0\n", 6'000'000)));
+    folder.write("a.toml.gz", gzipped("a = [" + repeated("0,", 4'000'000) + "]\n"));
+    std::vector<std::pair<std::string, std::string>> cases = {
+        {"a.csv.gz", "a.csv.gz: up to 6,000,000 spheres need 240 MB of memory, "},
+        {"a.toml.gz", "a.toml.gz: its values need 344 MB of memory, "}};
+#ifndef WITHOUT_GEMMI
+    folder.write("a.pdb.gz", gzipped(repeated("ATOM      1  N   ALA A   1       0.000   0.000   0.000\n", 400'000)));
+    folder.write("a.cif.gz", gzipped("data_\nloop_\n_a.b\n" + repeated("0 ", 5'000'000)));
+    cases.emplace_back("a.pdb.gz", "a.pdb.gz: 400,000 atoms need ");
+    cases.emplace_back("a.cif.gz", "a.cif.gz: its values need 340 MB of memory, ");
+#endif
+    for (const auto& [name, said] : cases) {
+        Command command = cpu_render(folder, {name, "-s", "5x5"});
+        command.most_memory = 300'000'000;
+        const Outcome outcome = run(command);
+        EXPECT_TRUE(fails(outcome, 3, said));
+        EXPECT_TRUE(outcome.errors.ends_with(" MB are available\n")) << outcome;
+    }
+}
+#endif
+
 }  // namespace
 }  // namespace sphereview::test

@@ -49,6 +49,34 @@ TEST_F(Expect, AnotherSizeIsADifference) {
                       "red.txt: differs from golden.png: the picture is 5x4, expected 5x5\n"));
 }
 
+TEST_F(Expect, AnotherSizeIsToldByTheHeader) {
+    std::string header = folder_.read("golden.png");
+    header.resize(header.find("IDAT") + 4);
+    header.replace(8 + 8, 8, std::string("\0\0\xEA\x60\0\0\xEA\x60", 8));
+    header.replace(8 + 21, 4, "\x0F\xB0\xE2\x15");  // the sum of that
+    folder_.write("claims.png", header);
+    EXPECT_TRUE(fails(render_small({"red.txt", "--expect", "claims.png"}), 1,
+                      "red.txt: differs from claims.png: the picture is 5x5, expected 60000x60000\n"));
+    EXPECT_TRUE(fails(render_small({"red.txt", "--expect", "claims.png", "--diff", "diff.png"}), 2,
+                      "claims.png: the picture of the difference, of 60000x60000 pixels, is too large"));
+}
+
+#ifndef SPHEREVIEW_SANITIZED  // AddressSanitizer reserves more address space than any sensible limit
+TEST_F(Expect, NeedsMemoryForThePictureAloneAndSaysWhenThatRunsOut) {
+    const auto command = [&](const std::string& size, rlim_t memory) {
+        Command compare = cpu_render(folder_, {"red.txt", "--expect", "large.png", "-s", size});
+        compare.most_memory = memory;
+        return compare;
+    };
+    ASSERT_EQ(render(folder_, {"red.txt", "-o", "large.png", "-s", "8000x8000"}).status, 0);
+    // 192 MB of pixels, and what threads reserve.
+    EXPECT_EQ(run(command("8000x8000", 192'000'000 + 250'000'000)).status, 0);
+    // libpng holds rows, which here are the picture.
+    ASSERT_EQ(render(folder_, {"red.txt", "-o", "large.png", "-s", "64000000x1"}).status, 0);
+    EXPECT_TRUE(fails(run(command("64000000x1", 192'000'000 + 250'000'000)), 3, "red.txt: memory ran out\n"));
+}
+#endif
+
 TEST_F(Expect, TransparencyCounts) {
     const Outcome outcome = render_small({"red.txt", "--expect", "golden.png", "--background", "transparent"});
     EXPECT_EQ(outcome.status, 1) << outcome;

@@ -110,6 +110,32 @@ TEST_F(BackendChoice, FallsBackToTheCpuWhereNoGlServesAndSaysWhyButReplacesNoNam
     }
 }
 
+#ifndef SPHEREVIEW_SANITIZED  // AddressSanitizer reserves more address space than any sensible limit
+// Mesa crashes at some of these limits.
+TEST_F(BackendChoice, TooLittleAddressSpaceForADriverIsForTheCpu) {
+    Command command;
+    command.folder = folder_.path();
+    for (const rlim_t megabytes : {225, 250, 400, 450, 525, 600}) {
+        command.most_memory = megabytes * 1'000'000;
+        command.arguments = {"render", "red.txt", "-s", "5x5", "--verbose"};
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 0) << megabytes << ": " << outcome;
+        EXPECT_TRUE(matches(line_with(outcome.errors, "backend:"),
+                            "red\\.txt: backend: cpu; passed over: EGL and OSMesa: a GL driver may need .* of address space, .*"));
+        for (const char* backend : {"egl", "osmesa"}) {
+            command.arguments = {"render", "red.txt", "-s", "5x5", "--backend", backend};
+            const Outcome named = run(command);
+            EXPECT_EQ(named.status, 3) << megabytes << ": " << named;
+            EXPECT_TRUE(named.errors.starts_with("red.txt: a GL driver may need ")) << named;
+        }
+    }
+    command.arguments = {"doctor"};
+    const Outcome doctor = run(command);
+    EXPECT_TRUE(contains(doctor.output, "why:       a GL driver may need "));
+    EXPECT_TRUE(contains(doctor.output, "try:       raise that limit, or use --backend cpu"));
+}
+#endif
+
 TEST_F(BackendChoice, MoreSpheresThanTheUniformBufferHoldsAreInTextures) {
     EXPECT_GE(capacity(), 1024);
     folder_.write("full.txt", many_spheres(capacity()));

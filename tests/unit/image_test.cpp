@@ -5,8 +5,10 @@
 #include <random>
 #include <vector>
 
+#include "base/error.hpp"
 #include "image/compare.hpp"
 #include "image/image.hpp"
+#include "unit/message_of.hpp"
 
 namespace sphereview {
 
@@ -106,7 +108,7 @@ TEST(Compare, FindsEqualPicturesEqual) {
     const Image a = filled(3, 2, 3, 100);
     const Image b = filled(3, 2, 3, 100);
     EXPECT_TRUE(compare(a, b).equal());
-    EXPECT_EQ(describe(compare(a, b), a, b), "the pictures are equal");
+    EXPECT_EQ(describe(compare(a, b)), "the pictures are equal");
 }
 
 TEST(Compare, SaysHowManyHowFarAndWhereTheFirstIs) {
@@ -119,7 +121,7 @@ TEST(Compare, SaysHowManyHowFarAndWhereTheFirstIs) {
     EXPECT_FALSE(comparison.equal());
     EXPECT_EQ(comparison.different_pixels, 2);
     EXPECT_EQ(comparison.largest, (std::array<int, 4>{3, 10, 155, 0}));
-    EXPECT_EQ(describe(comparison, actual, expected),
+    EXPECT_EQ(describe(comparison),
               "2 of 6 pixels differ, by at most R 3 G 10 B 155; the first at pixel 2,0: found (100, 90, 100), expected "
               "(100, 100, 100)");
 }
@@ -133,7 +135,7 @@ TEST(Compare, TakesAPictureWithoutAlphaForOpaque) {
     EXPECT_TRUE(compare(rgba, rgb).equal());
     rgba.at(1, 0)[3] = 250;
     const Comparison comparison = compare(rgba, rgb);
-    EXPECT_EQ(describe(comparison, rgba, rgb),
+    EXPECT_EQ(describe(comparison),
               "1 of 2 pixels differ, by at most R 0 G 0 B 0 A 5; the first at pixel 1,0: found (9, 9, 9, 250), expected "
               "(9, 9, 9, 255)");
 }
@@ -141,10 +143,29 @@ TEST(Compare, TakesAPictureWithoutAlphaForOpaque) {
 TEST(Compare, TakesAnotherSizeForADifference) {
     const Image a = filled(3, 2, 3, 1);
     const Image b = filled(2, 3, 3, 1);
-    EXPECT_FALSE(compare(a, b).same_size);
+    EXPECT_FALSE(compare(a, b).same_size());
     EXPECT_FALSE(compare(a, b).equal());
-    EXPECT_EQ(describe(compare(a, b), a, b), "the picture is 3x2, expected 2x3");
+    EXPECT_EQ(describe(compare(a, b)), "the picture is 3x2, expected 2x3");
 }
+
+namespace {
+
+PngReader reader_of(const Image& picture) {
+    return {"golden.png", [bytes = encode_png(picture), done = std::size_t{0}](char* to, std::size_t most) mutable {
+                const std::size_t count = bytes.copy(to, most, done);
+                done += count;
+                return count;
+            }};
+}
+
+Image difference_picture(const Image& actual, const Image& expected) {
+    PngReader reader = reader_of(expected);
+    Image difference;
+    compare(actual, reader, &difference);
+    return difference;
+}
+
+}  // namespace
 
 TEST(DifferencePicture, DimsEqualPixelsAndWhitensDifferentOnes) {
     const Image expected = filled(2, 1, 3, 100);
@@ -166,6 +187,16 @@ TEST(DifferencePicture, ShowsInMagentaWhereOnlyOnePictureReaches) {
     for (const auto& [x, y] : {std::pair{1, 0}, {2, 0}, {0, 1}, {1, 1}}) {
         EXPECT_EQ(pixel(picture, x, y), (std::vector<int>{255, 0, 255})) << x << "," << y;
     }
+}
+
+TEST(DifferencePicture, IsRefusedWhereBothPicturesTogetherAreTooLarge) {
+    const Image wide = filled(30'000, 1, 3, 8);
+    const Image high = filled(1, 30'000, 3, 8);
+    PngReader reader = reader_of(high);
+    EXPECT_FALSE(compare(wide, reader).same_size());
+    EXPECT_EQ(
+        message_of<InputError>([&] { difference_picture(wide, high); }),
+        "golden.png: the picture of the difference, of 30000x30000 pixels, is too large: expected at most 429,496,729 pixels");
 }
 
 }  // namespace sphereview

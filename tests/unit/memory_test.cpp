@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "base/error.hpp"
 #include "formats/scene_format.hpp"
@@ -26,5 +27,58 @@ TEST(Memory, OfManySpheresIsOneTightAllocation) {
     EXPECT_EQ(scene.spheres.size(), count);
     EXPECT_EQ(take_largest_allocation(), count * sizeof(Sphere));
 }
+
+#ifdef __linux__
+
+// What a reader takes beside a text that it is hard to read in little memory: bytes for each byte of the text. A sphere has 40, a
+// name some 110. What a foreign parser makes is more; it is asked for before (require_memory), as tests of the program show.
+TEST(Memory, ForEachByteOfATextIsBounded) {
+    struct Case {
+        std::string name;
+        std::string head;  // # is how many rows follow
+        std::string row;
+        double most;
+        std::string tail = "";
+    };
+    const std::string atom = "ATOM      1  N   ALA A   1       0.000   0.000   0.000";
+    const std::string other = "ATOM      1  N   ALA B   2       0.000   0.000   0.000";
+    std::vector<Case> cases = {
+        {"short_rows.csv", "x,y,z\n", "0,0,0\n", 9.0},
+        {"names.csv", "name,x,y,z\n", "a,0,0,0\n", 16.0},
+        {"quotes.csv", "x,y,z,radius\n", "0,0,0,\"1\"\n", 4.5},
+        {"no_rows.csv", "x,y,z\n", "\n", 0.5},
+        {"columns.csv", "x,y,z", ",", 3.0},
+        {"fields.csv", "x,y,z\n", ",", 0.5},
+        {"short_rows.xyz", "#\nProperties=pos:R:3\n", "0 0 0\n", 7.0},
+        {"frames.xyz", "", "0\n\n", 0.5},
+        {"spheres.txt", "#\n", "0 0 0 0 0 0 1\n", 3.0},
+        {"spheres.toml", "spheres = \"\"\"#\n", "0 0 0 0 0 0 1\n", 3.5, "\"\"\"\n"},
+        {"dotted.toml", "", ".a.a.a.a.a.a.a.a.a.a.a=0\n", 107.0},
+        {"array.toml", "a = [", "{},", 53.0, "]\n"},
+    };
+#ifndef WITHOUT_GEMMI
+    cases.push_back({"one_residue.pdb", "", atom + "\n", 6.5});
+    cases.push_back({"residues.pdb", "", atom + "\n" + other + "\n", 10.0});
+    cases.push_back(
+        {"short_rows.cif", "data_\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n", "0 0 0\n", 34.0});
+#endif
+    for (const Case& input : cases) {
+        const std::size_t rows = 3'000'000 / input.row.size();
+        std::string text = input.head;
+        if (const auto count = text.find('#'); count != std::string::npos) text.replace(count, 1, std::to_string(rows));
+        for (std::size_t i = 0; i < rows; ++i) text += (input.row[0] == '.' ? std::to_string(i) : "") + input.row;
+        text += input.tail;
+        begin_most_bytes();
+        try {
+            parse_scene(text, input.name);
+        } catch (const InputError&) {
+            // Some of them are no scenes.
+        }
+        const double factor = static_cast<double>(most_bytes()) / static_cast<double>(text.size());
+        EXPECT_LE(factor, input.most) << input.name;
+    }
+}
+
+#endif
 
 }  // namespace sphereview

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "image/compare.hpp"
 #include "support/picture.hpp"
 #include "unit/message_of.hpp"
 
@@ -180,8 +181,50 @@ TEST(PngReader, RefusesWhatIsNoPng) {
 
 TEST(PngReader, RefusesAClaimedSizeBeforeAnythingIsAllocated) {
     const std::string grey = libpng_written({.color_type = PNG_COLOR_TYPE_GRAY, .rows = {1}});
-    EXPECT_EQ(refusal(with_size(grey, std::string("\0\0\x60\0", 4))), "x.png: not a usable PNG: it has too many pixels");
+    EXPECT_EQ(refusal(with_size(grey, std::string("\0\0\x60\0", 4))),
+              "x.png: found 603,979,776 pixels, expected at most 429,496,729");
     EXPECT_TRUE(refusal(with_size(grey, std::string(4, '\0'))).starts_with("x.png: not a usable PNG: "));
+}
+
+TEST(PngReader, GivesRowsOfAnInterlacedFileOutOfOrderButTheFirstDifferenceInReadingOrder) {
+    const Bytes bytes = noise(13 * 11 * 3);
+    const std::string file = libpng_written(noisy_rgb(true));
+    Image actual(13, 11, 3);
+    std::ranges::copy(bytes, actual.bytes().begin());
+    const auto compared = [&] {
+        PngReader reader("x.png", [rest = std::string_view(file)](char* to, std::size_t most) mutable {
+            const std::size_t count = rest.copy(to, most);
+            rest.remove_prefix(count);
+            return count;
+        });
+        return compare(actual, reader);
+    };
+    EXPECT_TRUE(compared().equal());
+    for (const auto& [x, y] : {std::pair{8, 8}, {1, 5}, {4, 4}, {3, 4}}) {  // of the first pass, the last, and two between
+        actual.at(x, y)[1] ^= 1;
+    }
+    const Comparison comparison = compared();
+    EXPECT_EQ(comparison.different_pixels, 4);
+    EXPECT_EQ(std::pair(comparison.first_x, comparison.first_y), std::pair(3, 4));
+}
+
+TEST(PngReader, PassesOverTextsButNotOverOddTransparency) {
+    const std::string good = libpng_written({.width = 2, .rows = {1, 2, 3, 4, 5, 6}});
+    const auto with_chunk = [&](const std::string& type_and_content) {
+        constexpr std::size_t behind_header = 33;
+        std::string chunk(12 + type_and_content.size() - 4, '\0');
+        chunk[3] = static_cast<char>(type_and_content.size() - 4);
+        chunk.replace(4, type_and_content.size(), type_and_content);
+        const auto* data = reinterpret_cast<const Bytef*>(type_and_content.data());
+        const uLong sum = crc32(0, data, static_cast<uInt>(type_and_content.size()));
+        for (std::size_t i = 0; i < 4; ++i) chunk[chunk.size() - 4 + i] = static_cast<char>(sum >> (24 - 8 * i));
+        return std::string(good).insert(behind_header, chunk);
+    };
+    for (const char* chunk : {"tEXtno zero byte", "iCCPno profile", "abCdunknown"}) {
+        EXPECT_EQ(decode_png(with_chunk(chunk), "x.png").channels(), 3) << chunk;
+    }
+    EXPECT_EQ(refusal(with_chunk("tRNSab")), "x.png: not a usable PNG: tRNS: invalid");
+    EXPECT_EQ(refusal(with_chunk("ABCDunknown")), "x.png: not a usable PNG: ABCD: unhandled critical chunk");
 }
 
 TEST(PngReader, RefusesDamageOfAnyByte) {
