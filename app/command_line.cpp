@@ -75,7 +75,7 @@ CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Rea
     const auto take = [&command, &field, read, name, expected = words.expected](const CLI::results_t& found) {
         if (found.size() > 1) wrong(name, in_quotes(found[0]) + " and " + in_quotes(found[1]), "only one value");
         if (found[0].empty()) wrong(name, "no value", expected);  // perhaps a script's variable that was never set
-        const bool option = found[0].starts_with('-') && command.get_option_no_throw(found[0]) != nullptr;
+        const bool option = found[0].starts_with('-') && find_option(command, found[0]) != nullptr;
         if (option) wrong(name, "the option " + in_quotes(found[0]), expected);
         auto value = read(found[0]);
         if (!value) wrong(name, in_quotes(found[0]), expected);
@@ -118,8 +118,8 @@ std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const ch
 }
 
 constexpr const char* a_file = "the name of a file";
-const std::string backends_listed = listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or");
-const std::string scene_files = "Scene file: " + listed(format_names(), "or") + "; - is standard input";
+std::string backends_listed() { return listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or"); }
+std::string scene_files() { return "Scene file: " + listed(format_names(), "or") + "; - is standard input"; }
 
 std::optional<Backend> backend_named(const std::string& name) {
     const auto found = std::ranges::find(backend_names, name);
@@ -191,7 +191,7 @@ template <typename Options>
 void check(const CLI::App&, const Options&) {}  // where each option stands for itself
 
 void declare(CLI::App& command, ViewOptions& options) {
-    add_file(command, options.scene, "SCENE", "", scene_files + "; none: an empty scene");
+    add_file(command, options.scene, "SCENE", "", scene_files() + "; none: an empty scene");
     add_scene_options(command, options.data, options.fit);
     add_size(command, options.size, "Width and height of exports in pixels [as last time, at first 1000x1000]");
     add_samples(command, options.samples,
@@ -208,7 +208,7 @@ void declare(CLI::App& command, ViewOptions& options) {
 }
 
 void declare(CLI::App& command, RenderOptions& options) {
-    command.add_option("SCENE", options.scenes, scene_files)->required()->type_name("")->check([](const std::string& name) {
+    command.add_option("SCENE", options.scenes, scene_files())->required()->type_name("")->check([](const std::string& name) {
         return name.empty() ? std::string("found no value, expected ") + a_file : "";
     });
     add_file(command, options.output, "-o,--output", "FILE", "PNG file, or a pattern with {name}; - is standard output");
@@ -216,8 +216,8 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
-    add_option(command, options.backend, {"--backend", "NAME", backends_listed + " [auto, or SPHEREVIEW_BACKEND]", backends_listed},
-               backend_named);
+    add_option(command, options.backend,
+               {"--backend", "NAME", backends_listed() + " [auto, or SPHEREVIEW_BACKEND]", backends_listed()}, backend_named);
     add_option(command, options.device,
                {"--device", "N", "Number of an EGL device, as 'doctor' lists them",
                 "the number of an EGL device, as 'sphereview doctor' lists them"},
@@ -245,11 +245,11 @@ void check(const CLI::App& command, RenderOptions& options) {
         wrong("--size", in_quotes(std::to_string(options.size.width) + "x" + std::to_string(options.size.height)),
               "sides of at most " + std::to_string(longest) + " pixels with --samples " + std::to_string(options.samples));
     }
-    const bool named = command.count("--backend") > 0;
+    const bool named = find_option(command, "--backend")->count() > 0;
     const char* variable = std::getenv("SPHEREVIEW_BACKEND");
     if (!named && variable != nullptr && *variable != '\0') {
         const std::optional<Backend> backend = backend_named(variable);
-        if (!backend) wrong("SPHEREVIEW_BACKEND", in_quotes(variable), backends_listed);
+        if (!backend) wrong("SPHEREVIEW_BACKEND", in_quotes(variable), backends_listed());
         options.backend = *backend;
     }
     if (!options.device) return;
@@ -260,7 +260,7 @@ void check(const CLI::App& command, RenderOptions& options) {
 }
 
 void declare(CLI::App& command, ConvertOptions& options) {
-    add_file(command, options.input, "IN", "", scene_files)->required();
+    add_file(command, options.input, "IN", "", scene_files())->required();
     add_file(command, options.output, "OUT", "", "Scene file: .toml is TOML, all else text; - is standard output")->required();
     const std::string formats = lower_case(listed(format_names(is_written), "or"));
     add_option(command, options.to, {"--to", "FORMAT", formats + ", whatever OUT is called", formats},
@@ -279,7 +279,7 @@ void check(const CLI::App&, const ConvertOptions& options) {
 }
 
 void declare(CLI::App& command, ExplainOptions& options) {
-    add_file(command, options.scene, "SCENE", "", scene_files)->required();
+    add_file(command, options.scene, "SCENE", "", scene_files())->required();
     add_option(command, options.pixel,
                {"-p,--pixel", "X,Y", "Column from the left and row from the top, from 0", "X,Y, such as 500,500"},
                [](const std::string& text) -> std::optional<Pixel> {
@@ -334,7 +334,7 @@ CLI::App& named_command(CLI::App& app, std::vector<std::string>& words) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
     if (std::ranges::find(names, first) != names.end()) return *app.get_subcommand(first);
-    if (is_option(first) && app.get_option_no_throw(first.substr(0, first.find('='))) != nullptr) return app;
+    if (is_option(first) && find_option(app, first.substr(0, first.find('='))) != nullptr) return app;
     std::error_code ignored;
     const bool path = first.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(first, ignored);
     if (!words.empty() && !first.starts_with('-') && !path) {

@@ -15,9 +15,7 @@ Failure failure(ExitCode code, const std::string& concerned, const char* what, b
     return {code, beginning + (log ? on_lines(what) : on_one_line(what))};
 }
 
-}  // namespace
-
-Failure describe_current_exception(const std::string& scene) {
+Failure described(const std::string& scene) {
     const std::string concerned = scene.empty() ? "sphereview" : scene;
     try {
         throw;
@@ -33,6 +31,16 @@ Failure describe_current_exception(const std::string& scene) {
         return failure(ExitCode::no_renderer, concerned, "memory ran out");
     } catch (const std::exception& error) {
         return failure(ExitCode::no_renderer, concerned, ("an unexpected error: " + std::string(error.what())).c_str());
+    }
+}
+
+}  // namespace
+
+Failure describe_current_exception(const std::string& scene) {
+    try {
+        return described(scene);
+    } catch (const std::bad_alloc&) {
+        return {ExitCode::no_renderer, "memory ran out"};  // short enough to need none
     }
 }
 

@@ -1,6 +1,7 @@
 // The program's entry and its only catch-all: errors become one line on stderr and the documented exit status.
 #include <cstdio>
 #include <cstdlib>
+#include <new>
 
 #include "app/command_line.hpp"
 #include "app/failure.hpp"
@@ -9,6 +10,17 @@
 namespace {
 
 using namespace sphereview;
+
+#ifdef __GNUC__
+// Libraries make constants before main(), where nothing would catch that memory runs out.
+[[noreturn]] void end_without_memory() {
+    std::fputs("sphereview: memory ran out\n", stderr);
+    std::_Exit(static_cast<int>(ExitCode::no_renderer));
+}
+
+// 101: the first that a program may have.
+__attribute__((constructor(101))) void expect_no_memory() { std::set_new_handler(end_without_memory); }
+#endif
 
 int run_command_line(int argc, char** argv) {
     try {
@@ -23,6 +35,7 @@ int run_command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::set_new_handler(nullptr);
     install_interrupt_handlers();
     const int status = run_command_line(argc, argv);
 #ifndef __SANITIZE_ADDRESS__

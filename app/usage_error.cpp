@@ -36,7 +36,7 @@ void check_values(const CLI::App& command, const std::vector<std::string>& words
         const std::size_t equals = word.find('=');
         if (!word.starts_with("--") || equals == std::string::npos) continue;
         const std::string name = word.substr(0, equals);
-        const CLI::Option* option = command.get_option_no_throw(name);
+        const CLI::Option* option = find_option(command, name);
         if (option == nullptr) continue;
         if (option->get_items_expected_max() == 0) wrong(name, in_quotes(word.substr(equals + 1)), "no value");
         if (equals + 1 == word.size()) throw CLI::ArgumentMismatch(name + ":", CLI::ExitCodes::ArgumentMismatch);
@@ -54,7 +54,7 @@ std::string in_words(CLI::App& command, const CLI::ParseError& error) {
     const std::string said = error.what();
     const bool lacks_value =
         dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr || dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
-    CLI::Option* option = lacks_value ? command.get_option_no_throw(said.substr(0, said.find_first_of(": "))) : nullptr;
+    CLI::Option* option = lacks_value ? find_option(command, said.substr(0, said.find_first_of(": "))) : nullptr;
     if (lacks_value && option == nullptr) {
         // CLI11 does not name a hidden option; no command has two.
         for (CLI::Option* hidden : command.get_options([](const CLI::Option* any) { return any->get_group().empty(); })) {

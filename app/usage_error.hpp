@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,14 @@ namespace sphereview {
 
 // What CLI11 makes one line of: "NAME: found FOUND, expected EXPECTED".
 [[noreturn]] void wrong(const std::string& name, const std::string& found, std::string_view expected);
+
+// The command's option of that name, or null. CLI11's own search allocates in functions that are noexcept.
+template <typename App>
+auto find_option(App& command, const std::string& name) {
+    const auto options = command.get_options();
+    const auto found = std::ranges::find_if(options, [&](const CLI::Option* option) { return option->check_name(name); });
+    return found == options.end() ? nullptr : *found;
+}
 
 // Whether it is written like an option.
 bool is_option(const std::string& word);

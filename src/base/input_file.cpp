@@ -6,6 +6,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <system_error>
 
 #include "base/error.hpp"
@@ -27,11 +28,17 @@ int leave_open(std::FILE*) { return 0; }
     throw InputError(name + ": cannot be read: " + why);
 }
 
+// `error`: errno, or 0 where the system gives none.
+[[noreturn]] void fail_to_read(const std::string& name, int error) {
+    if (error == ENOMEM) throw std::bad_alloc();
+    fail_to_read(name, error != 0 ? std::strerror(error) : "a read error");
+}
+
 // Up to `most` bytes; 0 only at the file's end.
 std::size_t read_bytes(std::FILE* file, const std::string& name, char* to, std::size_t most) {
     errno = 0;
     const std::size_t count = std::fread(to, 1, most, file);
-    if (count == 0 && std::ferror(file) != 0) fail_to_read(name, errno != 0 ? std::strerror(errno) : "a read error");
+    if (count == 0 && std::ferror(file) != 0) fail_to_read(name, errno);
     return count;
 }
 
@@ -43,7 +50,7 @@ InputStream::InputStream(const std::string& path, Content content)
     std::error_code ignored;
     if (!from_stdin && fs::is_directory(path, ignored)) fail("it is a folder; expected a file");
     std::FILE* file = from_stdin ? binary(stdin) : std::fopen(path.c_str(), "rb");
-    if (file == nullptr) fail(std::strerror(errno));
+    if (file == nullptr) fail_to_read(name_, errno);
     file_ = {file, from_stdin ? &leave_open : &std::fclose};
 
     const bool regular = !from_stdin && fs::is_regular_file(path, ignored);
