@@ -71,8 +71,8 @@ struct Approximate {
 
     static constexpr double unit = 0x1p-103;         // + and * err by less, relative to their results
     static constexpr double margin = 1.0 + 0x1p-48;  // for what the few operations of an error's own sum round
-    static constexpr double least_exact = 0x1p-900;  // below, a product may lose bits,
-    static constexpr double underflow = 0x1p-1000;   // but less than this
+    static constexpr double least_exact = 0x1p-900;  // a smaller product may underflow: it keeps no low part,
+    static constexpr double underflow = 0x1p-950;    // which is less than this
 
     constexpr Approximate() = default;
     constexpr Approximate(double value) : high(value) {}
@@ -87,7 +87,7 @@ struct Approximate {
     // The sign of the exact value, if that is certain.
     std::optional<int> sign() const {
         if (is_zero()) return 0;
-        if (!(std::fabs(high) > error * margin)) return std::nullopt;
+        if (!(std::fabs(high) > error * margin && std::isfinite(high))) return std::nullopt;
         return high > 0.0 ? 1 : -1;
     }
 
@@ -111,13 +111,10 @@ inline Approximate operator*(const Approximate& a, const Approximate& b) {
     const TwoDoubles high = two_product(a.high, b.high);
     const double size = std::fabs(high.high);
     double error = std::fabs(a.high) * b.error + (std::fabs(b.high) + b.error) * a.error;
-    if (a.is_a_double() && b.is_a_double()) {
-        if (size < Approximate::least_exact) error += Approximate::underflow;
-        return {high, error * Approximate::margin};
-    }
+    if (size < Approximate::least_exact) return {{high.high, 0.0}, (error + Approximate::underflow) * Approximate::margin};
+    if (a.is_a_double() && b.is_a_double()) return {high, error * Approximate::margin};
     const TwoDoubles result = fast_two_sum(high.high, high.low + (a.high * b.low + a.low * b.high));
-    error += Approximate::unit * size + Approximate::underflow;
-    return {result, error * Approximate::margin};
+    return {result, (error + Approximate::unit * size) * Approximate::margin};
 }
 
 // q + correction, and what is left of a - q b decides the error.
