@@ -7,6 +7,7 @@
 #include <cmath>
 #include <mutex>
 #include <optional>
+#include <thread>
 #include <vector>
 
 #include "base/parallel.hpp"
@@ -27,6 +28,7 @@ HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r,
     return {};
 }
 
+constexpr std::size_t cells_at_once = 4;
 constexpr int largest_cell_shift = 3;
 static_assert(1 << 2 * largest_cell_shift == most_lanes);
 
@@ -146,6 +148,7 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
         differences.set(lane, *nearest[lane]);
     });
     for_each_shuffled(contests.size(), [&](std::size_t i) {
+        check_cancelled();
         const ScaledSphere challenger = scaled(contests[i].index);
         for_each_lane(contests[i].lanes & undecided & differences.challenged_by(challenger), [&](std::size_t lane) {
             if (nearest[lane]->challenge(challenger)) differences.set(lane, *nearest[lane]);
@@ -183,7 +186,8 @@ DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, cons
     return level;
 }
 
-DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> visible) const {
+DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> visible,
+                                 const std::function<void(double)>& progress) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     if (visible.empty()) return {};
     // Cells lie on a grid of the picture, as tiles do.
@@ -191,15 +195,26 @@ DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> vis
     const int top = block.y >> cell_shift_;
     const int across = ((block.x + block.width - 1) >> cell_shift_) - left + 1;
     const int down = ((block.y + block.height - 1) >> cell_shift_) - top + 1;
+    const std::size_t cells = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    const auto caller = std::this_thread::get_id();
     std::mutex mutex;
     DecisionCounts all;
-    parallel_for(static_cast<std::size_t>(down), [&](std::size_t row) {
+    std::size_t done = 0;
+    parallel_pieces(cells, cells_at_once, [&](std::size_t begin, std::size_t end) {
         DecisionCounts counts;
-        for (int column = 0; column < across; ++column) {
-            counts += certify_cell({(left + column) << cell_shift_, (top + static_cast<int>(row)) << cell_shift_}, block, visible);
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            const int x = left + static_cast<int>(cell % static_cast<std::size_t>(across));
+            const int y = top + static_cast<int>(cell / static_cast<std::size_t>(across));
+            counts += certify_cell({x << cell_shift_, y << cell_shift_}, block, visible);
         }
-        const std::lock_guard lock(mutex);
-        all += counts;
+        double part = 0.0;
+        {
+            const std::lock_guard lock(mutex);
+            all += counts;
+            done += end - begin;
+            part = static_cast<double>(done) / static_cast<double>(cells);
+        }
+        if (progress && std::this_thread::get_id() == caller) progress(part);
     });
     all.in_float = static_cast<std::int64_t>(visible.size()) - all.in_double - all.exactly;
     return all;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "exact/candidates.hpp"
@@ -40,7 +41,9 @@ public:
     std::int32_t resolve(Pixel pixel, DecisionLevel& level) const;
 
     // Certifies a block: indices among the drawn spheres become numbers in the scene, doubtful pixels are resolved.
-    DecisionCounts certify(const Block& block, std::span<std::int32_t> visible) const;
+    // Calls progress() now and then, from this thread, with the part that is done, 0..1.
+    DecisionCounts certify(const Block& block, std::span<std::int32_t> visible,
+                           const std::function<void(double)>& progress = nullptr) const;
 
     // Only turns indices, best guesses included, into numbers in the scene.
     void accept_guesses(std::span<std::int32_t> visible) const;
