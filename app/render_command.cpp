@@ -201,8 +201,11 @@ private:
         const auto render = [&](OpenBackend& backend) {
             report.backend = name_of(backend.backend);
             report.renderer = backend.description;
-            return render_picture(backend, scene, drawn, options, report.timings, report.facts,
-                                  [this](double done) { progress_.update(done); });
+            return render_picture(backend, scene, drawn, options, report.timings, report.facts, [&](double done) {
+                // They take long: people see why.
+                const auto exactly = static_cast<std::uint64_t>(report.facts.decisions.exactly);
+                progress_.update(done, exactly > 0 ? in_groups(exactly) + " exactly, " : "");
+            });
         };
         OpenBackend& opened = backend_for(report);
         try {

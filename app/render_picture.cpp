@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // In strips that take about as long as people wait for a sign of life: an exact pixel may cost a million times a usual one.
+    // In strips that take about as long as people wait for a sign of life: an exact pixel may cost a thousand times a usual one.
     void finish(const Block& block, std::span<std::int32_t> visible) {
         const PhaseTimer timer(timings_, Phase::resolve);
         const auto width = static_cast<std::size_t>(block.width);
@@ -60,20 +60,25 @@ private:
         for (int y = 0; y < block.height;) {
             const Block strip{block.x, block.y + y, block.width, std::min(rows, block.height - y)};
             const auto begin = std::chrono::steady_clock::now();
+            const auto report = [&](double strip_part) {
+                const double block_part = (y + strip_part * strip.height) / block.height;
+                progress_((block.y + block.height * (block.x + block_part * block.width) / size_.width) / size_.height);
+            };
             finish_strip(strip,
-                         visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(strip.height) * width));
+                         visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(strip.height) * width),
+                         report);
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+            report(1.0);
             y += strip.height;
-            const double block_part = static_cast<double>(y) / block.height;
-            progress_((block.y + block.height * (block.x + block_part * block.width) / size_.width) / size_.height);
             rows = static_cast<int>(std::clamp(rows * std::clamp(0.1 / seconds, 0.1, 16.0), 1.0, 1e6));
-            rows = std::max(rows / side_, 1) * side_;
+            // Whole cells of the resolver's (and whole pixels).
+            rows = std::max(rows / fewest_rows, 1) * fewest_rows;
         }
     }
 
-    void finish_strip(const Block& strip, std::span<std::int32_t> visible) {
+    void finish_strip(const Block& strip, std::span<std::int32_t> visible, const std::function<void(double)>& progress) {
         if (options_.certify) {
-            counts_ += resolver_.certify(strip, visible);
+            counts_ += resolver_.certify(strip, visible, progress);
         } else {
             resolver_.accept_guesses(visible);
         }
@@ -100,6 +105,7 @@ private:
         }
     }
 
+    static constexpr int fewest_rows = 8;
     static constexpr int first_strip = 64;
 
     const PictureOptions& options_;

@@ -21,7 +21,8 @@ namespace sphereview {
 namespace {
 
 thread_local bool inside_work = false;
-thread_local const std::atomic<bool>* cancelled_by = nullptr;
+thread_local const std::atomic<bool>* cancelled_by = nullptr;       // the loops that this thread begins
+thread_local const std::atomic<bool>* work_cancelled_by = nullptr;  // that in whose work it is
 
 void check(const std::atomic<bool>* cancelled) {
     if (cancelled != nullptr && *cancelled) throw Cancelled();
@@ -52,6 +53,7 @@ struct Job {
     template <typename GoesOn>
     void run(const GoesOn& goes_on) {
         inside_work = true;
+        work_cancelled_by = cancelled;
         for (std::size_t i = next++; i < count; i = next++) {
             try {
                 check(cancelled);
@@ -143,6 +145,8 @@ int worker_count() {
     return count;
 }
 
+void check_cancelled() { check(inside_work ? work_cancelled_by : cancelled_by); }
+
 void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
 
 void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t), const void* work) {
@@ -154,7 +158,7 @@ void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t
         return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-        check(cancelled_by);
+        check_cancelled();
         call(work, i);
     }
 }

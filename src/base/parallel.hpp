@@ -13,6 +13,9 @@ int worker_count();
 // nullptr: they always end by themselves.
 void cancel_loops_by(const std::atomic<bool>* flag);
 
+// Throws Cancelled when the loop is to end in which this is called, or that this thread would begin: for work(i) that may take long.
+void check_cancelled();
+
 namespace detail {
 
 // Calls call(work, i) for every i below `count`.

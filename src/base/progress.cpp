@@ -30,7 +30,7 @@ void Progress::start(std::string what, double amount, std::string unit) {
     begin_ = Clock::now();
 }
 
-void Progress::update(double fraction) {
+void Progress::update(double fraction, const std::string& note) {
     if (!enabled_) return;
     const auto now = Clock::now();
     if (now - begin_ < patience || (drawn_ && now - drawn_at_ < redraw_every)) return;
@@ -43,8 +43,8 @@ void Progress::update(double fraction) {
     const double left = fraction > 0 ? elapsed / fraction - elapsed : 0;
     const std::string rate = amount_ > 0 ? three_digits(amount_ * fraction / elapsed) + " " + unit_ + "/s, " : "";
     set_progress_bar_shown(true);
-    std::fprintf(stderr, "\r\x1b[K[%s] %3.0f %%, %s%.0f s left  %s", bar.c_str(), 100 * fraction, rate.c_str(), left,
-                 what_.c_str());
+    std::fprintf(stderr, "\r\x1b[K[%s] %3.0f %%, %s%s%.0f s left  %s", bar.c_str(), 100 * fraction, rate.c_str(), note.c_str(),
+                 left, what_.c_str());
     std::fflush(stderr);
     drawn_ = true;
     drawn_at_ = now;

@@ -18,8 +18,8 @@ public:
     // What is being done, e.g. "scene.txt (2 of 5)". Starts the fraction anew. When all of it is `amount` units, e.g. 70 "MB",
     // the rate is shown too.
     void start(std::string what, double amount = 0.0, std::string unit = "");
-    // How much of it is done, 0..1. Cheap: draws at most ten times a second.
-    void update(double fraction);
+    // How much of it is done, 0..1; `note` is shown with it. Cheap: draws at most ten times a second.
+    void update(double fraction, const std::string& note = "");
     // Removes the bar, so that something else can be printed; update() draws it again.
     void clear();
 

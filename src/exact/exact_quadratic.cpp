@@ -1,13 +1,15 @@
 #include "exact/exact_quadratic.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdlib>
 
 namespace sphereview {
 
 namespace {
 
-// A finite double is mantissa * 2^exponent with a whole 53-bit mantissa.
+// A finite double other than 0 is mantissa * 2^exponent with an odd mantissa of at most 53 bits.
 struct Dyadic {
     std::int64_t mantissa = 0;
     int exponent = 0;
@@ -15,8 +17,10 @@ struct Dyadic {
 
 Dyadic dyadic(double value) {
     int exponent = 0;
-    const double fraction = std::frexp(value, &exponent);
-    return {static_cast<std::int64_t>(std::ldexp(fraction, 53)), exponent - 53};
+    const auto mantissa = static_cast<std::int64_t>(0x1p53 * std::frexp(value, &exponent));
+    if (mantissa == 0) return {};
+    const int zeros = std::countr_zero(static_cast<std::uint64_t>(mantissa));
+    return {mantissa >> zeros, exponent - 53 + zeros};
 }
 
 }  // namespace
@@ -67,12 +71,13 @@ IntegerVector exact_direction(const Camera& camera, PictureSize size, Pixel pixe
     return d;
 }
 
-ExactQuadratic::ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const CommonScale& scale) {
+ExactQuadratic::ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const Integer& square,
+                               const CommonScale& scale) {
     const IntegerVector center = difference(scale.whole(sphere.center), eye);
     const Integer radius = scale.whole(sphere.radius);
     b = dot(center, ray);
     c = dot(center, center) - radius * radius;
-    d = b * b - dot(ray, ray) * c;
+    d = b * b - square * c;
 }
 
 int sign_with_root(const Integer& x, const Integer& y, const Integer& p) {
@@ -91,6 +96,15 @@ std::optional<ExactRoot> smallest_positive_root(const ExactQuadratic& q) {
 }
 
 int compare(const ExactRoot& a, const ExactRoot& b) {
+    if (a.exponent != b.exponent) {
+        const bool a_is_coarser = a.exponent > b.exponent;
+        ExactRoot finer = a_is_coarser ? a : b;
+        const auto shift = static_cast<unsigned>(std::abs(a.exponent - b.exponent));
+        finer.b <<= shift;
+        finer.d <<= 2 * shift;
+        finer.exponent = std::min(a.exponent, b.exponent);
+        return a_is_coarser ? compare(finer, b) : compare(a, finer);
+    }
     const Integer x = a.b - b.b;
     const int first = sign_with_root(x, a.sign, a.d);  // of x + a.sign sqrt(a.d)
     const int second = b.d == 0 ? 0 : -b.sign;         // of -b.sign sqrt(b.d)

@@ -11,7 +11,8 @@
 
 namespace sphereview {
 
-using Integer = boost::multiprecision::cpp_int;
+// Of any length; up to 1,024 bits, which are enough for most scenes, without allocating memory.
+using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<1024>>;
 using IntegerVector = std::array<Integer, 3>;
 
 // A power of two that all the doubles shown to it are whole multiples of.
@@ -44,14 +45,18 @@ struct ExactQuadratic {
     Integer c;
     Integer d;
 
-    ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const CommonScale& scale);
+    // square: of the ray, A. The scale is the sphere's and the eye's; the ray may have another.
+    ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const Integer& square,
+                   const CommonScale& scale);
 };
 
-// The root t = (b + sign sqrt(d)) / A. A belongs to the ray, so roots of one pixel are compared without it.
+// The root t = (b + sign sqrt(d)) / A, where b is a multiple of 2^exponent, and d of its square. A belongs to the ray, so roots of
+// one pixel are compared without it.
 struct ExactRoot {
     Integer b;
     Integer d;
     int sign;
+    int exponent = 0;
 };
 
 // The sign of x + y sqrt(p), p >= 0.
@@ -60,7 +65,7 @@ int sign_with_root(const Integer& x, const Integer& y, const Integer& p);
 // The hit: nothing when there is no root or none is positive.
 std::optional<ExactRoot> smallest_positive_root(const ExactQuadratic& q);
 
-// The sign of a - b, by squaring twice at most.
+// The sign of a - b, by squaring twice at most. The exponents may differ.
 int compare(const ExactRoot& a, const ExactRoot& b);
 
 }  // namespace sphereview

@@ -181,7 +181,7 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
     std::vector<Hit> hits;
     for (const std::int32_t number : numbers) {
         const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
-        ExactQuadratic quadratic(sphere, ray.eye, ray.direction, ray.scale);
+        ExactQuadratic quadratic(sphere, ray.eye, ray.direction, ray.square, ray.scale);
         if (auto root = smallest_positive_root(quadratic)) {
             hits.push_back({&sphere, number, std::move(quadratic), *std::move(root)});
         } else {

@@ -1,19 +1,22 @@
 #include "exact/resolve.hpp"
 
-#include <atomic>
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cassert>
 #include <cmath>
+#include <mutex>
+#include <optional>
+#include <thread>
 #include <vector>
 
 #include "base/parallel.hpp"
-#include "exact/exact_decision.hpp"
+#include "exact/pixel_lanes.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
 namespace {
-
-// Anything may be true.
-constexpr HitBounds<double> unknown_hit = {-NearestHits<double>::never, NearestHits<double>::never};
 
 template <typename Real>
 HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r, Real w, const glm::vec<3, Real>& ray) {
@@ -25,13 +28,24 @@ HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r,
     return {};
 }
 
-HitBounds<double> bounds_in_double(const Sphere& sphere, EyeSide side, const glm::dvec3& eye, double error_scale,
-                                   const glm::dvec3& ray) {
-    const glm::dvec3 c = sphere.center - eye;
-    const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
-    // Also when it is not a number: then nothing is known.
-    if (!(size > smallest_double_size && size < largest_double_size)) return unknown_hit;
-    return bounds_of_side<double>(side, c, sphere.radius, error_scale * size, ray);
+constexpr std::size_t cells_at_once = 4;
+constexpr int largest_cell_shift = 3;
+static_assert(1 << 2 * largest_cell_shift == most_lanes);
+
+template <typename Work>
+void for_each_lane(LaneSet set, const Work& work) {
+    for (; set != 0; set &= set - 1) work(static_cast<std::size_t>(std::countr_zero(set)));
+}
+
+// Calls work(i) for each i below `count` in an order that has nothing to do with the file's: the nearest sphere so far then changes
+// as often as the logarithm of their number, and not with each of those that come farthest first.
+template <typename Work>
+void for_each_shuffled(std::size_t count, const Work& work) {
+    constexpr std::size_t odd = 0x9E3779B97F4A7C15U;
+    const std::size_t size = std::bit_ceil(count);
+    for (std::size_t k = 0; k < size; ++k) {
+        if (const std::size_t i = k * odd & (size - 1); i < count) work(i);
+    }
 }
 
 // Calls add(index) for the drawn spheres that a pixel can show, all of them without lists; it returns the distance of the nearest
@@ -64,6 +78,7 @@ DecisionCounts& DecisionCounts::operator+=(const DecisionCounts& other) {
     in_float += other.in_float;
     in_double += other.in_double;
     exactly += other.exactly;
+    integer_tests += other.integer_tests;
     return *this;
 }
 
@@ -78,39 +93,79 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       lists_(lists),
       size_(size),
       frame_(ray_basis<double>(camera, size)),
-      error_scale_(error_scale(ray_condition(camera), double_unit)) {
+      error_scale_(error_scale(ray_condition(camera), double_unit)),
+      exact_basis_(camera),
+      cell_shift_(largest_cell_shift) {
     frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
+    if (!frame_.in_range) error_scale_ = NearestHits<double>::never;  // every sphere may be anywhere
+    if (lists != nullptr) {
+        for (const TileLevel& level : lists->levels) cell_shift_ = std::min(cell_shift_, level.shift);
+    }
 }
 
-NearestHits<double> Resolver::contest(Pixel pixel, std::vector<Contest>& contests) const {
-    const glm::dvec3 ray = unit_ray(frame_, size_, pixel);
-    NearestHits<double> nearest;
-    for_each_candidate(drawn_, lists_, pixel, [&](std::uint32_t i) {
-        const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(drawn_.number(i))];
-        const HitBounds<double> hit =
-            frame_.in_range ? bounds_in_double(sphere, drawn_.side(i), camera_.eye, error_scale_, ray) : unknown_hit;
-        nearest.add(static_cast<int>(i), hit);
-        if (hit.low < NearestHits<double>::never) contests.push_back({i, hit.low});
-        return std::ldexp(nearest.smallest_high, drawn_.scale);
+DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::int32_t> numbers) const {
+    const LaneSet all = ~LaneSet{0} >> (most_lanes - pixels.size());
+    DecisionCounts counts;
+
+    // In double. A contest: a sphere, and the pixels that may show it.
+    struct Contest {
+        std::uint32_t index;
+        LaneSet lanes;
+    };
+    std::vector<Contest> contests;
+    BoundLanes lanes(frame_, size_, pixels);
+    for_each_candidate(drawn_, lists_, pixels.front(), [&](std::uint32_t i) {
+        const BoundedSphere bounded(sphere(i), camera_.eye, error_scale_);
+        if (const LaneSet contending = lanes.add(i, bounded, drawn_.side(i))) contests.push_back({i, contending});
+        if (lists_ == nullptr) return 0.0;
+        const double sure_hit = lanes.farthest_sure_hit();
+        return drawn_.scale == 0 ? sure_hit : std::ldexp(sure_hit, drawn_.scale);
     });
-    return nearest;
+    LaneSet undecided = all;
+    for (std::size_t lane = 0; lane < pixels.size(); ++lane) {
+        const NearestHits<double> nearest = lanes.nearest(lane);
+        if (!frame_.in_range || !nearest.decided()) continue;
+        undecided &= ~(LaneSet{1} << lane);
+        numbers[lane] = nearest.guess < 0 ? visible_background : drawn_.number(static_cast<std::size_t>(nearest.guess));
+    }
+    counts.exactly = std::popcount(undecided);
+    counts.in_double = static_cast<std::int64_t>(pixels.size()) - counts.exactly;
+    if (undecided == 0) return counts;
+
+    // Exactly: each sphere against the nearest so far of each pixel that may show it.
+    std::erase_if(contests, [&](const Contest& contest) { return (contest.lanes & undecided) == 0; });
+    double largest = largest_of(camera_.eye);
+    for (const Contest& contest : contests) {
+        largest = std::max({largest, largest_of(sphere(contest.index).center), sphere(contest.index).radius});
+    }
+    const SphereScale scale(camera_.eye, largest);
+    const auto scaled = [&](std::size_t i) { return scale(sphere(i), drawn_.number(i), drawn_.side(i)); };
+    std::vector<std::optional<NearestHit>> nearest(pixels.size());
+    DifferenceLanes differences(pixels.size());
+    for_each_lane(undecided, [&](std::size_t lane) {
+        nearest[lane].emplace(camera_, exact_basis_, size_, pixels[lane]);
+        if (const int sure = lanes.nearest(lane).sure; sure >= 0) nearest[lane]->challenge(scaled(static_cast<std::size_t>(sure)));
+        differences.set(lane, *nearest[lane]);
+    });
+    for_each_shuffled(contests.size(), [&](std::size_t i) {
+        check_cancelled();
+        const ScaledSphere challenger = scaled(contests[i].index);
+        for_each_lane(contests[i].lanes & undecided & differences.challenged_by(challenger), [&](std::size_t lane) {
+            if (nearest[lane]->challenge(challenger)) differences.set(lane, *nearest[lane]);
+        });
+    });
+    for_each_lane(undecided, [&](std::size_t lane) {
+        numbers[lane] = nearest[lane]->visible();
+        counts.integer_tests += nearest[lane]->in_integers();
+    });
+    return counts;
 }
 
 std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
-    std::vector<Contest> contests;
-    const NearestHits<double> nearest = contest(pixel, contests);
-    if (frame_.in_range && nearest.decided()) {
-        level = DecisionLevel::in_double;
-        return nearest.guess < 0 ? visible_background : drawn_.number(static_cast<std::size_t>(nearest.guess));
-    }
-    level = DecisionLevel::exactly;
-    std::vector<Contender> contenders;
-    for (const Contest& contest : contests) {
-        if (contest.low > nearest.smallest_high) continue;
-        const std::int32_t number = drawn_.number(contest.index);
-        contenders.push_back({number, &scene_.spheres[static_cast<std::size_t>(number)]});
-    }
-    return decide_exactly(camera_, size_, pixel, contenders);
+    std::int32_t number = visible_background;
+    const DecisionCounts counts = resolve(std::span(&pixel, 1), std::span(&number, 1));
+    level = counts.exactly > 0 ? DecisionLevel::exactly : DecisionLevel::in_double;
+    return number;
 }
 
 DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
@@ -131,30 +186,62 @@ DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, cons
     return level;
 }
 
-DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> visible) const {
+DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> visible,
+                                 const std::function<void(double)>& progress) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    std::atomic<std::int64_t> all_in_double = 0;
-    std::atomic<std::int64_t> all_exactly = 0;
+    if (visible.empty()) return {};
+    // Cells lie on a grid of the picture, as tiles do.
+    const int left = block.x >> cell_shift_;
+    const int top = block.y >> cell_shift_;
+    const int across = ((block.x + block.width - 1) >> cell_shift_) - left + 1;
+    const int down = ((block.y + block.height - 1) >> cell_shift_) - top + 1;
+    const std::size_t cells = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    const auto caller = std::this_thread::get_id();
+    std::mutex mutex;
+    DecisionCounts all;
+    std::size_t done = 0;
+    parallel_pieces(cells, cells_at_once, [&](std::size_t begin, std::size_t end) {
+        DecisionCounts counts;
+        for (std::size_t cell = begin; cell < end; ++cell) {
+            const int x = left + static_cast<int>(cell % static_cast<std::size_t>(across));
+            const int y = top + static_cast<int>(cell / static_cast<std::size_t>(across));
+            counts += certify_cell({x << cell_shift_, y << cell_shift_}, block, visible);
+        }
+        double part = 0.0;
+        {
+            const std::lock_guard lock(mutex);
+            all += counts;
+            done += end - begin;
+            part = static_cast<double>(done) / static_cast<double>(cells);
+        }
+        if (progress && std::this_thread::get_id() == caller) progress(part);
+    });
+    all.in_float = static_cast<std::int64_t>(visible.size()) - all.in_double - all.exactly;
+    return all;
+}
+
+DecisionCounts Resolver::certify_cell(Pixel cell, const Block& block, std::span<std::int32_t> visible) const {
     const bool renumber = !drawn_.numbers.empty();
-    parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
-        std::int64_t in_double = 0;
-        std::int64_t exactly = 0;
-        std::int32_t* numbers = visible.data() + row * static_cast<std::size_t>(block.width);
-        for (int column = 0; column < block.width; ++column) {
-            std::int32_t& number = numbers[column];
-            if (is_doubtful(number)) {
-                DecisionLevel level = DecisionLevel::in_float;
-                number = resolve({block.x + column, block.y + static_cast<int>(row)}, level);
-                (level == DecisionLevel::exactly ? exactly : in_double) += 1;
-            } else if (number >= 0 && renumber) {
-                number = drawn_.numbers[static_cast<std::size_t>(number)];
+    std::array<Pixel, most_lanes> pixels;
+    std::array<std::int32_t*, most_lanes> places{};
+    std::size_t count = 0;
+    const int side = 1 << cell_shift_;
+    for (int y = std::max(cell.y, block.y); y < std::min(cell.y + side, block.y + block.height); ++y) {
+        std::int32_t* row = visible.data() + static_cast<std::ptrdiff_t>(y - block.y) * block.width - block.x;
+        for (int x = std::max(cell.x, block.x); x < std::min(cell.x + side, block.x + block.width); ++x) {
+            if (is_doubtful(row[x])) {
+                pixels[count] = {x, y};
+                places[count++] = row + x;
+            } else if (row[x] >= 0 && renumber) {
+                row[x] = drawn_.numbers[static_cast<std::size_t>(row[x])];
             }
         }
-        all_in_double += in_double;
-        all_exactly += exactly;
-    });
-    const auto pixels = static_cast<std::int64_t>(visible.size());
-    return {pixels - all_in_double - all_exactly, all_in_double, all_exactly};
+    }
+    if (count == 0) return {};
+    std::array<std::int32_t, most_lanes> numbers{};
+    const DecisionCounts counts = resolve(std::span(pixels).first(count), std::span(numbers).first(count));
+    for (std::size_t i = 0; i < count; ++i) *places[i] = numbers[i];
+    return counts;
 }
 
 void Resolver::accept_guesses(std::span<std::int32_t> visible) const {

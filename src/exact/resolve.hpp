@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
-#include <vector>
 
 #include "exact/candidates.hpp"
 #include "exact/drawn.hpp"
+#include "exact/nearest_hit.hpp"
 #include "exact/rays.hpp"
 #include "exact/visible.hpp"
 
@@ -17,6 +18,7 @@ struct DecisionCounts {
     std::int64_t in_float = 0;
     std::int64_t in_double = 0;
     std::int64_t exactly = 0;
+    std::int64_t integer_tests = 0;  // of spheres, for the pixels decided exactly: those that 106 bits could not tell apart
 
     DecisionCounts& operator+=(const DecisionCounts& other);
 };
@@ -39,18 +41,20 @@ public:
     std::int32_t resolve(Pixel pixel, DecisionLevel& level) const;
 
     // Certifies a block: indices among the drawn spheres become numbers in the scene, doubtful pixels are resolved.
-    DecisionCounts certify(const Block& block, std::span<std::int32_t> visible) const;
+    // Calls progress() now and then, from this thread, with the part that is done, 0..1.
+    DecisionCounts certify(const Block& block, std::span<std::int32_t> visible,
+                           const std::function<void(double)>& progress = nullptr) const;
 
     // Only turns indices, best guesses included, into numbers in the scene.
     void accept_guesses(std::span<std::int32_t> visible) const;
 
 private:
-    // A sphere and the bounds of its hit in double.
-    struct Contest {
-        std::uint32_t index;
-        double low;
-    };
-    NearestHits<double> contest(Pixel pixel, std::vector<Contest>& contests) const;
+    // Resolves some pixels of one cell: at most 64, all in the same tiles. It writes the number for each, and counts.
+    DecisionCounts resolve(std::span<const Pixel> pixels, std::span<std::int32_t> numbers) const;
+    // Certifies the pixels of one cell that are in the block.
+    DecisionCounts certify_cell(Pixel cell, const Block& block, std::span<std::int32_t> visible) const;
+
+    const Sphere& sphere(std::size_t index) const { return scene_.spheres[static_cast<std::size_t>(drawn_.number(index))]; }
 
     const Scene& scene_;
     const DrawnSpheres& drawn_;
@@ -59,6 +63,8 @@ private:
     PictureSize size_;
     RayBasis<double> frame_;
     double error_scale_;
+    ExactBasis exact_basis_;
+    int cell_shift_;  // a cell is a square of pixels that try the same spheres; its side is 2^this
 };
 
 }  // namespace sphereview

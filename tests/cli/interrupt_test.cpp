@@ -134,6 +134,20 @@ TEST(ProgressBar, IsShownOnATerminalAloneWhenTheWorkIsLong) {
     EXPECT_EQ(file.output + file.errors, "");
 }
 
+TEST(ProgressBar, CountsPixelsThatAreDecidedExactlyAndGoesAtOnce) {
+    const TemporaryFolder folder;
+    Command command = endless_render(folder);
+    command.errors_to_terminal = true;
+    Running program(command);
+    EXPECT_TRUE(program.wait_for_errors(" exactly, "));
+    const auto begin = std::chrono::steady_clock::now();
+    program.send(SIGINT);
+    EXPECT_EQ(program.wait().status, 130);
+    // A tenth of that on a machine that does nothing else.
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+    EXPECT_EQ(folder.names(), Names{"endless.txt"});
+}
+
 // A file that comes in slowly: a FIFO, fed by the test.
 TEST(ProgressBar, IsShownWhileALongTextIsRead) {
     const TemporaryFolder folder;

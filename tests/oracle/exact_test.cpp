@@ -31,7 +31,8 @@ int discriminant_sign_of(const Camera& camera, PictureSize size, Pixel at, const
     CommonScale scale;
     scale.include(camera);
     scale.include(sphere);
-    return ExactQuadratic(sphere, scale.whole(camera.eye), exact_direction(camera, size, at, scale), scale).d.sign();
+    const IntegerVector ray = exact_direction(camera, size, at, scale);
+    return ExactQuadratic(sphere, scale.whole(camera.eye), ray, dot(ray, ray), scale).d.sign();
 }
 
 TEST(EyeSide, is_the_oracles) {

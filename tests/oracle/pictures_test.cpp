@@ -57,6 +57,7 @@ protected:
 };
 
 TEST_P(Pictures, random) { expect_the_oracles_pictures(random(random_trial, 300)); }
+TEST_P(Pictures, stress) { expect_the_oracles_pictures(made_by_hand(stress_trials(24, {25, 25}))); }
 TEST_P(Pictures, lattices) { expect_the_oracles_pictures(random(lattice_trial, 400)); }
 TEST_P(Pictures, near_misses) { expect_the_oracles_pictures(random(near_miss_trial, 600)); }
 TEST_P(Pictures, bit_patterns) { expect_the_oracles_pictures(random(bit_pattern_trial, 400)); }

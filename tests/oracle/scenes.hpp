@@ -43,6 +43,9 @@ Trial bit_pattern_trial(std::uint64_t seed);
 Trials touching_trials();
 Trials range_trials();
 
+// So many spheres between which double cannot choose at most pixels, of each kind that is known.
+Trials stress_trials(int count, PictureSize size);
+
 // What lists of spheres by screen tiles may get wrong.
 Trials tile_trials();
 

@@ -217,7 +217,7 @@ TEST(Teeth, lists_that_lack_a_sphere) {
 
 TEST(Teeth, walks_that_end_too_soon) {
     expect_lists_caught("nearer than the lists say", [](auto& lists, auto&) {
-        for (Candidate& candidate : lists.candidates) candidate.nearest *= 1.001F;
+        for (Candidate& candidate : lists.candidates) candidate.nearest *= 1.01F;
     });
     expect_lists_caught("lists in the order of the file", [](auto& lists, auto&) {
         for (std::size_t tile = 0; tile + 1 < lists.begins.size(); ++tile) {

@@ -22,7 +22,7 @@ inline constexpr const char* bad_scene = "1\n1 2 3\n0 0 200\n-5\n";
 // A text scene of `count` spheres far away.
 std::string many_spheres(int count);
 
-// A scene whose picture takes hours at endless_size: spheres around the eye that differ in the last bit of their radii, so
+// A scene whose picture takes minutes at endless_size: spheres around the eye that differ in the last bit of their radii, so
 // that every pixel is decided exactly. Its blocks are short enough for a progress bar.
 std::string endless_scene();
 inline constexpr const char* endless_size = "1000x100000";

@@ -158,6 +158,26 @@ TEST(BackgroundJob, LeavesItsLoopsWhenItIsCancelled) {
     EXPECT_EQ(left.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
 }
 
+TEST(BackgroundJob, LeavesLongWorkThatAsksWhetherToEnd) {
+    std::promise<void> begun;
+    std::promise<void> left;
+    {
+        const BackgroundJob job([&](WorkControl&) {
+            try {
+                parallel_for(8, [&](std::size_t i) {
+                    if (i == 0) begun.set_value();
+                    while (true) check_cancelled();
+                });
+            } catch (const Cancelled&) {
+                left.set_value();
+            }
+        });
+        begun.get_future().wait();
+    }
+    EXPECT_EQ(left.get_future().wait_for(std::chrono::seconds(60)), std::future_status::ready);
+    check_cancelled();  // of no loop: nothing happens
+}
+
 TEST(BackgroundJob, SharesTheCoresWithItsLoop) {
     const auto sum = [] {
         std::atomic<std::size_t> total = 0;

@@ -44,6 +44,7 @@ TEST(Flags, near_misses) { expect_the_oracles_pictures(random(near_miss_trial, 1
 TEST(Flags, bit_patterns) { expect_the_oracles_pictures(random(bit_pattern_trial, 200)); }
 TEST(Flags, touching) { expect_the_oracles_pictures(some_of(touching_trials())); }
 TEST(Flags, tiles) { expect_the_oracles_pictures(some_of(tile_trials())); }
+TEST(Flags, stress) { expect_the_oracles_pictures(some_of(stress_trials(20, {15, 15}))); }
 TEST(Flags, range) { expect_the_oracles_pictures(some_of(range_trials())); }
 
 }  // namespace

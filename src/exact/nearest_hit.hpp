@@ -1,0 +1,105 @@
+// One pixel's nearest hit so far, and whether another sphere's is nearer: by numbers of 106 bits with a bound beside each
+// (exact/approximate.hpp), and by integers where those cannot tell. docs/exactness.md, "Differences".
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "exact/approximate.hpp"
+#include "exact/exact_decision.hpp"
+#include "exact/filter.hpp"
+#include "scene/camera.hpp"
+#include "scene/sphere.hpp"
+
+namespace sphereview {
+
+using ApproximateVector = std::array<Approximate, 3>;
+
+// A sphere relative to the eye, in units of a SphereScale.
+struct ScaledSphere {
+    const Sphere* sphere = nullptr;
+    std::int32_t number = 0;  // in the scene: ties are won by the lower one
+    EyeSide side = EyeSide::outside;
+    bool in_range = false;     // false: only integers may look at it, and what follows means nothing
+    glm::dvec3 position{0.0};  // of the centre in the scene
+    ApproximateVector center;  // relative to the eye: exact
+    Approximate c;             // center . center - radius^2
+};
+
+// The power of two that brings a size, the largest of some spheres, to 2^400. It lets squares be computed of spheres of any size,
+// and 2^-430 of that size, at once.
+class SphereScale {
+public:
+    SphereScale(const glm::dvec3& eye, double largest);
+
+    ScaledSphere operator()(const Sphere& sphere, std::int32_t number, EyeSide side) const;
+
+private:
+    double scaled(double value, bool& in_range) const;
+
+    double first_;
+    double second_;
+    glm::dvec3 eye_{0.0};
+    bool in_range_ = true;
+};
+
+// What the rays of a picture have in common: m D = m forward + across right + upward up, as for RayBasis (exact/rays.hpp), but
+// exactly.
+struct ExactBasis {
+    ApproximateVector forward;
+    glm::dvec3 right{0.0};
+    glm::dvec3 up{0.0};
+    bool in_range = false;  // false: nothing but integers holds such rays
+
+    explicit ExactBasis(const Camera& camera);
+};
+
+class NearestHit {
+public:
+    // What is passed in must outlive it.
+    NearestHit(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel);
+
+    // Takes the sphere for the nearest if its hit is nearer than those so far, or as near and its number lower. Returns whether it
+    // did. All spheres are on one scale.
+    bool challenge(const ScaledSphere& sphere);
+
+    // The number of the sphere that is hit first, of those that came; visible_background for none.
+    std::int32_t visible() const;
+    // So many spheres needed integers.
+    std::int64_t in_integers() const { return in_integers_; }
+
+    // Null before anything is hit.
+    const ScaledSphere* sphere() const { return best_ ? &best_->sphere : nullptr; }
+    // Relative to the eye; of unknown error where the sphere or the ray is out of range.
+    const ApproximateVector& point() const { return best_->point; }
+
+private:
+    struct Best {
+        ScaledSphere sphere;
+        Approximate square_t;  // A t
+        ApproximateVector point;
+        std::optional<ExactRoot> exact;  // once it was asked for
+    };
+
+    Approximate along(const ScaledSphere& sphere) const;  // b
+    Approximate discriminant(const ScaledSphere& sphere, const Approximate& b) const;
+    // -1: the sphere's hit is nearer than the best, 0: as near, 1: farther, or none; nothing when 106 bits are not enough.
+    std::optional<int> order(const ScaledSphere& sphere) const;
+    std::optional<int> order_of_the_first(const ScaledSphere& sphere) const;
+    const ExactRay& exact_ray();
+    Best best_of(const ScaledSphere& sphere) const;
+
+    const Camera& camera_;
+    PictureSize size_;
+    Pixel pixel_;
+    bool in_range_;
+    ApproximateVector ray_;
+    Approximate square_;  // A
+    std::optional<Best> best_;
+    std::unique_ptr<ExactRay> exact_ray_;  // once it was asked for
+    std::int64_t in_integers_ = 0;
+};
+
+}  // namespace sphereview

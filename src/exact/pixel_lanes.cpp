@@ -1,0 +1,210 @@
+#include "exact/pixel_lanes.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "base/simd.hpp"
+#include "scene/vectors.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr double never = NearestHits<double>::never;
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr double underflow = 0x1p-1000;
+constexpr double u = double_unit;
+
+std::size_t full_lanes(std::size_t count) { return (count + 3) / 4 * 4; }
+
+// Bit i is set where flags[i] is 1 and not 0.
+LaneSet set_of(const Lane<std::int64_t>& flags, std::size_t count) {
+    LaneSet set = 0;
+    for (std::size_t i = 0; i < count; ++i) set |= static_cast<LaneSet>(flags[i]) << i;
+    return set;
+}
+
+}  // namespace
+
+BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale)
+    : center(sphere.center - eye), radius(sphere.radius) {
+    const auto size = [&] { return std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius; };
+    const auto in_range = [](double s) { return s > smallest_double_size && s < largest_double_size; };
+    if (!in_range(size())) {
+        int exponent = 0;
+        std::frexp(std::max({largest_of(sphere.center), largest_of(eye), radius}), &exponent);
+        exponent = std::clamp(exponent, -950, 1024);
+        const auto scaled = [=](double value) { return std::ldexp(value, -exponent); };
+        unit = std::ldexp(1.0 / distance_unit, exponent);
+        for (int axis = 0; axis < 3; ++axis) center[axis] = scaled(sphere.center[axis]) - scaled(eye[axis]);
+        radius = scaled(radius);
+    }
+    w = in_range(size()) ? error_scale * size() : never;
+}
+
+BoundLanes::BoundLanes(const RayBasis<double>& basis, PictureSize size, std::span<const Pixel> pixels)
+    : count_(full_lanes(pixels.size())) {
+    assert(!pixels.empty() && pixels.size() <= most_lanes);
+    for (std::size_t i = 0; i < count_; ++i) {
+        const glm::dvec3 ray = unit_ray(basis, size, pixels[std::min(i, pixels.size() - 1)]);
+        x_[i] = ray.x;
+        y_[i] = ray.y;
+        z_[i] = ray.z;
+        smallest_high_[i] = low_[i] = second_low_[i] = never;
+        sure_[i] = guess_[i] = -1;
+    }
+}
+
+template <EyeSide side>
+LaneSet BoundLanes::add_on_side(std::int64_t index, const BoundedSphere& sphere) {
+    const auto [c, r, w, unit] = sphere;
+    if constexpr (side == EyeSide::outside) {
+        // Whether all rays surely miss: without square roots, by twice the bound.
+        const double reach = r + 2.0 * w;
+        const double reach_square = reach * reach;
+        std::int64_t near = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const double along = c.x * x_[i] + c.y * y_[i] + c.z * z_[i];
+            const double px = c.x - along * x_[i];
+            const double py = c.y - along * y_[i];
+            const double pz = c.z - along * z_[i];
+            near |= static_cast<std::int64_t>(px * px + py * py + pz * pz <= reach_square);
+        }
+        if (near == 0) return 0;
+    }
+    Lane<std::int64_t> contends;
+    std::int64_t any = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const HitBounds<double> hit = hit_bounds<side>(c.x, c.y, c.z, r, w, x_[i], y_[i], z_[i]);
+        const double low = hit.low * unit - underflow;
+        const double high = hit.high * unit + underflow;
+        // All loads before all stores: a conditional one would keep this from becoming SIMD.
+        const double low_so_far = low_[i];
+        const double second_low = second_low_[i];
+        const double high_so_far = smallest_high_[i];
+        const std::int64_t guess = guess_[i];
+        const std::int64_t sure = sure_[i];
+        const bool nearer = low < low_so_far;
+        const double displaced = nearer ? low_so_far : low;
+        second_low_[i] = displaced < second_low ? displaced : second_low;
+        low_[i] = nearer ? low : low_so_far;
+        guess_[i] = nearer ? index : guess;
+        const bool surer = high < high_so_far;
+        const double smallest_high = surer ? high : high_so_far;
+        smallest_high_[i] = smallest_high;
+        sure_[i] = surer ? index : sure;
+        const double limit = smallest_high < largest ? smallest_high : largest;
+        contends[i] = low <= limit ? 1 : 0;
+        any |= contends[i];
+    }
+    return any == 0 ? 0 : set_of(contends, count_);
+}
+
+SPHEREVIEW_FOR_EACH_SIMD
+LaneSet BoundLanes::add(std::int64_t index, const BoundedSphere& sphere, EyeSide side) {
+    if (!(sphere.w < never)) {
+        // Perhaps hit, anywhere.
+        for (std::size_t i = 0; i < count_; ++i) {
+            second_low_[i] = low_[i];
+            low_[i] = -never;
+            guess_[i] = index;
+        }
+        return ~LaneSet{0};
+    }
+    switch (side) {
+        case EyeSide::outside: return add_on_side<EyeSide::outside>(index, sphere);
+        case EyeSide::inside: return add_on_side<EyeSide::inside>(index, sphere);
+        case EyeSide::on_surface: return add_on_side<EyeSide::on_surface>(index, sphere);
+    }
+    return 0;
+}
+
+NearestHits<double> BoundLanes::nearest(std::size_t lane) const {
+    return {smallest_high_[lane], static_cast<int>(sure_[lane]), low_[lane], static_cast<int>(guess_[lane]), second_low_[lane]};
+}
+
+SPHEREVIEW_FOR_EACH_SIMD
+double BoundLanes::farthest_sure_hit() const {
+    // Positive doubles compare like integers, of which the compiler knows that their order of comparison does not matter.
+    std::int64_t most = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const auto bits = std::bit_cast<std::int64_t>(smallest_high_[i]);
+        most = most < bits ? bits : most;
+    }
+    return std::bit_cast<double>(most) * distance_unit;
+}
+
+DifferenceLanes::DifferenceLanes(std::size_t count) : count_(full_lanes(count)) {
+    for (Lane<double>* lane : {&center_x_, &center_y_, &center_z_, &c_high_, &c_low_, &c_error_, &x_, &y_, &z_, &square_, &error_,
+                               &length_, &inaccuracy_}) {
+        lane->fill(std::numeric_limits<double>::quiet_NaN());
+    }
+}
+
+void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
+    takes_part_[lane] = 1;
+    if (nearest.sphere() == nullptr) return;
+    const ScaledSphere& sphere = *nearest.sphere();
+    const auto& [x, y, z] = nearest.point();
+    center_x_[lane] = sphere.position.x;
+    center_y_[lane] = sphere.position.y;
+    center_z_[lane] = sphere.position.z;
+    c_high_[lane] = sphere.c.high;
+    c_low_[lane] = sphere.c.low;
+    c_error_[lane] = sphere.c.error + 4.0 * u * std::fabs(sphere.c.low);
+    const auto off = [](const Approximate& a) { return std::fabs(a.low) + a.error; };
+    const double error = std::max({off(x), off(y), off(z)});
+    const double length = std::fabs(x.high) + std::fabs(y.high) + std::fabs(z.high);
+    // False also where the error is not a number.
+    const bool known = 2.0 * error < length && sphere.in_range;
+    x_[lane] = known ? x.high : std::numeric_limits<double>::quiet_NaN();
+    y_[lane] = y.high;
+    z_[lane] = z.high;
+    square_[lane] = x.high * x.high + y.high * y.high + z.high * z.high;
+    error_[lane] = error;
+    length_[lane] = length;
+    inaccuracy_[lane] = 8.0 * u * length + 4.0 * error;
+}
+
+SPHEREVIEW_FOR_EACH_SIMD
+LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
+    if (!sphere.in_range) return ~LaneSet{0};
+    const glm::dvec3 position = sphere.position;
+    const double cx = sphere.center[0].high;
+    const double cy = sphere.center[1].high;
+    const double cz = sphere.center[2].high;
+    const double size = std::fabs(cx) + std::fabs(cy) + std::fabs(cz);
+    const double c_high = sphere.c.high;
+    const double c_low = sphere.c.low;
+    const double c_error = sphere.c.error + 4.0 * u * std::fabs(c_low);
+    const bool outside = sphere.side == EyeSide::outside;
+    Lane<std::int64_t> challenged;
+    std::int64_t any = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const double apart_x = position.x - center_x_[i];
+        const double apart_y = position.y - center_y_[i];
+        const double apart_z = position.z - center_z_[i];
+        const double along_x = x_[i] * apart_x;
+        const double along_y = y_[i] * apart_y;
+        const double along_z = z_[i] * apart_z;
+        const double c_apart = (c_high - c_high_[i]) + (c_low - c_low_[i]);
+        const double power = c_apart - 2.0 * (along_x + along_y + along_z);
+        const double terms = std::fabs(c_apart) + 2.0 * (std::fabs(along_x) + std::fabs(along_y) + std::fabs(along_z));
+        const double off = error_[i] * (std::fabs(apart_x) + std::fabs(apart_y) + std::fabs(apart_z));
+        const double doubt = 1.0625 * (6.0 * u * terms + 2.0 * off + (c_error + c_error_[i])) + underflow;
+        // V: is the hit before the middle between the sphere's roots?
+        const double before_middle = x_[i] * cx + y_[i] * cy + z_[i] * cz - square_[i];
+        const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + underflow;
+        const bool not_nearer_outside = (power > doubt) & (before_middle > middle_doubt);
+        const bool not_nearer_else = power < -doubt;
+        const bool not_nearer = outside ? not_nearer_outside : not_nearer_else;
+        challenged[i] = not_nearer ? 0 : takes_part_[i];
+        any |= challenged[i];
+    }
+    return any == 0 ? 0 : set_of(challenged, count_);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,94 @@
+// A sphere against some pixels of a picture at once, in double: loops that the compiler turns into SIMD.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "exact/filter.hpp"
+#include "exact/nearest_hit.hpp"
+#include "exact/rays.hpp"
+
+namespace sphereview {
+
+inline constexpr std::size_t most_lanes = 64;
+
+// One bit for each of the pixels.
+using LaneSet = std::uint64_t;
+
+template <typename T>
+using Lane = std::array<T, most_lanes>;
+
+// Distances of different spheres are compared in times of this, so that none overflows.
+inline constexpr double distance_unit = 0x1p8;
+
+// A sphere as the double filter takes it. Sizes for which squares would leave the range of doubles are brought near 1.
+struct BoundedSphere {
+    glm::dvec3 center{0.0};             // relative to the eye, times a power of two
+    double radius = 0.0;                // likewise
+    double w = 0.0;                     // the bound (exact/filter.hpp); infinite when nothing is known of the sphere
+    double unit = 1.0 / distance_unit;  // what turns lengths of these into distances in distance_unit
+
+    BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale);
+};
+
+// NearestHits (exact/filter.hpp) of some pixels.
+class BoundLanes {
+public:
+    // One to most_lanes of them.
+    BoundLanes(const RayBasis<double>& basis, PictureSize size, std::span<const Pixel> pixels);
+
+    // The pixels that may show the sphere, of those seen so far.
+    LaneSet add(std::int64_t index, const BoundedSphere& sphere, EyeSide side);
+
+    // What is known of one of the pixels.
+    NearestHits<double> nearest(std::size_t lane) const;
+    // The largest smallest_high of the pixels. No hit is at 0 or behind the eye.
+    double farthest_sure_hit() const;
+
+private:
+    template <EyeSide side>
+    LaneSet add_on_side(std::int64_t index, const BoundedSphere& sphere);
+
+    std::size_t count_;  // of lanes; the last pixel is repeated to fill them up
+    Lane<double> x_;     // unit directions
+    Lane<double> y_;
+    Lane<double> z_;
+    Lane<double> smallest_high_;
+    Lane<double> low_;
+    Lane<double> second_low_;
+    Lane<std::int64_t> sure_;
+    Lane<std::int64_t> guess_;
+};
+
+// The nearest hits of some pixels (exact/nearest_hit.hpp), rounded to double: what is surely no nearer is told at once.
+class DifferenceLanes {
+public:
+    explicit DifferenceLanes(std::size_t count);
+
+    // From now on the pixel takes part.
+    void set(std::size_t lane, const NearestHit& nearest);
+
+    // The pixels, of those that take part, whose nearest hit the sphere may challenge.
+    LaneSet challenged_by(const ScaledSphere& sphere) const;
+
+private:
+    std::size_t count_;
+    Lane<std::int64_t> takes_part_{};  // 1 or 0
+    Lane<double> center_x_;            // of the sphere that is hit, in the scene
+    Lane<double> center_y_;
+    Lane<double> center_z_;
+    Lane<double> c_high_;
+    Lane<double> c_low_;
+    Lane<double> c_error_;
+    Lane<double> x_;  // the hit, relative to the eye; not a number where nothing is known
+    Lane<double> y_;
+    Lane<double> z_;
+    Lane<double> square_;      // x . x
+    Lane<double> error_;       // of each of the hit's components
+    Lane<double> length_;      // |x| + |y| + |z|
+    Lane<double> inaccuracy_;  // what bounds the error of V: docs/exactness.md
+};
+
+}  // namespace sphereview
