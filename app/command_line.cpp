@@ -17,7 +17,7 @@
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "image/image.hpp"
-#include "scene/samples.hpp"
+#include "scene/camera.hpp"
 
 namespace sphereview {
 

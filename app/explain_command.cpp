@@ -9,7 +9,6 @@
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "exact/explain.hpp"
-#include "exact/explain_words.hpp"
 #include "shade/picture_shader.hpp"
 
 namespace sphereview {
@@ -130,9 +129,9 @@ ExitCode run_explain(const ExplainOptions& options) {
     const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
     const Scene& scene = loaded.scene;
     const std::string& name = loaded.name;
-    const PixelExplanation explanation = explain_pixel(scene, scene.camera, options.size, options.pixel);
+    const PixelExplanation explanation = explain_pixel(scene, drawn_spheres(scene), scene.camera, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
-    const PictureShader shader(scene, options.size, options.shading, background);
+    const PictureShader shader(scene, scene.camera, options.size, options.shading, background);
     const Color color = shader.color(options.pixel, explanation.visible());
     const std::string text = options.json ? to_json(options, name, scene, explanation, color).dump() + "\n"
                                           : in_words(options, name, scene, explanation, background, color);

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include "base/available_memory.hpp"
 #include "base/input_file.hpp"
+#include "base/memory.hpp"
 #include "base/text.hpp"
-#include "formats/scene_format.hpp"
 
 namespace sphereview {
 

@@ -8,10 +8,7 @@
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
-#include "image/average.hpp"
-#include "scene/samples.hpp"
 #include "shade/picture_shader.hpp"
-#include "shade/shade.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {

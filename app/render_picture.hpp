@@ -8,7 +8,7 @@
 #include "app/backend.hpp"
 #include "exact/resolve.hpp"
 #include "image/image.hpp"
-#include "scene/samples.hpp"
+#include "scene/camera.hpp"
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 

@@ -9,7 +9,6 @@
 #include "image/png.hpp"
 #include "random_scene.hpp"
 #include "shade/picture_shader.hpp"
-#include "shade/shade.hpp"
 #include "stb_default.hpp"
 
 namespace {
@@ -29,7 +28,8 @@ std::vector<std::int32_t> trace(const DrawnSpheres& drawn, const Camera& camera)
 
 Image picture_of(const Scene& scene) {
     Image picture = make_picture(size, scene.background);
-    shade_flat(scene, scene.background, whole_picture, trace(drawn_spheres(scene), scene.camera), picture);
+    PictureShader(scene, scene.camera, size, Shading::flat, scene.background)
+        .shade(whole_picture, trace(drawn_spheres(scene), scene.camera), picture);
     return picture;
 }
 
@@ -76,7 +76,7 @@ void shade(benchmark::State& state, Shading shading) {
     const std::vector<std::int32_t> visible = trace(drawn_spheres(scene), scene.camera);
     Image picture = make_picture(size, scene.background);
     for (auto _ : state) {
-        PictureShader(scene, size, shading, scene.background).shade(whole_picture, visible, picture);
+        PictureShader(scene, scene.camera, size, shading, scene.background).shade(whole_picture, visible, picture);
         benchmark::DoNotOptimize(picture.bytes().data());
     }
 }

@@ -1,5 +1,5 @@
 # Writes OUT, a C++ source that holds the text of FILES by name. Run with cmake -P.
-set(source "#include \"gpu/shader_source.hpp\"\n\nnamespace sphereview {\n\n")
+set(source "#include \"gpu/program.hpp\"\n\nnamespace sphereview {\n\n")
 string(APPEND source "const std::map<std::string, std::string_view, std::less<>>& embedded_shaders() {\n")
 string(APPEND source "    static const std::map<std::string, std::string_view, std::less<>> files = {\n")
 foreach(file IN LISTS FILES)

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include "base/text.hpp"
-#include "exact/explain_words.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {

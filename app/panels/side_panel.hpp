@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "edit/shared_values.hpp"
+#include "edit/selection.hpp"
 #include "panels/listed_spheres.hpp"
 #include "panels/panel_context.hpp"
 #include "panels/widgets.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 
-#include "edit/shared_values.hpp"
+#include "edit/selection.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {

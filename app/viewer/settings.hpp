@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "platform/window.hpp"
-#include "scene/samples.hpp"
+#include "scene/camera.hpp"
 #include "shade/shading.hpp"
 
 namespace sphereview {

@@ -1,7 +1,6 @@
 // Telling whether what another process left behind is still its own.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 
 namespace sphereview {

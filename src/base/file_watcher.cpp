@@ -21,14 +21,6 @@ std::optional<FileState> state_of(const fs::path& file) {
     return state;
 }
 
-// Whether `after` has a file that `before` has not, or has otherwise.
-bool has_news(const FileStates& before, const FileStates& after) {
-    return std::ranges::any_of(after, [&](const auto& file) {
-        const auto old = before.find(file.first);
-        return old == before.end() || old->second != file.second;
-    });
-}
-
 }  // namespace
 
 FileStates file_states(const std::string& path) {
@@ -60,7 +52,7 @@ std::vector<std::string> FileWatcher::look(Time now) {
     for (Watched& watched : watched_) {
         FileStates states = file_states(watched.path);
         if (states != watched.last) {
-            watched.unsettled |= has_news(watched.last, states);
+            watched.unsettled = true;
             watched.last = std::move(states);
         } else if (std::exchange(watched.unsettled, false) && !states.empty()) {
             changed.push_back(watched.path);

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <system_error>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/standard_streams.hpp"
 
 namespace sphereview {

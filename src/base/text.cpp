@@ -1,9 +1,6 @@
 #include "base/text.hpp"
 
-#include <algorithm>
 #include <vector>
-
-#include "base/count.hpp"
 
 namespace sphereview {
 

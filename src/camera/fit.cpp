@@ -11,7 +11,6 @@
 #include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "camera/navigation.hpp"
-#include "scene/bounds.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {

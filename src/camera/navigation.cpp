@@ -85,22 +85,6 @@ Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm
     return {eye, eye + axis, right, up};
 }
 
-std::optional<glm::dvec2> project(const Camera& camera, PictureSize size, const glm::dvec3& point) {
-    const CameraAxes directions = camera_axes(camera);
-    const double depth = depth_of(camera, point);
-    if (!(depth > 0.0)) return std::nullopt;
-    // On the screen, from its centre; with the dual vectors, because right and up may be not quite perpendicular.
-    const glm::dvec3 there = (point - camera.eye) / depth - (camera.center - camera.eye);
-    const glm::dvec3 dual_right = glm::cross(directions.up, directions.ahead);
-    const glm::dvec3 dual_up = glm::cross(directions.right, directions.ahead);
-    const double across = glm::dot(there, dual_right) / glm::dot(camera.right, dual_right);
-    const double upward = glm::dot(there, dual_up) / glm::dot(camera.up, dual_up);
-    const double m = size.shorter_side();
-    const glm::dvec2 place = middle_of(size) + 0.5 * m * glm::dvec2(across, -upward);
-    if (!std::isfinite(place.x) || !std::isfinite(place.y)) return std::nullopt;
-    return place;
-}
-
 double depth_of(const Camera& camera, const glm::dvec3& point) {
     const CameraAxes directions = camera_axes(camera);
     return glm::dot(point - camera.eye, directions.ahead) / glm::dot(camera.center - camera.eye, directions.ahead);

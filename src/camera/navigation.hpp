@@ -5,9 +5,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
 
-#include "scene/bounds.hpp"
 #include "scene/camera.hpp"
 
 namespace sphereview {
@@ -16,14 +14,11 @@ namespace sphereview {
 // Unlike the results of the other functions this camera may have a fault.
 Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up);
 
-// Where a picture of that size shows a point: pixels from the top left corner, pixel (0, 0)'s centre is (0.5, 0.5). Nothing
-// for a point that is not in front of the eye.
-std::optional<glm::dvec2> project(const Camera& camera, PictureSize size, const glm::dvec3& point);
-
 // How deep a point lies, in multiples of the distance from the eye to the screen along the view's axis (1: in the screen's plane).
 double depth_of(const Camera& camera, const glm::dvec3& point);
 
-// The point at that depth on the ray through a place in the picture (pixels, as project() gives).
+// The point at that depth on the ray through a place in the picture (pixels from the top left corner, pixel (0, 0)'s centre is
+// (0.5, 0.5)).
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth);
 
 // Turned about the pivot, as a pointer would drag what lies before it: a positive `turn`, about the world's y axis, takes that to

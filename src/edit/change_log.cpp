@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "scene/same_bits.hpp"
+#include "scene/scene.hpp"
 
 namespace sphereview {
 

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "scene/same_bits.hpp"
-
 namespace sphereview {
 
 namespace {

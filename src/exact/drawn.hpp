@@ -26,7 +26,7 @@ struct DrawnSpheres {
     // filter finds "perhaps hit, at 0 or farther": every pixel that tries one is doubtful.
     std::unordered_map<std::uint32_t, EyeSide> beyond_float;
 
-    // What edits leave behind (exact/drawn_edits.hpp). An index stays a sphere's own; those that went leave a gap. There is room in
+    // What edits leave behind (tiles/live_lists.cpp). An index stays a sphere's own; those that went leave a gap. There is room in
     // memory for so many that come.
     static constexpr std::size_t room_for_late = 4096;
     std::vector<std::uint32_t> gone;  // the gaps, ascending; in no list

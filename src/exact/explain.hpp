@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
 
 #include "exact/candidates.hpp"
@@ -54,11 +55,33 @@ struct PixelExplanation {
     std::int32_t visible() const { return hits.empty() ? visible_background : hits.front().number; }
 };
 
-// A pixel inside the picture that `camera` sees.
-PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel);
-// With the spheres that are drawn for the camera, and perhaps the lists of the picture: then it tries only the spheres in the
-// pixel's lists, and finds the same hits.
+// A pixel inside the picture that `camera` sees, with the spheres that are drawn for the camera. With the lists of the picture it
+// tries only the spheres in the pixel's lists, and finds the same hits.
 PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
-                               const CandidateLists* lists);
+                               const CandidateLists* lists = nullptr);
+
+// What an explanation says in words, for whoever shows it.
+std::string vector_in_words(const glm::dvec3& v);
+
+// Which root counts, and why.
+const char* why(const ExplainedHit& hit);
+
+// What it took to decide a pixel.
+const char* level_in_words(DecisionLevel level);
+
+// The numbers of a hit.
+struct HitInWords {
+    std::string a;
+    std::string b;
+    std::string c;
+    std::string discriminant;
+    std::string roots;  // how many, by the discriminant: "> 0: two roots"
+    std::string t1;
+    std::string t2;
+    std::string t;
+    std::string point;
+    std::string normal;
+};
+HitInWords in_words(const ExplainedHit& hit);
 
 }  // namespace sphereview

@@ -1,7 +1,6 @@
 #include "exact/rays.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "scene/vectors.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"
@@ -38,20 +38,78 @@ public:
         : source_(source), separator_(separator), line_end_(line_end), next_(begin), end_(end) {}
 
     // False when there is none; the fields are valid until the next call. Throws InputError where quotes are wrong.
-    bool next();
+    bool next() {
+        const char* const first = source_.text.data();
+        const char* const last = first + source_.text.size();
+        const auto is_separator = [this](char c) { return c == separator_; };
+        while (next_ < end_) {
+            LineWalker walker(source_.text, line_end_, next_);
+            const char* at = first + next_;
+            const char* stop = first + walker.step();
+            next_ = walker.offset();
+            if (std::all_of(at, stop, is_blank)) continue;
+            fields_.clear();
+            while (true) {
+                while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
+                if (at != stop && *at == '"') {
+                    at = quoted_field(at);
+                    if (at > stop) {  // it went on in another line
+                        LineWalker rest(source_.text, line_end_, static_cast<std::size_t>(at - first));
+                        stop = at == last ? last : first + rest.step();
+                        next_ = at == last ? source_.text.size() : rest.offset();
+                    }
+                    while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
+                    if (at != stop && !is_separator(*at)) {
+                        source_.fail(static_cast<std::size_t>(at - first),
+                                     "found " + in_quotes({at, 1}) + " behind a closing quote, expected " +
+                                         in_quotes({&separator_, 1}) + " or the end of the line");
+                    }
+                } else {
+                    at = plain_field(at, stop);
+                }
+                if (at == stop) break;
+                ++at;
+            }
+            record_end_ = stop;
+            return true;
+        }
+        return false;
+    }
+
     const std::vector<CsvField>& fields() const { return fields_; }
     char separator() const { return separator_; }
     // Where the next record or blank line begins.
     std::size_t offset() const { return next_; }
 
-    [[noreturn]] void fail(const CsvField& field, const std::string& expected) const;
+    [[noreturn]] void fail(const CsvField& field, const std::string& expected) const { source_.fail(field.text, expected); }
+
     // Says that the record ends too early.
-    [[noreturn]] void fail_at_end(const std::string& expected) const;
+    [[noreturn]] void fail_at_end(const std::string& expected) const {
+        source_.fail(static_cast<std::size_t>(record_end_ - source_.text.data()), "the line ends, expected " + expected);
+    }
 
 private:
     // Reads a field up to `stop`, the end of its line unless it is quoted; returns where it ends.
-    const char* quoted_field(const char* begin);
-    const char* plain_field(const char* begin, const char* stop);
+    const char* quoted_field(const char* begin) {
+        const char* const last = source_.text.data() + source_.text.size();
+        const char* end = begin;
+        do {  // two quotes are one inside
+            end = std::find(end + 1, last, '"');
+            if (end == last) source_.fail(static_cast<std::size_t>(begin - source_.text.data()), open_quote);
+            ++end;
+        } while (end != last && *end == '"');
+        fields_.push_back({{begin + 1, static_cast<std::size_t>(end - begin) - 2}, true});
+        return end;
+    }
+
+    const char* plain_field(const char* begin, const char* stop) {
+        const void* found = std::memchr(begin, separator_, static_cast<std::size_t>(stop - begin));
+        const char* const end = found == nullptr ? stop : static_cast<const char*>(found);
+        const char* behind = end;
+        while (behind != begin && is_blank(behind[-1])) --behind;
+        fields_.push_back({{begin, static_cast<std::size_t>(behind - begin)}, false});
+        return end;
+    }
 
     const TextSource& source_;
     char separator_;
@@ -61,71 +119,6 @@ private:
     std::vector<CsvField> fields_{};
     const char* record_end_ = nullptr;
 };
-
-bool CsvRecords::next() {
-    const char* const first = source_.text.data();
-    const char* const last = first + source_.text.size();
-    const auto is_separator = [this](char c) { return c == separator_; };
-    while (next_ < end_) {
-        LineWalker walker(source_.text, line_end_, next_);
-        const char* at = first + next_;
-        const char* stop = first + walker.step();
-        next_ = walker.offset();
-        if (std::all_of(at, stop, is_blank)) continue;
-        fields_.clear();
-        while (true) {
-            while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
-            if (at != stop && *at == '"') {
-                at = quoted_field(at);
-                if (at > stop) {  // it went on in another line
-                    LineWalker rest(source_.text, line_end_, static_cast<std::size_t>(at - first));
-                    stop = at == last ? last : first + rest.step();
-                    next_ = at == last ? source_.text.size() : rest.offset();
-                }
-                while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
-                if (at != stop && !is_separator(*at)) {
-                    source_.fail(static_cast<std::size_t>(at - first), "found " + in_quotes({at, 1}) +
-                                                                           " behind a closing quote, expected " +
-                                                                           in_quotes({&separator_, 1}) + " or the end of the line");
-                }
-            } else {
-                at = plain_field(at, stop);
-            }
-            if (at == stop) break;
-            ++at;
-        }
-        record_end_ = stop;
-        return true;
-    }
-    return false;
-}
-
-const char* CsvRecords::quoted_field(const char* begin) {
-    const char* const last = source_.text.data() + source_.text.size();
-    const char* end = begin;
-    do {  // two quotes are one inside
-        end = std::find(end + 1, last, '"');
-        if (end == last) source_.fail(static_cast<std::size_t>(begin - source_.text.data()), open_quote);
-        ++end;
-    } while (end != last && *end == '"');
-    fields_.push_back({{begin + 1, static_cast<std::size_t>(end - begin) - 2}, true});
-    return end;
-}
-
-const char* CsvRecords::plain_field(const char* begin, const char* stop) {
-    const void* found = std::memchr(begin, separator_, static_cast<std::size_t>(stop - begin));
-    const char* const end = found == nullptr ? stop : static_cast<const char*>(found);
-    const char* behind = end;
-    while (behind != begin && is_blank(behind[-1])) --behind;
-    fields_.push_back({{begin, static_cast<std::size_t>(behind - begin)}, false});
-    return end;
-}
-
-void CsvRecords::fail(const CsvField& field, const std::string& expected) const { source_.fail(field.text, expected); }
-
-void CsvRecords::fail_at_end(const std::string& expected) const {
-    source_.fail(static_cast<std::size_t>(record_end_ - source_.text.data()), "the line ends, expected " + expected);
-}
 
 enum Column : std::size_t { x, y, z, radius, red, green, blue, name_column, column_count };
 constexpr std::array<const char*, column_count> column_names = {"x", "y", "z", "radius", "r", "g", "b", "name"};

@@ -92,17 +92,12 @@ const Element* find_element(std::string_view symbol) {
 
 const Element& unknown_element() { return unknown; }
 
-const Element& element_of_number(std::int64_t number) {
-    const auto count = static_cast<std::int64_t>(elements.size());
-    return number < 1 || number > count ? unknown : elements[static_cast<std::size_t>(number - 1)];
-}
-
 const Element& element_of_species(std::string_view species) {
     std::size_t letters = 0;
     while (letters < species.size() && is_letter(species[letters])) ++letters;
     if (letters == 0) {
-        std::int64_t number = 0;
-        return element_of_number(parse_whole(species, number) ? number : 0);
+        std::uint8_t number = 0;
+        return parse_whole(species, number) && number >= 1 && number <= elements.size() ? elements[number - 1U] : unknown;
     }
     const Element* element = find_element(species.substr(0, letters));
     if (element == nullptr && letters == 2) element = find_element(species.substr(0, 1));

@@ -1,7 +1,6 @@
 // The usual colours and radii of the chemical elements.
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 
 #include "scene/sphere.hpp"
@@ -19,9 +18,6 @@ const Element* find_element(std::string_view symbol);
 
 // What is drawn for atoms whose element is not known.
 const Element& unknown_element();
-
-// By its atomic number.
-const Element& element_of_number(std::int64_t number);
 
 // What files call an atom: a symbol, a symbol with more behind its letters ("C1", "Fe2+", "O_w"), two letters of which the first
 // is a symbol ("OW", "CG1"), or an atomic number. Else the unknown element.

@@ -1,7 +1,5 @@
 #include "formats/lines.hpp"
 
-#include <algorithm>
-
 #include "base/error.hpp"
 
 namespace sphereview {

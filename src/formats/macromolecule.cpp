@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/text.hpp"
-#include "formats/lines.hpp"
 
 namespace sphereview {
 
@@ -68,8 +67,9 @@ bool shows_mmcif(std::string_view head) {
 }
 
 void fail_without_atoms(const TextSource& source, const std::string& expected) {
-    source.fail(source.text.size(),
-                (trimmed(source.text, white_space).empty() ? "the text is empty, expected " : "the text ends, expected ") + expected);
+    source.fail(
+        source.text.size(),
+        (trimmed(source.text, white_space).empty() ? "the text is empty, expected " : "the text ends, expected ") + expected);
 }
 
 }  // namespace sphereview

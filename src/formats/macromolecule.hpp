@@ -1,7 +1,6 @@
 // What PDB and mmCIF have in common: atoms of residues of chains, some of them in alternative places.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>

@@ -1,12 +1,13 @@
-// mmCIF (PDBx), read by gemmi into its document. The document keeps the lines of tables, but not those of values.
+// mmCIF (PDBx), read by gemmi into its document. The document keeps the lines of tables, but not those of values. gemmi's Structure
+// is not made of the document: it has no atom at all where one of seven more columns is missing, and holds every model at once.
 #include <cmath>
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
 #include <optional>
 #include <unordered_map>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"

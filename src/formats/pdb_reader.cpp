@@ -3,8 +3,8 @@
 #include <array>
 #include <gemmi/pdb.hpp>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"

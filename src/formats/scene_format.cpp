@@ -6,7 +6,6 @@
 #include "base/gunzip.hpp"
 #include "base/text.hpp"
 #include "formats/text_format.hpp"
-#include "formats/toml_format.hpp"
 
 namespace sphereview {
 

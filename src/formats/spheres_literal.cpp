@@ -1,4 +1,4 @@
-#include "formats/spheres_literal.hpp"
+#include "formats/sphere_data.hpp"
 
 #include <algorithm>
 

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <exception>
 
-#include "base/available_memory.hpp"
-#include "base/count.hpp"
+#include "base/memory.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "formats/token_reader.hpp"
 
 namespace sphereview {
 

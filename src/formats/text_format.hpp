@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,8 +14,6 @@
 #include "scene/scene.hpp"
 
 namespace sphereview {
-
-class TokenReader;
 
 // Reads a text as it comes in, on all cores. Memory grows with the text, not with the count that the text claims. First each core
 // counts the tokens that begin in its piece; then every piece knows its own spheres, and the pieces are read at once.

@@ -9,9 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "formats/spheres_literal.hpp"
+#include "formats/sphere_data.hpp"
 #include "formats/text_format.hpp"
-#include "formats/toml_format.hpp"
 
 namespace sphereview {
 
@@ -278,7 +277,7 @@ toml::table parse(const TomlText& document) {
 
 }  // namespace
 
-Scene parse_toml(std::string_view content, const std::string& name) {
+SphereData read_toml(std::string_view content, const std::string& name, const DataOptions&) {
     content = without_byte_order_mark(content);
     const auto literal = find_spheres_literal(content);
     if (literal) content = literal->rest;
@@ -300,11 +299,7 @@ Scene parse_toml(std::string_view content, const std::string& name) {
         scene.camera = read_camera(document, *node->as_table());
     }
     read_spheres(document, reader, scene);
-    return scene;
-}
-
-SphereData read_toml(std::string_view content, const std::string& name, const DataOptions&) {
-    return {parse_toml(content, name), 1};
+    return {std::move(scene), 1};
 }
 
 // A table's head, `key =`, or nothing but comments.

@@ -1,10 +1,9 @@
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
 #include "base/text.hpp"
+#include "formats/sphere_data.hpp"
 #include "formats/text_format.hpp"
-#include "formats/toml_format.hpp"
 
 namespace sphereview {
 

@@ -3,14 +3,13 @@
 #include <initializer_list>
 #include <optional>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
 #include "formats/sphere_data.hpp"
-#include "formats/token_reader.hpp"
 
 namespace sphereview {
 

@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "exact/resolve.hpp"
-#include "gpu/program.hpp"
 #include "tiles/pixel_range.hpp"
 
 namespace sphereview {
@@ -118,7 +117,7 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     }
     const DrawnSpheres& spheres = drawn ? *drawn : scene_.drawn();
     const PixelGrid grid{view.size, spheres.size() > most_for_all_pixels ? step : 1};
-    CandidateLists built = build_grid_lists(spheres, view.camera, grid, gpu_tile_costs, EditedLists::spare(grid));
+    CandidateLists built = build_lists(spheres, view.camera, grid, gpu_tile_costs, EditedLists::spare(grid));
     EditedLists lists =
         tables_.take_edits_of(spheres) ? EditedLists(std::move(built), view.camera, grid) : EditedLists(std::move(built));
     const std::vector<std::string> defines = tables_.defines_for(spheres, lists.lists());
@@ -320,7 +319,7 @@ bool LivePicture::is_of(const Document& document) const {
 
 PixelExplanation LivePicture::explain(const Document& document, Pixel pixel) const {
     const Scene& scene = document.scene();
-    if (!is_of(document)) return explain_pixel(scene, view_.camera, view_.size, pixel);
+    if (!is_of(document)) return explain_pixel(scene, drawn_spheres(scene, view_.camera), view_.camera, view_.size, pixel);
     return explain_pixel(scene, scene_.drawn(), view_.camera, view_.size, pixel, lists_for_any_pixel());
 }
 

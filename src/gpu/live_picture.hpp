@@ -13,12 +13,12 @@
 #include "gpu/layouts.hpp"
 #include "gpu/number_target.hpp"
 #include "gpu/outlines.hpp"
+#include "gpu/program.hpp"
 #include "gpu/scene_tables.hpp"
-#include "gpu/shader_source.hpp"
 #include "gpu/shown_colors.hpp"
 #include "image/image.hpp"
+#include "shade/picture_shader.hpp"
 #include "shade/shading.hpp"
-#include "shade/surface.hpp"
 #include "tiles/live_lists.hpp"
 
 namespace sphereview {

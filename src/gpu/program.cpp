@@ -1,11 +1,65 @@
 #include "gpu/program.hpp"
 
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <system_error>
+
 #include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/text.hpp"
 #include "gpu/layouts.hpp"
 
 namespace sphereview {
 
 namespace {
+
+void append_file(const std::string& file, const std::vector<std::string>& defines, const ShaderFiles& files, ShaderSource& source) {
+    if (std::find(source.files.begin(), source.files.end(), file) != source.files.end()) return;
+    std::string_view rest = without_byte_order_mark(files.text(file));
+
+    const std::string number = std::to_string(source.files.size());
+    source.files.push_back(file);
+    if (number != "0") source.text += "#line 1 " + number + "\n";  // nothing may stand before the first file's #version
+
+    constexpr std::string_view include = "#include \"";
+    std::size_t line_number = 0;
+    while (!rest.empty()) {
+        const std::string_view line = take_line(rest);
+        ++line_number;
+        const auto resume = [&] { source.text += "#line " + std::to_string(line_number + 1) + " " + number + "\n"; };
+        if (line.starts_with(include)) {
+            const std::string_view name = line.substr(include.size(), line.rfind('"') - include.size());
+            append_file(std::string(name), {}, files, source);
+            resume();
+        } else if (line.starts_with("#version")) {
+            source.text.append(line) += '\n';
+            for (const std::string& define : defines) source.text += "#define " + define + "\n";
+            resume();
+        } else {
+            source.text.append(line) += '\n';
+        }
+    }
+}
+
+// A line of a log, with the place that it begins with named, perhaps behind a word. Mesa: "0:12(5): error"; NVIDIA:
+// "0(12) : error"; Apple, AMD: "ERROR: 0:12:".
+std::string name_file_in_line(std::string_view line, const std::vector<std::string>& files) {
+    constexpr std::string_view behind_word = ": ";
+    const std::size_t word = line.find(behind_word);
+    const bool has_word = word != std::string_view::npos && line.find_first_of("0123456789") > word;
+    const std::string_view place = line.substr(has_word ? word + behind_word.size() : 0);
+    const char* const end = line.data() + line.size();
+    std::size_t file = 0;
+    std::size_t number = 0;
+    const auto [separator, no_file] = std::from_chars(place.data(), end, file);
+    if (no_file != std::errc{} || separator == end || (*separator != ':' && *separator != '(') || file >= files.size())
+        return std::string(line);
+    auto [rest, no_number] = std::from_chars(separator + 1, end, number);
+    if (no_number != std::errc{}) return std::string(line);
+    if (*separator == '(' && rest != end && *rest == ')') ++rest;
+    return std::string(line.data(), place.data()) + files[file] + ":" + std::to_string(number) + std::string(rest, end);
+}
 
 Shader compile(GLenum stage, std::string_view file, const std::vector<std::string>& defines, const ShaderFiles& files) {
     const ShaderSource source = assemble_shader(file, defines, files);
@@ -46,6 +100,40 @@ void check_draw_layout(GLuint program, std::string_view file) {
 }
 
 }  // namespace
+
+ShaderFiles::ShaderFiles(const std::string& folder) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string extension = entry->path().extension().string();
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with('.')) continue;  // an editor's
+        if (extension != ".vert" && extension != ".frag" && extension != ".glsl") continue;
+        read_[name] = InputFile(entry->path().string()).bytes();
+    }
+    if (error) throw InputError(folder + ": cannot read the shaders in it: " + error.message());
+    if (read_.empty()) throw InputError(folder + ": no shaders in it, expected files like trace.frag");
+}
+
+std::string_view ShaderFiles::text(std::string_view file) const {
+    if (const auto found = read_.find(file); found != read_.end()) return found->second;
+    const auto& embedded = embedded_shaders();
+    const auto found = embedded.find(file);
+    if (found == embedded.end()) throw RenderError("the shader file '" + std::string(file) + "' is missing");
+    return found->second;
+}
+
+ShaderSource assemble_shader(std::string_view file, const std::vector<std::string>& defines, const ShaderFiles& files) {
+    ShaderSource source;
+    append_file(std::string(file), defines, files, source);
+    return source;
+}
+
+std::string name_files_in_log(std::string_view log, const std::vector<std::string>& files) {
+    std::string named;
+    while (!log.empty()) named += name_file_in_line(take_line(log), files) + "\n";
+    return named;
+}
 
 Program make_program(std::string_view fragment_file, const std::vector<std::string>& defines, const ShaderFiles& files) {
     const Shader vertex = compile(GL_VERTEX_SHADER, "fullscreen.vert", defines, files);

@@ -1,14 +1,45 @@
-// GL programs made from shader files.
+// GL programs made from shader files: GLSL as written, with `#include "FILE"`, which GL does not have.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "gpu/gl_object.hpp"
-#include "gpu/shader_source.hpp"
 
 namespace sphereview {
+
+// The shaders in the program, by file name. Made from shaders/ by the build.
+const std::map<std::string, std::string_view, std::less<>>& embedded_shaders();
+
+// The shaders to compile, by file name: those in the program, or, of a folder that a person edits, the files it has; what it lacks
+// is the program's own, so that a folder with one changed file is enough.
+class ShaderFiles {
+public:
+    ShaderFiles() = default;
+    // Reads all files of the folder that may be shaders (.vert, .frag, .glsl). Throws InputError.
+    explicit ShaderFiles(const std::string& folder);
+
+    // Throws RenderError when there is no such file. Valid as long as this object.
+    std::string_view text(std::string_view file) const;
+
+private:
+    std::map<std::string, std::string, std::less<>> read_;
+};
+
+// A shader ready for GL, and the files that it came from: source string number i of a log is files[i].
+struct ShaderSource {
+    std::string text;
+    std::vector<std::string> files;
+};
+
+// The shader `file` with its includes, each at most once, and `defines` ("NAME VALUE") after its #version.
+// Throws RenderError when a file is missing.
+ShaderSource assemble_shader(std::string_view file, const std::vector<std::string>& defines, const ShaderFiles& files = {});
+
+// A compiler's log with its "0:12" or "0(12)" turned into "trace.frag:12".
+std::string name_files_in_log(std::string_view log, const std::vector<std::string>& files);
 
 // Compiles and links fullscreen.vert with `fragment_file`, binds its uniform blocks, and checks their layout against
 // gpu/layouts.hpp. Throws RenderError with the log, which names the file and line as written.

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "base/text.hpp"
-#include "shade/id_color.hpp"
 
 namespace sphereview {
 

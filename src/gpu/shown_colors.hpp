@@ -27,8 +27,6 @@ public:
     // Uploads what is not uploaded yet.
     void upload(SceneTables& tables);
 
-    std::span<const ShownColor> all() const { return colors_; }
-
 private:
     void change(std::size_t index, const ShownColor& color);
 

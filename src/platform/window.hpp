@@ -95,8 +95,6 @@ public:
     struct Extent {
         int width = 0;
         int height = 0;
-
-        bool operator==(const Extent&) const = default;
     };
     Extent extent() const;         // in screen coordinates
     Extent framebuffer() const;    // in pixels; 0 x 0 when minimised

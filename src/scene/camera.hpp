@@ -1,6 +1,7 @@
 // The eye, the screen and the ray through each pixel.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -69,5 +70,17 @@ struct RayCoefficients {
 constexpr RayCoefficients ray_coefficients(PictureSize size, Pixel pixel) {
     return {2LL * pixel.x + 1 - size.width, size.height - 1 - 2LL * pixel.y};
 }
+
+// Anti-aliasing: a pixel is the average of points on a regular grid in it. How many points it may have; the first is the default.
+inline constexpr std::array<int, 3> sample_counts = {1, 4, 16};
+inline constexpr const char* sample_counts_text = "1, 4 or 16";
+
+// Of the grid in a pixel: samples = side x side.
+constexpr int sample_side(int samples) { return samples == 16 ? 4 : samples == 4 ? 2 : 1; }
+
+// The points of a picture are, exactly, the centres of the pixels of the same camera's picture of `side` times the size: point
+// (i, j) of pixel (x, y) is pixel (side x + i, side y + j) there, and m and the rays' coefficients scale alike.
+// So whatever holds for pixels holds for points.
+constexpr PictureSize sampled_size(PictureSize size, int side) { return {size.width * side, size.height * side}; }
 
 }  // namespace sphereview

@@ -1,7 +1,9 @@
-// What is drawn.
+// What is drawn, and how much room it takes up.
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <map>
 #include <string>
 #include <string_view>
@@ -41,5 +43,36 @@ struct Scene {
 
     bool operator==(const Scene&) const = default;
 };
+
+// What the spheres that are not hidden take up. Of an empty scene: what the default screen shows at z = 200.
+struct SceneBounds {
+    glm::dvec3 low{-100.0, -100.0, 100.0};
+    glm::dvec3 high{100.0, 100.0, 300.0};
+    double largest_radius = 20.0;
+
+    glm::dvec3 middle() const { return 0.5 * low + 0.5 * high; }
+    // The longest side, but not less than the largest sphere: more than 0, and finite.
+    double extent() const;
+};
+
+SceneBounds bounds_of(const Scene& scene);
+
+// Whether values are the same bit for bit; with ==, -0 equals 0, and a file tells them apart.
+inline bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+inline bool same_bits(const glm::dvec3& a, const glm::dvec3& b) {
+    return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
+
+// What decides which pixels a sphere may take.
+inline bool same_geometry(const Sphere& a, const Sphere& b) {
+    return same_bits(a.center, b.center) && same_bits(a.radius, b.radius) && a.hidden == b.hidden;
+}
+
+inline bool same_bits(const Sphere& a, const Sphere& b) { return same_geometry(a, b) && a.color == b.color; }
+
+inline bool same_bits(const Camera& a, const Camera& b) {
+    return same_bits(a.eye, b.eye) && same_bits(a.center, b.center) && same_bits(a.right, b.right) && same_bits(a.up, b.up);
+}
 
 }  // namespace sphereview

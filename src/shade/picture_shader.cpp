@@ -5,17 +5,56 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
+#include <limits>
+#include <mutex>
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
-#include "shade/id_color.hpp"
-#include "shade/shade.hpp"
+#include "exact/exact_decision.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
 namespace {
 
 constexpr std::size_t most_at_once = 64;  // pixels
+
+constexpr std::size_t spheres_at_once = 4096;
+constexpr double smallest_radius = 1e-300;  // its inverse is finite
+constexpr double narrowest = 1.0 + 1.0 / 256.0;
+
+// The squares must neither over- nor underflow.
+double length(const glm::dvec3& v) {
+    const double most = largest_of(v);
+    if (most == 0.0) return 0.0;
+    if (most > 1e-120 && most < 1e120) return std::sqrt(dot(v, v));
+    const glm::dvec3 u = v / most;
+    return most * std::sqrt(dot(u, u));
+}
+
+// A distance from the eye that would not overflow.
+glm::dvec3 from_eye(const glm::dvec3& point, const glm::dvec3& eye) {
+    return {shading_scale * point.x - shading_scale * eye.x, shading_scale * point.y - shading_scale * eye.y,
+            shading_scale * point.z - shading_scale * eye.z};
+}
+
+// A sphere as its pixels need it.
+struct ShadedSphere {
+    glm::dvec3 center;  // relative to the eye
+    double radius;
+    double inverse_radius;
+    double side;  // 1: the eye is outside and sees the near root; -1: inside or on the surface, the far one
+};
+
+ShadedSphere shaded_sphere(const Sphere& sphere, const glm::dvec3& eye) {
+    ShadedSphere shaded{};
+    shaded.center = from_eye(sphere.center, eye);
+    shaded.radius = std::max(shading_scale * sphere.radius, smallest_radius);
+    shaded.inverse_radius = 1.0 / shaded.radius;
+    shaded.side = eye_side(sphere, eye) == EyeSide::outside ? 1.0 : -1.0;
+    return shaded;
+}
 
 // A row's rays that meet one sphere, and what is asked of the hits.
 struct Span {
@@ -77,7 +116,42 @@ std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::floor
 
 std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(std::floor(channel * factor + 0.5)); }
 
+// Fills `count` pixels from `out` on with the `channels` bytes of `pixel`; doubling, because most runs are long.
+void fill(std::uint8_t* out, std::size_t count, const std::uint8_t* pixel, std::size_t channels) {
+    const std::size_t size = count * channels;
+    std::memcpy(out, pixel, 3);  // of a known size: no call
+    if (channels == 4) out[3] = pixel[3];
+    for (std::size_t done = channels; done < size; done *= 2) std::memcpy(out + done, out, std::min(done, size - done));
+}
+
 }  // namespace
+
+DepthRange depth_range(const Scene& scene, const glm::dvec3& eye) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    DepthRange range{none, 0.0};
+    std::mutex joining;
+    parallel_pieces(scene.spheres.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+        DepthRange part{none, 0.0};
+        for (std::size_t i = begin; i < end; ++i) {
+            const Sphere& sphere = scene.spheres[i];
+            if (sphere.hidden) continue;
+            const double distance = length(from_eye(sphere.center, eye));
+            const double radius = shading_scale * sphere.radius;
+            // From outside no hit is beyond the silhouette, which is nearer than the centre.
+            part.nearest = std::min(part.nearest, std::fabs(distance - radius));
+            part.farthest = std::max(part.farthest, distance < radius ? distance + radius : distance);
+        }
+        const std::lock_guard lock(joining);
+        range = {std::min(range.nearest, part.nearest), std::max(range.farthest, part.farthest)};
+    });
+    if (range.nearest == none) return {};
+    range.farthest = std::max(range.farthest, std::min(range.nearest, 1e308) * narrowest);
+    return range;
+}
+
+Image make_picture(PictureSize size, const Background& background) {
+    return {size.width, size.height, background.transparent ? 4 : 3};
+}
 
 PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading,
                              const Background& background)
@@ -91,7 +165,6 @@ PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSi
 }
 
 void PictureShader::shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin) const {
-    if (shading_ == Shading::flat) return shade_flat(scene_, background_, block, visible, picture, origin);
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     const auto width = static_cast<std::size_t>(block.width);
     parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
@@ -102,65 +175,61 @@ void PictureShader::shade(const Block& block, std::span<const std::int32_t> visi
 }
 
 Color PictureShader::color(Pixel pixel, std::int32_t visible) const {
-    if (visible < 0) return background_.color;
-    if (shading_ == Shading::flat) return scene_.spheres[static_cast<std::size_t>(visible)].color;
     std::array<std::uint8_t, 3> bytes{};
     shade_row(pixel.x, pixel.y, {&visible, 1}, bytes.data(), bytes.size());
     return {bytes[0], bytes[1], bytes[2]};
 }
 
 void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visible, std::uint8_t* out, std::size_t channels) const {
-    const auto put = [&](std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t alpha) {
-        const std::array<std::uint8_t, 4> pixel = {r, g, b, alpha};
-        std::copy_n(pixel.data(), channels, out);
-        out += channels;
-    };
     const double upward = static_cast<double>(ray_coefficients(size_, {x, y}).upward);
     Span span;
     span.first = {rays_.forward.x + upward * rays_.up.x, rays_.forward.y + upward * rays_.up.y,
                   rays_.forward.z + upward * rays_.up.z};
     span.right = rays_.right;
     Hits hits;
-    std::int32_t last = visible_background;
-    for (std::size_t i = 0; i < visible.size();) {
-        const std::int32_t number = visible[i];
-        std::size_t end = i + 1;
-        while (end < visible.size() && end - i < most_at_once && visible[end] == number) ++end;
-        const std::size_t count = end - i;
-        if (number < 0) {
-            const Color& color = background_.color;
-            for (; i < end; ++i) put(color.r, color.g, color.b, background_.transparent ? 0 : 255);
+    const auto color_of = [&](const Sphere& sphere, std::size_t k) -> Color {
+        if (shading_ == Shading::normal) {
+            const auto along = [&](const glm::dvec3& axis) {
+                return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
+            };
+            return {along(axes_.right), along(axes_.up), along(-axes_.ahead)};
+        }
+        const double depth = between_0_and_1((hits.distance[k] - range_.nearest) * inverse_range_);
+        if (shading_ == Shading::depth) {
+            const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
+            return {grey, grey, grey};
+        }
+        const double light = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
+        return {times(sphere.color.r, light), times(sphere.color.g, light), times(sphere.color.b, light)};
+    };
+    const bool of_numbers = !depends_on_hit(shading_);
+    for (auto run = visible.begin(); run != visible.end();) {
+        const std::int32_t number = *run;
+        const auto end = std::find_if(run, visible.end(), [=](std::int32_t other) { return other != number; });
+        if (of_numbers || number < 0) {
+            const auto count = static_cast<std::size_t>(end - run);
+            const Color color = number < 0                ? background_.color
+                                : shading_ == Shading::id ? id_color(static_cast<std::uint32_t>(number))
+                                                          : scene_.spheres[static_cast<std::size_t>(number)].color;
+            const bool clear = number < 0 && background_.transparent;
+            const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, clear ? std::uint8_t{0} : std::uint8_t{255}};
+            fill(out, count, pixel.data(), channels);
+            out += count * channels;
+            run = end;
             continue;
         }
         const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
-        if (shading_ == Shading::id) {
-            const Color color = id_color(static_cast<std::uint32_t>(number));
-            for (; i < end; ++i) put(color.r, color.g, color.b, 255);
-            continue;
-        }
-        if (number != last) span.sphere = shaded_sphere(sphere, eye_);
-        last = number;
-        span.across = static_cast<double>(ray_coefficients(size_, {x + static_cast<int>(i), y}).across);
-        span.count = count;
-        find_hits(span, hits);
-        for (std::size_t k = 0; k < count; ++k) {
-            if (shading_ == Shading::normal) {
-                const auto along = [&](const glm::dvec3& axis) {
-                    return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
-                };
-                put(along(axes_.right), along(axes_.up), along(-axes_.ahead), 255);
-                continue;
+        span.sphere = shaded_sphere(sphere, eye_);
+        for (; run != end; run += static_cast<std::ptrdiff_t>(span.count)) {
+            span.across = static_cast<double>(ray_coefficients(size_, {x + static_cast<int>(run - visible.begin()), y}).across);
+            span.count = std::min(static_cast<std::size_t>(end - run), most_at_once);
+            find_hits(span, hits);
+            for (std::size_t k = 0; k < span.count; ++k, out += channels) {
+                const Color color = color_of(sphere, k);
+                const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, 255};
+                std::copy_n(pixel.data(), channels, out);
             }
-            const double depth = between_0_and_1((hits.distance[k] - range_.nearest) * inverse_range_);
-            if (shading_ == Shading::depth) {
-                const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
-                put(grey, grey, grey, 255);
-                continue;
-            }
-            const double light = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
-            put(times(sphere.color.r, light), times(sphere.color.g, light), times(sphere.color.b, light), 255);
         }
-        i = end;
     }
 }
 

@@ -1,23 +1,41 @@
-// Any shading of a picture, on the CPU: an export's pixels.
+// Any shading of a picture, on the CPU: an export's pixels. Twin: shaders/surface.frag.
 #pragma once
 
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 
+#include "exact/rays.hpp"
 #include "exact/visible.hpp"
 #include "image/image.hpp"
+#include "scene/scene.hpp"
 #include "shade/shading.hpp"
-#include "shade/surface.hpp"
 
 namespace sphereview {
 
+// An image for a scene's picture: RGBA where the background is transparent, else RGB.
+Image make_picture(PictureSize size, const Background& background);
+
+// Lengths of hits are eighths of the scene's, so that no sum or difference of its doubles overflows.
+inline constexpr double shading_scale = 0.125;
+
+// What the hits of a scene lie between, seen from an eye: the same in every direction that it may look.
+struct DepthRange {
+    double nearest = 0.0;
+    double farthest = 1.0;
+
+    bool operator==(const DepthRange&) const = default;
+};
+
+// Of all spheres that are not hidden. At least 1/256 of `farthest` wide: narrower, float could not tell what lies where.
+DepthRange depth_range(const Scene& scene, const glm::dvec3& eye);
+
 // The bytes are the same on every machine and of every compiler: double precision, only
-// + - * / and square roots, never contracted or reordered. What a colour is made of is in docs/shading.md.
+// + - * / and square roots, never contracted or reordered; flat colours are what the scene says, byte for byte. What a colour is
+// made of is in docs/shading.md.
 class PictureShader {
 public:
-    // Of the scene as its own camera sees it, or another one. The scene must outlive it.
-    PictureShader(const Scene& scene, PictureSize size, Shading shading, const Background& background)
-        : PictureShader(scene, scene.camera, size, shading, background) {}
+    // Of the scene as the camera sees it. The scene must outlive it.
     PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading, const Background& background);
 
     // Colours one block of the picture from its visible spheres (scene numbers or visible_background), row by row. `picture` may be

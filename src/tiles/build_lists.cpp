@@ -9,8 +9,6 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/uninitialized.hpp"
-#include "tiles/listing.hpp"
-#include "tiles/pixel_range.hpp"
 #include "tiles/tile_plan.hpp"
 
 namespace sphereview {
@@ -129,13 +127,9 @@ TilePlan plan_by_sample(const DrawnSpheres& spheres, const PixelPlanes& planes, 
 
 }  // namespace
 
-CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs) {
-    return build_grid_lists(spheres, camera, {size, 1}, costs);
-}
-
 // Ranges and tiles count texels of the grid; the end of the function turns them into pixels.
-CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
-                                std::size_t spare) {
+CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
+                           std::size_t spare) {
     CandidateLists lists;
     if (spheres.size() == 0) return lists;
     const PixelPlanes planes(camera, grid.picture);

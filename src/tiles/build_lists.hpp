@@ -7,7 +7,7 @@
 #include "exact/candidates.hpp"
 #include "exact/drawn.hpp"
 #include "scene/camera.hpp"
-#include "tiles/pixel_grid.hpp"
+#include "tiles/pixel_range.hpp"
 
 namespace sphereview {
 
@@ -26,11 +26,9 @@ inline constexpr std::size_t bytes_to_draw_a_sphere = 90;
 
 // The lists of a picture, built with all cores. Their sum is bounded: a sphere that covers many tiles goes to a level of
 // larger ones. Throws RenderError when they are too long all the same: billions of spheres.
-CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, PictureSize size, const TileCosts& costs);
-
-// The lists for the pixels that a grid traces, and only for those pixels: most of many small spheres lie between their rays.
-// `spare`: for so many more candidates the memory is reserved.
-CandidateLists build_grid_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
-                                std::size_t spare = 0);
+// They are for the pixels that the grid traces, and only for those: most of many small spheres lie between the rays of a coarse
+// one. `spare`: for so many more candidates the memory is reserved.
+CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, const PixelGrid& grid, const TileCosts& costs,
+                           std::size_t spare = 0);
 
 }  // namespace sphereview

@@ -1,8 +1,5 @@
 #include "tiles/edited_lists.hpp"
 
-#include <algorithm>
-#include <utility>
-
 namespace sphereview {
 
 namespace {

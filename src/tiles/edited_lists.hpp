@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "exact/candidates.hpp"
-#include "tiles/listing.hpp"
-#include "tiles/pixel_grid.hpp"
 #include "tiles/pixel_range.hpp"
 #include "tiles/tile_plan.hpp"
 
@@ -35,7 +33,7 @@ public:
     EditedLists() = default;
     // Lists that take no edits.
     explicit EditedLists(CandidateLists built) : lists_(std::move(built)) {}
-    // `built`: build_grid_lists() of the camera and grid, with spare() candidates to spare.
+    // `built`: build_lists() of the camera and grid, with spare() candidates to spare.
     EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid);
 
     // The candidates of all loose spheres of a picture.

@@ -2,8 +2,8 @@
 // listed only where a ray can hit it. Derivation: docs/exactness.md, "Tiles".
 #pragma once
 
-#include <array>
-#include <cstddef>
+#include <algorithm>
+#include <bit>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -12,6 +12,54 @@
 #include "scene/camera.hpp"
 
 namespace sphereview {
+
+// The coarse grid that stands for a picture while it moves. One pixel of each step x step pixels is traced: a texel of the grid.
+// `step` is a power of two, 1 for the picture itself. A camera that moves through many spheres makes lists for the traced pixels
+// alone: most small spheres are missed by all of them, so that lists, uploads and drawing shrink with the grid.
+struct PixelGrid {
+    PictureSize picture;
+    int step = 1;
+
+    // A picture itself is the grid of its pixels.
+    PixelGrid(PictureSize of = {}, int traced_step = 1) : picture(of), step(traced_step) {}
+
+    int shift() const { return std::countr_zero(static_cast<unsigned>(step)); }
+    PictureSize size() const { return {side(picture.width), side(picture.height)}; }
+
+    // The column of the pixel that is traced for a column of texels; the same for rows. Twin: shaders/trace.frag.
+    int traced_column(int texel) const { return traced(texel, picture.width); }
+    int traced_row(int texel) const { return traced(texel, picture.height); }
+
+    // The texels whose pixels are in the range.
+    PixelRange texels(const PixelRange& pixels) const {
+        return {first(pixels.left), first(pixels.top), last(pixels.right, picture.width), last(pixels.bottom, picture.height)};
+    }
+
+    // The pixels for which these texels stand.
+    PixelRange pixels(const PixelRange& texels) const {
+        if (texels.empty()) return {};
+        return {texels.left * step, texels.top * step, std::min((texels.right + 1) * step, picture.width) - 1,
+                std::min((texels.bottom + 1) * step, picture.height) - 1};
+    }
+
+private:
+    int side(int count) const { return (count + step - 1) / step; }
+    int traced(int texel, int count) const { return std::min(texel * step + step / 2, count - 1); }
+    int first(int pixel) const { return (pixel - step / 2 + step - 1) >> shift(); }
+    // At the picture's edge the last texel's pixel may be nearer than a step.
+    int last(int pixel, int count) const { return pixel == count - 1 ? side(count) - 1 : (pixel - step / 2) >> shift(); }
+};
+
+// The rays of all pixels with number i on this axis lie in the plane through the eye with the normal base + a step,
+// a = 2i + 1 - count, which points towards greater i.
+struct PixelAxis {
+    glm::dvec3 base{0.0};
+    glm::dvec3 step{0.0};
+    double base_base = 0.0;  // the scalar products, for the length of the normal
+    double base_step = 0.0;
+    double step_step = 0.0;
+    int count = 0;
+};
 
 // The planes through the eye and the pixels' centres, column by column and row by row.
 class PixelPlanes {
@@ -25,50 +73,8 @@ public:
     void ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const;
 
 private:
-    // The rays of all pixels with number i on this axis lie in the plane through the eye with the normal base + a step,
-    // a = 2i + 1 - count, which points towards greater i.
-    struct Axis {
-        glm::dvec3 base{0.0};
-        glm::dvec3 step{0.0};
-        double base_base = 0.0;  // the scalar products, for the length of the normal
-        double base_step = 0.0;
-        double step_step = 0.0;
-        int count = 0;
-    };
-    // A sphere and the planes of an axis: the product of its centre with the normal of plane i is base + a step; `reach` is
-    // the radius and all errors.
-    struct Product {
-        double base;
-        double step;
-        double reach;
-    };
-    // Positive where the ball lies surely and wholly on the side of smaller (or greater) numbers of a plane.
-    struct Margins {
-        double before;
-        double beyond;
-    };
-    // Whole numbers, kept as doubles: without conversions the compiler can use SIMD.
-    struct Interval {
-        double first;
-        double last;
-    };
-    // Several spheres.
-    static constexpr std::size_t lanes = 64;
-    struct Lanes;
-
-    static Axis make_axis(const glm::dvec3& forward, const glm::dvec3& along, const glm::dvec3& across, int count);
-    static Product product(const Axis& axis, double x, double y, double z, double reach);
-    static Margins margins(const Axis& axis, const Product& ball, double i);
-    // For a ball wholly in front of the eye.
-    static Interval guess(const Axis& axis, const Product& ball);
-    static Interval in_front(const Axis& axis, const Product& ball);
-    static Interval anywhere(const Axis& axis, const Product& ball);
-    static PixelRange range_of(const Interval& columns, const Interval& rows);
-    static void guess_lanes(const Axis& axis, Lanes& balls, std::array<double, lanes>& firsts, std::array<double, lanes>& lasts);
-    void guess_ranges(const glm::vec4* spheres, Lanes& balls) const;
-
-    Axis columns_;
-    Axis rows_;
+    PixelAxis columns_;
+    PixelAxis rows_;
     glm::dvec3 view_{0.0};  // of length 1; every ray has a positive product with it
     bool usable_ = true;    // false: nothing is known, every range is the whole picture
 };

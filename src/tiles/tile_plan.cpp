@@ -1,7 +1,6 @@
 #include "tiles/tile_plan.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 
 namespace sphereview {
 

@@ -7,7 +7,7 @@
 
 #include "exact/resolve.hpp"
 #include "gl/contexts.hpp"
-#include "shade/shade.hpp"
+#include "shade/picture_shader.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
@@ -68,7 +68,7 @@ TEST_P(GpuRendererTest, ShadesAWindowExactlyAsAnExport) {
         const std::vector<std::int32_t> visible = trace(scene, size, whole);
         for (const Background& background : backgrounds) {
             Image expected = make_picture(size, background);
-            shade_flat(scene, background, whole, visible, expected);
+            PictureShader(scene, scene.camera, size, Shading::flat, background).shade(whole, visible, expected);
             const Image shaded = gpu_.shade(scene, drawn_, background);
             ASSERT_EQ(shaded.width(), size.width);
             ASSERT_EQ(shaded.height(), size.height);
@@ -120,7 +120,7 @@ TEST_P(GpuRendererTest, TracesTheSameFromEveryKindOfTexture) {
     // A refusal says the figures, and leaves what was there.
     GpuRenderer small(timings_, {.in_buffer = 100, .side = 64});
     const DrawnSpheres few = drawn_spheres(colorful_scene());
-    const CandidateLists few_lists = build_lists(few, {}, {9, 9}, gpu_tile_costs);
+    const CandidateLists few_lists = build_lists(few, {}, {{9, 9}}, gpu_tile_costs);
     small.upload(few, few_lists, {}, {9, 9}, timings_);
     try {
         small.upload(drawn, lists, scene.camera, size, timings_);

@@ -11,8 +11,8 @@
 #include "gl/contexts.hpp"
 #include "gl/live.hpp"
 #include "gpu/gpu_renderer.hpp"
-#include "shade/shade.hpp"
-#include "tiles/pixel_grid.hpp"
+#include "shade/picture_shader.hpp"
+#include "tiles/pixel_range.hpp"
 
 namespace sphereview::test {
 
@@ -61,7 +61,8 @@ protected:
     // The colours of those numbers.
     static Image colored(const Scene& scene, const View& view, const std::vector<std::int32_t>& numbers) {
         Image image(view.size.width, view.size.height, 4);
-        shade_flat(scene, scene.background, {0, 0, view.size.width, view.size.height}, numbers, image);
+        PictureShader(scene, view.camera, view.size, Shading::flat, scene.background)
+            .shade({0, 0, view.size.width, view.size.height}, numbers, image);
         return image;
     }
 };

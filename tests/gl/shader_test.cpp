@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "gl/contexts.hpp"
 #include "gpu/program.hpp"
-#include "gpu/shader_source.hpp"
 #include "support/folders.hpp"
 #include "support/text_match.hpp"
 

@@ -64,7 +64,7 @@ TEST_P(WindowShading, IsWithinOneOfTheExports) {
         for (const Shading mode : modes) {
             EXPECT_FALSE(picture.update(document, view, 1, mode));
             const Image window = drawn_into_window(picture, document, view, {});
-            const PictureShader shader(scene, view.size, mode, scene.background);
+            const PictureShader shader(scene, scene.camera, view.size, mode, scene.background);
             int worst = 0;
             int spheres = 0;
             for (int y = 0; y < view.size.height; ++y) {

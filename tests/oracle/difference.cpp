@@ -1,6 +1,6 @@
 #include "oracle/difference.hpp"
 
-#include "formats/toml_format.hpp"
+#include "formats/sphere_data.hpp"
 
 namespace sphereview::oracle {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "formats/toml_format.hpp"
+#include "formats/sphere_data.hpp"
 #include "oracle/backends.hpp"
 
 namespace sphereview::oracle {

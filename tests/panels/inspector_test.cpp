@@ -17,7 +17,8 @@ struct HeldPixel {
 class InspectorHarness : private HeldPixel, public PanelHarness {
 public:
     explicit InspectorHarness(const Scene& scene)
-        : HeldPixel{InspectedPixel{{{50, 50}, size, scene.camera, 0}, explain_pixel(scene, scene.camera, size, {50, 50})}},
+        : HeldPixel{InspectedPixel{{{50, 50}, size, scene.camera, 0},
+                                   explain_pixel(scene, drawn_spheres(scene), scene.camera, size, {50, 50})}},
           PanelHarness(drawn(), scene) {}
     InspectorHarness() : PanelHarness(drawn()) {}
     using HeldPixel::pixel;

@@ -1,4 +1,4 @@
-#include "base/available_memory.hpp"
+#include "base/memory.hpp"
 
 #include <gtest/gtest.h>
 

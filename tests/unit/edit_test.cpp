@@ -9,7 +9,7 @@
 #include <random>
 
 #include "edit/document.hpp"
-#include "scene/same_bits.hpp"
+#include "scene/scene.hpp"
 #include "unit/random_edit.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"

@@ -22,6 +22,8 @@ TEST(Elements, AreFoundByTheirSymbolInAnyLetterCase) {
     }
 }
 
+const Element& element_of_number(std::int64_t number) { return element_of_species(std::to_string(number)); }
+
 TEST(Elements, HaveOneSymbolAndOneNumberEach) {
     std::set<std::string_view> symbols;
     for (int number = 1; number <= 118; ++number) {

@@ -1,4 +1,4 @@
-#include "base/freed_memory.hpp"
+#include "base/memory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <random>
 #include <vector>
 
-#include "image/average.hpp"
 #include "image/compare.hpp"
+#include "image/image.hpp"
 
 namespace sphereview {
 

@@ -5,9 +5,9 @@
 #include <sys/stat.h>
 #include <thread>
 
-#include "base/available_memory.hpp"
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
+#include "base/memory.hpp"
 #include "support/gzip.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/message_of.hpp"

@@ -145,7 +145,7 @@ struct Uploaded {
 
 LiveLists built_from(const Scene& scene, const PixelGrid& grid) {
     DrawnSpheres drawn = drawn_spheres(scene);
-    CandidateLists lists = build_grid_lists(drawn, scene.camera, grid, costs, EditedLists::spare(grid));
+    CandidateLists lists = build_lists(drawn, scene.camera, grid, costs, EditedLists::spare(grid));
     return {std::move(drawn), EditedLists(std::move(lists), scene.camera, grid), scene.camera};
 }
 
@@ -229,7 +229,7 @@ TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
             const Pixel pixel{grid.traced_column(static_cast<int>(below(random, static_cast<std::size_t>(grid.size().width)))),
                               grid.traced_row(static_cast<int>(below(random, static_cast<std::size_t>(grid.size().height))))};
             const Scene& scene = document.scene();
-            const PixelExplanation by_scene = explain_pixel(scene, camera, grid.picture, pixel);
+            const PixelExplanation by_scene = explain_pixel(scene, drawn_spheres(scene, camera), camera, grid.picture, pixel);
             expect_the_same_hits(by_scene, explain_pixel(scene, edited->drawn(), camera, grid.picture, pixel, &edited->lists()));
             expect_the_same_hits(by_scene, explain_pixel(scene, edited->drawn(), camera, grid.picture, pixel, nullptr));
             const Resolver by_drawn(scene, edited->drawn(), camera, grid.picture, nullptr);

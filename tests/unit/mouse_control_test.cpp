@@ -1,5 +1,6 @@
 // The mouse in the picture, without a window.
 #include "viewer/mouse_control.hpp"
+#include "unit/projection.hpp"
 
 #include <gtest/gtest.h>
 

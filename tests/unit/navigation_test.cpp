@@ -10,6 +10,7 @@
 #include <ostream>
 
 #include "oracle/random.hpp"
+#include "unit/projection.hpp"
 
 namespace sphereview {
 

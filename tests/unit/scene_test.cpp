@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "oracle/random.hpp"
-#include "scene/bounds.hpp"
 
 namespace sphereview {
 

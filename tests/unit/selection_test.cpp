@@ -6,8 +6,6 @@
 #include <random>
 #include <set>
 
-#include "edit/shared_values.hpp"
-
 namespace sphereview {
 
 namespace {

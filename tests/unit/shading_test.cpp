@@ -9,9 +9,8 @@
 
 #include "exact/drawn.hpp"
 #include "exact/resolve.hpp"
-#include "shade/id_color.hpp"
 #include "shade/picture_shader.hpp"
-#include "shade/shade.hpp"
+#include "shade/shading.hpp"
 
 namespace sphereview {
 namespace {
@@ -53,7 +52,8 @@ std::vector<std::int32_t> visible_in(const Scene& scene, PictureSize of) {
 
 Image shaded(const Scene& scene, PictureSize of, Shading shading) {
     Image picture(of.width, of.height, 3);
-    PictureShader(scene, of, shading, scene.background).shade({0, 0, of.width, of.height}, visible_in(scene, of), picture);
+    PictureShader(scene, scene.camera, of, shading, scene.background)
+        .shade({0, 0, of.width, of.height}, visible_in(scene, of), picture);
     return picture;
 }
 
@@ -145,7 +145,7 @@ TEST(PictureShader, FollowsTheFormulae) {
                 expect_byte(normal.at(x, y)[0], 127.5L * (1 + dot(hit.normal, right)), "normal, right");
                 expect_byte(normal.at(x, y)[1], 127.5L * (1 + dot(hit.normal, up)), "normal, up");
                 expect_byte(normal.at(x, y)[2], 127.5L * (1 + dot(hit.normal, toward)), "normal, toward the eye");
-                const Color one = PictureShader(scene, size, Shading::normal, {}).color({x, y}, number);
+                const Color one = PictureShader(scene, scene.camera, size, Shading::normal, {}).color({x, y}, number);
                 EXPECT_EQ(one, (Color{normal.at(x, y)[0], normal.at(x, y)[1], normal.at(x, y)[2]}));
             }
         }
@@ -159,7 +159,7 @@ TEST(PictureShader, NeverFailsOnExtremeNumbers) {
             Scene scene;
             scene.spheres = {{{far, -far, far}, radius, {255, 255, 255}, false}, {{0, 0, far}, radius, {255, 255, 255}, false}};
             for (const Shading shading : {Shading::headlight, Shading::normal, Shading::depth, Shading::id}) {
-                const PictureShader shader(scene, size, shading, {});
+                const PictureShader shader(scene, scene.camera, size, shading, {});
                 for (const std::int32_t number : {0, 1}) {
                     const Color color = shader.color({31, 17}, number);
                     // Never darker than the ambient light at the far end, nor than the farthest grey.
@@ -175,20 +175,12 @@ TEST(PictureShader, NeverFailsOnExtremeNumbers) {
     }
 }
 
-TEST(PictureShader, FlatIsShadeFlat) {
-    const Scene scene = scene_of(40, 1);
-    const std::vector<std::int32_t> visible = visible_in(scene, size);
-    Image expected(size.width, size.height, 3);
-    shade_flat(scene, scene.background, {0, 0, size.width, size.height}, visible, expected);
-    EXPECT_TRUE(std::ranges::equal(shaded(scene, size, Shading::flat).bytes(), expected.bytes()));
-}
-
 TEST(PictureShader, MakesATransparentBackgroundClearAndSpheresOpaque) {
     const Scene scene = scene_of(1, 1);
     for (const Shading shading : {Shading::headlight, Shading::normal, Shading::depth, Shading::id}) {
         Image picture(2, 1, 4);
         const std::vector<std::int32_t> visible = {visible_background, 0};
-        PictureShader(scene, {2, 1}, shading, {{0, 0, 0}, true}).shade({0, 0, 2, 1}, visible, picture);
+        PictureShader(scene, scene.camera, {2, 1}, shading, {{0, 0, 0}, true}).shade({0, 0, 2, 1}, visible, picture);
         EXPECT_EQ(picture.at(0, 0)[3], 0);
         EXPECT_EQ(picture.at(1, 0)[3], 255);
     }
@@ -202,28 +194,33 @@ Scene red_and_blue() {
     return scene;
 }
 
+void shade_flat(const Scene& scene, const Background& background, const Block& block, const std::vector<std::int32_t>& visible,
+                Image& picture, Pixel origin = {}) {
+    PictureShader(scene, scene.camera, {50, 50}, Shading::flat, background).shade(block, visible, picture, origin);
+}
+
 Bytes flat(const Scene& scene, const Background& background, std::vector<std::int32_t> visible) {
     Image picture = make_picture({static_cast<int>(visible.size()), 1}, background);
     shade_flat(scene, background, {0, 0, picture.width(), 1}, visible, picture);
     return {picture.bytes().begin(), picture.bytes().end()};
 }
 
-TEST(ShadeFlat, GivesEveryColourByteForByte) {
+TEST(FlatShading, GivesEveryColourByteForByte) {
     EXPECT_EQ(flat(red_and_blue(), {}, {0, visible_background, 1}), (Bytes{255, 1, 2, 0, 0, 0, 3, 4, 254}));
     EXPECT_EQ(flat(red_and_blue(), {{9, 8, 7}, false}, {visible_background, 0}), (Bytes{9, 8, 7, 255, 1, 2}));
 }
 
-TEST(ShadeFlat, TakesTheBackgroundItIsGivenNotTheScenes) {
+TEST(FlatShading, TakesTheBackgroundItIsGivenNotTheScenes) {
     Scene scene = red_and_blue();
     scene.background = {{50, 50, 50}, false};
     EXPECT_EQ(flat(scene, {{1, 1, 1}, false}, {visible_background}), (Bytes{1, 1, 1}));
 }
 
-TEST(ShadeFlat, MakesATransparentBackgroundClearAndSpheresOpaque) {
+TEST(FlatShading, MakesATransparentBackgroundClearAndSpheresOpaque) {
     EXPECT_EQ(flat(red_and_blue(), {{0, 0, 0}, true}, {1, visible_background}), (Bytes{3, 4, 254, 255, 0, 0, 0, 0}));
 }
 
-TEST(ShadeFlat, WritesNothingOutsideItsBlock) {
+TEST(FlatShading, WritesNothingOutsideItsBlock) {
     Image picture(4, 3, 3);
     std::ranges::fill(picture.bytes(), std::uint8_t{77});
     const std::vector<std::int32_t> visible = {0, 1};
@@ -236,7 +233,7 @@ TEST(ShadeFlat, WritesNothingOutsideItsBlock) {
     }
 }
 
-TEST(ShadeFlat, PutsABlockIntoAPartOfThePicture) {
+TEST(FlatShading, PutsABlockIntoAPartOfThePicture) {
     Image part(2, 2, 3);
     std::ranges::fill(part.bytes(), std::uint8_t{77});
     shade_flat(red_and_blue(), {}, {11, 20, 1, 2}, std::vector<std::int32_t>{0, 1}, part, {10, 20});

@@ -211,7 +211,7 @@ TEST(CandidateLists, OfAGridGiveItsPixelsWhatAllSpheresGive) {
             const DrawnSpheres drawn = drawn_spheres(scene);
             for (const int step : {2, 8}) {
                 const PixelGrid grid{size, step};
-                expect_lists_enough(build_grid_lists(drawn, scene.camera, grid, fine), scene, drawn, grid, 1);
+                expect_lists_enough(build_lists(drawn, scene.camera, grid, fine), scene, drawn, grid, 1);
             }
         }
     }
@@ -220,9 +220,9 @@ TEST(CandidateLists, OfAGridGiveItsPixelsWhatAllSpheresGive) {
 TEST(CandidateLists, AreTheSameEachTime) {
     const Scene scene = cloud(20'000, 2.0, 8);
     const DrawnSpheres drawn = drawn_spheres(scene);
-    const CandidateLists first = build_lists(drawn, scene.camera, {500, 500}, fine);
+    const CandidateLists first = build_lists(drawn, scene.camera, {{500, 500}}, fine);
     for (int round = 0; round < 5; ++round) {
-        const CandidateLists again = build_lists(drawn, scene.camera, {500, 500}, fine);
+        const CandidateLists again = build_lists(drawn, scene.camera, {{500, 500}}, fine);
         ASSERT_EQ(again.begins, first.begins);
         ASSERT_TRUE(again.candidates == first.candidates && again.levels == first.levels);
     }
@@ -236,7 +236,7 @@ TEST(CandidateLists, StayInProportionToTheSpheres) {
         for (const std::int64_t budget : {std::int64_t{0}, fine.shared_budget}) {
             TileCosts costs = fine;
             costs.shared_budget = budget;
-            const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, costs);
+            const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {{1000, 1000}}, costs);
             EXPECT_LE(lists.candidates.size(), std::max(16U * scene.spheres.size(), static_cast<std::size_t>(budget))) << radius;
             EXPECT_LE(lists.levels.size(), most_tile_levels);
         }
@@ -245,17 +245,17 @@ TEST(CandidateLists, StayInProportionToTheSpheres) {
 
 TEST(CandidateLists, AdaptToTheSceneAndTheGrid) {
     const auto finest = [](const Scene& scene) {
-        const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {1000, 1000}, fine);
+        const CandidateLists lists = build_lists(drawn_spheres(scene), scene.camera, {{1000, 1000}}, fine);
         return lists.levels.back().shift;
     };
     EXPECT_GT(finest(cloud(4, 50.0, 9)), finest(cloud(100'000, 0.2, 9)));
-    const CandidateLists none = build_lists({}, {}, {10, 10}, fine);
+    const CandidateLists none = build_lists({}, {}, {{10, 10}}, fine);
     EXPECT_TRUE(none.levels.empty() && none.candidates.empty());
     // A grid's leave out what lies between its rays.
     const Scene scene = cloud(20'000, 0.3, 12);
     const DrawnSpheres drawn = drawn_spheres(scene);
-    const std::size_t all = build_lists(drawn, scene.camera, {1000, 1000}, fine).candidates.size();
-    EXPECT_LT(build_grid_lists(drawn, scene.camera, {{1000, 1000}, 8}, fine).candidates.size(), all / 4);
+    const std::size_t all = build_lists(drawn, scene.camera, {{1000, 1000}}, fine).candidates.size();
+    EXPECT_LT(build_lists(drawn, scene.camera, {{1000, 1000}, 8}, fine).candidates.size(), all / 4);
 }
 
 TEST(CandidateLists, SuitPicturesOfAnyShape) {

@@ -1,4 +1,4 @@
-#include "formats/toml_format.hpp"
+#include "formats/sphere_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <string>
 
-#include "formats/spheres_literal.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -14,12 +13,12 @@ namespace sphereview {
 namespace {
 
 std::string message(const std::string& text) {
-    return message_of<InputError>([&] { parse_toml(text, "s.toml"); });
+    return message_of<InputError>([&] { read_toml(text, "s.toml", {}); });
 }
 
 void expect_messages(const std::vector<WrongText>& cases) {
     sphereview::expect_messages(
-        "s.toml", [](const std::string& text) { parse_toml(text, "s.toml"); }, cases);
+        "s.toml", [](const std::string& text) { read_toml(text, "s.toml", {}); }, cases);
 }
 
 // A sphere whose keys are right, for `key`'s line to be replaced by `line` (the file's second to fourth).
@@ -34,7 +33,7 @@ std::string sphere_with(const std::string& key, const std::string& line) {
 }  // namespace
 
 TEST(TomlFormat, ReadsEveryKey) {
-    const Scene scene = parse_toml(R"(
+    const Scene scene = read_toml(R"(
 # Sun and moon.
 background = "#102030"
 
@@ -57,7 +56,8 @@ center = [1e3, 2, 3]
 color = [0, 0x10, 255]
 hidden = false
 )",
-                                   "s.toml");
+                                  "s.toml", {})
+                            .scene;
     Scene expected;
     expected.background = {{16, 32, 48}, false};
     expected.camera = {{1, 2.5, -300}, {1, 2.5, 100}, {7, 0, 0}, {0, 7, 0}};
@@ -69,11 +69,11 @@ hidden = false
 
 TEST(TomlFormat, HasADefaultForEverything) {
     for (const char* text : {"# nothing\n", "[camera]\n", "sphere = []\n", "spheres = '0'\n", "background = 'black'"}) {
-        EXPECT_EQ(parse_toml(text, "s.toml"), Scene{}) << text;
+        EXPECT_EQ(read_toml(text, "s.toml", {}).scene, Scene{}) << text;
     }
     Scene moved;
     moved.camera.eye = {0, 0, -5};
-    EXPECT_EQ(parse_toml("camera.eye = [0, 0, -5]", "s.toml"), moved);
+    EXPECT_EQ(read_toml("camera.eye = [0, 0, -5]", "s.toml", {}).scene, moved);
 }
 
 TEST(TomlFormat, TakesLineEndsAndAByteOrderMark) {
@@ -83,14 +83,14 @@ TEST(TomlFormat, TakesLineEndsAndAByteOrderMark) {
          {"spheres = \"\"\"\n1\n1 2 3\n4 5 6\n7\n\"\"\"\n", "spheres = \"\"\"\r\n1\r\n1 2 3\r\n4 5 6\r\n7\r\n\"\"\"\r\n",
           "\xEF\xBB\xBFspheres = '''1 1 2 3 4 5 6 7'''", "spheres = '1 1 2 3 4 5 6 7'", "spheres = \"1\\n1 2 3\\t4 5 6 7\"",
           "sphere = [{ color = [1, 2, 3], center = [4, 5, 6], radius = 7 }]"}) {
-        EXPECT_EQ(parse_toml(text, "s.toml"), expected) << text;
+        EXPECT_EQ(read_toml(text, "s.toml", {}).scene, expected) << text;
     }
 }
 
 TEST(TomlFormat, ReadsBackgrounds) {
-    EXPECT_EQ(parse_toml("background = 'white'", "s").background, (Background{{255, 255, 255}, false}));
-    EXPECT_EQ(parse_toml("background = 'transparent'", "s").background, (Background{{0, 0, 0}, true}));
-    EXPECT_EQ(parse_toml("background = '#FF8000'", "s").background, (Background{{255, 128, 0}, false}));
+    EXPECT_EQ(read_toml("background = 'white'", "s", {}).scene.background, (Background{{255, 255, 255}, false}));
+    EXPECT_EQ(read_toml("background = 'transparent'", "s", {}).scene.background, (Background{{0, 0, 0}, true}));
+    EXPECT_EQ(read_toml("background = '#FF8000'", "s", {}).scene.background, (Background{{255, 128, 0}, false}));
 }
 
 TEST(TomlFormat, IsWrittenWithoutDefaults) {
@@ -115,7 +115,7 @@ TEST(TomlFormat, HoldsManyPlainSpheresAsText) {
     Scene scene;
     scene.spheres.resize(most_sphere_tables + 1);
     EXPECT_TRUE(write_toml(scene).starts_with("spheres = \"\"\"\n1001\n"));
-    EXPECT_EQ(parse_toml(write_toml(scene), "s.toml"), scene);
+    EXPECT_EQ(read_toml(write_toml(scene), "s.toml", {}).scene, scene);
     scene.spheres.pop_back();
     EXPECT_TRUE(write_toml(scene).starts_with("[[sphere]]\n"));
 }
@@ -132,7 +132,7 @@ TEST(TomlFormat, HoldsManySpheresAsTextWithWhatIsSaidOfSingleOnes) {
     for (const Scene& scene : {named, hidden}) {
         EXPECT_TRUE(write_toml(scene).starts_with("spheres = \"\"\"\n1001\n"));
         EXPECT_EQ(write_toml(scene).find("[[sphere]]"), std::string::npos);
-        EXPECT_EQ(parse_toml(write_toml(scene), "s.toml"), scene);
+        EXPECT_EQ(read_toml(write_toml(scene), "s.toml", {}).scene, scene);
     }
 }
 

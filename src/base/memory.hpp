@@ -1,4 +1,4 @@
-// Whether something large fits in memory, asked before it is begun.
+// Whether something large fits in memory, asked before it is begun, and giving back what is no longer needed.
 #pragma once
 
 #include <cstdint>
@@ -17,5 +17,9 @@ void require_memory(std::uint64_t bytes, const std::string& what);
 
 // "3.1 GB", "20 MB"
 std::string in_bytes(std::uint64_t bytes);
+
+// From now on blocks of megabytes go back to the system when they are freed, for a process that lives long and whose needs come and
+// go. glibc keeps freed blocks of up to 32 MB otherwise; elsewhere this does nothing.
+void return_large_blocks();
 
 }  // namespace sphereview

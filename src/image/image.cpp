@@ -1,9 +1,7 @@
-#include "image/average.hpp"
+#include "image/image.hpp"
 
 #include <array>
 #include <cassert>
-#include <cstddef>
-#include <cstdint>
 
 #include "base/parallel.hpp"
 

@@ -1,9 +1,13 @@
-#include "base/available_memory.hpp"
+#include "base/memory.hpp"
 
 #include <algorithm>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #ifdef __linux__
 #include <sys/resource.h>
@@ -86,6 +90,14 @@ std::string in_bytes(std::uint64_t bytes) {
     constexpr double giga = 1e9;
     const auto value = static_cast<double>(bytes);
     return value < giga ? fixed(value / mega, 0) + " MB" : fixed(value / giga, 1) + " GB";
+}
+
+void return_large_blocks() {
+#ifdef __GLIBC__
+    constexpr int large = 4 << 20;  // bytes; smaller blocks are used again soon, and new pages cost time
+    mallopt(M_MMAP_THRESHOLD, large);
+    mallopt(M_TRIM_THRESHOLD, large);
+#endif
 }
 
 }  // namespace sphereview
