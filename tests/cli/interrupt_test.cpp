@@ -136,7 +136,8 @@ TEST(ProgressBar, IsShownOnATerminalAloneWhenTheWorkIsLong) {
 
 TEST(ProgressBar, CountsPixelsThatAreDecidedExactlyAndGoesAtOnce) {
     const TemporaryFolder folder;
-    Command command = endless_render(folder);
+    folder.write("endless.txt", endless_scene());
+    Command command = cpu_render(folder, {"endless.txt", "-s", endless_size});
     command.errors_to_terminal = true;
     Running program(command);
     EXPECT_TRUE(program.wait_for_errors(" exactly, "));
