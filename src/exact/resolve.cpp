@@ -28,7 +28,7 @@ HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r,
     return {};
 }
 
-constexpr std::size_t cells_at_once = 4;
+constexpr int cells_in_piece = 32;
 constexpr int largest_cell_shift = 3;
 static_assert(1 << 2 * largest_cell_shift == most_lanes);
 
@@ -114,12 +114,16 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
     };
     std::vector<Contest> contests;
     BoundLanes lanes(frame_, size_, pixels);
+    double sure_hit = NearestHits<double>::never;  // in the units of the lists
     for_each_candidate(drawn_, lists_, pixels.front(), [&](std::uint32_t i) {
         const BoundedSphere bounded(sphere(i), camera_.eye, error_scale_);
-        if (const LaneSet contending = lanes.add(i, bounded, drawn_.side(i))) contests.push_back({i, contending});
-        if (lists_ == nullptr) return 0.0;
-        const double sure_hit = lanes.farthest_sure_hit();
-        return drawn_.scale == 0 ? sure_hit : std::ldexp(sure_hit, drawn_.scale);
+        const LaneSet contending = lanes.add(i, bounded, drawn_.side(i));
+        if (contending != 0) {
+            contests.push_back({i, contending});
+            sure_hit = lanes.farthest_sure_hit();
+            if (drawn_.scale != 0) sure_hit = std::ldexp(sure_hit, drawn_.scale);
+        }
+        return sure_hit;
     });
     LaneSet undecided = all;
     for (std::size_t lane = 0; lane < pixels.size(); ++lane) {
@@ -190,57 +194,66 @@ DecisionCounts Resolver::certify(const Block& block, std::span<std::int32_t> vis
                                  const std::function<void(double)>& progress) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     if (visible.empty()) return {};
-    // Cells lie on a grid of the picture, as tiles do.
-    const int left = block.x >> cell_shift_;
-    const int top = block.y >> cell_shift_;
-    const int across = ((block.x + block.width - 1) >> cell_shift_) - left + 1;
-    const int down = ((block.y + block.height - 1) >> cell_shift_) - top + 1;
-    const std::size_t cells = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    // Cells lie on a grid of the picture, as tiles do. Pieces are some cells beside each other, or what the block has of them.
+    const int high = 1 << cell_shift_;
+    const int wide = cells_in_piece << cell_shift_;
+    const int left = block.x / wide;
+    const int top = block.y / high;
+    const int across = (block.x + block.width - 1) / wide - left + 1;
+    const int down = (block.y + block.height - 1) / high - top + 1;
+    const auto pieces = static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
     const auto caller = std::this_thread::get_id();
     std::mutex mutex;
     DecisionCounts all;
     std::size_t done = 0;
-    parallel_pieces(cells, cells_at_once, [&](std::size_t begin, std::size_t end) {
-        DecisionCounts counts;
-        for (std::size_t cell = begin; cell < end; ++cell) {
-            const int x = left + static_cast<int>(cell % static_cast<std::size_t>(across));
-            const int y = top + static_cast<int>(cell / static_cast<std::size_t>(across));
-            counts += certify_cell({x << cell_shift_, y << cell_shift_}, block, visible);
-        }
-        double part = 0.0;
+    parallel_for(pieces, [&](std::size_t piece) {
+        const int x = (left + static_cast<int>(piece) % across) * wide;
+        const int y = (top + static_cast<int>(piece) / across) * high;
+        const int begin_x = std::max(x, block.x);
+        const int begin_y = std::max(y, block.y);
+        const Block part{begin_x, begin_y, std::min(x + wide, block.x + block.width) - begin_x,
+                         std::min(y + high, block.y + block.height) - begin_y};
+        const DecisionCounts counts = certify_piece(part, block, visible);
+        double done_part = 0.0;
         {
             const std::lock_guard lock(mutex);
             all += counts;
-            done += end - begin;
-            part = static_cast<double>(done) / static_cast<double>(cells);
+            done_part = static_cast<double>(++done) / static_cast<double>(pieces);
         }
-        if (progress && std::this_thread::get_id() == caller) progress(part);
+        if (progress && std::this_thread::get_id() == caller) progress(done_part);
     });
     all.in_float = static_cast<std::int64_t>(visible.size()) - all.in_double - all.exactly;
     return all;
 }
 
-DecisionCounts Resolver::certify_cell(Pixel cell, const Block& block, std::span<std::int32_t> visible) const {
+DecisionCounts Resolver::certify_piece(const Block& piece, const Block& block, std::span<std::int32_t> visible) const {
+    const auto number_at = [&](int x, int y) -> std::int32_t& {
+        return visible[static_cast<std::size_t>(y - block.y) * static_cast<std::size_t>(block.width) +
+                       static_cast<std::size_t>(x - block.x)];
+    };
     const bool renumber = !drawn_.numbers.empty();
-    std::array<Pixel, most_lanes> pixels;
-    std::array<std::int32_t*, most_lanes> places{};
-    std::size_t count = 0;
-    const int side = 1 << cell_shift_;
-    for (int y = std::max(cell.y, block.y); y < std::min(cell.y + side, block.y + block.height); ++y) {
-        std::int32_t* row = visible.data() + static_cast<std::ptrdiff_t>(y - block.y) * block.width - block.x;
-        for (int x = std::max(cell.x, block.x); x < std::min(cell.x + side, block.x + block.width); ++x) {
-            if (is_doubtful(row[x])) {
-                pixels[count] = {x, y};
-                places[count++] = row + x;
-            } else if (row[x] >= 0 && renumber) {
-                row[x] = drawn_.numbers[static_cast<std::size_t>(row[x])];
+    std::vector<Pixel> pixels;  // the doubtful ones
+    for (int y = piece.y; y < piece.y + piece.height; ++y) {
+        std::int32_t* row = &number_at(piece.x, y);
+        for (int i = 0; i < piece.width; ++i) {
+            if (is_doubtful(row[i])) {
+                pixels.push_back({piece.x + i, y});
+            } else if (row[i] >= 0 && renumber) {
+                row[i] = drawn_.numbers[static_cast<std::size_t>(row[i])];
             }
         }
     }
-    if (count == 0) return {};
+    // Cell by cell.
+    const auto cell_of = [this](const Pixel& pixel) { return pixel.x >> cell_shift_; };
+    std::ranges::stable_sort(pixels, {}, cell_of);
+    DecisionCounts counts;
     std::array<std::int32_t, most_lanes> numbers{};
-    const DecisionCounts counts = resolve(std::span(pixels).first(count), std::span(numbers).first(count));
-    for (std::size_t i = 0; i < count; ++i) *places[i] = numbers[i];
+    for (std::size_t begin = 0, end = 0; begin < pixels.size(); begin = end) {
+        while (end < pixels.size() && cell_of(pixels[end]) == cell_of(pixels[begin])) ++end;
+        const auto cell = std::span(pixels).subspan(begin, end - begin);
+        counts += resolve(cell, std::span(numbers).first(cell.size()));
+        for (std::size_t i = 0; i < cell.size(); ++i) number_at(cell[i].x, cell[i].y) = numbers[i];
+    }
     return counts;
 }
 

@@ -51,8 +51,8 @@ public:
 private:
     // Resolves some pixels of one cell: at most 64, all in the same tiles. It writes the number for each, and counts.
     DecisionCounts resolve(std::span<const Pixel> pixels, std::span<std::int32_t> numbers) const;
-    // Certifies the pixels of one cell that are in the block.
-    DecisionCounts certify_cell(Pixel cell, const Block& block, std::span<std::int32_t> visible) const;
+    // Certifies a part of the block that is no higher than a cell.
+    DecisionCounts certify_piece(const Block& piece, const Block& block, std::span<std::int32_t> visible) const;
 
     const Sphere& sphere(std::size_t index) const { return scene_.spheres[static_cast<std::size_t>(drawn_.number(index))]; }
 
