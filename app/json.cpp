@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
 
 #include "base/error.hpp"
 #include "base/nesting.hpp"
@@ -10,98 +12,234 @@
 
 namespace sphereview {
 
+// The tree is our own: the library's allocates in its destructor.
+struct Json::Tree {
+    using List = std::vector<Json>;
+    using Members = std::vector<std::pair<std::string, Json>>;
+
+    std::variant<bool, double, std::int64_t, std::string, List, Members> value;
+
+    template <typename Value>
+    static Json of(Value value) {
+        return Json(std::make_shared<Tree>(Tree{std::move(value)}));
+    }
+    // Null for one of another type.
+    template <typename Value>
+    static const Value* in(const Json& json) {
+        return json.tree_ == nullptr ? nullptr : std::get_if<Value>(&json.tree_->value);
+    }
+    // To be changed; null becomes an empty one, and what is shared is copied before.
+    template <typename Value>
+    static Value& changed(Json& json) {
+        if (json.tree_ == nullptr) {
+            json = of(Value());
+        } else if (json.tree_.use_count() > 1) {
+            json.tree_ = std::make_shared<Tree>(*json.tree_);
+        }
+        return std::get<Value>(json.tree_->value);
+    }
+
+    static Json& member(Members& members, const std::string& key) {
+        const auto found = std::ranges::find(members, key, &Members::value_type::first);
+        return found != members.end() ? found->second : members.emplace_back(key, Json()).second;
+    }
+
+    class Builder;
+};
+
+// Makes the tree of what the library's parser finds.
+class Json::Tree::Builder : public nlohmann::json_sax<nlohmann::json> {
+public:
+    Json take() { return std::move(root_); }
+    std::size_t fault() const { return fault_; }
+
+    bool null() override { return add(Json()); }
+    bool boolean(bool value) override { return add(Json(value)); }
+    bool number_integer(std::int64_t value) override { return add(Json(value)); }
+    bool number_unsigned(std::uint64_t value) override {
+        constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
+        return add(value <= most ? Json(static_cast<std::int64_t>(value)) : Json(static_cast<double>(value)));
+    }
+    bool number_float(double value, const std::string&) override { return add(Json(value)); }
+    bool string(std::string& value) override { return add(from_text(value)); }
+    bool binary(nlohmann::json::binary_t&) override { return false; }
+    bool start_object(std::size_t) override { return begin(object()); }
+    bool key(std::string& value) override {
+        open_.back().key = value;
+        return true;
+    }
+    bool end_object() override { return end(); }
+    bool start_array(std::size_t) override { return begin(array()); }
+    bool end_array() override { return end(); }
+    bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception&) override {
+        fault_ = position;
+        return false;
+    }
+
+private:
+    // A list or object that has not ended.
+    struct Open {
+        Json json;
+        std::string key{};  // of the next member
+    };
+
+    bool add(Json value) {
+        if (open_.empty()) {
+            root_ = std::move(value);
+        } else if (auto& [json, key] = open_.back(); json.is_object()) {
+            json.set(key, value);
+        } else {
+            json.push_back(value);
+        }
+        return true;
+    }
+    bool begin(Json json) {
+        open_.push_back({std::move(json)});
+        return true;
+    }
+    bool end() {
+        Json ended = std::move(open_.back().json);
+        open_.pop_back();
+        return add(std::move(ended));
+    }
+
+    Json root_{};
+    std::vector<Open> open_{};
+    std::size_t fault_ = 0;
+};
+
 namespace {
 
-using Value = nlohmann::ordered_json;
-
-std::shared_ptr<void> owned(Value value) { return std::make_shared<Value>(std::move(value)); }
-const Value& shown(const std::shared_ptr<void>& value) { return *static_cast<const Value*>(value.get()); }
-Value& changed(std::shared_ptr<void>& value) {
-    if (value.use_count() > 1) value = owned(shown(value));
-    return *static_cast<Value*>(value.get());
+// A number or a text, as the library writes it.
+template <typename Value>
+std::string in_json(const Value& value) {
+    return nlohmann::json(value).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
 }
 
 }  // namespace
 
-Json::Json(std::nullptr_t) : value_(owned(nullptr)) {}
-Json::Json(bool value) : value_(owned(value)) {}
-Json::Json(double value) : value_(owned(value)) {}
-Json::Json(std::int64_t value) : value_(owned(value)) {}
+Json::Json(std::nullptr_t) {}
+Json::Json(bool value) : Json(Tree::of(value)) {}
+Json::Json(double value) : Json(Tree::of(value)) {}
+Json::Json(std::int64_t value) : Json(Tree::of(value)) {}
 Json::Json(std::initializer_list<Json> values) {
-    const bool members = std::ranges::all_of(values, [](const Json& value) {
-        const Value& pair = shown(value.value_);
-        return pair.is_array() && pair.size() == 2 && pair[0].is_string();
-    });
-    Value whole = members ? Value::object() : Value::array();
+    const auto is_member = [](const Json& value) {
+        const auto* pair = Tree::in<Tree::List>(value);
+        return pair != nullptr && pair->size() == 2 && Tree::in<std::string>(pair->front()) != nullptr;
+    };
+    const bool members = std::ranges::all_of(values, is_member);
+    *this = members ? object() : array();
     for (const Json& value : values) {
-        const Value& part = shown(value.value_);
         if (members) {
-            whole[part[0].get<std::string>()] = part[1];
+            const Tree::List& pair = *Tree::in<Tree::List>(value);
+            set(*Tree::in<std::string>(pair[0]), pair[1]);
         } else {
-            whole.push_back(part);
+            push_back(value);
         }
     }
-    value_ = owned(std::move(whole));
 }
-Json Json::from_text(std::string_view text) { return Json(owned(text)); }
-Json Json::array() { return Json(owned(Value::array())); }
-Json Json::object() { return Json(owned(Value::object())); }
+Json Json::from_text(std::string_view text) { return Tree::of(std::string(text)); }
+Json Json::array() { return Tree::of(Tree::List()); }
+Json Json::object() { return Tree::of(Tree::Members()); }
 Json Json::parse(std::string_view text, const std::string& name) {
     const auto fail = [&](std::size_t offset, const std::string& what) {
         throw InputError(place_in(name, position_at(text, offset)) + what);
     };
     if (const auto deep = find_too_deep(text)) fail(deep->offset, "found values nested deeper than " + std::to_string(most_nested));
-    try {
-        return Json(owned(Value::parse(text)));
-    } catch (const Value::parse_error& error) {
-        fail(error.byte == 0 ? 0 : error.byte - 1, "this is not JSON");
-    }
-    return {};
+    Tree::Builder builder;
+    if (!nlohmann::json::sax_parse(text, &builder)) fail(std::max<std::size_t>(builder.fault(), 1) - 1, "this is not JSON");
+    return builder.take();
 }
 
-bool Json::is_null() const { return shown(value_).is_null(); }
-bool Json::is_object() const { return shown(value_).is_object(); }
+bool Json::is_null() const { return tree_ == nullptr; }
+bool Json::is_object() const { return Tree::in<Tree::Members>(*this) != nullptr; }
 std::optional<bool> Json::boolean() const {
-    const Value& value = shown(value_);
-    return value.is_boolean() ? std::optional(value.get<bool>()) : std::nullopt;
+    const auto* value = Tree::in<bool>(*this);
+    return value != nullptr ? std::optional(*value) : std::nullopt;
 }
 std::optional<double> Json::number() const {
-    const Value& value = shown(value_);
-    return value.is_number() ? std::optional(value.get<double>()) : std::nullopt;
+    if (const auto integer = whole()) return static_cast<double>(*integer);
+    const auto* value = Tree::in<double>(*this);
+    return value != nullptr ? std::optional(*value) : std::nullopt;
 }
 std::optional<std::int64_t> Json::whole() const {
-    const Value& value = shown(value_);
-    constexpr std::uint64_t most = std::numeric_limits<std::int64_t>::max();
-    if (!value.is_number_integer() || (value.is_number_unsigned() && value.get<std::uint64_t>() > most)) return {};
-    return value.get<std::int64_t>();
+    const auto* value = Tree::in<std::int64_t>(*this);
+    return value != nullptr ? std::optional(*value) : std::nullopt;
 }
 std::optional<std::string> Json::text() const {
-    const Value& value = shown(value_);
-    return value.is_string() ? std::optional(value.get<std::string>()) : std::nullopt;
+    const auto* value = Tree::in<std::string>(*this);
+    return value != nullptr ? std::optional(*value) : std::nullopt;
 }
 std::vector<Json> Json::list() const {
-    std::vector<Json> values;
-    if (!shown(value_).is_array()) return values;
-    for (const Value& value : shown(value_)) values.push_back(Json(owned(value)));
-    return values;
+    const auto* values = Tree::in<Tree::List>(*this);
+    return values != nullptr ? *values : std::vector<Json>();
 }
 Json Json::operator[](std::string_view key) const {
-    const auto member = shown(value_).find(std::string(key));
-    return member == shown(value_).end() ? Json() : Json(owned(*member));
+    const auto* members = Tree::in<Tree::Members>(*this);
+    if (members == nullptr) return {};
+    const auto found = std::ranges::find(*members, key, &Tree::Members::value_type::first);
+    return found == members->end() ? Json() : found->second;
 }
 
-void Json::set(std::string_view key, const Json& value) { changed(value_)[std::string(key)] = shown(value.value_); }
-void Json::update(const Json& members) { changed(value_).update(shown(members.value_)); }
-void Json::erase(std::string_view key) { changed(value_).erase(std::string(key)); }
-void Json::push_back(const Json& value) { changed(value_).push_back(shown(value.value_)); }
+void Json::set(std::string_view key, const Json& value) {
+    Tree::member(Tree::changed<Tree::Members>(*this), std::string(key)) = value;
+}
+void Json::update(const Json& members) {
+    if (const auto* others = Tree::in<Tree::Members>(members)) {
+        for (const auto& [key, value] : *others) set(key, value);
+    }
+}
+void Json::erase(std::string_view key) {
+    std::erase_if(Tree::changed<Tree::Members>(*this), [&](const auto& member) { return member.first == key; });
+}
+void Json::push_back(const Json& value) { Tree::changed<Tree::List>(*this).push_back(value); }
 
-std::string Json::dump(int indent) const { return shown(value_).dump(indent, ' ', true, Value::error_handler_t::replace); }
+std::string Json::dump(int indent) const {
+    std::string text;
+    dump_to(text, indent, 0);
+    return text;
+}
+
+void Json::dump_to(std::string& text, int indent, int depth) const {
+    // The parts between brackets, each on a line of its own where there is an indent.
+    const auto parts = [&](char open, char close, const auto& all, const auto& dump_one) {
+        const auto line = [&](int columns) {
+            text += indent < 0 ? "" : '\n' + std::string(static_cast<std::size_t>(columns), ' ');
+        };
+        text += open;
+        for (const auto& part : all) {
+            if (&part != &all.front()) text += ',';
+            line(indent * (depth + 1));
+            dump_one(part);
+        }
+        if (!all.empty()) line(indent * depth);
+        text += close;
+    };
+    if (const auto* list = Tree::in<Tree::List>(*this)) {
+        parts('[', ']', *list, [&](const Json& part) { part.dump_to(text, indent, depth + 1); });
+    } else if (const auto* members = Tree::in<Tree::Members>(*this)) {
+        parts('{', '}', *members, [&](const auto& member) {
+            text += in_json(member.first) + (indent < 0 ? ":" : ": ");
+            member.second.dump_to(text, indent, depth + 1);
+        });
+    } else if (const auto* words = Tree::in<std::string>(*this)) {
+        text += in_json(*words);
+    } else if (const auto* real = Tree::in<double>(*this)) {
+        text += in_json(*real);
+    } else if (const auto value = boolean()) {
+        text += *value ? "true" : "false";
+    } else if (const auto integer = whole()) {
+        text += std::to_string(*integer);
+    } else {
+        text += "null";
+    }
+}
 
 bool is_utf8(std::string_view text) {
     try {
-        static_cast<void>(Value(text).dump());
+        static_cast<void>(nlohmann::json(text).dump());
         return true;
-    } catch (const Value::exception&) {
+    } catch (const nlohmann::json::exception&) {
         return false;
     }
 }

@@ -1,4 +1,4 @@
-// A JSON value, with its members in order. The library behind it is compiled once, in json.cpp.
+// A JSON value, with its members in order. The library that reads and writes it is compiled once, in json.cpp.
 #pragma once
 
 #include <concepts>
@@ -54,10 +54,13 @@ public:
     std::string dump(int indent = -1) const;
 
 private:
-    explicit Json(std::shared_ptr<void> value) : value_(std::move(value)) {}
-    static Json from_text(std::string_view text);
+    struct Tree;
 
-    std::shared_ptr<void> value_;  // the library's; whoever changes a shared one copies it before
+    explicit Json(std::shared_ptr<Tree> tree) : tree_(std::move(tree)) {}
+    static Json from_text(std::string_view text);
+    void dump_to(std::string& text, int indent, int depth) const;
+
+    std::shared_ptr<Tree> tree_;  // null's is none; whoever changes a shared one copies it before
 };
 
 bool is_utf8(std::string_view text);

@@ -286,7 +286,7 @@ toml::table parse(const TomlText& document) {
     }
     require_memory(bytes_of_tree(document.content), document.name + ": its values need");
     try {
-        return toml::parse(document.content, document.name);
+        return toml::parse(document.content);  // without the name, whose copy it makes where nothing may be thrown
     } catch (const toml::parse_error& error) {
         std::string description;
         for (const char c : error.description()) description += c >= ' ' && c <= '~' ? c : '?';

@@ -99,8 +99,8 @@ bool GlContext::is_software() const {
 std::unique_ptr<GlContext> open_osmesa() { return std::make_unique<OsmesaContext>(); }
 
 void require_address_space_for_gl(std::uint64_t beside) {
-    // Measured with Mesa's llvmpipe and 2 threads: it crashes at some limits up to 625 MB. Its libraries take 200 MB; each thread, of
-    // which it starts at most 32, has a stack and a heap of its own.
+    // Measured with Mesa's llvmpipe and 2 threads: it crashes at some limits up to 625 MB. Its libraries take 200 MB; each thread,
+    // of which it starts at most 32, has a stack and a heap of its own.
     constexpr std::uint64_t libraries = 600'000'000;
     constexpr std::uint64_t of_thread = 150'000'000;
     const auto left = address_space_left();

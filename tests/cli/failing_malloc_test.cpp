@@ -1,0 +1,67 @@
+// Every allocation of the program fails in turn.
+#include <gtest/gtest.h>
+
+#include "support/gzip.hpp"
+#include "support/render.hpp"
+
+namespace sphereview::test {
+namespace {
+
+// Of about 2,000 allocations every so many.
+constexpr int step = 13;
+constexpr int last = 2'400;
+
+class FailingMalloc : public testing::Test {
+protected:
+    FailingMalloc() {
+        folder_.write("red.txt", red_scene);
+        folder_.write("red.toml", "[[sphere]]\nname = 'red'\ncolor = [250, 0, 0]\ncenter = [0, 0, 200]\nradius = 20\n");
+        folder_.write("red.csv.gz", gzipped("x,y,z,name\n0,0,200,\"a \"\"red\"\" sphere, with a long name\"\n"));
+        folder_.write("red.cif", "data_\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n0 0 0\n");
+        folder_.write("bad.txt", "1\n255\n");
+        render(folder_, {"red.txt", "-s", "8x8", "-o", "golden.png"});
+    }
+
+    // Whether it fails alone or with all that follow, the program ends with a documented status and has a line to say why.
+    void expect_good_ends(std::vector<std::string> arguments, int usual_status = 0) {
+        Command command;
+        command.folder = folder_.path();
+        command.arguments = std::move(arguments);
+        int told = 0;
+        for (int number = 1; number <= last; number += step) {
+            const bool on = number % 2 == 0;
+            command.environment = {{"LD_PRELOAD", FAILING_MALLOC},
+                                   {"FAILING_ALLOCATION", std::to_string(number)},
+                                   {on ? "FAILING_ALLOCATIONS" : "NOTHING", "on"}};
+            const Outcome outcome = run(command);
+            const bool good = outcome.status == usual_status || outcome.status == 3 || outcome.status == 4;
+            ASSERT_TRUE(good && outcome.signal == 0) << number << (on ? " and on: " : ": ") << outcome;
+            EXPECT_EQ(outcome.status == 3, outcome.errors.find("memory ran out") != std::string::npos) << number << ": " << outcome;
+            if (outcome.status == 3) ++told;
+        }
+        EXPECT_GT(told, 1'000 / step);  // else none failed
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(FailingMalloc, OfRenderIsTold) {
+    expect_good_ends({"render", "red.txt", "--backend", "cpu", "-s", "8x8", "-o", "out.png", "--json", "--samples", "4"});
+    expect_good_ends({"render", "red.txt", "--backend", "cpu", "-s", "8x8", "--expect", "golden.png", "--diff", "diff.png"});
+    expect_good_ends({"render", "bad.txt", "--backend", "cpu"}, 2);
+}
+
+TEST_F(FailingMalloc, OfConvertIsTold) {
+    expect_good_ends({"convert", "red.toml", "out.txt"});
+    expect_good_ends({"convert", "red.csv.gz", "out.toml"});
+#ifndef WITHOUT_GEMMI
+    expect_good_ends({"convert", "red.cif", "out.toml"});
+#endif
+}
+
+TEST_F(FailingMalloc, OfExplainIsTold) { expect_good_ends({"explain", "red.toml", "--pixel", "500,500", "--json"}); }
+
+TEST_F(FailingMalloc, OfAWrongUseIsTold) { expect_good_ends({"render", "--nonsense"}, 2); }
+
+}  // namespace
+}  // namespace sphereview::test
