@@ -1,8 +1,10 @@
 // Everything about one pixel: the numbers that decide what it shows.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <vector>
 
 #include "exact/candidates.hpp"
@@ -44,6 +46,7 @@ struct PixelExplanation {
     glm::dvec3 origin{0.0};
     glm::dvec3 direction{0.0};       // D, rounded once
     std::vector<ExplainedHit> hits;  // nearest first; of equal ones the first in the file first
+    std::int64_t farther = 0;        // hits beyond these, where not all were asked for
     std::int64_t missed = 0;         // discriminant below 0
     std::int64_t behind = 0;         // no positive root
     std::int64_t hidden = 0;
@@ -57,8 +60,8 @@ struct PixelExplanation {
 // A pixel inside the picture that `camera` sees.
 PixelExplanation explain_pixel(const Scene& scene, const Camera& camera, PictureSize size, Pixel pixel);
 // With the spheres that are drawn for the camera, and perhaps the lists of the picture: then it tries only the spheres in the
-// pixel's lists, and finds the same hits.
+// pixel's lists, and finds the same hits. It explains so many of them, the nearest: each takes some 20 microseconds.
 PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
-                               const CandidateLists* lists);
+                               const CandidateLists* lists, std::size_t most_hits = std::numeric_limits<std::size_t>::max());
 
 }  // namespace sphereview
