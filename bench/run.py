@@ -7,6 +7,7 @@ section in SECTIONS. Runs of one comparison take turns (A B C A B C ...), so tha
 import argparse
 import datetime
 import json
+import math
 import os
 import platform
 import shlex
@@ -122,6 +123,28 @@ def certificate(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
+def stress(bench: Bench) -> tuple[list[Row], dict]:
+    """5,000 spheres that double cannot tell apart at most pixels: some of tests/oracle/stress_scenes.cpp."""
+    count = 5000
+    ulp = math.ulp
+    kinds = {
+        "very far": lambda i: (0, 0, 1e300 * (i + 1), 1e305),
+        "through nearly one point": lambda i: (0, 0, 1e15 + i, 1e15 + i - 100),
+        "radii one unit apart": lambda i: (0, 0, 200, 130 + i * ulp(130)),
+        "depths one unit apart": lambda i: (0, 0, 200 + (count - i) * ulp(200), 130),
+        "centres and radii some units apart": lambda i: (30 + i * 7 % 17 * ulp(30), -40 + i * 5 % 13 * ulp(40),
+                                                         200 + i * 3 % 11 * ulp(200), 100 + i % 19 * ulp(100)),
+    }
+    cases = []
+    for name, sphere in kinds.items():
+        path = bench.out / f"stress-{name.replace(' ', '-')}.txt"
+        lines = [" ".join(map(repr, (i % 256, i // 256, 0, *map(float, sphere(i))))) for i in range(count)]
+        path.write_text("\n".join([str(count), *lines, ""]))
+        cases += [bench.render(f"{name}, {backend}", path, "-s", "200x200", "--backend", backend) for backend in ["cpu", "egl"]]
+    samples = bench.interleaved(cases)
+    return [at_most(f"5,000 spheres, {name}", median(runs, "wall_s"), 2, " s") for name, runs in samples.items()], samples
+
+
 def micro(bench: Bench) -> tuple[list[Row], dict]:
     """The parts one by one; see micro.cpp."""
     command = [bench.program("micro_benchmarks"), "--benchmark_format=json", "--benchmark_repetitions=10",
@@ -212,8 +235,8 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
-SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "frames": frames, "live": live, "samples": samples,
-            "window": window, "large": large, "micro": micro}
+SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "stress": stress, "frames": frames, "live": live,
+            "samples": samples, "window": window, "large": large, "micro": micro}
 
 
 def numbers(text: str) -> list[int]:

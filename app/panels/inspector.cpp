@@ -96,9 +96,10 @@ void draw_inspector(const PanelContext& context, const std::optional<InspectedPi
         draw_hit(context, hit, shown == 0);
         ++shown;
     }
-    if (e.hits.size() > shown) {
+    const std::uint64_t all_hits = e.hits.size() + static_cast<std::uint64_t>(e.farther);
+    if (all_hits > shown) {
         ImGui::Separator();
-        dim_text("and " + in_groups(e.hits.size() - shown) + " more hits, farther away");
+        dim_text("and " + in_groups(all_hits - shown) + " more hits, farther away");
     }
     ImGui::Separator();
     draw_rest(e);

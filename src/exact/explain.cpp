@@ -162,7 +162,7 @@ std::string number_in_words(double value, int sign) {
 }  // namespace
 
 PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
-                               const CandidateLists* lists) {
+                               const CandidateLists* lists, std::size_t most_hits) {
     PixelExplanation out;
     std::vector<std::int32_t> numbers = spheres_to_try(scene, drawn, lists, pixel);
     const auto all = static_cast<std::int64_t>(scene.spheres.size());
@@ -188,10 +188,18 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
             ++(quadratic.d < 0 ? out.missed : out.behind);
         }
     }
-    std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return compare(a.root, b.root) < 0; });
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-        out.hits.push_back(explain(hits[i], ray));
-        out.hits.back().as_near_as_last = i > 0 && compare(hits[i - 1].root, hits[i].root) == 0;
+    // By pointers: the integers of a hit are too large to be moved about.
+    std::vector<const Hit*> nearest;
+    for (const Hit& hit : hits) nearest.push_back(&hit);
+    const std::size_t explained = std::min(hits.size(), most_hits);
+    std::ranges::partial_sort(nearest, nearest.begin() + static_cast<std::ptrdiff_t>(explained), [](const Hit* a, const Hit* b) {
+        const int order = compare(a->root, b->root);
+        return order < 0 || (order == 0 && a->number < b->number);
+    });
+    out.farther = static_cast<std::int64_t>(hits.size() - explained);
+    for (std::size_t i = 0; i < explained; ++i) {
+        out.hits.push_back(explain(*nearest[i], ray));
+        out.hits.back().as_near_as_last = i > 0 && compare(nearest[i - 1]->root, nearest[i]->root) == 0;
     }
     out.level = decision_level(scene, drawn, camera, size, pixel, lists);
     return out;

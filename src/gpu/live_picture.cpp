@@ -319,8 +319,12 @@ bool LivePicture::is_of(const Document& document) const {
 
 PixelExplanation LivePicture::explain(const Document& document, Pixel pixel) const {
     const Scene& scene = document.scene();
-    if (!is_of(document)) return explain_pixel(scene, drawn_spheres(scene, view_.camera), view_.camera, view_.size, pixel);
-    return explain_pixel(scene, scene_.drawn(), view_.camera, view_.size, pixel, lists_for_any_pixel());
+    // As many as anyone looks at: a ray may hit thousands, and the window waits.
+    constexpr std::size_t most_hits = 100;
+    if (!is_of(document)) {
+        return explain_pixel(scene, drawn_spheres(scene, view_.camera), view_.camera, view_.size, pixel, nullptr, most_hits);
+    }
+    return explain_pixel(scene, scene_.drawn(), view_.camera, view_.size, pixel, lists_for_any_pixel(), most_hits);
 }
 
 std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {

@@ -152,6 +152,7 @@ LiveLists built_from(const Scene& scene, const PixelGrid& grid) {
 
 void expect_the_same_hits(const PixelExplanation& expected, const PixelExplanation& found) {
     ASSERT_EQ(found.hits.size(), expected.hits.size());
+    ASSERT_EQ(found.farther, 0);
     for (std::size_t i = 0; i < found.hits.size(); ++i) {
         const ExplainedHit& a = expected.hits[i];
         const ExplainedHit& b = found.hits[i];
@@ -233,6 +234,10 @@ TEST_P(Edited, SceneShowsWhatOneThatIsBuiltFromNothingShows) {
             const PixelExplanation by_scene = explain_pixel(scene, drawn_spheres(scene, camera), camera, grid.picture, pixel);
             expect_the_same_hits(by_scene, explain_pixel(scene, edited->drawn(), camera, grid.picture, pixel, &edited->lists()));
             expect_the_same_hits(by_scene, explain_pixel(scene, edited->drawn(), camera, grid.picture, pixel, nullptr));
+            const PixelExplanation nearest = explain_pixel(scene, edited->drawn(), camera, grid.picture, pixel, nullptr, 1);
+            ASSERT_EQ(nearest.hits.size(), std::min<std::size_t>(by_scene.hits.size(), 1));
+            ASSERT_EQ(nearest.farther, static_cast<std::int64_t>(by_scene.hits.size() - nearest.hits.size()));
+            ASSERT_EQ(nearest.visible(), by_scene.visible());
             const Resolver by_drawn(scene, edited->drawn(), camera, grid.picture, nullptr);
             ASSERT_EQ(by_drawn.resolve(pixel, level), by_scene.visible()) << pixel.x << "," << pixel.y;
         }
