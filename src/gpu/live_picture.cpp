@@ -319,8 +319,8 @@ bool LivePicture::is_of(const Document& document) const {
 
 PixelExplanation LivePicture::explain(const Document& document, Pixel pixel) const {
     const Scene& scene = document.scene();
-    // As many as anyone looks at: a ray may hit thousands, and the window waits.
-    constexpr std::size_t most_hits = 100;
+    // As many as the inspector shows: a ray may hit thousands, and the window waits.
+    constexpr std::size_t most_hits = 20;
     if (!is_of(document)) {
         return explain_pixel(scene, drawn_spheres(scene, view_.camera), view_.camera, view_.size, pixel, nullptr, most_hits);
     }
