@@ -152,7 +152,7 @@ std::vector<Command> make_commands() {
         {{Id::file_save, "File", "Save", "Ctrl+S", "Writes the scene to its file.", true}, [](ViewerState& s) { save_scene(s); }},
         {{Id::file_save_as, "File", "Save as...", "Ctrl+Shift+S", "Writes the scene to another file."},
          [](ViewerState& s) { save_scene_as(s); }},
-        {{Id::export_picture, "File", "Export picture...", "Ctrl+E", "Asks for a name and a size and writes the view as a PNG.",
+        {{Id::export_picture, "File", "Export picture...", "Ctrl+E", "Asks for a file and a size and writes the view as a PNG.",
           true},
          ask_for_export},
         {{Id::export_now, "File", "Export now", "F12",

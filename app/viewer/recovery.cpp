@@ -142,7 +142,7 @@ bool write_recovery(const Scene& scene, const std::string& original) noexcept {
         text += write_scene(scene, SceneFormat::toml);
         write_output(own().in(folder).string(), text);
         return true;
-    } catch (const std::exception&) {
+    } catch (...) {
         return false;
     }
 }
@@ -207,22 +207,28 @@ void Autosave::look(const Document& document, const std::string& original, Clock
 }
 
 void Autosave::begin(const Document& document, const std::string& original) {
-    job_begin_ = Clock::now();
     tried_ = document.revision();
     kept_ = true;
     due_.reset();
-    // The copy that is being written comes first, or it would replace this newer one.
-    job_ = std::make_shared<BackgroundJob>(
-        [scene = std::make_shared<const Scene>(document.scene()), original, earlier = job_, done = done_](WorkControl&) {
-            if (earlier) earlier->wait();
-            *done = write_recovery(*scene, original);
-        });
+    try {
+        // The copy that is being written comes first, or it would replace this newer one.
+        job_ = std::make_shared<BackgroundJob>(
+            [scene = std::make_shared<const Scene>(document.scene()), original, earlier = job_, written = written_](WorkControl&) {
+                if (earlier) earlier->wait();
+                const auto begin = Clock::now();
+                written->done = write_recovery(*scene, original);
+                written->took = Clock::now() - begin;
+            });
+    } catch (const std::exception&) {  // there is no memory for a copy, or no thread
+        finish();
+        written_->done = write_recovery(document.scene(), original);
+    }
 }
 
 void Autosave::finish() {
     if (!job_) return;
     job_->wait();
-    pause_ = std::max(shortest_pause, pauses_per_write * (Clock::now() - job_begin_));
+    pause_ = std::max(shortest_pause, pauses_per_write * written_->took.load());
     due_.reset();
     job_.reset();
 }
@@ -230,7 +236,7 @@ void Autosave::finish() {
 bool Autosave::keep(const Document& document, const std::string& original) {
     begin(document, original);
     finish();
-    return *done_;
+    return written_->done;
 }
 
 std::shared_ptr<const BackgroundJob> Autosave::keep_before_reading(const Document& document, const std::string& original) {

@@ -65,9 +65,14 @@ private:
     Clock::duration pause_ = shortest_pause;
     std::uint64_t tried_ = 0;  // the revision of the last attempt
     bool kept_ = false;        // there may be a recovery file of ours
+    // Of the last copy that was written; the job's thread sets them.
+    struct Written {
+        std::atomic<bool> done = false;
+        std::atomic<Clock::duration> took = Clock::duration::zero();
+    };
+
     std::shared_ptr<BackgroundJob> job_;
-    std::shared_ptr<std::atomic<bool>> done_ = std::make_shared<std::atomic<bool>>(false);  // whether the last one could be written
-    Clock::time_point job_begin_;
+    std::shared_ptr<Written> written_ = std::make_shared<Written>();
 
     static constexpr Clock::duration shortest_pause = std::chrono::seconds(2);
     static constexpr int pauses_per_write = 20;

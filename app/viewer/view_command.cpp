@@ -35,7 +35,7 @@ constexpr const char* way_out = " ('sphereview render' needs no window; 'spherev
 
 // What became of unsaved changes, for a message; "" when there are none.
 std::string keep_for_recovery(const ViewerState& state) {
-    if (!state.document.is_changed()) return "";
+    if (!state.document.is_changed() && !state.saving) return "";  // a save may not be finished
     const bool kept = write_recovery(state.scene(), state.path);
     return "unsaved changes of " + state.name() + (kept ? " are kept; the next start offers them" : " could not be kept");
 }
@@ -151,7 +151,7 @@ ExitCode run_view(const ViewOptions& options) {
                 edits_kept.get_future().wait();
                 std::this_thread::sleep_for(patience);  // closing a window may hang too
             } else {
-                save_for_recovery(state);  // the loop hangs, in a driver perhaps, and changes nothing meanwhile
+                save_for_recovery(state);  // the loop hangs, in a driver perhaps; if it goes on meanwhile, a torn copy beats none
             }
             std::_Exit(128 + signal_number);
         });
@@ -165,6 +165,7 @@ ExitCode run_view(const ViewOptions& options) {
             wait_for_saving(state);
             state.autosave.finish();
             save_for_recovery(state);
+            edits_kept.set_value();
             throw;
         }
         wait_for_saving(state);
@@ -177,6 +178,7 @@ ExitCode run_view(const ViewOptions& options) {
             return static_cast<ExitCode>(128 + interrupted.load());
         }
         remove_own_recovery();  // saved, or not wanted
+        edits_kept.set_value();
         state.settings.place = window.place();
     } catch (const RenderError& error) {
         throw RenderError(std::string("sphereview: ") + error.what() + way_out);

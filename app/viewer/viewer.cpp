@@ -54,7 +54,7 @@ bool takes_over(const InputEvent& event) {
 }
 
 std::string title_for(const ViewerState& state) {
-    return state.name() + (state.document.is_changed() ? " *" : "") + " - sphereview";
+    return shown_text(state.name()) + (state.document.is_changed() ? " *" : "") + " - sphereview";
 }
 
 std::optional<WorkShown> work_of(const ViewerState& state) {
@@ -77,7 +77,7 @@ Viewer::Viewer(ViewerState& state, Window& window)
       imgui_(window, state.settings.text_scale),
       picture_(state.options.shader_folder),
       log_(state.options.redraw_log) {
-    facts_.status.renderer = window.renderer();
+    facts_.status.renderer = shown_text(window.renderer());
     state_.messages.shader_error = picture_.shader_log();
 }
 
@@ -99,7 +99,8 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    if (is_working(state_) || rest_picture_works_) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
+    const bool looks_again = is_working(state_) || rest_picture_works_ || shaders_changed_;
+    if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
     input_.add(std::move(events));
@@ -108,10 +109,16 @@ void Viewer::wait_for_work() {
         if (path == state_.path) {
             look_at_file(state_);
         } else {
+            shaders_changed_ = true;
             // A driver's compiler may end the program.
-            if (const auto kept = state_.autosave.keep_before_reading(state_.document, state_.path)) kept->wait();
-            state_.messages.shader_error = picture_.reload_shaders();
+            edits_kept_ = state_.autosave.keep_before_reading(state_.document, state_.path);
         }
+        pacing_.touch();
+    }
+    if (shaders_changed_ && (!edits_kept_ || edits_kept_->ended())) {
+        shaders_changed_ = false;
+        edits_kept_.reset();
+        state_.messages.shader_error = picture_.reload_shaders();
         pacing_.touch();
     }
     follow_work();

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <random>
 #include <system_error>
 
@@ -32,7 +33,11 @@ namespace {
     throw OutputError((path == standard_stream ? "stdout" : path) + ": cannot be written: " + why);
 }
 
-std::string last_error() { return errno != 0 ? std::strerror(errno) : "a write error"; }
+// Of a step that failed just now. Memory that ran out is another kind of error.
+[[noreturn]] void fail_by_errno(const std::string& path) {
+    if (errno == ENOMEM) throw std::bad_alloc();
+    fail(path, errno != 0 ? std::strerror(errno) : "a write error");
+}
 
 // Something other than a regular file stands there: it is written into, not replaced.
 bool is_special(const fs::path& path) {
@@ -97,7 +102,13 @@ std::FILE* create(const fs::path& path, const fs::file_status& old) {
 #else
     const auto mode = fs::exists(old) ? static_cast<mode_t>(old.permissions() & fs::perms::all) | S_IWUSR : mode_t{0666};
     const int handle = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    return handle < 0 ? nullptr : fdopen(handle, "wb");
+    std::FILE* file = handle < 0 ? nullptr : fdopen(handle, "wb");
+    if (file == nullptr && handle >= 0) {
+        close(handle);
+        unlink(path.c_str());
+        errno = ENOMEM;  // what else fdopen() can lack
+    }
+    return file;
 #endif
 }
 
@@ -149,21 +160,22 @@ void replace(const std::string& path, std::string_view bytes, Durability durabil
     const fs::path target = follow_links(path);
     const fs::path temporary = hidden_sibling(target);
     const Unfinished unfinished;
-    const auto give_up = [&](const std::string& why) {
+    const auto give_up = [&](int error) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
-        fail(path, why);
+        errno = error;
+        fail_by_errno(path);
     };
 
     std::error_code error;
     const fs::file_status old = fs::status(target, error);
     std::FILE* file = create(temporary, old);
-    if (file == nullptr) fail(path, last_error());
-    if (!write_and_close(file, bytes, durability)) give_up(last_error());
+    if (file == nullptr) fail_by_errno(path);
+    if (!write_and_close(file, bytes, durability)) give_up(errno);
     if (fs::exists(old)) fs::permissions(temporary, old.permissions(), error);
     fs::rename(temporary, target, error);
-    if (error) give_up(error.message());
-    if (durability == Durability::on_disk && !are_names_on_disk(target.parent_path())) fail(path, last_error());
+    if (error) give_up(error.default_error_condition().value());
+    if (durability == Durability::on_disk && !are_names_on_disk(target.parent_path())) fail_by_errno(path);
 }
 
 }  // namespace
@@ -171,10 +183,10 @@ void replace(const std::string& path, std::string_view bytes, Durability durabil
 void write_output(const std::string& path, std::string_view bytes, Durability durability) {
     check_output(path);
     if (path == standard_stream) {
-        if (!write_to_stdout(bytes)) fail(path, last_error());
+        if (!write_to_stdout(bytes)) fail_by_errno(path);
     } else if (is_special(path)) {
         std::FILE* file = std::fopen(path.c_str(), "wb");
-        if (file == nullptr || !write_and_close(file, bytes, Durability::in_system)) fail(path, last_error());
+        if (file == nullptr || !write_and_close(file, bytes, Durability::in_system)) fail_by_errno(path);
     } else {
         replace(path, bytes, durability);
     }
@@ -192,7 +204,7 @@ void check_output(const std::string& path) {
     if (fs::is_regular_file(status)) {
         // A rename would replace a file that its owner has protected.
         std::FILE* file = std::fopen(target.string().c_str(), "r+b");
-        if (file == nullptr) fail(path, last_error());
+        if (file == nullptr) fail_by_errno(path);
         std::fclose(file);
     } else if (!fs::exists(status)) {
         const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();

@@ -37,7 +37,7 @@ Approximate distilled(std::span<double> terms) {
     return {two_sum(terms[last], terms[last - 1]), rest * Approximate::margin};
 }
 
-// Adds `sign` a b to the terms; the size of what is lost by underflow to `lost`.
+// Terms of a sum; `lost` bounds what underflow took from them.
 struct Terms {
     std::array<double, 20> values{};
     std::size_t count = 0;

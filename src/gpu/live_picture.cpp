@@ -102,6 +102,8 @@ std::string LivePicture::reload_shaders() {
         shader_log_ = error.what();
     } catch (const InputError& error) {
         shader_log_ = error.what();
+    } catch (const MemoryError& error) {
+        shader_log_ = error.what();
     }
     return shader_log_;
 }

@@ -1,4 +1,4 @@
-// Every allocation of the program fails in turn.
+// Every 13th allocation of the program fails in turn, alone and with all that follow.
 #include <gtest/gtest.h>
 
 #include "support/gzip.hpp"

@@ -7,8 +7,7 @@
 
 namespace sphereview {
 
-// Each returns what went wrong, or "". A faulty input may end in an InputError, whose message is one printable line, or in a
-// MemoryError. All other exceptions escape.
+// Each returns what went wrong, or "". A faulty input may end in an InputError or in a MemoryError. All other exceptions escape.
 
 // Reads the bytes as a scene, as text and as TOML; what can be read must survive being written and read again, bit for bit.
 std::string fuzz_scene(std::string_view bytes);

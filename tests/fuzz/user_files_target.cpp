@@ -49,6 +49,8 @@ std::string fuzz_recovery(std::string_view bytes) {
             parse_scene(bytes, recovery.file);
         } catch (const InputError&) {
             // The window says so, and leaves the file where it is.
+        } catch (const MemoryError&) {
+            // Likewise.
         }
         if (!remove_recovery(recovery.file)) return "the recovery cannot be removed";
     }

@@ -1,4 +1,4 @@
-// PNG files as the tests read and make them: with libpng, which shares no code with the program's own reader and writer.
+// PNG files as the tests read and make them: with libpng, which shares no code with the program's own writer.
 #pragma once
 
 #include <cstddef>

@@ -51,6 +51,12 @@ struct AutosaveTest : RecoveryTest {
         autosave.look(document, "", now);
         autosave.look(document, "", now + 1h);
     }
+    Scene kept_scene() const {
+        const fs::directory_iterator files(folder.path("state/sphereview"));
+        const auto kept =
+            std::ranges::find(begin(files), end(files), ".toml", [](const auto& file) { return file.path().extension(); });
+        return load_scene(kept->path().string()).scene;
+    }
     void change() { document.apply(InsertSpheres{{0}, {{}}}, "Add"); }
 
     Document document;
@@ -229,10 +235,21 @@ TEST_F(AutosaveTest, NeverReplacesWhatIsKeptAtOnce) {
     document.apply(RemoveSpheres{{0}}, "Remove");
     ASSERT_TRUE(autosave.keep(document, ""));
     autosave.finish();
-    const fs::directory_iterator files(folder.path("state/sphereview"));
-    const auto kept =
-        std::ranges::find(begin(files), end(files), ".toml", [](const auto& file) { return file.path().extension(); });
-    EXPECT_EQ(load_scene(kept->path().string()).scene.spheres.size(), 20'000u) << "the newer of the two";
+    EXPECT_EQ(kept_scene().spheres.size(), 20'000u) << "the newer of the two";
+}
+
+TEST_F(AutosaveTest, KeepsBeforeSomethingIsReadWhatIsNotKept) {
+    EXPECT_EQ(autosave.keep_before_reading(document, ""), nullptr) << "nothing has changed";
+    change();
+    const auto job = autosave.keep_before_reading(document, "");
+    ASSERT_NE(job, nullptr);
+    EXPECT_EQ(autosave.keep_before_reading(document, ""), job) << "under way";
+    change();
+    autosave.keep_before_reading(document, "")->wait();
+    EXPECT_TRUE(job->ended()) << "the newer copy comes last";
+    autosave.finish();
+    EXPECT_EQ(autosave.keep_before_reading(document, ""), nullptr);
+    EXPECT_EQ(kept_scene().spheres.size(), 2U);
 }
 
 TEST_F(AutosaveTest, DoesNotTryAgainAndAgainWhereNothingCanBeWritten) {
