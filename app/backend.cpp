@@ -84,6 +84,15 @@ bool try_egl(OpenBackend& open, Timings& timings) {
     return false;
 }
 
+// Whether automatic tries it on this system.
+bool is_at_home(Backend backend) {
+#ifdef _WIN32
+    return backend == Backend::wgl;
+#else
+    return backend != Backend::wgl;
+#endif
+}
+
 void open_numbered_device(OpenBackend& open, int number, Timings& timings) {
     const std::vector<EglDevice> devices = list_egl_devices();
     int count = 0;
@@ -109,15 +118,17 @@ OpenBackend open_backend(Backend backend, std::optional<int> device, Timings& ti
         require_address_space_for_gl(beside);
     } catch (const RenderError& error) {
         if (device || backend != Backend::automatic) throw;
-        open.passed_over.push_back(std::string("EGL and OSMesa: ") + error.what());
+        open.passed_over.push_back(std::string("GL: ") + error.what());
         return open;
     }
     if (device) {
         open_numbered_device(open, *device, timings);
         return open;
     }
-    if (backend != Backend::osmesa && try_egl(open, timings)) return open;
-    if (backend != Backend::egl && try_gl(open, Backend::osmesa, "OSMesa", open_osmesa, timings)) return open;
+    const auto is_tried = [&](Backend one) { return backend == one || (backend == Backend::automatic && is_at_home(one)); };
+    if (is_tried(Backend::wgl) && try_gl(open, Backend::wgl, "WGL", open_wgl, timings)) return open;
+    if (is_tried(Backend::egl) && try_egl(open, timings)) return open;
+    if (is_tried(Backend::osmesa) && try_gl(open, Backend::osmesa, "OSMesa", open_osmesa, timings)) return open;
     if (backend != Backend::automatic) {
         throw RenderError("the backend " + std::string(name_of(backend)) +
                           " does not work here: " + joined(open.passed_over, "; ") + " (see 'sphereview doctor')");

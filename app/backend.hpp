@@ -25,10 +25,10 @@ struct OpenBackend {
     TileCosts tile_costs = cpu_tile_costs;  // the renderer's
 };
 
-// Opens what was asked for: automatic tries EGL on hardware, EGL in software, OSMesa, CPU; each through to a drawn pixel.
-// `device` picks an EGL device by number. LIBGL_ALWAYS_SOFTWARE rules out hardware, and a limit on the address space that is too
-// low for a driver and `beside`, the bytes of what is made while it draws, rules out GL. Throws RenderError when the backend asked
-// for does not work, InputError for a device number that does not exist.
+// Opens what was asked for: automatic tries EGL on hardware, EGL in software, OSMesa, CPU (on Windows WGL, CPU); each through to a
+// drawn pixel. `device` picks an EGL device by number. LIBGL_ALWAYS_SOFTWARE rules out hardware, and a limit on the address space
+// that is too low for a driver and `beside`, the bytes of what is made while it draws, rules out GL. Throws RenderError when the
+// backend asked for does not work, InputError for a device number that does not exist.
 OpenBackend open_backend(Backend backend, std::optional<int> device, Timings& timings, std::uint64_t beside = 0);
 
 }  // namespace sphereview

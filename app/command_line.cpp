@@ -306,6 +306,9 @@ void declare(CLI::App& command, DoctorOptions& options) {
     add_option(command, options.timeout_seconds,
                {"--timeout", "S", "Seconds that each probe may take [20]", "a number of seconds above 0, at most 3600"},
                [](const std::string& text) { return number_above_0(text, 3600.0); });
+    add_option(command, options.probe, {"--probe", "NAME", "", "one of doctor's probes"}, [](const std::string& text) {
+        return std::optional(text);
+    })->group("");
     command.footer(doctor_examples);
 }
 
@@ -351,6 +354,7 @@ Run parse_command_line(int argc, const char* const* argv) {
         "sphereview ray traces scenes of spheres.\n\n  sphereview [SCENE]        opens a scene in a window\n  sphereview COMMAND "
         "...    works without one\n",
         "sphereview");
+    app.allow_windows_style_options(false);  // "/scenes/a.txt" is a file
     app.set_version_flag("--version", "sphereview " + std::string(version));
     app.footer(exit_codes);
     app.require_subcommand(1);  // and no second: "doctor" behind it is a file's name

@@ -1,5 +1,6 @@
 // sphereview doctor: what works on this machine, and why the rest does not.
 #include <chrono>
+#include <cstdlib>
 #include <functional>
 #include <string_view>
 
@@ -123,6 +124,8 @@ Json probe_egl(std::size_t index) {
     return probe_gl(Backend::egl, [&] { return open_egl(devices[index]); });
 }
 
+Json probe_wgl() { return probe_gl(Backend::wgl, open_wgl); }
+
 // What EGL offers: {"devices": [{"name", "device", "software"}]}.
 Json list_egl() {
     Json devices = Json::array();
@@ -138,11 +141,15 @@ bool works(const Json& row) { return row["works"].boolean() == true; }
 std::string text_of(const Json& row, const char* key) { return row[key].text().value_or(""); }
 std::string number_of(const Json& row, const char* key) { return std::to_string(row[key].whole().value_or(0)); }
 
-// The same as text, which a process hands to another.
-std::string probe(const std::function<Json()>& call) {
+// The probe with one of the names that diagnose() uses, and its answer as text, which a process hands to another.
+std::string probe(const std::string& name) {
     Json result;
     try {
-        result = call();
+        result = name == "egl"      ? list_egl()
+                 : name == "osmesa" ? probe_osmesa()
+                 : name == "wgl"    ? probe_wgl()
+                 : name == "cpu"    ? probe_cpu()
+                                    : probe_egl(std::strtoul(name.c_str(), nullptr, 10));
     } catch (const RenderError& error) {
         result = {{"works", false}, {"reason", error.what()}, {"fault", static_cast<int>(error.fault)}};
     } catch (...) {
@@ -153,9 +160,10 @@ std::string probe(const std::function<Json()>& call) {
 }
 
 // Probes in a copy of the process, so that a driver that hangs or crashes ends only the copy.
-Json probe_apart(const std::string& culprit, double timeout_seconds, const std::function<Json()>& call) {
+Json probe_apart(const std::string& name, double timeout_seconds) {
+    const std::string culprit = name == "cpu" ? "the CPU renderer" : "the driver";
     const auto limit = std::chrono::milliseconds(static_cast<long long>(timeout_seconds * 1000.0));
-    const IsolatedResult result = call_isolated([&] { return probe(call); }, limit);
+    const IsolatedResult result = call_isolated([&] { return probe(name); }, limit, {"doctor", "--probe", name});
     const auto failed = [&](RenderFault fault, const std::string& reason) {
         std::string_view said = trimmed(result.errors);
         said = said.substr(said.find_last_of("\r\n") + 1);
@@ -184,6 +192,7 @@ std::string advice(const Json& row, const Json& earlier) {
     const auto fault = static_cast<RenderFault>(row["fault"].whole().value_or(0));
     const std::string backend = text_of(row, "backend");
     const bool slow = fault == RenderFault::no_answer;
+    if (backend == "wgl" && !slow) return "install the driver of the graphics card's maker, or use --backend cpu";
     if (backend == "cpu") {
         return slow ? "allow it more time with --timeout" : "report this: the CPU renderer needs nothing but a CPU";
     }
@@ -219,19 +228,21 @@ Json diagnose(double timeout_seconds) {
         row.erase("fault");
         rows.push_back(row);
     };
-    const std::string driver = "the driver";
-    const Json egl = probe_apart(driver, timeout_seconds, list_egl);
+#ifdef _WIN32
+    add("wgl", "WGL", nullptr, probe_apart("wgl", timeout_seconds));
+#else
+    const Json egl = probe_apart("egl", timeout_seconds);
     if (egl["devices"].is_null()) {
         add("egl", "EGL", nullptr, egl);
     } else {
         const std::vector<Json> devices = egl["devices"].list();
         for (std::size_t i = 0; i < devices.size(); ++i) {
-            add("egl", text_of(devices[i], "name"), devices[i]["device"],
-                probe_apart(driver, timeout_seconds, [i] { return probe_egl(i); }));
+            add("egl", text_of(devices[i], "name"), devices[i]["device"], probe_apart(std::to_string(i), timeout_seconds));
         }
     }
-    add("osmesa", "OSMesa", nullptr, probe_apart(driver, timeout_seconds, probe_osmesa));
-    add("cpu", "CPU", nullptr, probe_apart("the CPU renderer", timeout_seconds, probe_cpu));
+    add("osmesa", "OSMesa", nullptr, probe_apart("osmesa", timeout_seconds));
+#endif
+    add("cpu", "CPU", nullptr, probe_apart("cpu", timeout_seconds));
     return rows;
 }
 
@@ -265,6 +276,10 @@ std::string in_words(const Json& rows) {
 
 ExitCode run_doctor(const DoctorOptions& options) {
     const std::string out(standard_stream);
+    if (options.probe) {
+        write_output(out, probe(*options.probe));
+        return ExitCode::done;
+    }
     const Json rows = diagnose(options.timeout_seconds);
     bool any = false;
     for (const Json& row : rows.list()) any = any || works(row);

@@ -6,6 +6,7 @@
 #include "app/command_line.hpp"
 #include "app/failure.hpp"
 #include "base/interrupt.hpp"
+#include "base/standard_streams.hpp"
 
 namespace {
 
@@ -37,7 +38,9 @@ int run_command_line(int argc, char** argv) {
 int main(int argc, char** argv) {
     std::set_new_handler(nullptr);
     install_interrupt_handlers();
+    prepare_console();
     const int status = run_command_line(argc, argv);
+    restore_console();
 #ifndef __SANITIZE_ADDRESS__
     // All output is written and checked; what drivers do at exit takes milliseconds and is where they crash.
     // Not all streams: a thread may still wait for standard input, with a lock on it.

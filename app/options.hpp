@@ -18,10 +18,10 @@
 namespace sphereview {
 
 // The renderers that a person can ask for.
-enum class Backend { automatic, egl, osmesa, cpu };
+enum class Backend { automatic, egl, osmesa, wgl, cpu };
 
 // By their values.
-inline constexpr std::array<std::string_view, 4> backend_names = {"auto", "egl", "osmesa", "cpu"};
+inline constexpr std::array<std::string_view, 5> backend_names = {"auto", "egl", "osmesa", "wgl", "cpu"};
 
 constexpr std::string_view name_of(Backend backend) { return backend_names[static_cast<std::size_t>(backend)]; }
 
@@ -66,7 +66,8 @@ struct ExplainOptions {
 
 struct DoctorOptions {
     bool json = false;
-    double timeout_seconds = 20.0;  // for each probe
+    double timeout_seconds = 20.0;     // for each probe
+    std::optional<std::string> probe;  // that one alone, for another process of the program
 };
 
 struct ViewOptions {

@@ -7,6 +7,7 @@
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -25,7 +26,7 @@ std::string fill_in(std::string pattern, const std::string& name) {
 // What {name} stands for: the scene's file without its folder, .gz and the ending before that.
 std::string name_of(const std::string& scene) {
     if (scene == standard_stream) return "stdin";
-    return std::filesystem::path(without_gzip_ending(scene)).stem().string();
+    return text_from(path_from(without_gzip_ending(scene)).stem());
 }
 
 std::optional<std::string> fill_in(const std::optional<std::string>& pattern, const std::string& name) {

@@ -14,8 +14,9 @@ else()
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
         # Part of -Wconversion for Clang alone.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
-        # Exact pictures: no multiplication and addition may be fused behind our back.
-        -ffp-contract=off)
+        # Exact pictures: no multiplication and addition may be fused behind our back, and a square root is the processor's
+        # (base/square_root.hpp).
+        -ffp-contract=off -fno-math-errno)
 endif()
 if(SPHEREVIEW_SANITIZE)
     set(sanitizers address,undefined)

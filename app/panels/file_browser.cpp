@@ -166,6 +166,7 @@ void draw_places(const PanelContext& context, FileBrowser& browser, const ImVec2
     };
     if (ImGui::BeginChild("places", size, true)) {
         if (!home_folder().empty()) place("Home", "browser home", home_folder());
+        for (const fs::path& drive : drives()) place(text_from(drive), "drive " + text_from(drive), drive);
         if (!browser.places.empty()) ImGui::TextDisabled("Recent");
         for (std::size_t i = 0; i < browser.places.size(); ++i) {
             const fs::path folder = path_from(browser.places[i]);

@@ -13,13 +13,6 @@ namespace sphereview {
 
 namespace fs = std::filesystem;
 
-fs::path path_from(std::string_view text) { return fs::path(std::u8string(text.begin(), text.end())); }
-
-std::string text_from(const fs::path& path) {
-    const std::u8string text = path.u8string();
-    return {text.begin(), text.end()};
-}
-
 fs::path typed_path(std::string_view typed, const fs::path& folder) {
     std::string_view text = trimmed(typed);
     fs::path path;

@@ -6,12 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/path.hpp"
 #include "panels/dialogs.hpp"
 
 namespace sphereview {
-
-std::filesystem::path path_from(std::string_view text);
-std::string text_from(const std::filesystem::path& path);
 
 // What was typed, without white space around it, as an absolute path: ~ is the home folder, a relative path lies in `folder`.
 std::filesystem::path typed_path(std::string_view typed, const std::filesystem::path& folder);

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
 #include "base/text.hpp"
 #include "base/user_folders.hpp"
 #include "image/png.hpp"
@@ -87,11 +88,12 @@ void start_export(ViewerState& state, const std::string& path, PictureSize size,
 
 // NAME.png, NAME-1.png, NAME-2.png, ...: the first that is not there.
 fs::path next_free_name(const ViewerState& state) {
-    const fs::path folder = state.path.empty() ? pictures_folder() : fs::path(state.path).parent_path();
-    const std::string stem = state.path.empty() ? "untitled" : fs::path(without_gzip_ending(state.path)).stem().string();
+    const fs::path folder = state.path.empty() ? pictures_folder() : path_from(state.path).parent_path();
+    const std::string stem = state.path.empty() ? "untitled" : text_from(path_from(without_gzip_ending(state.path)).stem());
     std::error_code error;
-    fs::path name = folder / (stem + ".png");
-    for (int i = 1; fs::exists(fs::symlink_status(name, error)); ++i) name = folder / (stem + "-" + std::to_string(i) + ".png");
+    fs::path name = folder / path_from(stem + ".png");
+    for (int i = 1; fs::exists(fs::symlink_status(name, error)); ++i)
+        name = folder / path_from(stem + "-" + std::to_string(i) + ".png");
     return name;
 }
 
@@ -99,8 +101,8 @@ void ask_for_export(ViewerState& state, const fs::path& first, const std::string
     FileBrowser form;
     form.saving = true;
     form.title = "Export picture";
-    form.folder = first.parent_path().string();
-    form.name = first.filename().string();
+    form.folder = text_from(first.parent_path());
+    form.name = text_from(first.filename());
     form.kinds = {{"PNG", {".png"}}};
     form.size = PictureSize{state.settings.export_width, state.settings.export_height};
     form.view = state.picture_size;
@@ -108,7 +110,7 @@ void ask_for_export(ViewerState& state, const fs::path& first, const std::string
     form.accept = [&state](const std::string& path, PictureSize size) {
         state.settings.export_width = size.width;
         state.settings.export_height = size.height;
-        const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
+        const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path_from(path), why); };
         if (state.exporting) return ask_again(state.exporting->path + " is not exported yet");
         start_export(state, path, size, ask_again);
     };
@@ -138,7 +140,7 @@ void make_rest_picture(ViewerState& state) {
 
 void export_now(ViewerState& state) {
     if (state.exporting) return;
-    start_export(state, next_free_name(state).string(), {state.settings.export_width, state.settings.export_height},
+    start_export(state, text_from(next_free_name(state)), {state.settings.export_width, state.settings.export_height},
                  [&state](const std::string& why) { report_error(state, "The picture cannot be exported", why); });
 }
 

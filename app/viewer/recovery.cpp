@@ -12,6 +12,7 @@
 #include "base/file_lock.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
 #include "base/text.hpp"
 #include "base/user_folders.hpp"
 #include "formats/scene_format.hpp"
@@ -54,7 +55,7 @@ struct Own {
     }
     bool remove() {
         const std::lock_guard guard(mutex);
-        const bool done = file.empty() || remove_recovery(file.string());
+        const bool done = file.empty() || remove_recovery(text_from(file));
         lock = FileLock();
         file.clear();
         return done;
@@ -108,7 +109,7 @@ std::optional<std::string_view> marked_line(std::string_view& text, std::string_
 
 std::optional<Recovery> read_head(const fs::path& file) {
     constexpr std::size_t longest_head = 65536;
-    InputStream stream(file.string());
+    InputStream stream(text_from(file));
     stream.fill(longest_head);
     std::string_view text = stream.bytes();
     const auto time = marked_line(text, time_mark);
@@ -117,12 +118,12 @@ std::optional<Recovery> read_head(const fs::path& file) {
     if (!time || !original || std::from_chars(time->data(), time->data() + time->size(), count).ec != std::errc()) return {};
     const auto path = unescaped(*original);
     if (!path || count < 0 || Milliseconds(count) > latest) return {};
-    return Recovery{file.string(), *path, std::chrono::system_clock::time_point(Milliseconds(count))};
+    return Recovery{text_from(file), *path, std::chrono::system_clock::time_point(Milliseconds(count))};
 }
 
 // Whether the process that wrote it has ended.
 bool is_left_behind(const fs::path& file) {
-    const std::string name = file.filename().string();
+    const std::string name = text_from(file.filename());
     return name.starts_with(prefix) && name.ends_with(ending) && !FileLock::is_held(lock_of(file));
 }
 
@@ -137,10 +138,10 @@ bool write_recovery(const Scene& scene, const std::string& original) noexcept {
         text += std::to_string(std::chrono::duration_cast<Milliseconds>(now).count());
         text += '\n';
         text += original_mark;
-        text += escaped(original.empty() ? "" : fs::absolute(original).string());
+        text += escaped(original.empty() ? "" : text_from(fs::absolute(path_from(original))));
         text += '\n';
         text += write_scene(scene, SceneFormat::toml);
-        write_output(own().in(folder).string(), text);
+        write_output(text_from(own().in(folder)), text);
         return true;
     } catch (...) {
         return false;

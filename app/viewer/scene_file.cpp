@@ -5,6 +5,7 @@
 
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
+#include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
 
@@ -33,7 +34,7 @@ void read_scene(ViewerState& state, const std::string& path) {
     });
     const auto fail = [&state, path](const std::string& why) {
         // A broken file can be repaired, and is then looked for where it was.
-        if (std::error_code error; !fs::exists(path, error)) remove_recent(state.settings, path);
+        if (std::error_code error; !fs::exists(path_from(path), error)) remove_recent(state.settings, path);
         report_error(state, "The scene cannot be opened", why);
         look_at_file(state);
     };
@@ -74,12 +75,12 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
 // Where a file of the scene's would be looked for first.
 std::string usual_folder(const ViewerState& state) {
     std::error_code error;
-    if (!state.path.empty()) return fs::path(state.path).parent_path().string();
+    if (!state.path.empty()) return text_from(path_from(state.path).parent_path());
     if (!state.settings.recent.empty()) {
-        const fs::path folder = fs::path(state.settings.recent.front()).parent_path();
-        if (fs::is_directory(folder, error)) return folder.string();
+        const fs::path folder = path_from(state.settings.recent.front()).parent_path();
+        if (fs::is_directory(folder, error)) return text_from(folder);
     }
-    return fs::current_path(error).string();
+    return text_from(fs::current_path(error));
 }
 
 // A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
@@ -87,7 +88,7 @@ FileBrowser file_dialog(const ViewerState& state) {
     FileBrowser browser;
     browser.folder = usual_folder(state);
     for (const std::string& path : state.settings.recent) {
-        const std::string folder = fs::path(path).parent_path().string();
+        const std::string folder = text_from(path_from(path).parent_path());
         if (std::ranges::find(browser.places, folder) == browser.places.end()) browser.places.push_back(folder);
     }
     return browser;
@@ -116,7 +117,7 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
     if (lost.empty()) return write(state, path, format, then);
     state.dialogs.push_back(Question{.id = "text-loses",
                                      .title = "The text format cannot hold everything",
-                                     .text = in_quotes(fs::path(path).filename().string()) + " would lose: " + lost + ".",
+                                     .text = in_quotes(text_from(path_from(path).filename())) + " would lose: " + lost + ".",
                                      .answers = {"Save as TOML...", "Save all the same", "Cancel"},
                                      .cancel = 2,
                                      .answer = [&state, path, format, then](int answer) {
@@ -127,11 +128,11 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
     const std::string ending(is_written(format) ? format.endings[0] : SceneFormat::toml.endings[0]);
-    const fs::path stem = state.path.empty() ? "scene" : fs::path(without_gzip_ending(state.path)).stem();
+    const fs::path stem = state.path.empty() ? "scene" : path_from(without_gzip_ending(state.path)).stem();
     FileBrowser browser = file_dialog(state);
     browser.saving = true;
     browser.title = "Save the scene";
-    browser.name = stem.string() + ending;
+    browser.name = text_from(stem) + ending;
     browser.kinds = kinds_of(is_written);
     const auto chosen =
         std::ranges::find(browser.kinds, is_written(format) ? format.name : SceneFormat::toml.name, &FileKind::name);
@@ -140,7 +141,7 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
         const std::string absolute = absolute_path(path);
         if (const std::string fault = name_fault(absolute); !fault.empty()) {
             return report_error(state, "The scene cannot be saved",
-                                in_quotes(fs::path(absolute).filename().string()) + " is " + fault + ".");
+                                in_quotes(text_from(path_from(absolute).filename())) + " is " + fault + ".");
         }
         write_unless_lost(state, absolute, format_of_name(absolute), then);
     };

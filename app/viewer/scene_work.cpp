@@ -7,6 +7,7 @@
 #include "app/failure.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -35,9 +36,9 @@ void end(std::optional<Work>& work) {
 bool is_read_at_once(const std::string& path) {
     if (path == standard_stream) return false;
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
+    const fs::file_status status = fs::status(path_from(path), error);
     if (!fs::exists(status) || fs::is_directory(status)) return true;
-    return fs::is_regular_file(status) && fs::file_size(path, error) <= bytes_at_once;
+    return fs::is_regular_file(status) && fs::file_size(path_from(path), error) <= bytes_at_once;
 }
 
 void start_loading(ViewerState& state, LoadRequest request) {

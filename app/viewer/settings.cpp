@@ -9,6 +9,7 @@
 #include "app/json.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
 #include "base/user_folders.hpp"
 #include "image/image.hpp"
 
@@ -28,9 +29,9 @@ Json read_file(const fs::path& file, std::string& fault) {
     std::error_code ignored;
     if (file.empty() || !fs::is_regular_file(file, ignored)) return Json::object();
     try {
-        Json json = Json::parse(InputFile(file.string()).bytes(), file.string());
+        Json json = Json::parse(InputFile(text_from(file)).bytes(), text_from(file));
         if (json.is_object()) return json;
-        fault = file.string() + ":1:1: this is not a JSON object";
+        fault = text_from(file) + ":1:1: this is not a JSON object";
     } catch (const std::exception& error) {
         fault = error.what();
     }
@@ -69,7 +70,7 @@ void read_recent(const Json& json, std::vector<std::string>& recent) {
     for (const Json& entry : json["recent"].list()) {
         const auto path = entry.text();
         if (!path || recent.size() == most_recent) continue;
-        if (fs::path(*path).is_absolute() && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
+        if (path_from(*path).is_absolute() && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
     }
 }
 
@@ -100,8 +101,8 @@ void update(Json& json, const ViewerSettings& settings) {
 
 std::string absolute_path(const std::string& path) {
     std::error_code error;
-    const fs::path full = fs::absolute(path, error).lexically_normal();
-    return error ? path : full.string();
+    const fs::path full = fs::absolute(path_from(path), error).lexically_normal();
+    return error ? path : text_from(full);
 }
 
 void add_recent(ViewerSettings& settings, const std::string& path) {
@@ -137,7 +138,7 @@ bool save_settings(const ViewerSettings& settings) noexcept {
         std::string ignored;
         Json json = read_file(file, ignored);
         update(json, settings);
-        write_output(file.string(), json.dump(4) + "\n");
+        write_output(text_from(file), json.dump(4) + "\n");
         return true;
     } catch (const std::exception&) {
         return false;

@@ -157,6 +157,7 @@ ExitCode run_view(const ViewOptions& options) {
         });
         Viewer viewer(state, window);
         window.show();
+        leave_own_console();
         try {
             viewer.run([] { return interrupted.load() != 0; });
             loop_ended.set_value();

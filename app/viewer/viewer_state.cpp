@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "base/path.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -10,7 +12,7 @@ constexpr auto announcement_time = std::chrono::seconds(5);
 
 }  // namespace
 
-std::string ViewerState::name() const { return path.empty() ? "untitled" : std::filesystem::path(path).filename().string(); }
+std::string ViewerState::name() const { return path.empty() ? "untitled" : text_from(path_from(path).filename()); }
 
 void announce(ViewerState& state, const std::string& text) {
     state.messages.announcement = text;

@@ -4,6 +4,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/path.hpp"
+
 namespace sphereview {
 
 namespace fs = std::filesystem;
@@ -26,11 +28,11 @@ std::optional<FileState> state_of(const fs::path& file) {
 FileStates file_states(const std::string& path) {
     FileStates states;
     std::error_code error;
-    if (const auto state = state_of(path)) {
+    if (const auto state = state_of(path_from(path))) {
         states.emplace("", *state);
     } else {
-        for (fs::directory_iterator entry(path, error), end; !error && entry != end; entry.increment(error)) {
-            if (const auto file = state_of(entry->path())) states.emplace(entry->path().filename().string(), *file);
+        for (fs::directory_iterator entry(path_from(path), error), end; !error && entry != end; entry.increment(error)) {
+            if (const auto file = state_of(entry->path())) states.emplace(text_from(entry->path().filename()), *file);
         }
     }
     return states;

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
+#include "base/path.hpp"
 #include "base/standard_streams.hpp"
 
 namespace sphereview {
@@ -48,15 +49,15 @@ InputStream::InputStream(const std::string& path, Content content)
     : name_(path == standard_stream ? "stdin" : path), file_(nullptr, &leave_open), content_(content) {
     const bool from_stdin = path == standard_stream;
     std::error_code ignored;
-    if (!from_stdin && fs::is_directory(path, ignored)) fail("it is a folder; expected a file");
+    if (!from_stdin && fs::is_directory(path_from(path), ignored)) fail("it is a folder; expected a file");
     std::FILE* file = from_stdin ? binary(stdin) : std::fopen(path.c_str(), "rb");
     if (file == nullptr) fail_to_read(name_, errno);
     file_ = {file, from_stdin ? &leave_open : &std::fclose};
 
-    const bool regular = !from_stdin && fs::is_regular_file(path, ignored);
+    const bool regular = !from_stdin && fs::is_regular_file(path_from(path), ignored);
     ends_at_zero_ = !regular && content == Content::text;
     if (!regular) return;
-    const auto size = fs::file_size(path, ignored);
+    const auto size = fs::file_size(path_from(path), ignored);
     if (ignored || size == 0) return;
     may_be_endless_ = false;
     look_for_gzip();

@@ -4,7 +4,12 @@
 #include <csignal>
 #include <cstdlib>
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include <windows.h>
+
+#include <mutex>
+#include <utility>
+#else
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -21,7 +26,11 @@ std::atomic<int> interruption = 0;  // the signal's number
 std::atomic<int> unfinished = 0;
 std::atomic<bool> progress_bar_shown = false;
 
-#ifndef _WIN32
+#ifdef _WIN32
+// What the first event is passed to.
+std::mutex act_mutex;
+std::function<void(int)> act_once;
+#else
 // Where the handler writes a signal's number to, once.
 std::atomic<int> passing_pipe = -1;
 #endif
@@ -36,14 +45,34 @@ std::atomic<int> passing_pipe = -1;
 #endif
 }
 
+#ifdef _WIN32
+
+// On a thread that Windows makes for the event. A console that is closed, and a session that ends, end the process when the handler
+// returns, and some seconds later anyhow.
+BOOL WINAPI on_event(DWORD event) {
+    const bool pressed = event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT;
+    const int signal_number = pressed ? SIGINT : SIGTERM;
+    std::unique_lock lock(act_mutex);
+    const auto act = std::exchange(act_once, nullptr);
+    lock.unlock();
+    if (act) {
+        act(signal_number);
+    } else {
+        interruption = signal_number;
+        if (unfinished == 0) end();
+    }
+    if (!pressed) Sleep(INFINITE);
+    return TRUE;
+}
+
+#else
+
 extern "C" void on_interrupt(int signal_number) {
-#ifndef _WIN32
     const int pipe_end = passing_pipe.exchange(-1);
     if (pipe_end >= 0) {
         const auto number = static_cast<unsigned char>(signal_number);
         if (write(pipe_end, &number, 1) == 1) return;
     }
-#endif
     // In this order, the reverse of Unfinished's: one of the two sees the other.
     interruption = signal_number;
     if (unfinished == 0) end();
@@ -53,12 +82,16 @@ void handle_unless_ignored(int signal_number) {
     if (std::signal(signal_number, on_interrupt) == SIG_IGN) std::signal(signal_number, SIG_IGN);
 }
 
+#endif
+
 }  // namespace
 
 void install_interrupt_handlers() {
+#ifdef _WIN32
+    SetConsoleCtrlHandler(on_event, TRUE);
+#else
     handle_unless_ignored(SIGINT);
     handle_unless_ignored(SIGTERM);
-#ifndef _WIN32
     handle_unless_ignored(SIGHUP);
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
@@ -67,7 +100,8 @@ void install_interrupt_handlers() {
 
 void pass_interrupts_to(std::function<void(int)> act) {
 #ifdef _WIN32
-    static_cast<void>(act);
+    const std::lock_guard lock(act_mutex);
+    act_once = std::move(act);
 #else
     std::array<int, 2> ends{};
     if (pipe(ends.data()) != 0) return;  // signals go on ending the process

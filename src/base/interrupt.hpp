@@ -5,14 +5,13 @@
 
 namespace sphereview {
 
-// From now on SIGINT, SIGTERM and SIGHUP clear the progress bar and end the process at once with status 128 + signal, wherever
-// it is, also inside a driver. A signal that was ignored stays ignored. Writing beyond a
-// file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
+// From now on SIGINT, SIGTERM and SIGHUP (on Windows Ctrl+C, and the end of the console or the session) clear the progress bar and
+// end the process at once with status 128 + signal, wherever it is, also inside a driver. A signal that was ignored stays ignored.
+// Writing beyond a file-size limit or to a closed pipe becomes an ordinary error. Call once, at the start of main.
 void install_interrupt_handlers();
 
 // From now on the first of these signals is passed to `act`, called with the signal's number on a thread of its own, so that a
-// program with unsaved work can keep that; a second one ends the process as above. Where there are no POSIX signals it does
-// nothing. Call once.
+// program with unsaved work can keep that; a second one ends the process as above. Call once.
 void pass_interrupts_to(std::function<void(int)> act);
 
 // While such an object lives, interruptions wait for its end: what is begun is not left unfinished. For a few milliseconds of work,

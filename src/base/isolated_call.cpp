@@ -1,6 +1,10 @@
 #include "base/isolated_call.hpp"
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include <windows.h>
+
+#include <array>
+#else
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/wait.h>
@@ -14,12 +18,92 @@
 #include <thread>
 #endif
 
+#include "base/path.hpp"
+
 namespace sphereview {
 
 #ifdef _WIN32
 
-IsolatedResult call_isolated(const std::function<std::string()>& call, std::chrono::milliseconds) {
-    return {IsolatedResult::End::returned, 0, call(), ""};
+namespace {
+
+// A pipe, whose writing end the started process inherits, and what came out of it.
+struct Pipe {
+    HANDLE read_end = nullptr;
+    HANDLE write_end = nullptr;
+    std::string text;
+
+    Pipe() {
+        SECURITY_ATTRIBUTES inherited{sizeof inherited, nullptr, TRUE};
+        if (CreatePipe(&read_end, &write_end, &inherited, 0) != 0) SetHandleInformation(read_end, HANDLE_FLAG_INHERIT, 0);
+    }
+    ~Pipe() {
+        if (read_end != nullptr) CloseHandle(read_end);
+        close_write_end();
+    }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+    void close_write_end() {
+        if (write_end != nullptr) CloseHandle(write_end);
+        write_end = nullptr;
+    }
+    // What is there now. Not up to the end: what the process starts in turn may keep the pipe open.
+    void drain() {
+        std::array<char, 4096> buffer{};
+        DWORD count = 0;
+        while (PeekNamedPipe(read_end, nullptr, 0, nullptr, &count, nullptr) != 0 && count > 0 &&
+               ReadFile(read_end, buffer.data(), buffer.size(), &count, nullptr) != 0) {
+            text.append(buffer.data(), count);
+        }
+    }
+};
+
+std::wstring this_program() {
+    std::wstring name(32768, L'\0');
+    name.resize(GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())));
+    return name;
+}
+
+}  // namespace
+
+IsolatedResult call_isolated(const std::function<std::string()>& call, std::chrono::milliseconds limit,
+                             const std::vector<std::string>& arguments) {
+    using End = IsolatedResult::End;
+    Pipe value;
+    Pipe errors;
+    const std::wstring program = this_program();
+    std::wstring line = L"\"" + program + L"\"";
+    for (const std::string& argument : arguments) line += L" \"" + path_from(argument).wstring() + L"\"";
+    STARTUPINFOW start{};
+    start.cb = sizeof start;
+    start.dwFlags = STARTF_USESTDHANDLES;
+    start.hStdOutput = value.write_end;
+    start.hStdError = errors.write_end;
+    PROCESS_INFORMATION process{};
+    if (arguments.empty() || CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr,
+                                            nullptr, &start, &process) == 0) {
+        return {End::returned, 0, call(), ""};
+    }
+    CloseHandle(process.hThread);
+    value.close_write_end();
+    errors.close_write_end();
+    constexpr DWORD a_while = 10;  // ms
+    const auto deadline = std::chrono::steady_clock::now() + limit;
+    bool ended = false;
+    while (!ended && std::chrono::steady_clock::now() < deadline) {
+        ended = WaitForSingleObject(process.hProcess, a_while) == WAIT_OBJECT_0;
+        value.drain();
+        errors.drain();
+    }
+    if (!ended) TerminateProcess(process.hProcess, 1);
+    DWORD status = 0;
+    GetExitCodeProcess(process.hProcess, &status);
+    CloseHandle(process.hProcess);
+    constexpr DWORD exceptions = 0x80000000;  // their numbers and above
+    const End end = !ended                              ? End::timed_out
+                    : status >= exceptions              ? End::crashed
+                    : status != 0 || value.text.empty() ? End::exited
+                                                        : End::returned;
+    return {end, static_cast<unsigned>(status), value.text, errors.text};
 }
 
 #else
@@ -100,7 +184,8 @@ bool drain(Pipes& pipes, IsolatedResult& result, Clock::time_point deadline) {
 
 }  // namespace
 
-IsolatedResult call_isolated(const std::function<std::string()>& call, std::chrono::milliseconds limit) {
+IsolatedResult call_isolated(const std::function<std::string()>& call, std::chrono::milliseconds limit,
+                             const std::vector<std::string>& /*arguments*/) {
     const auto deadline = Clock::now() + limit;
     Pipes pipes;
     const pid_t copy = pipes.parent.ends[0] < 0 ? -1 : fork();
@@ -117,10 +202,10 @@ IsolatedResult call_isolated(const std::function<std::string()>& call, std::chro
         result.end = IsolatedResult::End::timed_out;
     } else if (WIFSIGNALED(status)) {
         result.end = IsolatedResult::End::crashed;
-        result.code = WTERMSIG(status);
+        result.code = static_cast<unsigned>(WTERMSIG(status));
     } else if (WEXITSTATUS(status) != 0 || result.value.empty()) {
         result.end = IsolatedResult::End::exited;
-        result.code = WEXITSTATUS(status);
+        result.code = static_cast<unsigned>(WEXITSTATUS(status));
     }
     return result;
 }

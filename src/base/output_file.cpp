@@ -10,7 +10,9 @@
 #include <system_error>
 
 #ifdef _WIN32
+#include <fcntl.h>
 #include <io.h>
+#include <sys/stat.h>
 #else
 #include <fcntl.h>
 #include <poll.h>
@@ -21,6 +23,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/interrupt.hpp"
+#include "base/path.hpp"
 #include "base/standard_streams.hpp"
 
 namespace sphereview {
@@ -64,9 +67,9 @@ fs::path hidden_sibling(const fs::path& target) {
     std::random_device random;
     std::snprintf(suffix.data(), suffix.size(), ".%08x%08x.tmp", static_cast<unsigned>(random()), static_cast<unsigned>(random()));
     std::string name(1, '.');
-    name += target.filename().string().substr(0, longest_stem);
+    name += text_from(target.filename()).substr(0, longest_stem);
     name += suffix.data();
-    return target.parent_path() / name;
+    return target.parent_path() / path_from(name);
 }
 
 // Writes all bytes; false, with errno set, if that fails.
@@ -98,7 +101,9 @@ std::FILE* create(const fs::path& path, const fs::file_status& old) {
     errno = 0;
 #ifdef _WIN32
     static_cast<void>(old);
-    return std::fopen(path.string().c_str(), "wbx");
+    // Not fopen() with "x", which older run-time libraries there do not know.
+    const int handle = _wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+    return handle < 0 ? nullptr : _fdopen(handle, "wb");
 #else
     const auto mode = fs::exists(old) ? static_cast<mode_t>(old.permissions() & fs::perms::all) | S_IWUSR : mode_t{0666};
     const int handle = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
@@ -157,7 +162,7 @@ bool write_and_close(std::FILE* file, std::string_view bytes, Durability durabil
 }
 
 void replace(const std::string& path, std::string_view bytes, Durability durability) {
-    const fs::path target = follow_links(path);
+    const fs::path target = follow_links(path_from(path));
     const fs::path temporary = hidden_sibling(target);
     const Unfinished unfinished;
     const auto give_up = [&](int error) {
@@ -184,7 +189,7 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
     check_output(path);
     if (path == standard_stream) {
         if (!write_to_stdout(bytes)) fail_by_errno(path);
-    } else if (is_special(path)) {
+    } else if (is_special(path_from(path))) {
         std::FILE* file = std::fopen(path.c_str(), "wb");
         if (file == nullptr || !write_and_close(file, bytes, Durability::in_system)) fail_by_errno(path);
     } else {
@@ -196,29 +201,29 @@ void check_output(const std::string& path) {
     if (path == standard_stream) return;
     if (path.empty()) fail("''", "it has no name");
     std::error_code error;
-    const fs::path target = follow_links(path);
+    const fs::path target = follow_links(path_from(path));
     const fs::file_status status = fs::status(target, error);
     if (error && error != std::errc::no_such_file_or_directory) fail(path, error.message());
     if (fs::is_directory(status)) fail(path, "it is a folder");
     if (!target.has_filename()) fail(path, "it names a folder");
     if (fs::is_regular_file(status)) {
         // A rename would replace a file that its owner has protected.
-        std::FILE* file = std::fopen(target.string().c_str(), "r+b");
+        std::FILE* file = std::fopen(text_from(target).c_str(), "r+b");
         if (file == nullptr) fail_by_errno(path);
         std::fclose(file);
     } else if (!fs::exists(status)) {
         const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
-        if (!fs::exists(folder, error)) fail(path, "the folder " + folder.string() + " does not exist");
-        if (!fs::is_directory(folder, error)) fail(path, folder.string() + " is not a folder");
+        if (!fs::exists(folder, error)) fail(path, "the folder " + text_from(folder) + " does not exist");
+        if (!fs::is_directory(folder, error)) fail(path, text_from(folder) + " is not a folder");
     }
 }
 
 std::string file_identity(const std::string& path) {
-    if (path == standard_stream || is_special(path)) return "";
+    if (path == standard_stream || is_special(path_from(path))) return "";
     std::error_code error;
-    const fs::path absolute = fs::absolute(follow_links(path), error);
+    const fs::path absolute = fs::absolute(follow_links(path_from(path)), error);
     const fs::path canonical = fs::weakly_canonical(absolute, error);
-    return (error ? absolute.lexically_normal() : canonical).string();
+    return text_from(error ? absolute.lexically_normal() : canonical);
 }
 
 }  // namespace sphereview

@@ -3,6 +3,7 @@
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
+#include <windows.h>
 #else
 #include <unistd.h>
 #endif
@@ -25,6 +26,40 @@ bool stderr_is_terminal() {
     return isatty(STDERR_FILENO) != 0;
 #endif
 }
+
+#ifdef _WIN32
+
+namespace {
+
+UINT earlier_code_page = 0;
+
+}  // namespace
+
+void prepare_console() {
+    earlier_code_page = GetConsoleOutputCP();
+    if (earlier_code_page == 0) return;  // there is no console
+    SetConsoleOutputCP(CP_UTF8);
+    DWORD mode = 0;
+    const HANDLE console = GetStdHandle(STD_ERROR_HANDLE);
+    if (GetConsoleMode(console, &mode) != 0) SetConsoleMode(console, mode | ENABLE_VIRTUAL_TERMINAL_PROCESSING);
+}
+
+void restore_console() {
+    if (earlier_code_page != 0) SetConsoleOutputCP(earlier_code_page);
+}
+
+void leave_own_console() {
+    DWORD users = 0;
+    if (GetConsoleProcessList(&users, 1) == 1) FreeConsole();
+}
+
+#else
+
+void prepare_console() {}
+void restore_console() {}
+void leave_own_console() {}
+
+#endif
 
 void say(std::string_view line) { std::fputs((on_one_line(line) + "\n").c_str(), stderr); }
 

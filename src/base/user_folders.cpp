@@ -8,6 +8,10 @@
 #include <string_view>
 #include <system_error>
 
+#ifdef _WIN32
+#include <windows.h>
+#endif
+
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -93,6 +97,17 @@ fs::path pictures_folder() {
     if (is_folder(home)) return home;
     std::error_code error;
     return fs::temp_directory_path(error);
+}
+
+std::vector<fs::path> drives() {
+    std::vector<fs::path> found;
+#ifdef _WIN32
+    const DWORD letters = GetLogicalDrives();
+    for (int i = 0; i < 26; ++i) {
+        if ((letters >> i & 1U) != 0) found.emplace_back(std::string(1, static_cast<char>('A' + i)) + ":\\");
+    }
+#endif
+    return found;
 }
 
 bool make_user_folder(const fs::path& folder) {

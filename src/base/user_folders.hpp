@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace sphereview {
 
@@ -17,6 +18,9 @@ std::filesystem::path state_folder();
 
 // Pictures: xdg-user-dirs' XDG_PICTURES_DIR, else ~/Pictures; the home folder if that is missing; else the temporary folder.
 std::filesystem::path pictures_folder();
+
+// On Windows the drives that there are, as "C:\"; nothing elsewhere.
+std::vector<std::filesystem::path> drives();
 
 // Makes the folder, and those above it, for this user alone where they are missing. False when it is not there then.
 bool make_user_folder(const std::filesystem::path& folder);

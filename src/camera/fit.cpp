@@ -10,6 +10,7 @@
 
 #include "base/number.hpp"
 #include "base/parallel.hpp"
+#include "base/square_root.hpp"
 #include "camera/navigation.hpp"
 #include "scene/vectors.hpp"
 
@@ -92,7 +93,7 @@ struct Frame {
 
 Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& frame) {
     // A plane at a sphere's side is this much of its radius beyond its centre.
-    const double reach = std::sqrt(1.0 + slope * slope);
+    const double reach = square_root(1.0 + slope * slope);
     Planes all{least, least, least, least};
     std::mutex mutex;
     parallel_pieces(scene.spheres.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
@@ -132,8 +133,8 @@ SineCosine sine_cosine(double degrees) {
 ViewAxes axes_from(double azimuth, double elevation) { return axes_from(sine_cosine(azimuth), sine_cosine(elevation)); }
 
 ViewAxes isometric_axes() {
-    const double half = std::sqrt(0.5);
-    return axes_from({half, half}, {std::sqrt(1.0 / 3.0), std::sqrt(2.0 / 3.0)});
+    const double half = square_root(0.5);
+    return axes_from({half, half}, {square_root(1.0 / 3.0), square_root(2.0 / 3.0)});
 }
 
 ViewAxes axes_of(const Camera& camera) {

@@ -9,6 +9,7 @@
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
+#include "base/square_root.hpp"
 
 namespace sphereview {
 
@@ -50,7 +51,7 @@ void aim(Rays& rays, const RayBasis<float>& frame, PictureSize size, Pixel cell)
             const float x = middle.x + across * frame.right.x;
             const float y = middle.y + across * frame.right.y;
             const float z = middle.z + across * frame.right.z;
-            const float scale = 1.0F / std::sqrt(x * x + y * y + z * z);
+            const float scale = 1.0F / square_root(x * x + y * y + z * z);
             const int i = row * cell_side + column;
             rays.x[i] = x * scale;
             rays.y[i] = y * scale;

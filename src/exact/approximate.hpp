@@ -10,6 +10,8 @@
 #include <limits>
 #include <optional>
 
+#include "base/square_root.hpp"
+
 namespace sphereview {
 
 #ifdef __FAST_MATH__
@@ -131,11 +133,11 @@ inline Approximate operator/(const Approximate& a, const Approximate& b) {
 // Of an exact value that is at least 0. |sqrt(a) - s| = |a - s^2| / (sqrt(a) + s), which is at most |a - s^2| / s and sqrt(|a -
 // s^2|).
 inline Approximate sqrt(const Approximate& a) {
-    const double first = a.high > 0.0 ? std::sqrt(a.high) : 0.0;
+    const double first = a.high > 0.0 ? square_root(a.high) : 0.0;
     const double second = first > 0.0 ? (a - Approximate(first) * Approximate(first)).high / (2.0 * first) : 0.0;
     Approximate root(two_sum(first, second), 0.0);
     const double rest = (a - root * root).most();
-    root.error = std::sqrt(rest) * Approximate::margin;
+    root.error = square_root(rest) * Approximate::margin;
     if (root.high > 0.0) root.error = std::min(root.error, rest / root.high * Approximate::margin);
     return root;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/square_root.hpp"
 #include "base/text.hpp"
 #include "exact/exact_decision.hpp"
 #include "exact/exact_quadratic.hpp"
@@ -79,7 +80,7 @@ public:
         }
         const double along = c.x * ray_.x + c.y * ray_.y + c.z * ray_.z;
         const glm::dvec3 p = c - along * ray_;
-        return std::sqrt(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius > error_scale_ * size;
+        return square_root(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius > error_scale_ * size;
     }
 
 private:

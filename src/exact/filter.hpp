@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/square_root.hpp"
+
 namespace sphereview {
 
 // Where the eye is, seen from a sphere: the sign of |C|^2 - r^2, decided exactly once for the sphere.
@@ -44,7 +46,6 @@ constexpr Real at_least_zero(Real x) {
 // for ray/sphere intersection", 2019: the closest approach h first, because b^2 - c cancels.
 template <EyeSide side, typename Real>
 inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Real nx, Real ny, Real nz) {
-    using std::sqrt;  // the proof's tests bring a number type, and a square root, of their own
     constexpr Real never = std::numeric_limits<Real>::infinity();
     const Real along = cx * nx + cy * ny + cz * nz;
     if constexpr (side == EyeSide::on_surface) {
@@ -56,9 +57,9 @@ inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Rea
         const Real px = cx - along * nx;
         const Real py = cy - along * ny;
         const Real pz = cz - along * nz;
-        const Real h = sqrt(px * px + py * py + pz * pz);
-        const Real longest = sqrt(at_least_zero(r - h + w) * (r + h + w));
-        const Real shortest = sqrt(at_least_zero(r - h - w) * at_least_zero(r + h - w));
+        const Real h = square_root(px * px + py * py + pz * pz);
+        const Real longest = square_root(at_least_zero(r - h + w) * (r + h + w));
+        const Real shortest = square_root(at_least_zero(r - h - w) * at_least_zero(r + h - w));
         if constexpr (side == EyeSide::inside) {
             return {along + shortest - w, along + longest + w};
         } else {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
+#include "base/square_root.hpp"
 #include "scene/camera.hpp"
 
 namespace sphereview {
@@ -28,7 +29,7 @@ glm::vec<3, Real> unit_ray(const RayBasis<Real>& frame, PictureSize size, Pixel 
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
     const glm::vec<3, Real> d =
         (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) + static_cast<Real>(coefficients.across) * frame.right;
-    return d * (Real(1) / std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z));
+    return d * (Real(1) / square_root(d.x * d.x + d.y * d.y + d.z * d.z));
 }
 
 // kappa of docs/exactness.md: no pixel's |forward| + |across right| + |upward up| exceeds kappa |ray|. At least sqrt(3);

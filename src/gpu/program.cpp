@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/path.hpp"
 #include "base/text.hpp"
 #include "gpu/layouts.hpp"
 
@@ -104,13 +105,13 @@ void check_draw_layout(GLuint program, std::string_view file) {
 ShaderFiles::ShaderFiles(const std::string& folder) {
     namespace fs = std::filesystem;
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        const std::string extension = entry->path().extension().string();
-        const std::string name = entry->path().filename().string();
+    for (fs::directory_iterator entry(path_from(folder), error), end; !error && entry != end; entry.increment(error)) {
+        const std::string extension = text_from(entry->path().extension());
+        const std::string name = text_from(entry->path().filename());
         if (name.starts_with('.')) continue;  // an editor's
         if (extension != ".vert" && extension != ".frag" && extension != ".glsl") continue;
         if (std::error_code ignored; !entry->is_regular_file(ignored)) continue;  // a FIFO would be waited for
-        read_[name] = InputFile(entry->path().string()).bytes();
+        read_[name] = InputFile(text_from(entry->path())).bytes();
     }
     if (error) throw InputError(folder + ": cannot read the shaders in it: " + error.message());
     if (read_.empty()) throw InputError(folder + ": no shaders in it, expected files like trace.frag");

@@ -9,6 +9,11 @@
 #include <string_view>
 
 #include "base/text.hpp"
+#elif defined(_WIN32)
+#include <cstdlib>
+#include <filesystem>
+
+#include "base/path.hpp"
 #endif
 
 namespace sphereview {
@@ -79,6 +84,19 @@ std::string system_font_file(FontFamily family) {
         if (monospaced && spacing != FC_MONO) continue;  // the list goes on with all other fonts
         std::string file = readable_file(fonts->fonts[i]);
         if (!file.empty()) return file;
+    }
+    return "";
+}
+
+#elif defined(_WIN32)
+
+std::string system_font_file(FontFamily family) {
+    const char* windows = std::getenv("SystemRoot");
+    std::error_code none;
+    for (const char* name : {family == FontFamily::monospaced ? "consola.ttf" : "segoeui.ttf",
+                             family == FontFamily::monospaced ? "cour.ttf" : "tahoma.ttf"}) {
+        const std::filesystem::path file = path_from(windows != nullptr ? windows : "C:\\Windows") / "Fonts" / name;
+        if (std::filesystem::is_regular_file(file, none)) return text_from(file);
     }
     return "";
 }

@@ -49,4 +49,7 @@ std::unique_ptr<GlContext> open_egl(const EglDevice& device);
 // Opens Mesa's off-screen software renderer. Throws RenderError; Mesa 25.1 and later no longer have it.
 std::unique_ptr<GlContext> open_osmesa();
 
+// Opens the context of a hidden window, by which OpenGL is reached on Windows. Throws RenderError, on every other system at once.
+std::unique_ptr<GlContext> open_wgl();
+
 }  // namespace sphereview

@@ -4,6 +4,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <string>
+
 #include "base/error.hpp"
 #include "platform/dynamic_library.hpp"
 
@@ -51,6 +53,23 @@ inline Glfw open_glfw() {
 inline const Glfw& glfw() {
     static const Glfw functions = open_glfw();
     return functions;
+}
+
+inline std::string last_glfw_error() {
+    const char* description = nullptr;
+    glfw().GetError(&description);
+    return description != nullptr ? description : "no reason given";
+}
+
+// The next window has OpenGL 3.3 core, and is hidden at first.
+inline void hint_at_context() {
+    glfw().WindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfw().WindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfw().WindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfw().WindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfw().WindowHint(GLFW_DEPTH_BITS, 0);
+    glfw().WindowHint(GLFW_STENCIL_BITS, 0);
+    glfw().WindowHint(GLFW_VISIBLE, GLFW_FALSE);
 }
 
 }  // namespace sphereview

@@ -70,12 +70,6 @@ std::string key_name(int key, int scancode) {
     return name != nullptr ? name : "";
 }
 
-std::string last_error() {
-    const char* description = nullptr;
-    glfw().GetError(&description);
-    return description != nullptr ? description : "no reason given";
-}
-
 Modifiers modifiers_of(int mods) {
 #ifdef __APPLE__
     constexpr int control = GLFW_MOD_SUPER;
@@ -205,21 +199,15 @@ Window::Window(const std::string& title, const WindowPlace& place) : state_(std:
     const char* run_time_folder = std::getenv("XDG_RUNTIME_DIR");
     if (run_time_folder == nullptr || *run_time_folder == '\0') glfw().InitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
-    if (glfw().Init() == GLFW_FALSE) throw RenderError("there is no display to open a window on: " + last_error());
-    glfw().WindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfw().WindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfw().WindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfw().WindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfw().WindowHint(GLFW_DEPTH_BITS, 0);
-    glfw().WindowHint(GLFW_STENCIL_BITS, 0);
-    glfw().WindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    if (glfw().Init() == GLFW_FALSE) throw RenderError("there is no display to open a window on: " + last_glfw_error());
+    hint_at_context();
     glfw().WindowHint(GLFW_MAXIMIZED, place.maximized ? GLFW_TRUE : GLFW_FALSE);
     glfw().WindowHintString(GLFW_X11_CLASS_NAME, "sphereview");
     glfw().WindowHintString(GLFW_X11_INSTANCE_NAME, "sphereview");
     const WindowPlace fitted = fitting(place);
     state_->window = glfw().CreateWindow(fitted.width, fitted.height, title.c_str(), nullptr, nullptr);
     if (state_->window == nullptr) {
-        const std::string why = last_error();
+        const std::string why = last_glfw_error();
         glfw().Terminate();
         throw RenderError("no window with OpenGL 3.3 can be opened: " + why);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "base/square_root.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -21,7 +22,8 @@ glm::dvec3 axis_of(const Camera& camera) {
 double ratio_of_lengths(const glm::dvec3& a, const glm::dvec3& b) {
     const double largest_a = largest_of(a);
     const double largest_b = largest_of(b);
-    return glm::length(a / largest_a) / glm::length(b / largest_b) * (largest_a / largest_b);
+    const auto length = [](const glm::dvec3& v) { return square_root(dot(v, v)); };
+    return length(a / largest_a) / length(b / largest_b) * (largest_a / largest_b);
 }
 
 }  // namespace

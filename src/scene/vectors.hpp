@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/vec3.hpp>
 
+#include "base/square_root.hpp"
+
 namespace sphereview {
 
 inline double dot(const glm::dvec3& a, const glm::dvec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
@@ -21,7 +23,7 @@ inline glm::dvec3 unit(glm::dvec3 v) {
     const double largest = largest_of(v);
     if (largest == 0.0) return v;
     v /= largest;
-    return v / std::sqrt(dot(v, v));
+    return v / square_root(dot(v, v));
 }
 
 }  // namespace sphereview

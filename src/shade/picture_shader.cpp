@@ -11,6 +11,7 @@
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
+#include "base/square_root.hpp"
 #include "exact/exact_decision.hpp"
 #include "scene/vectors.hpp"
 
@@ -28,9 +29,9 @@ constexpr double narrowest = 1.0 + 1.0 / 256.0;
 double length(const glm::dvec3& v) {
     const double most = largest_of(v);
     if (most == 0.0) return 0.0;
-    if (most > 1e-120 && most < 1e120) return std::sqrt(dot(v, v));
+    if (most > 1e-120 && most < 1e120) return square_root(dot(v, v));
     const glm::dvec3 u = v / most;
-    return most * std::sqrt(dot(u, u));
+    return most * square_root(dot(u, u));
 }
 
 // A distance from the eye that would not overflow.
@@ -92,7 +93,7 @@ SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
         const double dx = first.x + across * right.x;
         const double dy = first.y + across * right.y;
         const double dz = first.z + across * right.z;
-        const double inverse_length = 1.0 / std::sqrt(dx * dx + dy * dy + dz * dz);
+        const double inverse_length = 1.0 / square_root(dx * dx + dy * dy + dz * dz);
         const double nx = dx * inverse_length;
         const double ny = dy * inverse_length;
         const double nz = dz * inverse_length;
@@ -101,7 +102,7 @@ SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
         const double qy = (c.y - along * ny) * inverse_radius;
         const double qz = (c.z - along * nz) * inverse_radius;
         const double rest = 1.0 - (qx * qx + qy * qy + qz * qz);
-        const double facing = std::sqrt(rest > 0.0 ? rest : 0.0);  // grazing rays may pass by a little
+        const double facing = square_root(rest > 0.0 ? rest : 0.0);  // grazing rays may pass by a little
         const auto at = static_cast<std::size_t>(i);
         hits.facing[at] = facing;
         hits.distance[at] = along - side * (facing * radius);

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/simd.hpp"
+#include "base/square_root.hpp"
 #include "exact/filter.hpp"
 #include "exact/rays.hpp"
 
@@ -76,7 +77,7 @@ Interval guess(const PixelAxis& axis, const Product& ball) {
     const double half_b = ball.base * ball.step - reach_square * axis.base_step;
     const double c = ball.base * ball.base - reach_square * axis.base_base;
     const double square = half_b * half_b - a * c;
-    const double root = std::sqrt(square > 0.0 ? square : 0.0);
+    const double root = square_root(square > 0.0 ? square : 0.0);
     const double inverse = 1.0 / a;
     const double limit = axis.count;
     // Not std::clamp, which passes on what is not a number.

@@ -60,7 +60,7 @@ public:
     friend Perturbed operator*(Perturbed a, Perturbed b) { return rounded(a.value_ * b.value_, 1.0); }
     friend Perturbed operator-(Perturbed a) { return Perturbed(-a.value_); }
     friend Perturbed abs(Perturbed a) { return Perturbed(std::fabs(a.value_)); }
-    friend Perturbed sqrt(Perturbed a) { return rounded(std::sqrt(a.value_), 2.0); }
+    friend Perturbed square_root(Perturbed a) { return rounded(std::sqrt(a.value_), 2.0); }
     friend Perturbed inverse_sqrt(Perturbed a) { return rounded(1.0 / std::sqrt(a.value_), 2.0); }
     friend bool operator<(Perturbed a, Perturbed b) {
         Rounding::current().note_less(a.value_ - b.value_);
