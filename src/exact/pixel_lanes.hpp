@@ -67,6 +67,9 @@ class DifferenceLanes {
 public:
     explicit DifferenceLanes(std::size_t count);
 
+    // All spheres that come from now on, until the next call, are on this scale. What is set stays, and is to be set anew.
+    void use(const SphereScale& scale);
+
     // From now on the pixel takes part.
     void set(std::size_t lane, const NearestHit& nearest);
 
@@ -89,6 +92,18 @@ private:
     Lane<double> error_;       // of each of the hit's components
     Lane<double> length_;      // |x| + |y| + |z|
     Lane<double> inaccuracy_;  // what bounds the error of V: docs/exactness.md
+
+    // For the power as a sum of products with differences.
+    double difference_unit_ = 0.0;
+    Lane<double> scene_x_;  // of the sphere that is hit: its numbers in the scene,
+    Lane<double> scene_y_;
+    Lane<double> scene_z_;
+    Lane<double> scene_radius_;
+    Lane<double> sum_x_;  // its centre relative to the eye, less twice the hit,
+    Lane<double> sum_y_;
+    Lane<double> sum_z_;
+    Lane<double> sum_length_;  // the sizes of what was summed,
+    Lane<double> radius_;      // and its radius
 };
 
 }  // namespace sphereview

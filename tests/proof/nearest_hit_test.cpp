@@ -65,11 +65,9 @@ TEST(NearestHit, is_that_of_integers) {
         const ExactBasis basis(trial.camera);
         NearestHit nearest(trial.camera, basis, trial.size, trial.pixel);
         const double power = std::ldexp(1.0, static_cast<int>(random() % 3) * 150);
-        const double largest =
-            power * std::max({largest_of(trial.sphere.center), largest_of(trial.camera.eye), trial.sphere.radius});
+        const double largest = std::min(power * size_from(trial.camera.eye, trial.sphere), 0x1p1023);
         const SphereScale scale(trial.camera.eye, largest);
         if (!nearest.challenge(on_scale(scale, trial.sphere, 1))) continue;
-        if (!nearest.sphere()->in_range) continue;
         glm::dvec3 point = trial.camera.eye;
         const double back =
             trial.sphere.center == point ? 0.0 : largest_of(trial.sphere.center) / largest_of(nearest.sphere()->position);
