@@ -146,19 +146,22 @@ ExactBasis::ExactBasis(const Camera& camera) {
     for (Approximate& component : forward) component.error = 2.0 * error;
 }
 
-NearestHit::NearestHit(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel)
-    : camera_(camera), size_(size), pixel_(pixel) {
+ApproximateVector ExactBasis::ray(PictureSize size, Pixel pixel) const {
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
     const Approximate m(size.shorter_side());
     const Approximate across(static_cast<double>(coefficients.across));
     const Approximate upward(static_cast<double>(coefficients.upward));
-    const auto within = [&](double value) { return Approximate({value, 0.0}, basis.error); };
-    for (int i = 0; i < 3; ++i) {
-        ray_[static_cast<std::size_t>(i)] =
-            m * basis.forward[static_cast<std::size_t>(i)] + across * within(basis.right[i]) + upward * within(basis.up[i]);
+    const auto within = [&](double value) { return Approximate({value, 0.0}, error); };
+    ApproximateVector out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        out[i] = m * forward[i] + across * within(right[axis]) + upward * within(up[axis]);
     }
-    square_ = dot(ray_, ray_);
+    return out;
 }
+
+NearestHit::NearestHit(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel)
+    : camera_(camera), size_(size), pixel_(pixel), ray_(basis.ray(size, pixel)), square_(dot(ray_, ray_)) {}
 
 std::int32_t NearestHit::visible() const { return best_ ? best_->sphere.number : visible_background; }
 
@@ -184,13 +187,20 @@ NearestHit::Best NearestHit::best_of(const ScaledSphere& sphere) const {
 std::optional<int> NearestHit::order_of_the_first(const ScaledSphere& sphere) const {
     if (sphere.side == EyeSide::inside) return -1;
     const Approximate b = along(sphere);
+    if (sphere.side == EyeSide::outside) return order_before_all(sphere, b);
     const auto before = b.sign();
     if (!before) return std::nullopt;
-    if (*before <= 0) return 1;
-    if (sphere.side == EyeSide::on_surface) return -1;
+    return *before <= 0 ? 1 : -1;
+}
+
+// Seen from outside, a sphere is missed without roots, wherever it lies, and behind the eye, whether it has roots or not.
+std::optional<int> NearestHit::order_before_all(const ScaledSphere& sphere, const Approximate& b) const {
+    const auto before = b.sign();
+    if (before && *before <= 0) return 1;
     const auto roots = discriminant(sphere, b).sign();
-    if (!roots) return std::nullopt;
-    return *roots >= 0 ? -1 : 1;
+    if (roots && *roots < 0) return 1;
+    if (!before || !roots) return std::nullopt;
+    return -1;
 }
 
 std::optional<int> NearestHit::power_sign(const ScaledSphere& sphere) const {
@@ -245,11 +255,7 @@ std::optional<int> NearestHit::order(const ScaledSphere& sphere) const {
     if (!before_middle) return std::nullopt;
     if (*before_middle >= 0) return *beyond;
     if (*beyond == 0) return -1;
-    if (!before) return std::nullopt;
-    if (*before <= 0) return 1;
-    const auto roots = discriminant(sphere, b).sign();
-    if (!roots) return std::nullopt;
-    return *roots >= 0 ? -1 : 1;
+    return order_before_all(sphere, b);
 }
 
 void NearestHit::rescale(const SphereScale& scale) {

@@ -66,6 +66,9 @@ struct ExactBasis {
     double error = 0.0;  // of each component of each vector, where one was too small beside the largest
 
     explicit ExactBasis(const Camera& camera);
+
+    // m D of a pixel.
+    ApproximateVector ray(PictureSize size, Pixel pixel) const;
 };
 
 class NearestHit {
@@ -106,6 +109,8 @@ private:
     // -1: the sphere's hit is nearer than the best, 0: as near, 1: farther, or none; nothing when 106 bits are not enough.
     std::optional<int> order(const ScaledSphere& sphere) const;
     std::optional<int> order_of_the_first(const ScaledSphere& sphere) const;
+    // Of a sphere seen from outside that is nearer if it is hit at all.
+    std::optional<int> order_before_all(const ScaledSphere& sphere, const Approximate& b) const;
     const ExactRay& exact_ray();
     Best best_of(const ScaledSphere& sphere) const;
 

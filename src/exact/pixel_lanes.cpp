@@ -52,11 +52,10 @@ BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double
     w = in_range(size()) ? error_scale * size() : never;
 }
 
-BoundLanes::BoundLanes(const RayBasis<double>& basis, PictureSize size, std::span<const Pixel> pixels)
-    : count_(full_lanes(pixels.size())) {
-    assert(!pixels.empty() && pixels.size() <= most_lanes);
+BoundLanes::BoundLanes(std::span<const glm::dvec3> rays) : count_(full_lanes(rays.size())) {
+    assert(!rays.empty() && rays.size() <= most_lanes);
     for (std::size_t i = 0; i < count_; ++i) {
-        const glm::dvec3 ray = unit_ray(basis, size, pixels[std::min(i, pixels.size() - 1)]);
+        const glm::dvec3& ray = rays[std::min(i, rays.size() - 1)];
         x_[i] = ray.x;
         y_[i] = ray.y;
         z_[i] = ray.z;

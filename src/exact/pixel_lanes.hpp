@@ -4,11 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 
 #include "exact/filter.hpp"
 #include "exact/nearest_hit.hpp"
-#include "exact/rays.hpp"
 
 namespace sphereview {
 
@@ -36,8 +36,8 @@ struct BoundedSphere {
 // NearestHits (exact/filter.hpp) of some pixels.
 class BoundLanes {
 public:
-    // One to most_lanes of them.
-    BoundLanes(const RayBasis<double>& basis, PictureSize size, std::span<const Pixel> pixels);
+    // Their unit directions, of one to most_lanes of them.
+    explicit BoundLanes(std::span<const glm::dvec3> rays);
 
     // The pixels that may show the sphere, of those seen so far.
     LaneSet add(std::int64_t index, const BoundedSphere& sphere, EyeSide side);

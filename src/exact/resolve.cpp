@@ -13,6 +13,7 @@
 
 #include "base/parallel.hpp"
 #include "exact/pixel_lanes.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -29,6 +30,8 @@ HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r,
 }
 
 constexpr int cells_in_piece = 32;
+constexpr std::size_t tried_between_checks = 4096;  // a millisecond
+constexpr double condition_of_rounded_rays = 2.0;   // 4 roundings are less than 5 times this
 constexpr int largest_cell_shift = 3;
 static_assert(1 << 2 * largest_cell_shift == most_lanes);
 
@@ -117,11 +120,26 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       error_scale_(error_scale(ray_condition(camera), double_unit)),
       exact_basis_(camera),
       cell_shift_(largest_cell_shift) {
+    // What that basis cannot hold, aim() takes from the exact one: then the rays are only rounded.
     frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
-    if (!frame_.in_range) error_scale_ = NearestHits<double>::never;  // every sphere may be anywhere
+    if (!frame_.in_range) error_scale_ = error_scale(condition_of_rounded_rays, double_unit);
     if (lists != nullptr) {
         for (const TileLevel& level : lists->levels) cell_shift_ = std::min(cell_shift_, level.shift);
     }
+}
+
+bool Resolver::aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays) const {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (frame_.in_range) {
+            rays[i] = unit_ray(frame_, size_, pixels[i]);
+            continue;
+        }
+        const auto [x, y, z] = exact_basis_.ray(size_, pixels[i]);
+        const glm::dvec3 ray(x.high, y.high, z.high);
+        if (!(std::max({x.error, y.error, z.error}) <= double_unit * largest_of(ray))) return false;
+        rays[i] = unit(ray);
+    }
+    return true;
 }
 
 DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::int32_t> numbers) const {
@@ -134,10 +152,15 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
         LaneSet lanes;
     };
     std::vector<Contest> contests;
-    BoundLanes lanes(frame_, size_, pixels);
+    std::array<glm::dvec3, most_lanes> rays{};
+    const bool aimed = aim(pixels, rays);
+    const double bound_scale = aimed ? error_scale_ : NearestHits<double>::never;  // else every sphere may be anywhere
+    BoundLanes lanes{std::span<const glm::dvec3>(rays).first(pixels.size())};
     double sure_hit = NearestHits<double>::never;  // in the units of the lists
+    std::size_t tried = 0;
     for_each_candidate(drawn_, lists_, pixels.front(), [&](std::uint32_t i) {
-        const BoundedSphere bounded(sphere(i), camera_.eye, error_scale_);
+        if (++tried % tried_between_checks == 0) check_cancelled();
+        const BoundedSphere bounded(sphere(i), camera_.eye, bound_scale);
         const LaneSet contending = lanes.add(i, bounded, drawn_.side(i));
         if (contending != 0) {
             contests.push_back({i, contending});
@@ -149,7 +172,7 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
     LaneSet undecided = all;
     for (std::size_t lane = 0; lane < pixels.size(); ++lane) {
         const NearestHits<double> nearest = lanes.nearest(lane);
-        if (!frame_.in_range || !nearest.decided()) continue;
+        if (!aimed || !nearest.decided()) continue;
         undecided &= ~(LaneSet{1} << lane);
         numbers[lane] = nearest.guess < 0 ? visible_background : drawn_.number(static_cast<std::size_t>(nearest.guess));
     }
