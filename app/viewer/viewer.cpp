@@ -99,7 +99,7 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_picture_works_ || shaders_changed_;
+    const bool looks_again = is_working(state_) || rest_picture_works_ || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
@@ -135,6 +135,7 @@ void Viewer::follow_work() {
         rest_picture_works_ = false;
         pacing_.touch();
     }
+    if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
 
@@ -203,10 +204,15 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                        std::clamp(static_cast<int>(place.y), 0, state_.picture_size.height - 1)};
         return picture_.pick(state_.document, at);
     };
-    const PictureState picture{
-        state_.scene(), state_.selection, state_.camera, state_.picture_size, state_.pivot, pick, [this](Pixel low, Pixel high) {
-            return seen_in(low, high);
-        }};
+    const PictureState picture{state_.scene(),
+                               state_.selection,
+                               state_.camera,
+                               state_.picture_size,
+                               state_.pivot,
+                               pick,
+                               [this](Pixel low, Pixel high, bool toggles) {
+                                   select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
+                               }};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
@@ -215,11 +221,6 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
 void Viewer::update_picture(int step) {
     if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading)) return;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
-}
-
-std::vector<std::uint32_t> Viewer::seen_in(Pixel low, Pixel high) {
-    update_picture(1);
-    return picture_.seen_in(state_.document, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
 }
 
 void Viewer::draw_box() const {
@@ -280,7 +281,8 @@ void Viewer::redraw() {
     if (pacing_.rests() && input_.empty()) make_rest_picture(state_);
     rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
     if (log_.wanted()) {
-        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_;
+        const bool resting =
+            pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
         log_.add(state_, facts_,
                  {++redraw_number_, picture_.builds(), explanations_, exact, resting, area_, seconds_between(begin, Clock::now()),
                   title_for(state_)},

@@ -13,6 +13,7 @@
 #include "panels/inspector.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/status.hpp"
+#include "viewer/box_selection.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/picture_job.hpp"
 #include "viewer/recovery.hpp"
@@ -58,7 +59,8 @@ struct ViewerState {
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
     SceneSnapshot snapshot;
-    std::optional<RestPicture> rest_picture;  // of that, being made or there
+    std::optional<RestPicture> rest_picture;    // of that, being made or there
+    std::optional<BoxSelection> box_selection;  // under way
 
     Messages messages;
     std::optional<Clock::time_point> announcement_ends;

@@ -341,22 +341,4 @@ std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
     return Resolver(document.scene(), scene_.drawn(), view_.camera, size, lists_for_any_pixel()).resolve(pixel, level);
 }
 
-std::vector<std::uint32_t> LivePicture::seen_in(const Document& document, const Block& block) const {
-    assert(document.revision() == revision_ && traced_ && step_ == 1);
-    const KeptFramebuffers kept;
-    const Resolver resolver(document.scene(), scene_.drawn(), view_.camera, view_.size, &scene_.lists());
-    std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    visible_.read(block, visible);
-    resolver.certify(block, visible);
-    std::vector<bool> seen(document.scene().spheres.size());
-    for (const std::int32_t number : visible) {
-        if (number >= 0) seen[static_cast<std::size_t>(number)] = true;
-    }
-    std::vector<std::uint32_t> numbers;
-    for (std::uint32_t number = 0; number < seen.size(); ++number) {
-        if (seen[number]) numbers.push_back(number);
-    }
-    return numbers;
-}
-
 }  // namespace sphereview

@@ -27,9 +27,13 @@ struct Hand : testing::Test {
                                  size,
                                  {0, 0, 300},
                                  [&](glm::dvec2 at) { return glm::distance(at, glm::dvec2(500, 500)) < 150 ? 0 : -1; },
-                                 [&](Pixel low, Pixel high) {
+                                 [&](Pixel low, Pixel high, bool toggles) {
                                      boxes.push_back({low.x, low.y, high.x, high.y});
-                                     return in_box;
+                                     if (toggles) {
+                                         selection.toggle_all(in_box);
+                                     } else {
+                                         selection.set(in_box);
+                                     }
                                  }};
         const PictureConsequences done = control.frame(mouse, state, gesture, actions);
         mouse.pressed = {};
