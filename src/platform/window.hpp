@@ -72,6 +72,8 @@ struct WindowPlace {
     int width = 1400;
     int height = 1000;
     bool maximized = false;
+
+    bool operator==(const WindowPlace&) const = default;
 };
 
 // The one window of the program. Not shown until show().

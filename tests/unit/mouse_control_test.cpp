@@ -172,7 +172,7 @@ TEST_F(Hand, CtrlAndWheelIsOneStepOverOneSphere) {
     mouse.wheel = 1.0;
     frame();
     EXPECT_EQ(gesture_of_action(), first);
-    EXPECT_GT(scene.spheres[0].radius, 60.0);
+    EXPECT_NEAR(scene.spheres[0].radius, 60.0 * 1.06 * 1.06, 1e-9);
     ++gesture;  // something else was done between
     mouse.wheel = -1.0;
     frame();
