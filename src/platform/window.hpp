@@ -22,7 +22,7 @@ struct Modifiers {
 enum class MouseButton { left, right, middle };
 
 // What a person or the system did, in the order in which it happened. Places are in screen coordinates of the window,
-// (0, 0) at the top left; times framebuffer_scale() they are pixels.
+// (0, 0) at the top left; times framebuffer() / extent() they are pixels.
 struct PointerMoved {
     double x = 0.0;
     double y = 0.0;

@@ -104,7 +104,7 @@ TEST_F(Hand, ThePointThatWasGrabbedStaysUnderThePointer) {
     }
     EXPECT_EQ(gesture, 1U);
     release();
-    EXPECT_FALSE(control.holds_mouse());
+    EXPECT_FALSE(control.is_dragging());
 }
 
 TEST_F(Hand, EscapeTakesAMoveBackAndOnlyThat) {
@@ -113,7 +113,7 @@ TEST_F(Hand, EscapeTakesAMoveBackAndOnlyThat) {
     drag_to(mouse.place + glm::dvec2(50, 0));
     cancel();
     EXPECT_TRUE(undoes());
-    EXPECT_FALSE(control.holds_mouse());
+    EXPECT_FALSE(control.is_dragging());
 
     press();
     cancel();
