@@ -26,7 +26,7 @@ TEST(Picture, SurvivesAPng) {
 }
 
 TEST(Program, ReportsStatusOutputAndErrors) {
-    const Command command{.input = std::string(200'000, 'x')};  // more than a pipe holds
+    const Command command{.arguments = {}, .input = std::string(200'000, 'x')};  // more than a pipe holds
     const Outcome outcome = shell("cat; echo oops >&2; exit 7", command);
     EXPECT_EQ(outcome.status, 7);
     EXPECT_EQ(outcome.signal, 0);
@@ -42,8 +42,10 @@ TEST(Program, ReportsTheSignalThatEndedIt) {
 
 TEST(Program, GetsItsFolderItsEnvironmentAndATerminal) {
     const TemporaryFolder folder;
-    const Command command{
-        .folder = folder.path(), .environment = {{"ADDED", "value"}, {"HOME", std::nullopt}}, .errors_to_terminal = true};
+    const Command command{.arguments = {},
+                          .folder = folder.path(),
+                          .environment = {{"ADDED", "value"}, {"HOME", std::nullopt}},
+                          .errors_to_terminal = true};
     EXPECT_EQ(shell("pwd; echo $ADDED-$HOME-; test -t 2 && echo terminal", command).output,
               folder.path() + "\nvalue--\nterminal\n");
 }
@@ -52,7 +54,7 @@ TEST(Program, MeetsLimitsAndPermissions) {
     const TemporaryFolder folder;
     folder.write("protected", "");
     std::filesystem::permissions(folder.path("protected"), std::filesystem::perms::owner_read);
-    Command command{.folder = folder.path(), .obeys_permissions = true};
+    Command command{.arguments = {}, .folder = folder.path(), .obeys_permissions = true};
     EXPECT_NE(shell("echo > protected", command).status, 0);
     EXPECT_NE(shell("exec 2>&-; echo > /dev/full").status, 0);
     command.largest_file = 4096;
