@@ -50,8 +50,6 @@ public:
     PictureConsequences frame(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
                               std::vector<Action>& actions);
 
-    // A button that went down in the picture is still held: the panels must not see the mouse.
-    bool holds_mouse() const { return mode_ != Mode::none; }
     // Something follows the pointer.
     bool is_dragging() const { return mode_ != Mode::none && dragging_; }
     // The view does.

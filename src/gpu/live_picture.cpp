@@ -6,6 +6,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -98,11 +99,7 @@ std::string LivePicture::reload_shaders() {
         shader_files_ = std::move(files);
         shader_log_.clear();
         traced_ = false;
-    } catch (const RenderError& error) {
-        shader_log_ = error.what();
-    } catch (const InputError& error) {
-        shader_log_ = error.what();
-    } catch (const MemoryError& error) {
+    } catch (const std::runtime_error& error) {  // RenderError, InputError, MemoryError
         shader_log_ = error.what();
     }
     return shader_log_;
