@@ -83,7 +83,10 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
-        if (pacing_.rests() && input_.empty() && !state_.saving) state_.autosave.look(state_.document, state_.path, Clock::now());
+        if (pacing_.rests() && input_.empty() && !state_.saving) {
+            const std::lock_guard lock(state_.changing);
+            state_.autosave.look(state_.document, state_.path, Clock::now());
+        }
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
@@ -106,6 +109,7 @@ void Viewer::wait_for_work() {
     input_.add(std::move(events));
 
     for (const std::string& path : files_.look(Clock::now())) {
+        const std::lock_guard lock(state_.changing);
         if (path == state_.path) {
             look_at_file(state_);
         } else {
@@ -126,7 +130,10 @@ void Viewer::wait_for_work() {
 }
 
 void Viewer::follow_work() {
-    const bool ended = finish_work(state_);
+    const bool ended = [&] {
+        const std::lock_guard lock(state_.changing);
+        return finish_work(state_);
+    }();
     if (ended || (is_working(state_) && Clock::now() >= work_shown_ + work_shown_every)) {
         work_shown_ = Clock::now();
         pacing_.touch();
@@ -255,7 +262,10 @@ void Viewer::redraw() {
                                state_.hovered,  actions,          log_.wanted() ? &widgets_ : nullptr,
                                state_.frame,    state_.frames};
     const bool asked = !state_.dialogs.empty();
-    area_ = draw_panels(state_, context, facts_);
+    {
+        const std::lock_guard lock(state_.changing);  // for the answers of dialogs
+        area_ = draw_panels(state_, context, facts_);
+    }
     draw_export_area(state_, area_);
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
@@ -263,10 +273,16 @@ void Viewer::redraw() {
     use_mouse(context, facts_.keys.escape);
     draw_box();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
-    if (facts_.keys.escape && !asked) cancel_work(state_);
+    if (facts_.keys.escape && !asked) {
+        const std::lock_guard lock(state_.changing);
+        cancel_work(state_);
+    }
     imgui_.end_frame();
 
-    perform(state_, std::move(actions));
+    {
+        const std::lock_guard lock(state_.changing);
+        perform(state_, std::move(actions));
+    }
     if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <glm/vec3.hpp>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,10 @@ struct ViewerState {
 
     ViewOptions options;
     ViewerSettings settings;
+
+    // The loop's thread holds this while the document, its file or the autosave may change, so that another thread can keep the
+    // edits when the loop hangs elsewhere, in a driver.
+    std::timed_mutex changing;
 
     Document document;
     Selection selection;
