@@ -17,7 +17,7 @@ struct Json::Tree {
     using List = std::vector<Json>;
     using Members = std::vector<std::pair<std::string, Json>>;
 
-    std::variant<bool, double, std::int64_t, std::string, List, Members> value;
+    std::variant<bool, double, std::int64_t, std::string, List, Members> held;
 
     template <typename Value>
     static Json of(Value value) {
@@ -26,7 +26,7 @@ struct Json::Tree {
     // Null for one of another type.
     template <typename Value>
     static const Value* in(const Json& json) {
-        return json.tree_ == nullptr ? nullptr : std::get_if<Value>(&json.tree_->value);
+        return json.tree_ == nullptr ? nullptr : std::get_if<Value>(&json.tree_->held);
     }
     // To be changed; null becomes an empty one, and what is shared is copied before.
     template <typename Value>
@@ -36,7 +36,7 @@ struct Json::Tree {
         } else if (json.tree_.use_count() > 1) {
             json.tree_ = std::make_shared<Tree>(*json.tree_);
         }
-        return std::get<Value>(json.tree_->value);
+        return std::get<Value>(json.tree_->held);
     }
 
     static Json& member(Members& members, const std::string& key) {

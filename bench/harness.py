@@ -72,13 +72,14 @@ class Bench:
             subprocess.run([self.program("make_scene"), scene_set, str(count)], stdout=file, check=True)
         return path
 
-    def interleaved(self, cases: list[Case]) -> dict[str, list[dict]]:
+    def interleaved(self, cases: list[Case], most_runs: int | None = None) -> dict[str, list[dict]]:
         """All runs of all cases, in turns, after one run each that warms the caches up (Mesa's of shaders too)."""
+        runs = min(self.runs, most_runs or self.runs)
         for case in cases:
             self.run(case)
         samples: dict[str, list[dict]] = {case.name: [] for case in cases}
-        for number in range(self.runs):
-            progress(f"{', '.join(samples)}: run {number + 1} of {self.runs}")
+        for number in range(runs):
+            progress(f"{', '.join(samples)}: run {number + 1} of {runs}")
             for case in cases:
                 samples[case.name].append(self.run(case))
         progress("")
@@ -86,8 +87,11 @@ class Bench:
 
 
 def progress(text: str) -> None:
+    """On one line of a terminal; elsewhere a line for each, so that a log shows what goes on."""
     if sys.stderr.isatty():
         print("\r\033[K" + text, end="", file=sys.stderr, flush=True)
+    elif text:
+        print(text, file=sys.stderr, flush=True)
 
 
 def median(samples: list[dict], key: str) -> float:

@@ -141,7 +141,7 @@ def stress(bench: Bench) -> tuple[list[Row], dict]:
         lines = [" ".join(map(repr, (i % 256, i // 256, 0, *map(float, sphere(i))))) for i in range(count)]
         path.write_text("\n".join([str(count), *lines, ""]))
         cases += [bench.render(f"{name}, {backend}", path, "-s", "200x200", "--backend", backend) for backend in ["cpu", "egl"]]
-    samples = bench.interleaved(cases)
+    samples = bench.interleaved(cases, most_runs=3)  # each takes seconds, and a bound needs no finer median
     return [at_most(f"5,000 spheres, {name}", median(runs, "wall_s"), 2, " s") for name, runs in samples.items()], samples
 
 

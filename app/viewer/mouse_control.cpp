@@ -72,7 +72,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
         mode_ = Mode::none;
     } else if (mouse.released[static_cast<std::size_t>(button_)]) {
         if (!dragging_ && button_ == left) click(mouse, state, actions);
-        if (dragging_ && mode_ == Mode::box) select_box(mouse, state, actions);
+        if (dragging_ && mode_ == Mode::box) select_box(mouse, state);
         mode_ = Mode::none;
     }
     if (mode_ == Mode::none) base_ = {};
@@ -145,21 +145,14 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
     if (selection != state.selection) actions.push_back(SelectSpheres{selection});
 }
 
-void MouseControl::select_box(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const {
+void MouseControl::select_box(const PictureMouse& mouse, const PictureState& state) const {
     const auto pixel = [&](double x, double y) {
         return Pixel{std::clamp(static_cast<int>(std::floor(x)), 0, state.size.width - 1),
                      std::clamp(static_cast<int>(std::floor(y)), 0, state.size.height - 1)};
     };
     const glm::dvec2 low = glm::min(start_, mouse.place);
     const glm::dvec2 high = glm::max(start_, mouse.place);
-    std::vector<std::uint32_t> numbers = state.seen_in(pixel(low.x, low.y), pixel(high.x, high.y));
-    Selection selection = state.selection;
-    if (mouse.shift) {
-        selection.toggle_all(numbers);
-    } else {
-        selection.set(std::move(numbers));
-    }
-    if (selection != state.selection) actions.push_back(SelectSpheres{std::move(selection)});
+    state.select_seen(pixel(low.x, low.y), pixel(high.x, high.y), mouse.shift);
 }
 
 void MouseControl::remember_spheres(const PictureMouse& mouse, const PictureState& state) {

@@ -34,9 +34,9 @@ struct PictureState {
     PictureSize size;
     glm::dvec3 pivot{0.0};                         // what an orbit turns about
     std::function<std::int32_t(glm::dvec2)> pick;  // the visible sphere at a place, or visible_background
-    // The spheres that are seen in a rectangle, its upper left and lower right pixel included; ascending. A box selects what is
-    // seen: what the picture does not show could not be judged there. "Select all" and the filter reach the rest.
-    std::function<std::vector<std::uint32_t>(Pixel, Pixel)> seen_in{};
+    // Selects the spheres that are seen in a rectangle, its upper left and lower right pixel included, or toggles them. A box
+    // selects what is seen: what the picture does not show could not be judged there. "Select all" and the filter reach the rest.
+    std::function<void(Pixel, Pixel, bool toggles)> select_seen{};
 };
 
 // What the mouse did to the view; edits are in `actions`.
@@ -50,8 +50,6 @@ public:
     PictureConsequences frame(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
                               std::vector<Action>& actions);
 
-    // A button that went down in the picture is still held: the panels must not see the mouse.
-    bool holds_mouse() const { return mode_ != Mode::none; }
     // Something follows the pointer.
     bool is_dragging() const { return mode_ != Mode::none && dragging_; }
     // The view does.
@@ -71,7 +69,7 @@ private:
     void drag(const PictureMouse& mouse, const PictureState& state, PictureConsequences& consequences, std::uint64_t& gesture,
               std::vector<Action>& actions);
     void click(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const;
-    void select_box(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const;
+    void select_box(const PictureMouse& mouse, const PictureState& state) const;
     void move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions);
     void remember_spheres(const PictureMouse& mouse, const PictureState& state);
     void change_radius(const PictureMouse& mouse, const PictureState& state, std::int32_t picked, std::uint64_t& gesture,

@@ -29,17 +29,6 @@ bool same_spheres(const Document& document, std::uint64_t& revision) {
     return true;
 }
 
-// A copy of the spheres, unless there is one: 40 MB and some 10 ms a million.
-std::shared_ptr<const Scene> snapshot(ViewerState& state) {
-    SceneSnapshot& kept = state.snapshot;
-    if (!kept.scene || !same_spheres(state.document, kept.revision)) {
-        Scene scene;
-        scene.spheres = state.scene().spheres;
-        kept = {state.document.revision(), std::make_shared<const Scene>(std::move(scene))};
-    }
-    return kept.scene;
-}
-
 // The very function that `render` calls.
 Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control) {
     constexpr double parts = 1000.0;
@@ -73,7 +62,7 @@ void start_export(ViewerState& state, const std::string& path, PictureSize size,
     std::shared_ptr<const Image> made;
     if (rest_picture_is_shown(state) && state.rest_picture->options == options) made = state.rest_picture->image;
     auto png = std::make_shared<std::string>();
-    BackgroundJob job([png, made, options, scene = made ? nullptr : snapshot(state)](WorkControl& control) {
+    BackgroundJob job([png, made, options, scene = made ? nullptr : scene_snapshot(state)](WorkControl& control) {
         *png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
     });
     const auto done = [&state, path, options] {
@@ -119,6 +108,16 @@ void ask_for_export(ViewerState& state, const fs::path& first, const std::string
 
 }  // namespace
 
+std::shared_ptr<const Scene> scene_snapshot(ViewerState& state) {
+    SceneSnapshot& kept = state.snapshot;
+    if (!kept.scene || !same_spheres(state.document, kept.revision)) {
+        Scene scene;
+        scene.spheres = state.scene().spheres;
+        kept = {state.document.revision(), std::make_shared<const Scene>(std::move(scene))};
+    }
+    return kept.scene;
+}
+
 bool rest_picture_is_shown(ViewerState& state) {
     if (!state.rest_picture) return false;
     RestPicture& picture = *state.rest_picture;
@@ -133,8 +132,9 @@ void make_rest_picture(ViewerState& state) {
     if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
     const PictureOptions options = picture_options(state, state.picture_size);
     auto image = std::make_shared<Image>();
-    BackgroundJob job(
-        [image, options, scene = snapshot(state)](WorkControl& control) { *image = render_beside(*scene, options, control); });
+    BackgroundJob job([image, options, scene = scene_snapshot(state)](WorkControl& control) {
+        *image = render_beside(*scene, options, control);
+    });
     state.rest_picture.emplace(RestPicture{state.document.revision(), options, std::move(image), std::move(job)});
 }
 

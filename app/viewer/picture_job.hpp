@@ -20,6 +20,9 @@ struct SceneSnapshot {
     std::shared_ptr<const Scene> scene;
 };
 
+// A copy of the spheres, unless there is one: 40 MB and some 10 ms a million.
+std::shared_ptr<const Scene> scene_snapshot(ViewerState& state);
+
 // The picture that the window shows at rest.
 struct RestPicture {
     std::uint64_t revision;  // of the document that it is of

@@ -35,6 +35,8 @@ struct ViewerSettings {
     int export_height = 1000;
     int samples = sample_counts.front();  // points a pixel, of the window at rest and of exports: one of sample_counts
     Shading shading = Shading::flat;
+
+    bool operator==(const ViewerSettings&) const = default;
 };
 
 // The path from the root, without . and ..; as it is where the system names no current folder.

@@ -31,6 +31,10 @@ ViewerState* open_state = nullptr;
 constexpr std::chrono::milliseconds patience_without_window{300};
 constexpr std::chrono::seconds patience{2};  // with a window that does not act on a signal
 
+// What is said when the loop hangs while it changes the document, so that nobody else can read that.
+constexpr const char* hangs_in_change =
+    "sphereview: does not answer; the unsaved changes that were kept last are offered by the next start";
+
 constexpr const char* way_out = " ('sphereview render' needs no window; 'sphereview doctor' says what works here)";
 
 // What became of unsaved changes, for a message; "" when there are none.
@@ -43,6 +47,13 @@ std::string keep_for_recovery(const ViewerState& state) {
 void save_for_recovery(const ViewerState& state) {
     const std::string said = keep_for_recovery(state);
     if (!said.empty()) say("sphereview: " + said);
+}
+
+// Of a loop that hangs, by another thread. Should the loop go on meanwhile, it changes nothing until the process has ended.
+void save_of_hung_loop(ViewerState& state) {
+    if (!state.changing.try_lock_for(patience)) return say(hangs_in_change);
+    state.autosave.finish();  // an older copy must not replace this one
+    save_for_recovery(state);
 }
 
 [[noreturn]] void on_connection_lost() {
@@ -151,7 +162,7 @@ ExitCode run_view(const ViewOptions& options) {
                 edits_kept.get_future().wait();
                 std::this_thread::sleep_for(patience);  // closing a window may hang too
             } else {
-                save_for_recovery(state);  // the loop hangs, in a driver perhaps; if it goes on meanwhile, a torn copy beats none
+                save_of_hung_loop(state);
             }
             std::_Exit(128 + signal_number);
         });

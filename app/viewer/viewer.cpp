@@ -83,7 +83,10 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
-        if (pacing_.rests() && input_.empty() && !state_.saving) state_.autosave.look(state_.document, state_.path, Clock::now());
+        if (pacing_.rests() && input_.empty() && !state_.saving) {
+            const std::lock_guard lock(state_.changing);
+            state_.autosave.look(state_.document, state_.path, Clock::now());
+        }
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
@@ -99,13 +102,14 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_picture_works_ || shaders_changed_;
+    const bool looks_again = is_working(state_) || rest_picture_works_ || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
     input_.add(std::move(events));
 
     for (const std::string& path : files_.look(Clock::now())) {
+        const std::lock_guard lock(state_.changing);
         if (path == state_.path) {
             look_at_file(state_);
         } else {
@@ -126,7 +130,10 @@ void Viewer::wait_for_work() {
 }
 
 void Viewer::follow_work() {
-    const bool ended = finish_work(state_);
+    const bool ended = [&] {
+        const std::lock_guard lock(state_.changing);
+        return finish_work(state_);
+    }();
     if (ended || (is_working(state_) && Clock::now() >= work_shown_ + work_shown_every)) {
         work_shown_ = Clock::now();
         pacing_.touch();
@@ -135,6 +142,7 @@ void Viewer::follow_work() {
         rest_picture_works_ = false;
         pacing_.touch();
     }
+    if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
 
@@ -203,10 +211,15 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                        std::clamp(static_cast<int>(place.y), 0, state_.picture_size.height - 1)};
         return picture_.pick(state_.document, at);
     };
-    const PictureState picture{
-        state_.scene(), state_.selection, state_.camera, state_.picture_size, state_.pivot, pick, [this](Pixel low, Pixel high) {
-            return seen_in(low, high);
-        }};
+    const PictureState picture{state_.scene(),
+                               state_.selection,
+                               state_.camera,
+                               state_.picture_size,
+                               state_.pivot,
+                               pick,
+                               [this](Pixel low, Pixel high, bool toggles) {
+                                   select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
+                               }};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
@@ -215,11 +228,6 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
 void Viewer::update_picture(int step) {
     if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading)) return;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
-}
-
-std::vector<std::uint32_t> Viewer::seen_in(Pixel low, Pixel high) {
-    update_picture(1);
-    return picture_.seen_in(state_.document, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1});
 }
 
 void Viewer::draw_box() const {
@@ -254,7 +262,10 @@ void Viewer::redraw() {
                                state_.hovered,  actions,          log_.wanted() ? &widgets_ : nullptr,
                                state_.frame,    state_.frames};
     const bool asked = !state_.dialogs.empty();
-    area_ = draw_panels(state_, context, facts_);
+    {
+        const std::lock_guard lock(state_.changing);  // for the answers of dialogs
+        area_ = draw_panels(state_, context, facts_);
+    }
     draw_export_area(state_, area_);
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
@@ -262,10 +273,16 @@ void Viewer::redraw() {
     use_mouse(context, facts_.keys.escape);
     draw_box();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
-    if (facts_.keys.escape && !asked) cancel_work(state_);
+    if (facts_.keys.escape && !asked) {
+        const std::lock_guard lock(state_.changing);
+        cancel_work(state_);
+    }
     imgui_.end_frame();
 
-    perform(state_, std::move(actions));
+    {
+        const std::lock_guard lock(state_.changing);
+        perform(state_, std::move(actions));
+    }
     if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));
@@ -280,7 +297,8 @@ void Viewer::redraw() {
     if (pacing_.rests() && input_.empty()) make_rest_picture(state_);
     rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
     if (log_.wanted()) {
-        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_;
+        const bool resting =
+            pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
         log_.add(state_, facts_,
                  {++redraw_number_, picture_.builds(), explanations_, exact, resting, area_, seconds_between(begin, Clock::now()),
                   title_for(state_)},

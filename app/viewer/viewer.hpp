@@ -33,7 +33,6 @@ private:
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
     // Brings the picture up to date with the state.
     void update_picture(int step);
-    std::vector<std::uint32_t> seen_in(Pixel low, Pixel high);
     void draw_box() const;
     void use_mouse(const PanelContext& context, bool cancelled);
     // `finished`: the rest picture, which is there.

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <glm/vec3.hpp>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,7 @@
 #include "panels/inspector.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/status.hpp"
+#include "viewer/box_selection.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/picture_job.hpp"
 #include "viewer/recovery.hpp"
@@ -32,6 +34,10 @@ struct ViewerState {
 
     ViewOptions options;
     ViewerSettings settings;
+
+    // The loop's thread holds this while the document, its file or the autosave may change, so that another thread can keep the
+    // edits when the loop hangs elsewhere, in a driver.
+    std::timed_mutex changing;
 
     Document document;
     Selection selection;
@@ -58,7 +64,8 @@ struct ViewerState {
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
     SceneSnapshot snapshot;
-    std::optional<RestPicture> rest_picture;  // of that, being made or there
+    std::optional<RestPicture> rest_picture;    // of that, being made or there
+    std::optional<BoxSelection> box_selection;  // under way
 
     Messages messages;
     std::optional<Clock::time_point> announcement_ends;

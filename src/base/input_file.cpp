@@ -37,10 +37,14 @@ int leave_open(std::FILE*) { return 0; }
 
 // Up to `most` bytes; 0 only at the file's end.
 std::size_t read_bytes(std::FILE* file, const std::string& name, char* to, std::size_t most) {
-    errno = 0;
-    const std::size_t count = std::fread(to, 1, most, file);
-    if (count == 0 && std::ferror(file) != 0) fail_to_read(name, errno);
-    return count;
+    while (true) {
+        errno = 0;
+        const std::size_t count = std::fread(to, 1, most, file);
+        if (std::ferror(file) == 0) return count;
+        if (errno != EINTR) fail_to_read(name, errno);
+        std::clearerr(file);  // a signal interrupted it
+        if (count > 0) return count;
+    }
 }
 
 }  // namespace
@@ -50,7 +54,7 @@ InputStream::InputStream(const std::string& path, Content content)
     const bool from_stdin = path == standard_stream;
     std::error_code ignored;
     if (!from_stdin && fs::is_directory(path_from(path), ignored)) fail("it is a folder; expected a file");
-    std::FILE* file = from_stdin ? binary(stdin) : std::fopen(path.c_str(), "rb");
+    std::FILE* file = from_stdin ? binary(stdin) : open_file(path, "rb");
     if (file == nullptr) fail_to_read(name_, errno);
     file_ = {file, from_stdin ? &leave_open : &std::fclose};
 

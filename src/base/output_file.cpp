@@ -42,23 +42,44 @@ namespace {
     fail(path, errno != 0 ? std::strerror(errno) : "a write error");
 }
 
-// Something other than a regular file stands there: it is written into, not replaced.
-bool is_special(const fs::path& path) {
-    std::error_code ignored;
-    const fs::file_status status = fs::status(path, ignored);
-    return fs::exists(status) && !fs::is_regular_file(status);
+[[noreturn]] void fail_by(const std::string& path, const std::error_code& error) {
+    if (error == std::errc::not_enough_memory) throw std::bad_alloc();
+    fail(path, error.message());
 }
 
-// The file that `path` leads to, through symbolic links, also dangling ones.
-fs::path follow_links(fs::path path) {
+// Something other than a regular file stands there: it is written into, not replaced.
+bool is_special(const fs::file_status& status) { return fs::exists(status) && !fs::is_regular_file(status); }
+
+// The file that `path` leads to, through symbolic links, also dangling ones. `error`: why that cannot be told.
+fs::path follow_links(fs::path path, std::error_code& error) {
     constexpr int most_links = 40;  // as many as Linux follows
-    std::error_code error;
-    for (int i = 0; i < most_links && fs::is_symlink(fs::symlink_status(path, error)); ++i) {
+    for (int i = 0; i < most_links; ++i) {
+        const fs::file_status status = fs::symlink_status(path, error);
+        if (status.type() == fs::file_type::none) break;
+        error.clear();  // nothing stands there: no fault
+        if (!fs::is_symlink(status)) break;
         const fs::path target = fs::read_symlink(path, error);
         if (error) break;
         path = path.parent_path() / target;
     }
     return path;
+}
+
+// Where an output goes, and what stands there now.
+struct Target {
+    fs::path path;
+    fs::file_status status;
+};
+
+// Throws when that cannot be told: a guess could replace a link or a device, or let others read what was private.
+Target target_of(const std::string& path) {
+    std::error_code error;
+    Target target;
+    target.path = follow_links(path_from(path), error);
+    if (error) fail_by(path, error);
+    target.status = fs::status(target.path, error);
+    if (error && error != std::errc::no_such_file_or_directory) fail_by(path, error);
+    return target;
 }
 
 fs::path hidden_sibling(const fs::path& target) {
@@ -72,68 +93,98 @@ fs::path hidden_sibling(const fs::path& target) {
     return target.parent_path() / path_from(name);
 }
 
+#ifdef _WIN32
+
 // Writes all bytes; false, with errno set, if that fails.
 bool write_to_stdout(std::string_view bytes) {
     std::FILE* file = binary(stdout);
     errno = 0;
-#ifdef _WIN32
     const bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     return std::fflush(file) == 0 && good;
+}
+
+using Opened = std::FILE*;
+constexpr Opened not_opened = nullptr;
+
+// A new file for writing, and one that may stand there already; not_opened, with errno set, if there can be none.
+Opened create(const fs::path& path, const fs::file_status&) {
+    // Not fopen() with "x", which older run-time libraries there do not know.
+    const int handle = _wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
+    return handle < 0 ? nullptr : _fdopen(handle, "wb");
+}
+Opened open_special(const std::string& path) { return std::fopen(path.c_str(), "wb"); }
+
+// Writes all bytes and closes; false, with errno set, if any step fails.
+bool write_and_close(Opened file, std::string_view bytes, Durability durability) {
+    errno = 0;
+    bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    good = std::fflush(file) == 0 && good;
+    good = good && (durability == Durability::in_system || _commit(_fileno(file)) == 0);
+    const int first_error = errno;
+    const bool closed = std::fclose(file) == 0;
+    if (!good) errno = first_error;
+    return good && closed;
+}
+
 #else
-    if (std::fflush(file) != 0) return false;
+
+// Of a system call, which is made again when a signal has interrupted it.
+template <typename Call>
+auto result_of(const Call& call) {
+    auto result = call();
+    while (result == -1 && errno == EINTR) result = call();
+    return result;
+}
+
+// Writes all bytes, and waits where the other end made a pipe non-blocking; false, with errno set, if that fails.
+bool write_all(int handle, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t count = write(STDOUT_FILENO, bytes.data(), bytes.size());
+        const ssize_t count = result_of([&] { return write(handle, bytes.data(), bytes.size()); });
         if (count >= 0) {
             bytes.remove_prefix(static_cast<std::size_t>(count));
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-            pollfd ready{STDOUT_FILENO, POLLOUT, 0};  // whoever has the other end made it non-blocking
-            if (poll(&ready, 1, -1) < 0 && errno != EINTR) return false;
-        } else if (errno != EINTR) {
+            pollfd ready{handle, POLLOUT, 0};
+            if (result_of([&] { return poll(&ready, 1, -1); }) < 0) return false;
+        } else {
             return false;
         }
     }
     return true;
-#endif
 }
 
-// A new file for writing, which nobody may read who could not read `old`; null, with errno set, if there can be none.
-std::FILE* create(const fs::path& path, const fs::file_status& old) {
-    errno = 0;
-#ifdef _WIN32
-    static_cast<void>(old);
-    // Not fopen() with "x", which older run-time libraries there do not know.
-    const int handle = _wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
-    return handle < 0 ? nullptr : _fdopen(handle, "wb");
-#else
+bool write_to_stdout(std::string_view bytes) { return std::fflush(stdout) == 0 && write_all(STDOUT_FILENO, bytes); }
+
+using Opened = int;
+constexpr Opened not_opened = -1;
+
+// A new file for writing, which nobody may read who could not read `old`; not_opened, with errno set, if there can be none.
+Opened create(const fs::path& path, const fs::file_status& old) {
     const auto mode = fs::exists(old) ? static_cast<mode_t>(old.permissions() & fs::perms::all) | S_IWUSR : mode_t{0666};
-    const int handle = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    std::FILE* file = handle < 0 ? nullptr : fdopen(handle, "wb");
-    if (file == nullptr && handle >= 0) {
-        close(handle);
-        unlink(path.c_str());
-        errno = ENOMEM;  // what else fdopen() can lack
-    }
-    return file;
-#endif
+    return result_of([&] { return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
 }
 
-#ifndef _WIN32
+Opened open_special(const std::string& path) {
+    return result_of([&] { return open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC); });
+}
+
 // File systems without such a thing say that it is invalid.
 bool sync(int handle) {
 #ifdef F_FULLFSYNC
     if (fcntl(handle, F_FULLFSYNC) == 0) return true;
 #endif
-    return fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+    return result_of([&] { return fsync(handle); }) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
-#endif
 
-bool is_on_disk(std::FILE* file) {
-#ifdef _WIN32
-    return _commit(_fileno(file)) == 0;
-#else
-    return sync(fileno(file));
-#endif
+// Writes all bytes and closes; false, with errno set, if any step fails.
+bool write_and_close(Opened handle, std::string_view bytes, Durability durability) {
+    const bool good = write_all(handle, bytes) && (durability == Durability::in_system || sync(handle));
+    const int first_error = errno;
+    const bool closed = close(handle) == 0 || errno == EINTR;  // interrupted, the handle is closed all the same
+    if (!good) errno = first_error;
+    return good && closed;
 }
+
+#endif
 
 // The names in `folder` are on the disk when this returns true. Windows takes care of its names itself.
 bool are_names_on_disk(const fs::path& folder) {
@@ -141,7 +192,7 @@ bool are_names_on_disk(const fs::path& folder) {
     static_cast<void>(folder);
     return true;
 #else
-    const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int handle = result_of([&] { return open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
     if (handle < 0) return errno == EACCES;  // a folder may be written to and not be read
     const bool done = sync(handle);
     close(handle);
@@ -149,21 +200,8 @@ bool are_names_on_disk(const fs::path& folder) {
 #endif
 }
 
-// Writes all bytes and closes; false, with errno set, if any step fails.
-bool write_and_close(std::FILE* file, std::string_view bytes, Durability durability) {
-    errno = 0;
-    bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    good = std::fflush(file) == 0 && good;
-    good = good && (durability == Durability::in_system || is_on_disk(file));
-    const int first_error = errno;
-    const bool closed = std::fclose(file) == 0;
-    if (!good) errno = first_error;
-    return good && closed;
-}
-
-void replace(const std::string& path, std::string_view bytes, Durability durability) {
-    const fs::path target = follow_links(path_from(path));
-    const fs::path temporary = hidden_sibling(target);
+void replace(const std::string& path, const Target& target, std::string_view bytes, Durability durability) {
+    const fs::path temporary = hidden_sibling(target.path);
     const Unfinished unfinished;
     const auto give_up = [&](int error) {
         std::error_code ignored;
@@ -172,56 +210,70 @@ void replace(const std::string& path, std::string_view bytes, Durability durabil
         fail_by_errno(path);
     };
 
-    std::error_code error;
-    const fs::file_status old = fs::status(target, error);
-    std::FILE* file = create(temporary, old);
-    if (file == nullptr) fail_by_errno(path);
+    errno = 0;
+    const Opened file = create(temporary, target.status);
+    if (file == not_opened) fail_by_errno(path);
     if (!write_and_close(file, bytes, durability)) give_up(errno);
-    if (fs::exists(old)) fs::permissions(temporary, old.permissions(), error);
-    fs::rename(temporary, target, error);
+    std::error_code error;
+    if (fs::exists(target.status)) fs::permissions(temporary, target.status.permissions(), error);
+    fs::rename(temporary, target.path, error);
     if (error) give_up(error.default_error_condition().value());
-    if (durability == Durability::on_disk && !are_names_on_disk(target.parent_path())) fail_by_errno(path);
+    if (durability == Durability::on_disk && !are_names_on_disk(target.path.parent_path())) fail_by_errno(path);
+}
+
+// Throws OutputError when that plainly cannot become an output.
+void check(const std::string& path, const Target& target) {
+    if (fs::is_directory(target.status)) fail(path, "it is a folder");
+    if (!target.path.has_filename()) fail(path, "it names a folder");
+    if (fs::is_regular_file(target.status)) {
+        // A rename would replace a file that its owner has protected.
+        std::FILE* file = open_file(text_from(target.path), "r+b");
+        if (file == nullptr) fail_by_errno(path);
+        std::fclose(file);
+    } else if (!fs::exists(target.status)) {
+        const fs::path folder = target.path.parent_path().empty() ? fs::path(".") : target.path.parent_path();
+        std::error_code error;
+        const fs::file_status status = fs::status(folder, error);
+        if (status.type() == fs::file_type::not_found) fail(path, "the folder " + text_from(folder) + " does not exist");
+        if (error) fail_by(path, error);
+        if (!fs::is_directory(status)) fail(path, text_from(folder) + " is not a folder");
+    }
+}
+
+// As check_output(), and says where the output goes.
+Target checked_target_of(const std::string& path) {
+    if (path.empty()) fail("''", "it has no name");
+    Target target = target_of(path);
+    check(path, target);
+    return target;
 }
 
 }  // namespace
 
 void write_output(const std::string& path, std::string_view bytes, Durability durability) {
-    check_output(path);
     if (path == standard_stream) {
         if (!write_to_stdout(bytes)) fail_by_errno(path);
-    } else if (is_special(path_from(path))) {
-        std::FILE* file = std::fopen(path.c_str(), "wb");
-        if (file == nullptr || !write_and_close(file, bytes, Durability::in_system)) fail_by_errno(path);
+        return;
+    }
+    const Target target = checked_target_of(path);
+    if (is_special(target.status)) {
+        const Opened file = open_special(path);
+        if (file == not_opened || !write_and_close(file, bytes, Durability::in_system)) fail_by_errno(path);
     } else {
-        replace(path, bytes, durability);
+        replace(path, target, bytes, durability);
     }
 }
 
 void check_output(const std::string& path) {
-    if (path == standard_stream) return;
-    if (path.empty()) fail("''", "it has no name");
-    std::error_code error;
-    const fs::path target = follow_links(path_from(path));
-    const fs::file_status status = fs::status(target, error);
-    if (error && error != std::errc::no_such_file_or_directory) fail(path, error.message());
-    if (fs::is_directory(status)) fail(path, "it is a folder");
-    if (!target.has_filename()) fail(path, "it names a folder");
-    if (fs::is_regular_file(status)) {
-        // A rename would replace a file that its owner has protected.
-        std::FILE* file = std::fopen(text_from(target).c_str(), "r+b");
-        if (file == nullptr) fail_by_errno(path);
-        std::fclose(file);
-    } else if (!fs::exists(status)) {
-        const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
-        if (!fs::exists(folder, error)) fail(path, "the folder " + text_from(folder) + " does not exist");
-        if (!fs::is_directory(folder, error)) fail(path, text_from(folder) + " is not a folder");
-    }
+    if (path != standard_stream) checked_target_of(path);
 }
 
 std::string file_identity(const std::string& path) {
-    if (path == standard_stream || is_special(path_from(path))) return "";
     std::error_code error;
-    const fs::path absolute = fs::absolute(follow_links(path_from(path)), error);
+    if (path == standard_stream || is_special(fs::status(path_from(path), error))) return "";
+    const fs::path target = follow_links(path_from(path), error);
+    const fs::path absolute = fs::absolute(target, error);
+    if (error) throw OutputError(path + ": the folder that it is in cannot be told: " + error.message());
     const fs::path canonical = fs::weakly_canonical(absolute, error);
     return text_from(error ? absolute.lexically_normal() : canonical);
 }

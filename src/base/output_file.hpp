@@ -21,7 +21,8 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
 void check_output(const std::string& path);
 
 // What tells whether two paths lead to one file: the absolute path with links followed, existing or yet to be made. Empty
-// for devices, FIFOs and "-": nothing in them is lost when two things use them. Hard links differ: a rename parts them.
+// for devices, FIFOs and "-": nothing in them is lost when two things use them. Hard links differ: a rename parts them. Throws
+// OutputError when the system does not say what the current folder is.
 std::string file_identity(const std::string& path);
 
 }  // namespace sphereview

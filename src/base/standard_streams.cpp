@@ -1,5 +1,7 @@
 #include "base/standard_streams.hpp"
 
+#include <cerrno>
+
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
@@ -17,6 +19,14 @@ std::FILE* binary(std::FILE* stream) {
     _setmode(_fileno(stream), _O_BINARY);
 #endif
     return stream;
+}
+
+std::FILE* open_file(const std::string& path, const char* mode) {
+    std::FILE* file = nullptr;
+    do {
+        file = std::fopen(path.c_str(), mode);
+    } while (file == nullptr && errno == EINTR);
+    return file;
 }
 
 bool stderr_is_terminal() {

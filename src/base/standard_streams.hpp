@@ -1,13 +1,17 @@
-// Standard input, output and error as this program uses them, on every platform.
+// Standard input, output and error as this program uses them, on every platform; and other files of the standard library.
 #pragma once
 
 #include <cstdio>
+#include <string>
 #include <string_view>
 
 namespace sphereview {
 
 // Standard input or output without any translation of line ends from now on.
 std::FILE* binary(std::FILE* stream);
+
+// As std::fopen(), and again when a signal has interrupted it.
+std::FILE* open_file(const std::string& path, const char* mode);
 
 // Whether a person watches standard error.
 bool stderr_is_terminal();

@@ -136,6 +136,7 @@ void CpuRenderer::trace(const Block& block, std::span<std::int32_t> visible) con
     parallel_pieces(static_cast<std::size_t>(across) * static_cast<std::size_t>(down), cells_at_once,
                     [&](std::size_t begin, std::size_t end) {
                         for (std::size_t cell = begin; cell < end; ++cell) {
+                            check_cancelled();  // a cell may try a million spheres
                             const int x = left + static_cast<int>(cell % static_cast<std::size_t>(across));
                             const int y = top + static_cast<int>(cell / static_cast<std::size_t>(across));
                             trace_cell({x * cell_side, y * cell_side}, block, visible.data());

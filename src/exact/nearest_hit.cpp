@@ -12,9 +12,23 @@ namespace sphereview {
 
 namespace {
 
-constexpr int size_exponent = 400;
 constexpr double least_scaled = 0x1p-1000;  // what is smaller may have lost bits
-constexpr double unknown = std::numeric_limits<double>::infinity();
+
+// A number on a scale. What would be smaller than least_scaled becomes 0, and least_scaled goes to `error`: so nothing that may
+// have lost bits is computed with, and what it was is within the error.
+double unless_too_small(double value, double scaled, double& error) {
+    if (value == 0.0 || std::fabs(scaled) >= least_scaled) return scaled;
+    error = least_scaled;
+    return 0.0;
+}
+
+// The sum times 2^exponent, within `error` and what is lost of it.
+Approximate times_power(const TwoDoubles& sum, double error, int exponent) {
+    double lost = 0.0;
+    const double high = unless_too_small(sum.high, std::ldexp(sum.high, exponent), lost);
+    const double low = unless_too_small(sum.low, std::ldexp(sum.low, exponent), lost);
+    return {{high, low}, error + 2.0 * lost};
+}
 
 Approximate dot(const ApproximateVector& a, const ApproximateVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
@@ -52,36 +66,37 @@ struct Terms {
     }
 };
 
-// C.C - r^2
-Approximate power_of_eye(const ApproximateVector& center, double radius) {
+// C.C - r^2. The square of a number x that is off by e is off by 2 |x| e + e^2, which is at most 2 (|x| + e) e.
+Approximate power_of_eye(const ApproximateVector& center, const Approximate& radius) {
     Terms terms;
     for (const Approximate& x : center) {
         terms.add_product(x.low, x.low);
         terms.add_product(2.0 * x.high, x.low);
         terms.add_product(x.high, x.high);
     }
-    terms.add_product(-radius, radius);
-    Approximate c = distilled(std::span(terms.values).first(terms.count));
-    c.error += terms.lost;
+    terms.add_product(-radius.high, radius.high);
+    for (const Approximate& x : {center[0], center[1], center[2], radius}) terms.lost += 2.0 * x.most() * x.error;
+    Approximate c = terms.count == 0 ? Approximate() : distilled(std::span(terms.values).first(terms.count));
+    c.error += terms.lost * Approximate::margin;
     return c;
 }
 
 }  // namespace
 
-SphereScale::SphereScale(const glm::dvec3& eye, double largest) {
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    // In two steps, each a power that a double holds; no product in between is out of range if the last is not.
-    const int scale = size_exponent - exponent;
-    first_ = std::ldexp(1.0, scale / 2);
-    second_ = std::ldexp(1.0, scale - scale / 2);
-    eye_ = {scaled(eye.x, in_range_), scaled(eye.y, in_range_), scaled(eye.z, in_range_)};
-}
+double size_from(const glm::dvec3& eye, const Sphere& sphere) { return std::max(largest_of(sphere.center - eye), sphere.radius); }
 
-double SphereScale::scaled(double value, bool& in_range) const {
-    const double result = value * first_ * second_;
-    in_range = in_range && (value == 0.0 || std::fabs(result) >= least_scaled);
-    return result;
+SphereScale::SphereScale(const glm::dvec3& eye, double largest) : eye_(eye) {
+    constexpr int beyond_doubles = 1025;  // the exponent of what overflows
+    int exponent = beyond_doubles;
+    if (std::isfinite(largest)) {
+        std::frexp(largest, &exponent);
+    } else {
+        part_ = 0.25;  // the bits that the smallest doubles lose so are too small for this scale anyway
+    }
+    exponent_ = size_exponent - exponent;
+    // In two steps, each a power that a double holds; no product in between is out of range if the last is not.
+    first_ = std::ldexp(1.0, exponent_ / 2);
+    second_ = std::ldexp(1.0 / part_, exponent_ - exponent_ / 2);
 }
 
 ScaledSphere SphereScale::operator()(const Sphere& sphere, std::int32_t number, EyeSide side) const {
@@ -89,54 +104,64 @@ ScaledSphere SphereScale::operator()(const Sphere& sphere, std::int32_t number, 
     out.sphere = &sphere;
     out.number = number;
     out.side = side;
-    out.in_range = in_range_;
+    out.exponent = exponent_;
+    const auto kept = [&](double value, double& error) { return unless_too_small(value, scaled(value), error); };
     for (int axis = 0; axis < 3; ++axis) {
-        out.position[axis] = scaled(sphere.center[axis], out.in_range);
-        out.center[static_cast<std::size_t>(axis)] = Approximate(two_sum(out.position[axis], -eye_[axis]), 0.0);
+        const double x = part_ * sphere.center[axis];
+        out.position[axis] = kept(x, out.position_error);
+        const TwoDoubles apart = two_sum(x, -part_ * eye_[axis]);
+        double error = 0.0;
+        const TwoDoubles parts{kept(apart.high, error), kept(apart.low, error)};
+        out.center[static_cast<std::size_t>(axis)] = Approximate(parts, 2.0 * error);
     }
-    const double radius = scaled(sphere.radius, out.in_range);
-    if (out.in_range && side != EyeSide::on_surface) out.c = power_of_eye(out.center, radius);
+    double radius_error = 0.0;
+    out.radius = Approximate({kept(part_ * sphere.radius, radius_error), 0.0}, radius_error);
+    if (side != EyeSide::on_surface) out.c = power_of_eye(out.center, out.radius);
     return out;
 }
 
 ExactBasis::ExactBasis(const Camera& camera) {
-    ApproximateVector axis;
-    double largest = 0.0;
+    // A difference of numbers near the largest would overflow: of quarters it does not, and the bits that the smallest numbers then
+    // lose lie far below what counts beside it.
+    const bool quarters = !std::isfinite(largest_of(camera.center - camera.eye));
+    const double part = quarters ? 0.25 : 1.0;
+    std::array<TwoDoubles, 3> axis{};
+    double largest = part * std::max(largest_of(camera.right), largest_of(camera.up));
     for (int i = 0; i < 3; ++i) {
-        axis[static_cast<std::size_t>(i)] = Approximate(two_sum(camera.center[i], -camera.eye[i]), 0.0);
-        largest = std::max(largest, std::fabs(camera.center[i] - camera.eye[i]));
+        TwoDoubles& component = axis[static_cast<std::size_t>(i)];
+        component = two_sum(part * camera.center[i], -part * camera.eye[i]);
+        largest = std::max(largest, std::fabs(component.high));
     }
     int exponent = 0;
     std::frexp(largest, &exponent);
-    in_range = std::isfinite(largest) && largest > 0.0;
-    const auto scaled = [&](double value) {
-        const double result = std::ldexp(value, -exponent);
-        in_range = in_range && (value == 0.0 || std::fabs(result) >= least_scaled);
-        return result;
-    };
-    for (int i = 0; i < 3; ++i) {
-        const Approximate& component = axis[static_cast<std::size_t>(i)];
-        forward[static_cast<std::size_t>(i)] = Approximate({scaled(component.high), scaled(component.low)}, 0.0);
-        right[i] = scaled(camera.right[i]);
-        up[i] = scaled(camera.up[i]);
-    }
     // Coefficients stay below 2^32, rays below 2^62.
-    in_range = in_range && largest_of(right) < 0x1p28 && largest_of(up) < 0x1p28;
+    const auto scaled = [&](double value) { return unless_too_small(value, std::ldexp(value, -exponent), error); };
+    for (int i = 0; i < 3; ++i) {
+        const TwoDoubles& component = axis[static_cast<std::size_t>(i)];
+        forward[static_cast<std::size_t>(i)] = Approximate({scaled(component.high), scaled(component.low)}, 0.0);
+        right[i] = scaled(part * camera.right[i]);
+        up[i] = scaled(part * camera.up[i]);
+    }
+    // Both parts of a component may have been too small.
+    for (Approximate& component : forward) component.error = 2.0 * error;
 }
 
-NearestHit::NearestHit(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel)
-    : camera_(camera), size_(size), pixel_(pixel), in_range_(basis.in_range) {
-    if (!in_range_) return;
+ApproximateVector ExactBasis::ray(PictureSize size, Pixel pixel) const {
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
     const Approximate m(size.shorter_side());
     const Approximate across(static_cast<double>(coefficients.across));
     const Approximate upward(static_cast<double>(coefficients.upward));
-    for (int i = 0; i < 3; ++i) {
-        ray_[static_cast<std::size_t>(i)] = m * basis.forward[static_cast<std::size_t>(i)] + across * Approximate(basis.right[i]) +
-                                            upward * Approximate(basis.up[i]);
+    const auto within = [&](double value) { return Approximate({value, 0.0}, error); };
+    ApproximateVector out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        out[i] = m * forward[i] + across * within(right[axis]) + upward * within(up[axis]);
     }
-    square_ = dot(ray_, ray_);
+    return out;
 }
+
+NearestHit::NearestHit(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel)
+    : camera_(camera), size_(size), pixel_(pixel), ray_(basis.ray(size, pixel)), square_(dot(ray_, ray_)) {}
 
 std::int32_t NearestHit::visible() const { return best_ ? best_->sphere.number : visible_background; }
 
@@ -147,10 +172,6 @@ Approximate NearestHit::discriminant(const ScaledSphere& sphere, const Approxima
 NearestHit::Best NearestHit::best_of(const ScaledSphere& sphere) const {
     Best best;
     best.sphere = sphere;
-    if (!in_range_ || !sphere.in_range) {
-        best.point[0].error = unknown;
-        return best;
-    }
     const Approximate b = along(sphere);
     const Approximate root = sqrt(discriminant(sphere, b));
     // Without differences of what may be nearly equal.
@@ -166,23 +187,60 @@ NearestHit::Best NearestHit::best_of(const ScaledSphere& sphere) const {
 std::optional<int> NearestHit::order_of_the_first(const ScaledSphere& sphere) const {
     if (sphere.side == EyeSide::inside) return -1;
     const Approximate b = along(sphere);
+    if (sphere.side == EyeSide::outside) return order_before_all(sphere, b);
     const auto before = b.sign();
     if (!before) return std::nullopt;
-    if (*before <= 0) return 1;
-    if (sphere.side == EyeSide::on_surface) return -1;
+    return *before <= 0 ? 1 : -1;
+}
+
+// Seen from outside, a sphere is missed without roots, wherever it lies, and behind the eye, whether it has roots or not.
+std::optional<int> NearestHit::order_before_all(const ScaledSphere& sphere, const Approximate& b) const {
+    const auto before = b.sign();
+    if (before && *before <= 0) return 1;
     const auto roots = discriminant(sphere, b).sign();
-    if (!roots) return std::nullopt;
-    return *roots >= 0 ? -1 : 1;
+    if (roots && *roots < 0) return 1;
+    if (!before || !roots) return std::nullopt;
+    return -1;
+}
+
+std::optional<int> NearestHit::power_sign(const ScaledSphere& sphere) const {
+    Approximate power = sphere.c - best_->sphere.c;
+    const double error = sphere.position_error + best_->sphere.position_error;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Approximate apart(two_sum(sphere.position[axis], -best_->sphere.position[axis]), error);
+        power = power - (best_->point[static_cast<std::size_t>(axis)] * apart).twice();
+    }
+    return power.sign();
+}
+
+// The same power as a sum in which each term has a difference of the two spheres for a factor: however small these are beside the
+// spheres, even too small for the spheres' scale, they are exact, and may be multiplied by a power of two of their own.
+std::optional<int> NearestHit::power_sign_by_differences(const ScaledSphere& sphere) const {
+    const ScaledSphere& best = best_->sphere;
+    std::array<TwoDoubles, 4> apart{};
+    for (int axis = 0; axis < 3; ++axis) {
+        apart[static_cast<std::size_t>(axis)] = two_sum(sphere.sphere->center[axis], -best.sphere->center[axis]);
+    }
+    apart[3] = two_sum(sphere.sphere->radius, -best.sphere->radius);
+    double largest = 0.0;
+    for (const TwoDoubles& difference : apart) {
+        if (!std::isfinite(difference.high)) return std::nullopt;
+        largest = std::max(largest, std::fabs(difference.high));
+    }
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const auto scaled = [&](const TwoDoubles& difference) { return times_power(difference, 0.0, -exponent); };
+    Approximate power = -(scaled(apart[3]) * (sphere.radius + best.radius));
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        power = power + scaled(apart[axis]) * (sphere.center[axis] + best.center[axis] - best_->point[axis].twice());
+    }
+    return power.sign();
 }
 
 std::optional<int> NearestHit::order(const ScaledSphere& sphere) const {
-    // The power of the best hit's point with respect to the sphere, in which all that both spheres share cancels exactly.
-    Approximate power = sphere.c - best_->sphere.c;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Approximate apart(two_sum(sphere.position[axis], -best_->sphere.position[axis]), 0.0);
-        power = power - (best_->point[static_cast<std::size_t>(axis)] * apart).twice();
-    }
-    const auto beyond = power.sign();
+    // In the power of the best hit's point with respect to the sphere all that both spheres share cancels exactly.
+    auto beyond = power_sign(sphere);
+    if (!beyond) beyond = power_sign_by_differences(sphere);
     if (!beyond) return std::nullopt;
     if (sphere.side == EyeSide::inside) return -*beyond;
     if (sphere.side == EyeSide::outside && *beyond < 0) return -1;
@@ -197,11 +255,18 @@ std::optional<int> NearestHit::order(const ScaledSphere& sphere) const {
     if (!before_middle) return std::nullopt;
     if (*before_middle >= 0) return *beyond;
     if (*beyond == 0) return -1;
-    if (!before) return std::nullopt;
-    if (*before <= 0) return 1;
-    const auto roots = discriminant(sphere, b).sign();
-    if (!roots) return std::nullopt;
-    return *roots >= 0 ? -1 : 1;
+    return order_before_all(sphere, b);
+}
+
+void NearestHit::rescale(const SphereScale& scale) {
+    if (!best_) return;
+    const int shift = scale.exponent() - best_->sphere.exponent;
+    if (shift == 0) return;
+    // The hit itself is moved, and not found anew: of a sphere that is far too small for the scale nothing could be said.
+    for (Approximate* value : {&best_->square_t, &best_->point[0], &best_->point[1], &best_->point[2]}) {
+        *value = times_power({value->high, value->low}, std::ldexp(value->error, shift), shift);
+    }
+    best_->sphere = scale(*best_->sphere.sphere, best_->sphere.number, best_->sphere.side);
 }
 
 const ExactRay& NearestHit::exact_ray() {
@@ -211,10 +276,8 @@ const ExactRay& NearestHit::exact_ray() {
 
 bool NearestHit::challenge(const ScaledSphere& sphere) {
     if (best_ && best_->sphere.number == sphere.number) return false;
-    std::optional<int> order_of_hits;
     std::optional<ExactRoot> exact;
-    const bool in_range = in_range_ && sphere.in_range && (!best_ || best_->sphere.in_range);
-    if (in_range) order_of_hits = best_ ? order(sphere) : order_of_the_first(sphere);
+    std::optional<int> order_of_hits = best_ ? order(sphere) : order_of_the_first(sphere);
     if (!order_of_hits) {
         ++in_integers_;
         exact = exact_ray().hit(*sphere.sphere);

@@ -22,27 +22,39 @@ struct ScaledSphere {
     const Sphere* sphere = nullptr;
     std::int32_t number = 0;  // in the scene: ties are won by the lower one
     EyeSide side = EyeSide::outside;
-    bool in_range = false;     // false: only integers may look at it, and what follows means nothing
-    glm::dvec3 position{0.0};  // of the centre in the scene
-    ApproximateVector center;  // relative to the eye: exact
-    Approximate c;             // center . center - radius^2
+    int exponent = 0;             // the scale's
+    ApproximateVector center;     // relative to the eye: exact, but for what was too small for the scale
+    Approximate radius;           // likewise
+    Approximate c;                // center . center - radius^2
+    glm::dvec3 position{0.0};     // of the centre in the scene, to take differences; infinite where it is beyond the scale
+    double position_error = 0.0;  // of each component of it
 };
 
-// The power of two that brings a size, the largest of some spheres, to 2^400. It lets squares be computed of spheres of any size,
-// and 2^-430 of that size, at once.
+// How large a sphere is to those that compare hits: the largest of its centre relative to the eye, and its radius; infinite where a
+// difference overflows.
+double size_from(const glm::dvec3& eye, const Sphere& sphere);
+
+inline constexpr int size_exponent = 400;
+
+// The power of two that brings a size, the largest of some spheres, to 2^400. It lets squares be computed of spheres of any size at
+// once. A number that comes to less than 2^-1000 is taken for 0, with that for its error.
 class SphereScale {
 public:
+    // `largest` as of size_from().
     SphereScale(const glm::dvec3& eye, double largest);
 
     ScaledSphere operator()(const Sphere& sphere, std::int32_t number, EyeSide side) const;
+    // Of the power.
+    int exponent() const { return exponent_; }
 
 private:
-    double scaled(double value, bool& in_range) const;
+    double scaled(double value) const { return value * first_ * second_; }
 
+    glm::dvec3 eye_;
+    int exponent_ = 0;
     double first_;
     double second_;
-    glm::dvec3 eye_{0.0};
-    bool in_range_ = true;
+    double part_ = 1.0;  // differences are taken of such parts, so that none overflows
 };
 
 // What the rays of a picture have in common: m D = m forward + across right + upward up, as for RayBasis (exact/rays.hpp), but
@@ -51,9 +63,12 @@ struct ExactBasis {
     ApproximateVector forward;
     glm::dvec3 right{0.0};
     glm::dvec3 up{0.0};
-    bool in_range = false;  // false: nothing but integers holds such rays
+    double error = 0.0;  // of each component of each vector, where one was too small beside the largest
 
     explicit ExactBasis(const Camera& camera);
+
+    // m D of a pixel.
+    ApproximateVector ray(PictureSize size, Pixel pixel) const;
 };
 
 class NearestHit {
@@ -62,8 +77,11 @@ public:
     NearestHit(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel);
 
     // Takes the sphere for the nearest if its hit is nearer than those so far, or as near and its number lower. Returns whether it
-    // did. All spheres are on one scale.
+    // did. It and the nearest so far are on one scale.
     bool challenge(const ScaledSphere& sphere);
+
+    // Puts the nearest so far, if there is one, on the scale of those that come next, which are no smaller.
+    void rescale(const SphereScale& scale);
 
     // The number of the sphere that is hit first, of those that came; visible_background for none.
     std::int32_t visible() const;
@@ -72,7 +90,7 @@ public:
 
     // Null before anything is hit.
     const ScaledSphere* sphere() const { return best_ ? &best_->sphere : nullptr; }
-    // Relative to the eye; of unknown error where the sphere or the ray is out of range.
+    // Relative to the eye.
     const ApproximateVector& point() const { return best_->point; }
 
 private:
@@ -85,16 +103,20 @@ private:
 
     Approximate along(const ScaledSphere& sphere) const;  // b
     Approximate discriminant(const ScaledSphere& sphere, const Approximate& b) const;
+    // The sign of the power of the best hit's point with respect to the sphere, if 106 bits are enough.
+    std::optional<int> power_sign(const ScaledSphere& sphere) const;
+    std::optional<int> power_sign_by_differences(const ScaledSphere& sphere) const;
     // -1: the sphere's hit is nearer than the best, 0: as near, 1: farther, or none; nothing when 106 bits are not enough.
     std::optional<int> order(const ScaledSphere& sphere) const;
     std::optional<int> order_of_the_first(const ScaledSphere& sphere) const;
+    // Of a sphere seen from outside that is nearer if it is hit at all.
+    std::optional<int> order_before_all(const ScaledSphere& sphere, const Approximate& b) const;
     const ExactRay& exact_ray();
     Best best_of(const ScaledSphere& sphere) const;
 
     const Camera& camera_;
     PictureSize size_;
     Pixel pixel_;
-    bool in_range_;
     ApproximateVector ray_;
     Approximate square_;  // A
     std::optional<Best> best_;

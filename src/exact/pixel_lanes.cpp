@@ -16,6 +16,8 @@ namespace {
 constexpr double never = NearestHits<double>::never;
 constexpr double largest = std::numeric_limits<double>::max();
 constexpr double underflow = 0x1p-1000;
+constexpr double too_small = 0x1p-580;        // what errors of 2^-1000 come to beside numbers of 2^404, and more
+constexpr double smallest_doubt = 0x1p-1060;  // what underflow may take from a sum of products
 constexpr double u = double_unit;
 
 std::size_t full_lanes(std::size_t count) { return (count + 3) / 4 * 4; }
@@ -34,22 +36,26 @@ BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double
     const auto size = [&] { return std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius; };
     const auto in_range = [](double s) { return s > smallest_double_size && s < largest_double_size; };
     if (!in_range(size())) {
+        const bool overflows = !std::isfinite(largest_of(center));
         int exponent = 0;
-        std::frexp(std::max({largest_of(sphere.center), largest_of(eye), radius}), &exponent);
-        exponent = std::clamp(exponent, -950, 1024);
+        std::frexp(overflows ? std::max(largest_of(sphere.center), largest_of(eye)) : largest_of(center), &exponent);
+        int of_radius = 0;
+        std::frexp(radius, &of_radius);
+        exponent = std::clamp(std::max(exponent, of_radius), -950, 1024);
         const auto scaled = [=](double value) { return std::ldexp(value, -exponent); };
         unit = std::ldexp(1.0 / distance_unit, exponent);
-        for (int axis = 0; axis < 3; ++axis) center[axis] = scaled(sphere.center[axis]) - scaled(eye[axis]);
+        for (int axis = 0; axis < 3; ++axis) {
+            center[axis] = overflows ? scaled(sphere.center[axis]) - scaled(eye[axis]) : scaled(center[axis]);
+        }
         radius = scaled(radius);
     }
     w = in_range(size()) ? error_scale * size() : never;
 }
 
-BoundLanes::BoundLanes(const RayBasis<double>& basis, PictureSize size, std::span<const Pixel> pixels)
-    : count_(full_lanes(pixels.size())) {
-    assert(!pixels.empty() && pixels.size() <= most_lanes);
+BoundLanes::BoundLanes(std::span<const glm::dvec3> rays) : count_(full_lanes(rays.size())) {
+    assert(!rays.empty() && rays.size() <= most_lanes);
     for (std::size_t i = 0; i < count_; ++i) {
-        const glm::dvec3 ray = unit_ray(basis, size, pixels[std::min(i, pixels.size() - 1)]);
+        const glm::dvec3& ray = rays[std::min(i, rays.size() - 1)];
         x_[i] = ray.x;
         y_[i] = ray.y;
         z_[i] = ray.z;
@@ -138,10 +144,17 @@ double BoundLanes::farthest_sure_hit() const {
 }
 
 DifferenceLanes::DifferenceLanes(std::size_t count) : count_(full_lanes(count)) {
-    for (Lane<double>* lane : {&center_x_, &center_y_, &center_z_, &c_high_, &c_low_, &c_error_, &x_, &y_, &z_, &square_, &error_,
-                               &length_, &inaccuracy_}) {
+    for (Lane<double>* lane : {&center_x_,   &center_y_, &center_z_,   &c_high_,  &c_low_,        &c_error_,
+                               &x_,          &y_,        &z_,          &square_,  &error_,        &length_,
+                               &inaccuracy_, &scene_x_,  &scene_y_,    &scene_z_, &scene_radius_, &sum_x_,
+                               &sum_y_,      &sum_z_,    &sum_length_, &radius_}) {
         lane->fill(std::numeric_limits<double>::quiet_NaN());
     }
+}
+
+void DifferenceLanes::use(const SphereScale& scale) {
+    // Differences of spheres are less than 4 where the largest is below 1, and below 2^930 wherever what comes first cannot tell.
+    difference_unit_ = scale.exponent() >= size_exponent ? 0x1p90 : 0x1p-310;
 }
 
 void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
@@ -158,8 +171,7 @@ void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
     const auto off = [](const Approximate& a) { return std::fabs(a.low) + a.error; };
     const double error = std::max({off(x), off(y), off(z)});
     const double length = std::fabs(x.high) + std::fabs(y.high) + std::fabs(z.high);
-    // False also where the error is not a number.
-    const bool known = 2.0 * error < length && sphere.in_range;
+    const bool known = 2.0 * error < length && std::isfinite(off(x) + off(y) + off(z));
     x_[lane] = known ? x.high : std::numeric_limits<double>::quiet_NaN();
     y_[lane] = y.high;
     z_[lane] = z.high;
@@ -167,11 +179,20 @@ void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
     error_[lane] = error;
     length_[lane] = length;
     inaccuracy_[lane] = 8.0 * u * length + 4.0 * error;
+    scene_x_[lane] = sphere.sphere->center.x;
+    scene_y_[lane] = sphere.sphere->center.y;
+    scene_z_[lane] = sphere.sphere->center.z;
+    scene_radius_[lane] = sphere.sphere->radius;
+    const auto& [cx, cy, cz] = sphere.center;
+    sum_x_[lane] = cx.high - 2.0 * x_[lane];
+    sum_y_[lane] = cy.high - 2.0 * y.high;
+    sum_z_[lane] = cz.high - 2.0 * z.high;
+    sum_length_[lane] = std::max({std::fabs(cx.high), std::fabs(cy.high), std::fabs(cz.high)}) + 2.0 * length;
+    radius_[lane] = sphere.radius.high;
 }
 
 SPHEREVIEW_FOR_EACH_SIMD
 LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
-    if (!sphere.in_range) return ~LaneSet{0};
     const glm::dvec3 position = sphere.position;
     const double cx = sphere.center[0].high;
     const double cy = sphere.center[1].high;
@@ -194,14 +215,44 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
         const double power = c_apart - 2.0 * (along_x + along_y + along_z);
         const double terms = std::fabs(c_apart) + 2.0 * (std::fabs(along_x) + std::fabs(along_y) + std::fabs(along_z));
         const double off = error_[i] * (std::fabs(apart_x) + std::fabs(apart_y) + std::fabs(apart_z));
-        const double doubt = 1.0625 * (6.0 * u * terms + 2.0 * off + (c_error + c_error_[i])) + underflow;
+        const double doubt = 1.0625 * (6.0 * u * terms + 2.0 * off + (c_error + c_error_[i])) + too_small;
         // V: is the hit before the middle between the sphere's roots?
         const double before_middle = x_[i] * cx + y_[i] * cy + z_[i] * cz - square_[i];
-        const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + underflow;
+        const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + too_small;
         const bool not_nearer_outside = (power > doubt) & (before_middle > middle_doubt);
         const bool not_nearer_else = power < -doubt;
         const bool not_nearer = outside ? not_nearer_outside : not_nearer_else;
         challenged[i] = not_nearer ? 0 : takes_part_[i];
+        any |= challenged[i];
+    }
+    if (any == 0) return 0;
+    // Of the others: the power once more, of sums that have the spheres' differences for factors. These are taken of the scene's
+    // numbers, where they are as exact as they can be; `unit` keeps products of differences and sizes within the range of doubles.
+    const Sphere& scene = *sphere.sphere;
+    const double radius = sphere.radius.high;
+    const double unit = difference_unit_;
+    any = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const double apart_x = scene.center.x - scene_x_[i];
+        const double apart_y = scene.center.y - scene_y_[i];
+        const double apart_z = scene.center.z - scene_z_[i];
+        const double radii_apart = scene.radius - scene_radius_[i];
+        const double part_x = apart_x * ((cx + sum_x_[i]) * unit);
+        const double part_y = apart_y * ((cy + sum_y_[i]) * unit);
+        const double part_z = apart_z * ((cz + sum_z_[i]) * unit);
+        const double part_r = radii_apart * ((radius + radius_[i]) * unit);
+        const double power = (part_x + part_y + part_z) - part_r;
+        const double terms = std::fabs(part_x) + std::fabs(part_y) + std::fabs(part_z) + std::fabs(part_r);
+        const double inexact = (4.0 * u * (size + sum_length_[i]) + 2.0 * error_[i] + too_small) * unit;
+        const double off = inexact * (std::fabs(apart_x) + std::fabs(apart_y) + std::fabs(apart_z));
+        const double off_radius = too_small * unit * std::fabs(radii_apart);
+        const double doubt = 1.0625 * (7.0 * u * terms + off + off_radius) + smallest_doubt;
+        const double before_middle = x_[i] * cx + y_[i] * cy + z_[i] * cz - square_[i];
+        const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + too_small;
+        const bool not_nearer_outside = (power > doubt) & (before_middle > middle_doubt);
+        const bool not_nearer_else = power < -doubt;
+        const bool not_nearer = outside ? not_nearer_outside : not_nearer_else;
+        challenged[i] = not_nearer ? 0 : challenged[i];
         any |= challenged[i];
     }
     return any == 0 ? 0 : set_of(challenged, count_);

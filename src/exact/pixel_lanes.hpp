@@ -4,11 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <span>
 
 #include "exact/filter.hpp"
 #include "exact/nearest_hit.hpp"
-#include "exact/rays.hpp"
 
 namespace sphereview {
 
@@ -36,8 +36,8 @@ struct BoundedSphere {
 // NearestHits (exact/filter.hpp) of some pixels.
 class BoundLanes {
 public:
-    // One to most_lanes of them.
-    BoundLanes(const RayBasis<double>& basis, PictureSize size, std::span<const Pixel> pixels);
+    // Their unit directions, of one to most_lanes of them.
+    explicit BoundLanes(std::span<const glm::dvec3> rays);
 
     // The pixels that may show the sphere, of those seen so far.
     LaneSet add(std::int64_t index, const BoundedSphere& sphere, EyeSide side);
@@ -67,6 +67,9 @@ class DifferenceLanes {
 public:
     explicit DifferenceLanes(std::size_t count);
 
+    // All spheres that come from now on, until the next call, are on this scale. What is set stays, and is to be set anew.
+    void use(const SphereScale& scale);
+
     // From now on the pixel takes part.
     void set(std::size_t lane, const NearestHit& nearest);
 
@@ -89,6 +92,18 @@ private:
     Lane<double> error_;       // of each of the hit's components
     Lane<double> length_;      // |x| + |y| + |z|
     Lane<double> inaccuracy_;  // what bounds the error of V: docs/exactness.md
+
+    // For the power as a sum of products with differences.
+    double difference_unit_ = 0.0;
+    Lane<double> scene_x_;  // of the sphere that is hit: its numbers in the scene,
+    Lane<double> scene_y_;
+    Lane<double> scene_z_;
+    Lane<double> scene_radius_;
+    Lane<double> sum_x_;  // its centre relative to the eye, less twice the hit,
+    Lane<double> sum_y_;
+    Lane<double> sum_z_;
+    Lane<double> sum_length_;  // the sizes of what was summed,
+    Lane<double> radius_;      // and its radius
 };
 
 }  // namespace sphereview

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -29,6 +30,8 @@ HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r,
 }
 
 constexpr int cells_in_piece = 32;
+constexpr std::size_t tried_between_checks = 4096;  // a millisecond
+constexpr double condition_of_rounded_rays = 2.0;   // 4 roundings are less than 5 times this
 constexpr int largest_cell_shift = 3;
 static_assert(1 << 2 * largest_cell_shift == most_lanes);
 
@@ -46,6 +49,27 @@ void for_each_shuffled(std::size_t count, const Work& work) {
     for (std::size_t k = 0; k < size; ++k) {
         if (const std::size_t i = k * odd & (size - 1); i < count) work(i);
     }
+}
+
+// Sorts what has a size into groups in which sizes are at most 2^128 apart, the smallest first, if they are farther apart at all;
+// it returns the groups' ends.
+template <typename T, typename Size>
+std::vector<std::size_t> ends_of_scales(std::vector<T>& all, const Size& size) {
+    constexpr int widest = 128;
+    const auto exponent = [&](const T& one) {
+        const double s = size(one);
+        return std::isfinite(s) ? std::ilogb(s) : std::numeric_limits<double>::max_exponent;
+    };
+    const auto [least, most] = std::ranges::minmax_element(all, {}, exponent);
+    if (all.empty() || exponent(*most) - exponent(*least) <= widest) return {all.size()};
+    const int from = exponent(*least);
+    const auto group = [&](const T& one) { return (exponent(one) - from) / widest; };
+    std::ranges::stable_sort(all, {}, group);
+    std::vector<std::size_t> ends;
+    for (std::size_t i = 1; i <= all.size(); ++i) {
+        if (i == all.size() || group(all[i]) != group(all[i - 1])) ends.push_back(i);
+    }
+    return ends;
 }
 
 // Calls add(index) for the drawn spheres that a pixel can show, all of them without lists; it returns the distance of the nearest
@@ -96,11 +120,26 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       error_scale_(error_scale(ray_condition(camera), double_unit)),
       exact_basis_(camera),
       cell_shift_(largest_cell_shift) {
+    // What that basis cannot hold, aim() takes from the exact one: then the rays are only rounded.
     frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
-    if (!frame_.in_range) error_scale_ = NearestHits<double>::never;  // every sphere may be anywhere
+    if (!frame_.in_range) error_scale_ = error_scale(condition_of_rounded_rays, double_unit);
     if (lists != nullptr) {
         for (const TileLevel& level : lists->levels) cell_shift_ = std::min(cell_shift_, level.shift);
     }
+}
+
+bool Resolver::aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays) const {
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (frame_.in_range) {
+            rays[i] = unit_ray(frame_, size_, pixels[i]);
+            continue;
+        }
+        const auto [x, y, z] = exact_basis_.ray(size_, pixels[i]);
+        const glm::dvec3 ray(x.high, y.high, z.high);
+        if (!(std::max({x.error, y.error, z.error}) <= double_unit * largest_of(ray))) return false;
+        rays[i] = unit(ray);
+    }
+    return true;
 }
 
 DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::int32_t> numbers) const {
@@ -113,10 +152,15 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
         LaneSet lanes;
     };
     std::vector<Contest> contests;
-    BoundLanes lanes(frame_, size_, pixels);
+    std::array<glm::dvec3, most_lanes> rays{};
+    const bool aimed = aim(pixels, rays);
+    const double bound_scale = aimed ? error_scale_ : NearestHits<double>::never;  // else every sphere may be anywhere
+    BoundLanes lanes{std::span<const glm::dvec3>(rays).first(pixels.size())};
     double sure_hit = NearestHits<double>::never;  // in the units of the lists
+    std::size_t tried = 0;
     for_each_candidate(drawn_, lists_, pixels.front(), [&](std::uint32_t i) {
-        const BoundedSphere bounded(sphere(i), camera_.eye, error_scale_);
+        if (++tried % tried_between_checks == 0) check_cancelled();
+        const BoundedSphere bounded(sphere(i), camera_.eye, bound_scale);
         const LaneSet contending = lanes.add(i, bounded, drawn_.side(i));
         if (contending != 0) {
             contests.push_back({i, contending});
@@ -128,7 +172,7 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
     LaneSet undecided = all;
     for (std::size_t lane = 0; lane < pixels.size(); ++lane) {
         const NearestHits<double> nearest = lanes.nearest(lane);
-        if (!frame_.in_range || !nearest.decided()) continue;
+        if (!aimed || !nearest.decided()) continue;
         undecided &= ~(LaneSet{1} << lane);
         numbers[lane] = nearest.guess < 0 ? visible_background : drawn_.number(static_cast<std::size_t>(nearest.guess));
     }
@@ -136,28 +180,40 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
     counts.in_double = static_cast<std::int64_t>(pixels.size()) - counts.exactly;
     if (undecided == 0) return counts;
 
-    // Exactly: each sphere against the nearest so far of each pixel that may show it.
+    // Exactly: each sphere against the nearest so far of each pixel that may show it. Spheres of very different sizes have scales
+    // of their own, the smallest first.
     std::erase_if(contests, [&](const Contest& contest) { return (contest.lanes & undecided) == 0; });
-    double largest = largest_of(camera_.eye);
-    for (const Contest& contest : contests) {
-        largest = std::max({largest, largest_of(sphere(contest.index).center), sphere(contest.index).radius});
-    }
-    const SphereScale scale(camera_.eye, largest);
-    const auto scaled = [&](std::size_t i) { return scale(sphere(i), drawn_.number(i), drawn_.side(i)); };
+    const std::vector<std::size_t> ends =
+        ends_of_scales(contests, [&](const Contest& contest) { return size_from(camera_.eye, sphere(contest.index)); });
     std::vector<std::optional<NearestHit>> nearest(pixels.size());
     DifferenceLanes differences(pixels.size());
     for_each_lane(undecided, [&](std::size_t lane) {
         nearest[lane].emplace(camera_, exact_basis_, size_, pixels[lane]);
-        if (const int sure = lanes.nearest(lane).sure; sure >= 0) nearest[lane]->challenge(scaled(static_cast<std::size_t>(sure)));
         differences.set(lane, *nearest[lane]);
     });
-    for_each_shuffled(contests.size(), [&](std::size_t i) {
-        check_cancelled();
-        const ScaledSphere challenger = scaled(contests[i].index);
-        for_each_lane(contests[i].lanes & undecided & differences.challenged_by(challenger), [&](std::size_t lane) {
-            if (nearest[lane]->challenge(challenger)) differences.set(lane, *nearest[lane]);
+    std::size_t begin = 0;
+    for (const std::size_t end : ends) {
+        const std::span<const Contest> of_scale = std::span(contests).subspan(begin, end - begin);
+        double largest = 0.0;
+        for (const Contest& contest : of_scale) largest = std::max(largest, size_from(camera_.eye, sphere(contest.index)));
+        const SphereScale scale(camera_.eye, largest);
+        const auto scaled = [&](std::size_t i) { return scale(sphere(i), drawn_.number(i), drawn_.side(i)); };
+        differences.use(scale);
+        for_each_lane(undecided, [&](std::size_t lane) {
+            nearest[lane]->rescale(scale);
+            const int sure = lanes.nearest(lane).sure;
+            if (sure >= 0 && ends.size() == 1) nearest[lane]->challenge(scaled(static_cast<std::size_t>(sure)));
+            differences.set(lane, *nearest[lane]);
         });
-    });
+        for_each_shuffled(of_scale.size(), [&](std::size_t i) {
+            check_cancelled();
+            const ScaledSphere challenger = scaled(of_scale[i].index);
+            for_each_lane(of_scale[i].lanes & undecided & differences.challenged_by(challenger), [&](std::size_t lane) {
+                if (nearest[lane]->challenge(challenger)) differences.set(lane, *nearest[lane]);
+            });
+        });
+        begin = end;
+    }
     for_each_lane(undecided, [&](std::size_t lane) {
         numbers[lane] = nearest[lane]->visible();
         counts.integer_tests += nearest[lane]->in_integers();

@@ -122,7 +122,11 @@ double coordinate(const TextSource& source, const cif::Table::Row& row, Column c
 // a few; and the longer words' letters. Measured: 54 bytes a word of one digit, 73 for each `data_`.
 std::uint64_t bytes_of_document(std::string_view text) {
     constexpr std::uint64_t bytes_of_word = 64;
-    const auto ends_word = [&](std::size_t i) { return is_space(text[i]) & !is_space(text[i - 1]); };
+    const auto ends_word = [&](std::size_t i) {
+        const bool space = is_space(text[i]);
+        const bool space_before = is_space(text[i - 1]);
+        return space & !space_before;
+    };
     const std::uint64_t words = text.empty() ? 0 : 1 + count_places(1, text.size(), ends_word);
     return words * bytes_of_word + 2 * std::uint64_t{text.size()};
 }

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <chrono>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "base/error.hpp"
@@ -98,11 +99,7 @@ std::string LivePicture::reload_shaders() {
         shader_files_ = std::move(files);
         shader_log_.clear();
         traced_ = false;
-    } catch (const RenderError& error) {
-        shader_log_ = error.what();
-    } catch (const InputError& error) {
-        shader_log_ = error.what();
-    } catch (const MemoryError& error) {
+    } catch (const std::runtime_error& error) {  // RenderError, InputError, MemoryError
         shader_log_ = error.what();
     }
     return shader_log_;
@@ -339,24 +336,6 @@ std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
     }
     if (const auto number = traced_number(pixel)) return *number;
     return Resolver(document.scene(), scene_.drawn(), view_.camera, size, lists_for_any_pixel()).resolve(pixel, level);
-}
-
-std::vector<std::uint32_t> LivePicture::seen_in(const Document& document, const Block& block) const {
-    assert(document.revision() == revision_ && traced_ && step_ == 1);
-    const KeptFramebuffers kept;
-    const Resolver resolver(document.scene(), scene_.drawn(), view_.camera, view_.size, &scene_.lists());
-    std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-    visible_.read(block, visible);
-    resolver.certify(block, visible);
-    std::vector<bool> seen(document.scene().spheres.size());
-    for (const std::int32_t number : visible) {
-        if (number >= 0) seen[static_cast<std::size_t>(number)] = true;
-    }
-    std::vector<std::uint32_t> numbers;
-    for (std::uint32_t number = 0; number < seen.size(); ++number) {
-        if (seen[number]) numbers.push_back(number);
-    }
-    return numbers;
 }
 
 }  // namespace sphereview

@@ -78,10 +78,6 @@ public:
     // tries only the spheres in the pixel's lists.
     PixelExplanation explain(const Document& document, Pixel pixel) const;
 
-    // The numbers of the spheres that pixels of the block show, which lies in the picture; ascending. Of a fine picture, step 1,
-    // and of the document of its update().
-    std::vector<std::uint32_t> seen_in(const Document& document, const Block& block) const;
-
     // Reads the shaders in the folder again; the next update() traces with them. What does not compile leaves the last good
     // ones running. Returns the log, naming file and line, or "" when all is well.
     std::string reload_shaders();

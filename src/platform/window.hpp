@@ -22,7 +22,7 @@ struct Modifiers {
 enum class MouseButton { left, right, middle };
 
 // What a person or the system did, in the order in which it happened. Places are in screen coordinates of the window,
-// (0, 0) at the top left; times framebuffer_scale() they are pixels.
+// (0, 0) at the top left; times framebuffer() / extent() they are pixels.
 struct PointerMoved {
     double x = 0.0;
     double y = 0.0;
@@ -72,6 +72,8 @@ struct WindowPlace {
     int width = 1400;
     int height = 1000;
     bool maximized = false;
+
+    bool operator==(const WindowPlace&) const = default;
 };
 
 // The one window of the program. Not shown until show().

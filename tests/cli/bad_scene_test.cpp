@@ -39,15 +39,6 @@ TEST(BadScene, IsRefusedWithItsPlaceWhatWasFoundAndExpected) {
     }
 }
 
-TEST(BadScene, AFolderOrAMissingFileIsNamed) {
-    const TemporaryFolder folder;
-    folder.write("folder/file", "");
-    const Outcome directory = render(folder, {"folder"});
-    EXPECT_EQ(directory.status, 2) << directory;
-    EXPECT_EQ(directory.errors, "folder: cannot be read: it is a folder; expected a file\n");
-    EXPECT_TRUE(fails(render(folder, {"missing.txt"}), 2, "missing.txt: cannot be read: No such file or directory\n"));
-}
-
 TEST(BadScene, NothingFromOutsideSteersTheTerminalOrForgesALine) {
     const TemporaryFolder folder;
     const std::string name = "a\x1b[2J\nb.txt: fine";
@@ -64,33 +55,6 @@ TEST(BadScene, NothingFromOutsideSteersTheTerminalOrForgesALine) {
     EXPECT_FALSE(contains(run(explain).output, "\x1b"));
     explain.arguments[1] = "d.toml";
     EXPECT_TRUE(contains(run(explain).output, R"('\x1b[2J\x0a')"));
-}
-
-TEST(BadScene, StandardInputIsCalledStdin) {
-    const TemporaryFolder folder;
-    Command command = cpu_render(folder, {"-"});
-    command.input = bad_scene;
-    EXPECT_TRUE(fails(run(command), 2, "stdin:4:1: found '-5', expected the radius"));
-}
-
-TEST(GoodScene, MayHaveAByteOrderMarkOddLineEndsOrNone) {
-    const std::string mark = "\xEF\xBB\xBF";
-    for (const std::string& scene :
-         {mark + red_scene, std::string("1\r\n255 0 0\r\n0 0 200\r\n20"), std::string("1\r255 0 0\r0 0 200\r20\r"),
-          std::string("1 255 0 0 0 0 200 20"), std::string("+1\n\n255\t0 0\f0 0\v2e2\n+20.0"),
-          mark + "# comment\r\nspheres = '''1 255 0 0 0 0 200 20'''\r\n"}) {
-        EXPECT_EQ(picture_of(scene, "cpu", {"-s", "5x5"}).at(2, 2), (std::vector<int>{255, 0, 0})) << testing::PrintToString(scene);
-    }
-    EXPECT_EQ(picture_of("0", "cpu", {"-s", "5x5"}), plain_picture(5, 5, {0, 0, 0}));
-}
-
-TEST(GoodScene, IsRecognisedByItsContentBeforeItsName) {
-    const TemporaryFolder folder;
-    folder.write("text.toml", red_scene);
-    folder.write("toml.txt", "spheres = \"1 255 0 0 0 0 200 20\"");
-    ASSERT_EQ(render(folder, {"text.toml", "toml.txt", "-s", "5x5"}).status, 0);
-    EXPECT_EQ(decode_png(folder.read("text.png")).at(2, 2), (std::vector<int>{255, 0, 0}));
-    EXPECT_EQ(folder.read("text.png"), folder.read("toml.png"));
 }
 
 }  // namespace

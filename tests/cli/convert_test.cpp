@@ -76,26 +76,11 @@ TEST_F(Convert, ToChoosesTheFormatWhateverTheNameIs) {
     EXPECT_EQ(convert({"-", "-", "--to", "text"}, hard_text).output, hard_text);
 }
 
-TEST_F(Convert, SaysWhatTheTextFormatCannotHold) {
-    folder_.write("rich.toml", rich_toml);
-    const Outcome outcome = convert({"rich.toml", "poor.txt"});
-    EXPECT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(
-        outcome.errors,
-        "rich.toml: the text format cannot hold the background, the camera, the names (1), the hidden spheres (1); left out\n");
-    EXPECT_EQ(folder_.read("poor.txt"), "1\n1 2 3\n0.1 1e+300 -0\n5e-324\n");
-}
-
 TEST_F(Convert, FailsLikeRender) {
     folder_.write("bad.txt", bad_scene);
     folder_.write("red.txt", red_scene);
     const auto before = folder_.names();
-    struct Case {
-        std::vector<std::string> arguments;
-        int status;
-        std::string said;
-    };
-    const std::vector<Case> cases = {
+    const std::vector<std::tuple<std::vector<std::string>, int, std::string>> cases = {
         {{"bad.txt", "new.toml"}, 2, "bad.txt:4:1: found '-5'"},
         {{"missing.txt", "new.toml"}, 2, "missing.txt: cannot be read"},
         {{"red.txt", "missing/new.toml"}, 4, "missing/new.toml: cannot be written: the folder missing does not exist"},

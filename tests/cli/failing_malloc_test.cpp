@@ -1,5 +1,8 @@
-// Every 13th allocation of the program fails in turn, alone and with all that follow.
+// Every 13th allocation of the program fails in turn, alone or with all that follow. With SPHEREVIEW_EVERY_ALLOCATION=on (./dev
+// test --long): every single one, both alone and with all that follow.
 #include <gtest/gtest.h>
+
+#include <cstdlib>
 
 #include "support/gzip.hpp"
 #include "support/render.hpp"
@@ -7,8 +10,7 @@
 namespace sphereview::test {
 namespace {
 
-// Of about 2,000 allocations every so many.
-constexpr int step = 13;
+// Of about 2,000 allocations.
 constexpr int last = 2'400;
 
 class FailingMalloc : public testing::Test {
@@ -23,23 +25,34 @@ protected:
     }
 
     // Whether it fails alone or with all that follow, the program ends with a documented status and has a line to say why.
-    void expect_good_ends(std::vector<std::string> arguments, int usual_status = 0) {
-        Command command;
-        command.folder = folder_.path();
-        command.arguments = std::move(arguments);
+    void expect_good_ends(const std::vector<std::string>& arguments, int usual_status = 0) {
+        const bool every = std::getenv("SPHEREVIEW_EVERY_ALLOCATION") != nullptr;
+        const int step = every ? 1 : 13;
         int told = 0;
         for (int number = 1; number <= last; number += step) {
-            const bool on = number % 2 == 0;
-            command.environment = {{"LD_PRELOAD", FAILING_MALLOC},
-                                   {"FAILING_ALLOCATION", std::to_string(number)},
-                                   {on ? "FAILING_ALLOCATIONS" : "NOTHING", "on"}};
-            const Outcome outcome = run(command);
-            const bool good = outcome.status == usual_status || outcome.status == 3 || outcome.status == 4;
-            ASSERT_TRUE(good && outcome.signal == 0) << number << (on ? " and on: " : ": ") << outcome;
-            EXPECT_EQ(outcome.status == 3, outcome.errors.find("memory ran out") != std::string::npos) << number << ": " << outcome;
-            if (outcome.status == 3) ++told;
+            for (const bool on : {false, true}) {
+                if (!every && on != (number % 2 == 0)) continue;
+                const Outcome outcome = without(number, on, arguments);
+                const bool good = outcome.status == usual_status || outcome.status == 3 || outcome.status == 4;
+                ASSERT_TRUE(good && outcome.signal == 0) << number << (on ? " and on: " : ": ") << outcome;
+                EXPECT_EQ(outcome.status == 3, outcome.errors.find("memory ran out") != std::string::npos)
+                    << number << ": " << outcome;
+                if (outcome.status == 3) ++told;
+            }
         }
-        EXPECT_GT(told, 1'000 / step);  // else none failed
+        EXPECT_GT(told, 1'000 / step);                                   // else none failed
+        EXPECT_EQ(without(last, true, arguments).status, usual_status);  // else there are more
+    }
+
+    // The allocation of this number fails, and all that follow.
+    Outcome without(int number, bool on, const std::vector<std::string>& arguments) const {
+        Command command;
+        command.folder = folder_.path();
+        command.arguments = arguments;
+        command.environment = {{"LD_PRELOAD", FAILING_MALLOC},
+                               {"FAILING_ALLOCATION", std::to_string(number)},
+                               {on ? "FAILING_ALLOCATIONS" : "NOTHING", "on"}};
+        return run(command);
     }
 
     TemporaryFolder folder_;

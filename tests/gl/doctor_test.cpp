@@ -1,16 +1,13 @@
 // What doctor says of a machine where everything works (Mesa's llvmpipe and OSMesa).
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "app/version.hpp"
+#include "support/json.hpp"
 #include "support/program.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
 namespace {
-
-using Json = nlohmann::json;
 
 TEST(Doctor, TriesEveryBackendAndDescribesIt) {
     const Outcome outcome = run({"doctor", "--json"});

@@ -8,8 +8,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <nlohmann/json.hpp>
 
+#include "support/json.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_match.hpp"
@@ -17,13 +17,9 @@
 namespace sphereview::test {
 namespace {
 
-using Json = nlohmann::json;
-
 // A command that finds libraries in `folder` first.
 Command with_libraries(const std::string& folder, const std::vector<std::string>& arguments) {
-    Command command;
-    command.arguments = arguments;
-    command.environment = {{"LD_LIBRARY_PATH", folder}};
+    Command command{.arguments = arguments, .environment = {{"LD_LIBRARY_PATH", folder}}};
     // A sanitized program would turn a crash into an exit.
     const char* options = std::getenv("ASAN_OPTIONS");
     command.environment.emplace_back("ASAN_OPTIONS", (options != nullptr ? std::string(options) + ":" : "") + "handle_segv=0");

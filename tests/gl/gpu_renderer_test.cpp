@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "exact/resolve.hpp"
 #include "gl/live_export.hpp"
 #include "support/text_match.hpp"
 
@@ -14,33 +13,9 @@ namespace {
 
 class GpuRendererTest : public InContext {
 protected:
-    // What trace() gives for the block, as the scene's numbers of its best guesses: what a window shows.
-    std::vector<std::int32_t> trace(const Scene& scene, PictureSize size, const Block& block) {
-        drawn_ = drawn_spheres(scene);
-        gpu_.upload(drawn_, build_lists(drawn_, scene.camera, size, gpu_tile_costs), scene.camera, size, timings_);
-        std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width * block.height));
-        gpu_.trace(block, visible, timings_);
-        Resolver(scene, drawn_, size).accept_guesses(visible);
-        return visible;
-    }
-
     Timings timings_;
     GpuRenderer gpu_{timings_};
-    DrawnSpheres drawn_;
 };
-
-TEST_P(GpuRendererTest, TracesBlocksThatJoinToTheWholePicture) {
-    const Scene scene = colorful_scene(256);
-    const PictureSize size{90, 70};
-    const std::vector<std::int32_t> whole = trace(scene, size, {0, 0, 90, 70});
-    for (const Block& block : {Block{0, 0, 90, 33}, Block{17, 33, 60, 30}, Block{89, 69, 1, 1}, Block{0, 69, 90, 1}}) {
-        const std::vector<std::int32_t> part = trace(scene, size, block);
-        for (int y = 0; y < block.height; ++y) {
-            const auto row = whole.begin() + (block.y + y) * size.width + block.x;
-            EXPECT_TRUE(std::equal(row, row + block.width, part.begin() + y * block.width)) << "row " << block.y + y;
-        }
-    }
-}
 
 // Wherever the spheres and lists are, the shaders find the same ones.
 TEST_P(GpuRendererTest, TracesTheSameFromEveryKindOfTexture) {

@@ -12,11 +12,9 @@ TEST(Leaks, AreNotLeftByTheGpuPath) {
     folder.write("red.txt", red_scene);
     folder.write("blue.txt", blue_scene);
     folder.write("bad.txt", bad_scene);
-    Command command;
-    command.arguments = {"render", "red.txt", "bad.txt", "blue.txt", "--backend", "osmesa", "-s", "50x50"};
-    command.folder = folder.path();
-    command.environment = {{"LSAN_OPTIONS", "suppressions=" + source_file("tests/lsan.supp")}};
-    const Outcome outcome = run(command);
+    const Outcome outcome = run({.arguments = {"render", "red.txt", "bad.txt", "blue.txt", "--backend", "osmesa", "-s", "50x50"},
+                                 .folder = folder.path(),
+                                 .environment = {{"LSAN_OPTIONS", "suppressions=" + source_file("tests/lsan.supp")}}});
     EXPECT_EQ(outcome.status, 2) << outcome;  // the bad scene's
     EXPECT_EQ(outcome.errors.find("LeakSanitizer"), std::string::npos) << outcome;
 }

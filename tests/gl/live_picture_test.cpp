@@ -281,29 +281,6 @@ TEST_P(LivePictureTest, PicksFromTheDocumentAsItIsNow) {
     EXPECT_EQ(picture.pick(document, {70, 50}), 0);
 }
 
-TEST_P(LivePictureTest, TellsWhichSpheresABlockShows) {
-    const Scene scene = colorful_scene(300);
-    const Document document(scene);
-    const View view{scene.camera, {210, 160}};
-    LivePicture picture;
-    picture.update(document, view, 1);
-    for (const Block block : {Block{0, 0, 210, 160}, {30, 40, 70, 25}, {100, 80, 1, 1}, {209, 0, 1, 160}}) {
-        std::vector<std::uint32_t> expected;
-        for (int y = block.y; y < block.y + block.height; ++y) {
-            for (int x = block.x; x < block.x + block.width; ++x) {
-                const std::int32_t picked = picture.pick(document, {x, y});
-                if (picked >= 0) expected.push_back(static_cast<std::uint32_t>(picked));
-            }
-        }
-        std::ranges::sort(expected);
-        expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-        EXPECT_EQ(picture.seen_in(document, block), expected) << block.x << " " << block.y;
-        if (block.width == 210) {
-            EXPECT_GT(expected.size(), 20U);
-        }
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(Contexts, LivePictureTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());
 
 }  // namespace

@@ -91,11 +91,6 @@ const std::vector<Case> cases = {
     {"AsManyAsGuaranteed", random_spheres(1024, 2), "64x64"},
 };
 
-// The same as `scene` with a camera that sees everything from there.
-std::string fitted(const std::string& scene, const std::string& view) {
-    return run({.arguments = {"convert", "-", "-", "--to", "toml", "--view", view}, .input = scene}).output;
-}
-
 class SamePicture : public testing::TestWithParam<Case> {};
 
 TEST_P(SamePicture, OnEveryBackend) {
@@ -112,16 +107,6 @@ TEST_P(SamePicture, OnEveryBackend) {
             const auto pixel = (here - picture.bytes.begin()) / picture.channels;
             ADD_FAILURE() << backend << " differs from cpu with " << samples << " samples, first at pixel " << pixel % picture.width
                           << "," << pixel / picture.width;
-        }
-    }
-}
-
-TEST(FittedPicture, IsTheSameOnEveryBackend) {
-    for (const std::string& scene : {random_spheres(100, 3), three_spheres}) {
-        const std::string view = "33,-12";
-        const Picture expected = picture_of(fitted(scene, view), "cpu", {"-s", "300x200"});
-        for (const char* backend : {"cpu", "egl", "osmesa"}) {
-            EXPECT_TRUE(picture_of(scene, backend, {"-s", "300x200", "--view", view}) == expected) << backend;
         }
     }
 }

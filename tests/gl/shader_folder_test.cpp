@@ -1,4 +1,4 @@
-// Shaders that a person edits while the picture is shown.
+// Shaders that are wrong, what their log says, and shaders that a person edits while the picture is shown.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "gl/contexts.hpp"
 #include "gl/live.hpp"
+#include "gpu/program.hpp"
 #include "support/folders.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/text_match.hpp"
@@ -34,10 +35,50 @@ protected:
         return file + ":" + std::to_string(1 + std::count(begin, begin + static_cast<std::ptrdiff_t>(text.find(what)), '\n'));
     }
 
+    // What is wrong with the folder's trace.frag, or "".
+    std::string fault() const {
+        try {
+            make_program("trace.frag", {"SPHERE_CAPACITY 1024"}, ShaderFiles(folder_.path()));
+            return "";
+        } catch (const RenderError& error) {
+            return error.what();
+        }
+    }
+
     TemporaryFolder folder_;
     Document document_{two_spheres()};
     View view_{{}, {60, 60}};
 };
+
+TEST_P(ShaderFolderTest, WithAFrameThatTheProgramDoesNotShareIsRefused) {
+    replace("draw.glsl", "    vec4 right;\n    vec4 up;\n", "    vec4 up;\n    vec4 right;\n");
+    EXPECT_EQ(fault(), "trace.frag: GL has Frame.right at byte 32, the program at 16");
+}
+
+TEST_P(ShaderFolderTest, WithAFrameThatLacksAMemberIsRefused) {
+    replace("draw.glsl", "vec4 background;", "vec4 backdrop;");
+    EXPECT_EQ(fault(), "trace.frag: GL has Frame.background at byte -1, the program at 48");
+}
+
+TEST_P(ShaderFolderTest, ErrorsNameTheFileAndLineAsWritten) {
+    // A file, and the line in it where a mistake is put.
+    for (const auto& [file, line] :
+         std::vector<std::pair<std::string, std::string>>{{"trace.frag", "out int visible;"},
+                                                          {"trace.frag", "void main()"},
+                                                          {"spheres.glsl", "vec4 sphere_at(int index) { return center_radius"},
+                                                          {"visible.glsl", "const int visible_background"}}) {
+        const std::string where = place(file, folder_.read(file), line);
+        replace(file, line, "this_is_no_type " + line);
+        EXPECT_TRUE(contains(fault(), "the shader trace.frag does not compile:\n" + where + "("));
+        replace(file, "this_is_no_type " + line, line);
+    }
+    EXPECT_EQ(fault(), "");
+}
+
+TEST_P(ShaderFolderTest, ThatDoesNotLinkSaysSo) {
+    replace("trace.frag", "void main()", "void not_main()");
+    EXPECT_TRUE(contains(fault(), "the shader trace.frag does not link"));
+}
 
 TEST_P(ShaderFolderTest, ABrokenShaderLeavesTheLastGoodOneAndAFixedOneTakesOver) {
     LivePicture picture(folder_.path());
@@ -126,6 +167,34 @@ TEST_P(ShaderFolderTest, WithoutOneThereIsNothingToReload) {
     shown(picture, document_, view_);
     EXPECT_EQ(picture.reload_shaders(), "");
     EXPECT_FALSE(picture.update(document_, view_, 1));
+}
+
+TEST(ShaderIncludes, AreTakenOnceAndLinesKeepTheirNumbers) {
+    const TemporaryFolder folder;
+    folder.write("main.frag", "#version 330 core\n#include \"a.glsl\"\n#include \"b.glsl\"\nvoid main() {}\n");
+    folder.write("a.glsl", "#include \"b.glsl\"\nint a;\n");
+    folder.write("b.glsl", "int b;\n");
+    const ShaderSource source = assemble_shader("main.frag", {"X 1", "Y 2"}, ShaderFiles(folder.path()));
+    EXPECT_EQ(source.files, (std::vector<std::string>{"main.frag", "a.glsl", "b.glsl"}));
+    EXPECT_EQ(source.text,
+              "#version 330 core\n#define X 1\n#define Y 2\n#line 2 0\n"
+              "#line 1 1\n#line 1 2\nint b;\n#line 2 1\nint a;\n#line 3 0\n#line 4 0\nvoid main() {}\n");
+}
+
+TEST(ShaderLog, NamesFilesWhoeverWroteIt) {
+    const std::vector<std::string> files = {"trace.frag", "draw.glsl"};
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"0:12(5): error: `x' undeclared", "trace.frag:12(5): error: `x' undeclared\n"},                               // Mesa
+        {"1:3(1): warning: unused\n", "draw.glsl:3(1): warning: unused\n"},                                            // Mesa
+        {"0(12) : error C1008: undefined variable \"x\"", "trace.frag:12 : error C1008: undefined variable \"x\"\n"},  // NVIDIA
+        {"ERROR: 0:12: 'x' : undeclared identifier", "ERROR: trace.frag:12: 'x' : undeclared identifier\n"},           // Apple, AMD
+        {"ERROR: 1:3: bad\nERROR: 0:4: worse", "ERROR: draw.glsl:3: bad\nERROR: trace.frag:4: worse\n"},
+        {"7:12(5): error: another source", "7:12(5): error: another source\n"},  // no such file
+        {"error C0000: version 330:1", "error C0000: version 330:1\n"},
+        {"1 error generated", "1 error generated\n"},
+        {"", ""},
+    };
+    for (const auto& [log, named] : cases) EXPECT_EQ(name_files_in_log(log, files), named);
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, ShaderFolderTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());

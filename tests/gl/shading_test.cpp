@@ -4,50 +4,30 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
-#include <random>
 
 #include "exact/resolve.hpp"
 #include "gl/contexts.hpp"
 #include "gl/live.hpp"
 #include "shade/picture_shader.hpp"
 #include "support/render.hpp"
+#include "support/shaded_scenes.hpp"
 
 namespace sphereview::test {
 namespace {
 
 constexpr Shading modes[] = {Shading::flat, Shading::headlight, Shading::normal, Shading::depth, Shading::id};
 
-Scene random_spheres(int count, unsigned seed) {
-    std::mt19937 random(seed);
-    const auto number = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(random() % 65536U) / 65536.0;
-    };
-    Scene scene;
-    for (int i = 0; i < count; ++i) {
-        Sphere sphere;
-        sphere.center = {number(-150, 150), number(-150, 150), number(100, 500)};
-        sphere.radius = number(8, 50);
-        sphere.color = {static_cast<std::uint8_t>(random()), static_cast<std::uint8_t>(random()),
-                        static_cast<std::uint8_t>(random())};
-        sphere.hidden = i % 7 == 3;
-        scene.spheres.push_back(sphere);
-    }
-    return scene;
-}
-
 std::vector<Scene> scenes() {
-    std::vector<Scene> all;
-    for (unsigned seed = 1; seed <= 6; ++seed) all.push_back(random_spheres(40, seed));
-    all[1].camera = {{30.0, 40.0, -20.0}, {0.0, 10.0, 80.0}, {0.0, 0.0, 40.0}, {40.0, 0.0, 0.0}};
-    all[2].camera.center = {60.0, -20.0, 100.0};                              // off the axis
-    all[3].spheres.push_back({{0, 5, 10}, 700, {200, 100, 50}, false});       // around the eye
-    all[4].spheres.push_back({{0, -1e6, 0}, 999'990, {90, 200, 50}, false});  // a ground
-    all[4].spheres.push_back({{0, 0.05, 3}, 0.05, {250, 200, 50}, false});
-    for (Sphere& sphere : all[5].spheres) {  // a scale of its own
+    std::vector<Scene> all = shaded_scenes();
+    all[0].spheres[3].hidden = true;
+    all[0].spheres.push_back({{0, 0, 30}, 30, {200, 100, 50}, false});  // the eye on its surface
+    all.push_back(shaded_scene(40, 5));
+    all.back().camera.center = {60.0, -20.0, 100.0};  // off the axis
+    all.push_back(shaded_scene(40, 6));
+    for (Sphere& sphere : all.back().spheres) {  // a scale of its own
         sphere.center = sphere.center * 1e-30;
         sphere.radius *= 1e-30;
     }
-    all[0].spheres.push_back({{0, 0, 30}, 30, {200, 100, 50}, false});  // the eye on its surface
     return all;
 }
 
@@ -90,7 +70,7 @@ TEST_P(WindowShading, IsWithinOneOfTheExports) {
 }
 
 TEST_P(WindowShading, InACoarseGridIsThatOfTheTracedPixels) {
-    const Scene scene = random_spheres(40, 9);
+    const Scene scene = shaded_scene(40, 9);
     const Document document(scene);
     const View view{scene.camera, {101, 67}};
     LivePicture fine;

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <bit>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 
 #include "oracle/scenes.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview::oracle {
 
@@ -75,10 +75,7 @@ Sphere random_sphere(const Camera& camera, PictureSize size, double scale, Rando
 
 }  // namespace
 
-std::uint64_t seed() {
-    const char* setting = std::getenv("SPHEREVIEW_SEED");
-    return setting != nullptr ? std::strtoull(setting, nullptr, 10) : 20240229;
-}
+std::uint64_t seed() { return test::number_from_environment("SPHEREVIEW_SEED", 20240229); }
 
 bool is_sampled(std::size_t index) {
 #ifdef SPHEREVIEW_SANITIZED

@@ -115,6 +115,32 @@ Trials stress_trials(int count, PictureSize size) {
         std::ranges::reverse(reversed.scene.spheres);
         trials.push_back(reversed);
     }
+    // Magnitudes that no one scale holds.
+    const glm::dvec3 tiny_step{0, 0, 1e-320};
+    add("small beside large within one sphere", [](double i) { return Sphere{{1e-300, 0, 2e305}, ulps(1e305, i)}; });
+    trials.back().scene.camera.eye = tiny_step;
+    add("apart by what their scale does not hold", [](double i) { return Sphere{{1e-300 * (i + 1), 0, 2e305}, 1e305}; });
+    trials.back().scene.camera.eye = tiny_step;
+    add("apart by the smallest numbers", [](double i) { return Sphere{{1e-322 * (i + 1), 0, 2e5}, 1e5}; });
+    add("far, and one unit apart across", [](double i) { return Sphere{{ulps(1, i), 0, 3.1e15}, 1.2345e15}; });
+    add("tiny ones in a giant", [](double i) {
+        return i == 0 ? Sphere{{0, 0, 0}, 1e305} : Sphere{{0, 0, 200e-300}, ulps(130e-300, i)};
+    });
+    add("tiny ones before giants", [](double i) {
+        if (std::fmod(i, 2) == 0) return Sphere{{0, 0, 200e-300}, ulps(60e-300, i)};
+        return Sphere{{0, 0, 1e300 * (i + 1)}, 1e305};
+    });
+    add("of all sizes, from one cone", [=](double i) {
+        const double size = std::ldexp(1.0, static_cast<int>(i * 2000 / n) - 1000);
+        return Sphere{{0, 0, 3 * size}, 1.5 * size};
+    });
+    add("around one point, from there", [](double i) { return Sphere{{1e10, 1, 1}, 1e-300 * (i + 1)}; });
+    trials.back().scene.camera.eye = {1e10, 1, 1};
+    trials.back().scene.camera.center = {1e10, 1, 101};
+    add("from beside a screen that is far too near", [](double i) { return Sphere{{0, 0, 200}, ulps(130, i)}; });
+    trials.back().scene.camera.center = {0, 0, 1e-305};
+    add("small ones from beside a screen that is far too near", [](double i) { return Sphere{{0, 0, 200}, 1e-3 * (i + 1)}; });
+    trials.back().scene.camera.center = {0, 0, 1e-305};
     return trials;
 }
 

@@ -200,22 +200,20 @@ TEST(Teeth, pictures_that_are_not_certified) {
     }
 }
 
-TEST(Teeth, tiles_that_miss_a_pixel_at_their_border) {
+// In one test, because a process of its own for each would make the trials' pictures again.
+TEST(Teeth, lists_that_are_wrong_and_lists_that_are_right) {
+    // Tiles that miss a pixel at their border.
     expect_lists_caught("a column too few at the left", [](auto& lists, auto& trial) { shrink(lists, trial, {1, 0, 0, 0}); });
     expect_lists_caught("a row too few at the top", [](auto& lists, auto& trial) { shrink(lists, trial, {0, 1, 0, 0}); });
     expect_lists_caught("a column too few at the right", [](auto& lists, auto& trial) { shrink(lists, trial, {0, 0, 1, 0}); });
     expect_lists_caught("a row too few at the bottom", [](auto& lists, auto& trial) { shrink(lists, trial, {0, 0, 0, 1}); });
-}
-
-TEST(Teeth, lists_that_lack_a_sphere) {
+    // Lists that lack a sphere.
     expect_lists_caught("the last of each list is missing",
                         [](auto& lists, auto&) { leave(lists, [](const Listed& listed) { return listed.after > 0; }); });
     expect_lists_caught("the coarser tiles are missing", [](auto& lists, auto&) {
         if (lists.levels.size() > 1) lists.levels.erase(lists.levels.begin());
     });
-}
-
-TEST(Teeth, walks_that_end_too_soon) {
+    // Walks that end too soon.
     expect_lists_caught("nearer than the lists say", [](auto& lists, auto&) {
         for (Candidate& candidate : lists.candidates) candidate.nearest *= 1.01F;
     });
@@ -226,9 +224,7 @@ TEST(Teeth, walks_that_end_too_soon) {
                       [](const Candidate& a, const Candidate& b) { return a.index < b.index; });
         }
     });
-}
-
-TEST(Teeth, lists_that_are_right) {
+    // Right ones are not caught.
     for (const TileCosts& costs : {gpu_tile_costs, cpu_tile_costs}) {
         const auto unchanged = [&](const Trial& trial) {
             return resolved(trial, costs, [](auto& lists, auto& of) { shrink(lists, of, {0, 0, 0, 0}); });

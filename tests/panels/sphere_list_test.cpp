@@ -85,21 +85,6 @@ TEST(SphereList, FilterNarrowsWhileTyping) {
     EXPECT_EQ(panel.selection.numbers(), (Numbers{29, 290, 291})) << "a range has only what the filter shows";
 }
 
-TEST(SphereList, FilterFollowsTheScene) {
-    Scene scene = line_of_spheres(4);
-    scene.names[2] = "moon";
-    SidePanelHarness panel(scene);
-    panel.type_into("filter", "moo");
-    EXPECT_EQ(panel.rows(), 1U);
-    panel.document.apply(RenameSphere{3, "mood"}, "");
-    panel.frames();
-    EXPECT_TRUE(panel.has("row 3"));
-    panel.document.apply(RemoveSpheres{{0, 1, 2}}, "");
-    panel.frames();
-    EXPECT_TRUE(panel.has("row 0"));
-    EXPECT_EQ(panel.rows(), 1U);
-}
-
 TEST(SphereList, DoubleClickRenamesInPlace) {
     SidePanelHarness panel(line_of_spheres(3));
     panel.double_click("row 1");
@@ -179,21 +164,6 @@ TEST(SphereList, DragThatEndsWhereItBeganOrIsCancelledChangesNothing) {
     panel.release();
     panel.frames(2);
     EXPECT_TRUE(panel.taken<EditScene>().empty());
-}
-
-TEST(SphereList, OfManySpheresOnlyVisibleRowsAreDrawn) {
-    SidePanelHarness panel(line_of_spheres(1000));
-    EXPECT_TRUE(panel.has("row 0"));
-    EXPECT_GE(panel.rows(), 5U);
-    EXPECT_LE(panel.rows(), 40U);
-    EXPECT_FALSE(panel.has("row 999"));
-    panel.selection.set_only(999);
-    panel.state().scroll_to_selection = true;
-    panel.frames(3);
-    EXPECT_TRUE(panel.has("row 999"));
-    EXPECT_FALSE(panel.has("row 0"));
-    panel.click("row 999");
-    panel.expect_selected({999});
 }
 
 TEST(SphereList, ArrowKeysGoThroughTheList) {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <glm/geometric.hpp>
 #include <iostream>
 #include <sstream>
 
 #include "exact/filter.hpp"
 #include "exact/rays.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview {
 
@@ -148,8 +148,7 @@ std::string to_string(const Trial& trial) {
 }
 
 std::uint64_t test_seed() {
-    const char* text = std::getenv("SPHEREVIEW_SEED");
-    const std::uint64_t seed = text != nullptr ? std::strtoull(text, nullptr, 10) : 1;
+    const std::uint64_t seed = test::number_from_environment("SPHEREVIEW_SEED", 1);
     std::cout << "SPHEREVIEW_SEED=" << seed << '\n';
     testing::Test::RecordProperty("seed", std::to_string(seed));
     return seed;

@@ -263,10 +263,7 @@ Outcome Running::wait() {
 Outcome run(const Command& command) { return Running(command).wait(); }
 
 Outcome run(std::vector<std::string> arguments, Environment environment) {
-    Command command;
-    command.arguments = std::move(arguments);
-    command.environment = std::move(environment);
-    return run(command);
+    return run(Command{.arguments = std::move(arguments), .environment = std::move(environment)});
 }
 
 }  // namespace sphereview::test

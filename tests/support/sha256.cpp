@@ -7,11 +7,7 @@
 namespace sphereview::test {
 
 std::string sha256(std::string_view bytes) {
-    Command command;
-    command.program = "/usr/bin/env";
-    command.arguments = {"sha256sum"};
-    command.input = bytes;
-    const std::string sum = run(command).output;
+    const std::string sum = run({.arguments = {"sha256sum"}, .program = "/usr/bin/env", .input = std::string(bytes)}).output;
     if (sum.find(' ') != 64) throw std::runtime_error("sha256sum gives no sum: " + sum);
     return sum.substr(0, 64);
 }

@@ -6,7 +6,6 @@
 #include "support/picture.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
-#include "support/text_match.hpp"
 
 namespace sphereview::test {
 namespace {
@@ -27,8 +26,7 @@ TEST(Picture, SurvivesAPng) {
 }
 
 TEST(Program, ReportsStatusOutputAndErrors) {
-    Command command;
-    command.input = std::string(200'000, 'x');  // more than a pipe holds
+    const Command command{.arguments = {}, .input = std::string(200'000, 'x')};  // more than a pipe holds
     const Outcome outcome = shell("cat; echo oops >&2; exit 7", command);
     EXPECT_EQ(outcome.status, 7);
     EXPECT_EQ(outcome.signal, 0);
@@ -44,10 +42,10 @@ TEST(Program, ReportsTheSignalThatEndedIt) {
 
 TEST(Program, GetsItsFolderItsEnvironmentAndATerminal) {
     const TemporaryFolder folder;
-    Command command;
-    command.folder = folder.path();
-    command.environment = {{"ADDED", "value"}, {"HOME", std::nullopt}};
-    command.errors_to_terminal = true;
+    const Command command{.arguments = {},
+                          .folder = folder.path(),
+                          .environment = {{"ADDED", "value"}, {"HOME", std::nullopt}},
+                          .errors_to_terminal = true};
     EXPECT_EQ(shell("pwd; echo $ADDED-$HOME-; test -t 2 && echo terminal", command).output,
               folder.path() + "\nvalue--\nterminal\n");
 }
@@ -56,24 +54,11 @@ TEST(Program, MeetsLimitsAndPermissions) {
     const TemporaryFolder folder;
     folder.write("protected", "");
     std::filesystem::permissions(folder.path("protected"), std::filesystem::perms::owner_read);
-    Command command;
-    command.folder = folder.path();
-    command.obeys_permissions = true;
+    Command command{.arguments = {}, .folder = folder.path(), .obeys_permissions = true};
     EXPECT_NE(shell("echo > protected", command).status, 0);
     EXPECT_NE(shell("exec 2>&-; echo > /dev/full").status, 0);
     command.largest_file = 4096;
     EXPECT_EQ(shell("exec head -c 10000 /dev/zero > file", command).signal, SIGXFSZ);
-}
-
-TEST(TextMatch, TellsWhatIsThereFromWhatIsNot) {
-    EXPECT_TRUE(contains("one two", "two"));
-    EXPECT_FALSE(contains("one two", "three"));
-    EXPECT_TRUE(matches("a1\n", "a[0-9]\n"));
-    EXPECT_FALSE(matches("a1\nb", "a[0-9]\n"));
-    EXPECT_FALSE(matches("xa1", "a1|b"));
-    EXPECT_EQ(line_with("one\ntwo three\nthree", "three"), "two three");
-    EXPECT_EQ(line_with("one\n", "two"), "");
-    EXPECT_EQ(lines("a\n\nb\n"), (std::vector<std::string>{"a", "", "b"}));
 }
 
 }  // namespace

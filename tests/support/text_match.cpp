@@ -1,8 +1,6 @@
 #include "support/text_match.hpp"
 
-#include <regex.h>
-
-#include <stdexcept>
+#include <regex>
 
 namespace sphereview::test {
 
@@ -12,12 +10,8 @@ testing::AssertionResult contains(std::string_view text, std::string_view part) 
 }
 
 testing::AssertionResult matches(const std::string& text, const std::string& expression) {
-    regex_t compiled{};
-    if (regcomp(&compiled, ("^(" + expression + ")$").c_str(), REG_EXTENDED | REG_NOSUB) != 0)
-        throw std::invalid_argument(expression);
-    const bool found = regexec(&compiled, text.c_str(), 0, nullptr, 0) == 0;
-    regfree(&compiled);
-    if (found) return testing::AssertionSuccess() << expression << " matches: " << text;
+    if (std::regex_match(text, std::regex(expression, std::regex::extended)))
+        return testing::AssertionSuccess() << expression << " matches: " << text;
     return testing::AssertionFailure() << expression << "\ndoes not match: " << text;
 }
 

@@ -16,7 +16,7 @@ constexpr const char* two_spheres_in_toml =
 }  // namespace
 
 void edit(ViewerWindow& window) {
-    const double spheres = window.at("spheres").number();
+    const double spheres = window.at("spheres").get<double>();
     window.key("Insert");
     window.wait_for("spheres", spheres + 1);
     window.wait_for("changed", true);
@@ -39,8 +39,8 @@ void answer(ViewerWindow& window, const std::string& question, const std::string
 void wait_for_no_dialogs(ViewerWindow& window) { window.wait_for("dialogs", Json::array()); }
 
 std::string announced(ViewerWindow& window, const std::string& part, const std::string& member) {
-    const auto holds = [&](const Json& f) { return f.at(member).text().find(part) != std::string::npos; };
-    return window.wait_until(member + " with " + part, holds).at(member).text();
+    const auto holds = [&](const Json& f) { return f.at(member).get<std::string>().find(part) != std::string::npos; };
+    return window.wait_until(member + " with " + part, holds).at(member).get<std::string>();
 }
 
 const Json& take_marks_away(ViewerWindow& window) {
@@ -55,10 +55,8 @@ const Json& take_marks_away(ViewerWindow& window) {
 }
 
 std::string render_bytes(const TemporaryFolder& folder, const std::string& scene, std::vector<std::string> options) {
-    Command command;
-    command.arguments = {"render", scene, "-o", folder.path("expected.png")};
-    command.arguments.insert(command.arguments.end(), options.begin(), options.end());
-    const Outcome outcome = run(command);
+    options.insert(options.begin(), {"render", scene, "-o", folder.path("expected.png")});
+    const Outcome outcome = run(options);
     EXPECT_EQ(outcome.status, 0) << outcome;
     return folder.read("expected.png");
 }
@@ -68,7 +66,7 @@ void expect_rendered(ViewerWindow& window, const TemporaryFolder& folder, const 
     const Json frame = take_marks_away(window);
     const Json size = frame.at("picture_size");
     options.insert(options.end(), {"--backend", "cpu", "-s", size[0].dump() + "x" + size[1].dump(), "--shade",
-                                   frame.at("shading").text(), "--samples", frame.at("samples").dump()});
+                                   frame.at("shading").get<std::string>(), "--samples", frame.at("samples").dump()});
     EXPECT_TRUE(same_picture(window.picture(), decode_png(render_bytes(folder, scene, options))))
         << testing::PrintToString(options);
 }

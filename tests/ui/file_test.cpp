@@ -150,7 +150,7 @@ TEST(Files, AreOpenedSavedAndClosedAndNothingIsLost) {
     const Json asked = window.at("frame");
     window.press_close_button();
     window.wait_for_other("frame", asked);
-    EXPECT_EQ(window.at("dialogs"), Json({dirty}));
+    EXPECT_EQ(window.at("dialogs"), Json::array({dirty}));
     window.key("Escape");
     wait_for_no_dialogs(window);
     window.key("ctrl+q");
@@ -165,10 +165,10 @@ TEST(Closing, SavesAndTheNextStartBringsTheWindowBack) {
     Json picture;
     {
         ViewerWindow window(folder, {scene});
-        const double before = window.at("picture")[2].number();
+        const double before = window.at("picture")[2].get<double>();
         const Place edge = window.widget("splitter");
         window.drag(edge, {edge.x - 120, edge.y});
-        const auto wider = [&](const Json& f) { return f.at("picture")[2].number() < before - 100; };
+        const auto wider = [&](const Json& f) { return f.at("picture")[2].get<double>() < before - 100; };
         picture = window.wait_until("a wider panel", wider).at("picture");
         edit(window);
         window.press_close_button();
@@ -256,7 +256,7 @@ TEST(Loading, LeavesTheWindowAliveAndTheSceneAsItWas) {
         window.wait_meanwhile("reading", reads);
         window.key("Escape");
         window.wait_for("loading", nullptr);
-        EXPECT_EQ(window.at("selection"), Json{0});
+        EXPECT_EQ(window.at("selection"), Json::array({0}));
 
         window.step("the window's end is a reading's");
         open_by_browser(window, fifo);
@@ -304,7 +304,7 @@ TEST(Reloading, ShowsWhatAnotherProgramWrites) {
     folder.write("scene.txt", one_sphere);  // in place
     window.wait_for("spheres", 1);
     EXPECT_EQ(window.at("camera"), view);
-    EXPECT_EQ(window.at("selection"), Json{0});
+    EXPECT_EQ(window.at("selection"), Json::array({0}));
 
     // A reload is a step like any other; what was there before it is not what the file holds.
     window.key("ctrl+z");
@@ -323,7 +323,7 @@ TEST(Reloading, ShowsWhatAnotherProgramWrites) {
     replace_by_rename(folder, "scene.txt", "1\n255 0 " + std::string(100'000, 'x'));
     announced(window, "scene.txt:2:7: ", "scene_error");
     window.widget("message scene error");
-    EXPECT_LT(window.rectangle("message scene error")[3], window.at("picture")[3].number());
+    EXPECT_LT(window.rectangle("message scene error")[3], window.at("picture")[3].get<double>());
     replace_by_rename(folder, "scene.txt", two_spheres);
     window.wait_for("spheres", 2);
     EXPECT_EQ(window.at("scene_error"), "");

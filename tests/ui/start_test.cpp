@@ -1,4 +1,4 @@
-// Starts that are refused, ends that nobody asked for, and shaders that are edited while the program runs.
+// Ends that nobody asked for, and shaders that are edited while the program runs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,19 +12,6 @@
 namespace sphereview::test {
 
 namespace {
-
-// Starts the program, which must refuse in one line.
-std::string refused(const TemporaryFolder& folder, const std::string& scene, const std::optional<std::string>& display,
-                    int status) {
-    Command command;
-    command.arguments = {scene};
-    command.folder = folder.path();
-    command.environment = {{"DISPLAY", display}, {"WAYLAND_DISPLAY", std::nullopt}, {"HOME", folder.path("home")}};
-    const Outcome outcome = run(command);
-    EXPECT_EQ(outcome.status, status) << outcome;
-    EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
-    return outcome.errors;
-}
 
 // Waits until the running window has kept its changes, or has forgotten them.
 void wait_for_kept(ViewerWindow& window, const TemporaryFolder& folder, bool kept) {
@@ -44,20 +31,6 @@ void kill(ViewerWindow& window) {
 }
 
 }  // namespace
-
-TEST(Starting, IsRefusedInOneLineWithoutADisplayOrAScene) {
-    const TemporaryFolder folder;
-    folder.write("scene.txt", one_sphere);
-    for (const std::optional<std::string>& display : {std::optional<std::string>(), std::optional<std::string>(":65000")}) {
-        const std::string errors = refused(folder, "scene.txt", display, 3);
-        EXPECT_TRUE(contains(errors, "sphereview render"));
-        EXPECT_TRUE(contains(errors, "sphereview doctor"));
-    }
-    EXPECT_EQ(folder.names(), std::vector<std::string>{"scene.txt"});
-    folder.write("broken.txt", "1\n255 0 0\n0 0 three\n60\n");
-    EXPECT_TRUE(contains(refused(folder, "broken.txt", std::nullopt, 2), "broken.txt:3:5: "));
-    refused(folder, "missing.txt", std::nullopt, 2);
-}
 
 // Each start offers what the last end has kept.
 TEST(Recovery, OffersChangesUntilTheyAreSavedOrDiscarded) {
@@ -182,7 +155,7 @@ TEST(LiveShaders, AreInThePictureWhenSaved) {
     EXPECT_EQ(window.at("shader_error"), "");
 
     window.step("a double click counts however slow redraws are");
-    for (int rounds = 500; window.at("seconds").number() < 0.4; rounds *= 2) {
+    for (int rounds = 500; window.at("seconds").get<double>() < 0.4; rounds *= 2) {
         const Json shown = window.at("frame");
         folder.write("shaders/shade.frag",
                      good.substr(0, end) + "for (int i = 0; i < " + std::to_string(rounds) + "; ++i) color.r = sin(color.r);\n}\n");

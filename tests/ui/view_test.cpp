@@ -42,7 +42,7 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     // Drags that orbit, pan, pan by shift, and zoom.
     window_.drag(window_.pixel(50, 50), window_.pixel(150, 90));
     expect_view_rendered();
-    EXPECT_LT(expect_view("orbit")[0][0].number(), -10.0);  // the scene turns with the pointer
+    EXPECT_LT(expect_view("orbit")[0][0].get<double>(), -10.0);  // the scene turns with the pointer
     window_.drag(red(), red(70, 33), 2);
     expect_view("pan");
     window_.drag(red(), red(-70, 33), 1, {"shift"});
@@ -71,7 +71,7 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     window_.double_click(green);
     window_.wait_for("selection", {1});
     window_.wait_until("the green sphere in the middle",
-                       [](const Json& f) { return std::abs(f.at("camera")[0][0].number() - 100.0) < 1.0; });
+                       [](const Json& f) { return std::abs(f.at("camera")[0][0].get<double>() - 100.0) < 1.0; });
     window_.move_to(red());
     window_.wait_for("hovered", 1);
     expect_view("double click");

@@ -35,13 +35,12 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
     : folder_(folder), server_(screen) {
     std::filesystem::create_directories(folder.path("home"));
     std::filesystem::remove(folder.path(log_name));
-    Command command;
-    command.arguments = arguments;
+    Command command{.arguments = arguments,
+                    .folder = folder.path(),
+                    .input = input,
+                    .input_stays_open = !input.empty(),
+                    .environment = environment_for(folder, server_.display())};
     command.arguments.insert(command.arguments.end(), {"--redraw-log", folder.path(log_name)});
-    command.folder = folder.path();
-    command.input = input;
-    command.input_stays_open = !input.empty();
-    command.environment = environment_for(folder, server_.display());
     program_.emplace(command);
     if (!input.empty()) program_->close_input();
     wait_meanwhile("a first picture",
@@ -97,11 +96,8 @@ Json ViewerWindow::wait_for_other(const std::string& member, const Json& value) 
 }
 
 void ViewerWindow::xdotool(std::vector<std::string> arguments) {
-    Command command;
-    command.program = XDOTOOL;
-    command.arguments = std::move(arguments);
-    command.environment = {{"DISPLAY", server_.display()}};
-    const Outcome outcome = run(command);
+    const Outcome outcome =
+        run({.arguments = std::move(arguments), .program = XDOTOOL, .environment = {{"DISPLAY", server_.display()}}});
     if (outcome.status != 0) throw std::runtime_error("xdotool failed: " + outcome.errors);
 }
 
@@ -152,7 +148,7 @@ bool ViewerWindow::drop(const std::vector<std::string>& paths) {
 
 std::vector<double> ViewerWindow::rectangle(const std::string& widget) {
     const Json sides = frame_.at("widgets").at(widget);
-    return {sides[0].number(), sides[1].number(), sides[2].number(), sides[3].number()};
+    return {sides[0].get<double>(), sides[1].get<double>(), sides[2].get<double>(), sides[3].get<double>()};
 }
 
 Place ViewerWindow::widget(const std::string& name, double along) {
@@ -168,13 +164,13 @@ void ViewerWindow::choose(const std::string& menu, const std::string& item) {
 
 Place ViewerWindow::pixel(double x, double y) {
     const Json area = frame_.at("picture");
-    return {area[0].number() + x, area[1].number() + y};
+    return {area[0].get<double>() + x, area[1].get<double>() + y};
 }
 
 Place ViewerWindow::on_screen(double x, double y) {
     const Json size = frame_.at("picture_size");
-    const double unit = std::min(size[0].number(), size[1].number()) / 100.0;
-    return pixel(size[0].number() / 2 + unit * x, size[1].number() / 2 - unit * y);
+    const double unit = std::min(size[0].get<double>(), size[1].get<double>()) / 100.0;
+    return pixel(size[0].get<double>() / 2 + unit * x, size[1].get<double>() / 2 - unit * y);
 }
 
 Picture ViewerWindow::picture() {

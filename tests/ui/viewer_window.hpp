@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "support/json.hpp"
 #include "support/picture.hpp"
 #include "support/program.hpp"
 #include "support/temporary_folder.hpp"
-#include "ui/json.hpp"
 #include "ui/x_server.hpp"
 
 namespace sphereview::test {

@@ -142,12 +142,11 @@ private:
 
 XServer::XServer(const ScreenOptions& options) {
     const std::string screen = std::to_string(options.width) + "x" + std::to_string(options.height) + "x24";
-    Command command;
-    command.program = XVFB;
     // Xvfb chooses a display that is free and, once that can be used, says which on standard error.
-    command.arguments = {"-displayfd", "2", "-screen", "0", screen, "-nolisten", "tcp", "-noreset"};
-    command.input_stays_open = true;
-    xvfb_ = std::make_unique<Running>(command);
+    xvfb_ =
+        std::make_unique<Running>(Command{.arguments = {"-displayfd", "2", "-screen", "0", screen, "-nolisten", "tcp", "-noreset"},
+                                          .program = XVFB,
+                                          .input_stays_open = true});
     // Lines before that are of displays that others have.
     std::size_t from = 0;
     for (int line_count = 1; display_.empty(); ++line_count) {

@@ -2,11 +2,8 @@
 // sets of flags as well.
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cinttypes>
-#include <cstdio>
-#include <cstring>
-#include <string>
+#include <bit>
+#include <cstdint>
 
 #include "camera/fit.hpp"
 #include "oracle/random.hpp"
@@ -15,23 +12,16 @@ namespace sphereview {
 namespace {
 
 // FNV-1a over the numbers' bytes, the lowest first.
-std::string digest(std::uint64_t hash) {
-    std::array<char, 17> text{};
-    std::snprintf(text.data(), text.size(), "%016" PRIx64, hash);
-    return text.data();
-}
-
 class Digest {
 public:
     void add(double number) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &number, sizeof bits);
+        auto bits = std::bit_cast<std::uint64_t>(number);
         for (int i = 0; i < 8; ++i, bits >>= 8) hash_ = (hash_ ^ (bits & 0xff)) * 0x100000001b3;
     }
     void add(const glm::dvec3& v) {
         for (int i = 0; i < 3; ++i) add(v[i]);
     }
-    std::string text() const { return digest(hash_); }
+    std::uint64_t hash() const { return hash_; }
 
 private:
     std::uint64_t hash_ = 0xcbf29ce484222325;
@@ -53,7 +43,7 @@ TEST(FitBits, OfSinesAndCosines) {
         digest.add(sine + 0.0);
         digest.add(cosine + 0.0);
     }
-    EXPECT_EQ(digest.text(), "1d4f8eb630a94618");
+    EXPECT_EQ(digest.hash(), 0x1d4f8eb630a94618U);
     EXPECT_EQ(sine_cosine(30.0).sine, 0x1.fffffffffffffp-2);
     EXPECT_EQ(sine_cosine(30.0).cosine, 0x1.bb67ae8584cabp-1);
     EXPECT_EQ(sine_cosine(-123.456).sine, -0x1.ab2a9b25a9ab9p-1);
@@ -83,7 +73,7 @@ TEST(FitBits, OfManyCameras) {
             for (const glm::dvec3& v : {one.eye, one.center, one.right, one.up}) digest.add(v);
         }
     }
-    EXPECT_EQ(digest.text(), "81f29acfb0d79470");
+    EXPECT_EQ(digest.hash(), 0x81f29acfb0d79470U);
 }
 
 }  // namespace sphereview

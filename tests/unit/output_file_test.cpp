@@ -125,15 +125,10 @@ TEST(WriteOutput, FollowsLinks) {
     EXPECT_TRUE(fs::is_symlink(folder.path("far/second")));
     EXPECT_EQ(folder.read("far/real"), "new");
     EXPECT_EQ(folder.names().size(), 2U);
-}
-
-TEST(WriteOutput, MakesTheFileThatADanglingLinkNames) {
-    const test::TemporaryFolder folder;
-    fs::create_directory(folder.path("far"));
-    fs::create_symlink("far/real", folder.path("link"));
-    write_output(folder.path("link"), "new");
-    EXPECT_TRUE(fs::is_symlink(folder.path("link")));
-    EXPECT_EQ(folder.read("far/real"), "new");
+    fs::remove(folder.path("far/real"));  // then the links dangle
+    write_output(folder.path("first"), "newer");
+    EXPECT_TRUE(fs::is_symlink(folder.path("first")));
+    EXPECT_EQ(folder.read("far/real"), "newer");
 }
 
 TEST(WriteOutput, RefusesWhatCannotBecomeAFile) {
@@ -154,26 +149,6 @@ TEST(WriteOutput, RefusesWhatCannotBecomeAFile) {
     EXPECT_EQ(refusal(""), "'': cannot be written: it has no name");
     EXPECT_EQ(folder.read("file"), "old");
     EXPECT_EQ(folder.names().size(), 3U);
-}
-
-TEST(WriteOutput, SaysThatADeviceIsFull) {
-    if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
-    EXPECT_EQ(message_of<OutputError>([] { write_output("/dev/full", "new"); }),
-              "/dev/full: cannot be written: No space left on device");
-    EXPECT_TRUE(fs::is_character_file("/dev/full"));
-}
-
-TEST(WriteOutput, WritesIntoAPipe) {
-    const test::TemporaryFolder folder;
-    const std::string pipe = folder.path("pipe");
-    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    std::string received;
-    std::thread reader([&] { received = folder.read("pipe"); });
-    write_output(pipe, "new");
-    reader.join();
-    EXPECT_EQ(received, "new");
-    EXPECT_TRUE(fs::is_fifo(pipe));
-    EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(FileIdentity, IsOneForAllPathsToAFile) {

@@ -178,21 +178,6 @@ TEST(BackgroundJob, LeavesLongWorkThatAsksWhetherToEnd) {
     check_cancelled();  // of no loop: nothing happens
 }
 
-TEST(BackgroundJob, SharesTheCoresWithItsLoop) {
-    const auto sum = [] {
-        std::atomic<std::size_t> total = 0;
-        for (int round = 0; round < 200; ++round) {
-            parallel_for(64, [&](std::size_t i) { total += i; });
-        }
-        return total.load();
-    };
-    auto other = std::make_shared<std::size_t>(0);
-    const BackgroundJob job([other, sum](WorkControl&) { *other = sum(); });
-    EXPECT_EQ(sum(), 200u * 64 * 63 / 2);
-    job.wait();
-    EXPECT_EQ(*other, 200u * 64 * 63 / 2);
-}
-
 TEST(IsolatedCall, PassesOnWhatIsReturnedAndSaid) {
     const std::string large(300'000, 'x');  // more than a pipe holds
     const IsolatedResult result = isolated([&] {

@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "support/trials.hpp"
 #include "unit/message_of.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
@@ -141,8 +141,7 @@ TEST(LostIn, NamesWhatTheTextFormatCannotHold) {
 // What is written is read back the same, bit for bit. SPHEREVIEW_SEED=N tries other scenes.
 TEST(RoundTrip, KeepsEveryBitOfRandomScenes) {
     constexpr int trials = 500;
-    const char* setting = std::getenv("SPHEREVIEW_SEED");
-    const std::uint64_t seed = setting == nullptr ? 20240607 : std::strtoull(setting, nullptr, 10);
+    const std::uint64_t seed = test::number_from_environment("SPHEREVIEW_SEED", 20240607);
     int cameras = 0;
     for (int trial = 0; trial < trials; ++trial) {
         std::mt19937_64 random(seed + static_cast<std::uint64_t>(trial));  // a trial's own, to be tried again alone

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <set>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "exact/resolve.hpp"
 #include "shade/picture_shader.hpp"
 #include "shade/shading.hpp"
+#include "support/shaded_scenes.hpp"
 
 namespace sphereview {
 namespace {
@@ -19,23 +19,6 @@ using Real = long double;
 using Bytes = std::vector<int>;
 
 constexpr PictureSize size{64, 48};
-
-// Integers and quarters, so that every platform makes the same.
-Scene scene_of(int count, unsigned seed) {
-    std::mt19937 random(seed);
-    const auto number = [&](int low, int high) { return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1)); };
-    Scene scene;
-    scene.background.color = {1, 2, 3};
-    for (int i = 0; i < count; ++i) {
-        Sphere sphere;
-        sphere.center = {0.25 * number(-400, 400), 0.25 * number(-400, 400), number(80, 500)};
-        sphere.radius = 0.25 * number(20, 160);
-        sphere.color = {static_cast<std::uint8_t>(number(0, 255)), static_cast<std::uint8_t>(number(0, 255)),
-                        static_cast<std::uint8_t>(number(0, 255))};
-        scene.spheres.push_back(sphere);
-    }
-    return scene;
-}
 
 std::vector<std::int32_t> visible_in(const Scene& scene, PictureSize of) {
     const DrawnSpheres drawn = drawn_spheres(scene);
@@ -55,16 +38,6 @@ Image shaded(const Scene& scene, PictureSize of, Shading shading) {
     PictureShader(scene, scene.camera, of, shading, scene.background)
         .shade({0, 0, of.width, of.height}, visible_in(scene, of), picture);
     return picture;
-}
-
-// A scene seen by an eye off the axis, one inside a sphere, and one of tiny, huge and very far spheres.
-std::vector<Scene> scenes() {
-    std::vector<Scene> all = {scene_of(40, 1), scene_of(40, 2), scene_of(20, 3), scene_of(20, 4)};
-    all[1].camera = {{30.0, 40.0, -20.0}, {0.0, 10.0, 80.0}, {0.0, 0.0, 40.0}, {40.0, 0.0, 0.0}};
-    all[2].spheres.push_back({{0, 5, 10}, 700, {200, 100, 50}, false});
-    all[3].spheres.push_back({{0, -1e6, 0}, 999'990, {90, 200, 50}, false});
-    all[3].spheres.push_back({{0, 1, 60}, 0.5, {250, 200, 50}, false});
-    return all;
 }
 
 struct Vector {
@@ -119,7 +92,7 @@ Real depth_of(const Scene& scene, Real t) {
 void expect_byte(int byte, Real value, const char* what) { EXPECT_NEAR(static_cast<double>(value), byte, 0.5 + 1e-6) << what; }
 
 TEST(PictureShader, FollowsTheFormulae) {
-    for (const Scene& scene : scenes()) {
+    for (const Scene& scene : shaded_scenes()) {
         const std::vector<std::int32_t> visible = visible_in(scene, size);
         const Image headlight = shaded(scene, size, Shading::headlight);
         const Image normal = shaded(scene, size, Shading::normal);
@@ -176,8 +149,8 @@ TEST(PictureShader, NeverFailsOnExtremeNumbers) {
 }
 
 TEST(PictureShader, MakesATransparentBackgroundClearAndSpheresOpaque) {
-    const Scene scene = scene_of(1, 1);
-    for (const Shading shading : {Shading::headlight, Shading::normal, Shading::depth, Shading::id}) {
+    const Scene scene = shaded_scene(1, 1);
+    for (const Shading shading : {Shading::flat, Shading::headlight, Shading::normal, Shading::depth, Shading::id}) {
         Image picture(2, 1, 4);
         const std::vector<std::int32_t> visible = {visible_background, 0};
         PictureShader(scene, scene.camera, {2, 1}, shading, {{0, 0, 0}, true}).shade({0, 0, 2, 1}, visible, picture);
@@ -191,6 +164,7 @@ Scene red_and_blue() {
     scene.spheres.resize(2);
     scene.spheres[0].color = {255, 1, 2};
     scene.spheres[1].color = {3, 4, 254};
+    scene.background = {{50, 50, 50}, false};  // another than each picture is given
     return scene;
 }
 
@@ -210,34 +184,17 @@ TEST(FlatShading, GivesEveryColourByteForByte) {
     EXPECT_EQ(flat(red_and_blue(), {{9, 8, 7}, false}, {visible_background, 0}), (Bytes{9, 8, 7, 255, 1, 2}));
 }
 
-TEST(FlatShading, TakesTheBackgroundItIsGivenNotTheScenes) {
-    Scene scene = red_and_blue();
-    scene.background = {{50, 50, 50}, false};
-    EXPECT_EQ(flat(scene, {{1, 1, 1}, false}, {visible_background}), (Bytes{1, 1, 1}));
-}
-
-TEST(FlatShading, MakesATransparentBackgroundClearAndSpheresOpaque) {
-    EXPECT_EQ(flat(red_and_blue(), {{0, 0, 0}, true}, {1, visible_background}), (Bytes{3, 4, 254, 255, 0, 0, 0, 0}));
-}
-
-TEST(FlatShading, WritesNothingOutsideItsBlock) {
+TEST(FlatShading, PutsABlockIntoAPartOfThePictureAndNothingOutside) {
     Image picture(4, 3, 3);
     std::ranges::fill(picture.bytes(), std::uint8_t{77});
     const std::vector<std::int32_t> visible = {0, 1};
-    shade_flat(red_and_blue(), {}, {2, 1, 1, 2}, visible, picture);
+    shade_flat(red_and_blue(), {}, {12, 21, 1, 2}, visible, picture, {10, 20});
     for (int y = 0; y < 3; ++y) {
         for (int x = 0; x < 4; ++x) {
             const int red = x == 2 && y == 1 ? 255 : x == 2 && y == 2 ? 3 : 77;
             EXPECT_EQ(picture.at(x, y)[0], red) << x << "," << y;
         }
     }
-}
-
-TEST(FlatShading, PutsABlockIntoAPartOfThePicture) {
-    Image part(2, 2, 3);
-    std::ranges::fill(part.bytes(), std::uint8_t{77});
-    shade_flat(red_and_blue(), {}, {11, 20, 1, 2}, std::vector<std::int32_t>{0, 1}, part, {10, 20});
-    EXPECT_EQ((Bytes{part.bytes().begin(), part.bytes().end()}), (Bytes{77, 77, 77, 255, 1, 2, 77, 77, 77, 3, 4, 254}));
 }
 
 TEST(IdColor, TellsNeighboursApart) {
@@ -264,7 +221,7 @@ TEST(DepthRange, IsOfAllThatIsNotHidden) {
 // FNV-1a: these sums must come out on every machine, of every compiler at every level of optimisation.
 std::uint64_t sum_of(Shading shading) {
     std::uint64_t sum = 14695981039346656037ULL;
-    for (const Scene& scene : scenes()) {
+    for (const Scene& scene : shaded_scenes()) {
         const Image picture = shaded(scene, {200, 150}, shading);
         for (const std::uint8_t byte : picture.bytes()) sum = (sum ^ byte) * 1099511628211ULL;
     }

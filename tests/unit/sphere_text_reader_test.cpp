@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <random>
@@ -103,19 +102,15 @@ private:
     std::mt19937_64 random_;
 };
 
-std::uint64_t seed() {
-    const char* text = std::getenv("SPHEREVIEW_SEED");
-    return text == nullptr ? 20240607 : std::strtoull(text, nullptr, 10);
-}
-
 }  // namespace
 
 TEST(SphereTextReader, ReadsTheSameHoweverTheTextIsCut) {
-    std::cout << "SPHEREVIEW_SEED=" << seed() << "\n";
+    const std::uint64_t seed = test::number_from_environment("SPHEREVIEW_SEED", 20240607);
+    std::cout << "SPHEREVIEW_SEED=" << seed << "\n";
     int good = 0;
     int bad = 0;
     for (int trial = 0; trial < trials; ++trial) {
-        RandomText random(seed() + static_cast<std::uint64_t>(trial));
+        RandomText random(seed + static_cast<std::uint64_t>(trial));
         const std::string text = random.text();
         const TextPosition origin = random.once_in(2) ? TextPosition{} : TextPosition{1 + random.below(9), 1 + random.below(9)};
         const Reading expected = read(text, origin, true, whole, whole);

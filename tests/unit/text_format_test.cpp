@@ -111,18 +111,11 @@ TEST(TextFormatErrors, SaysWhichCountColourRadiusOrNumberCannotBe) {
         {"2\n1 2 3 4 5 6 7\n0 0 256", "3:5: found '256', expected the blue of sphere 2 of 2 from 0 to 255"},
         {"1\n1 2 3\n4 5 6\n0", "4:1: found '0', expected the radius of sphere 1 of 1 above 0"},
         {"1\n1 2 3\n4 5 6\n-0.0 ", "4:1: found '-0.0', expected the radius of sphere 1 of 1 above 0"},
-        {"1\n1 2 3\n4 5 6\n-2", "4:1: found '-2', expected the radius of sphere 1 of 1 above 0"},
         {"1\n1 2 3\n4 5 6\n1e-400\n", "4:1: found '1e-400', expected the radius of sphere 1 of 1 above 0"},
         {"1\n1 2 3\nnan 5 6\n7", "3:1: found 'nan', expected the centre's x of sphere 1 of 1, a finite number"},
-        {"1\n1 2 3\n4 inf 6\n7", "3:3: found 'inf', expected the centre's y of sphere 1 of 1, a finite number"},
-        {"1\n1 2 3\n4 5 -Infinity\n7", "3:5: found '-Infinity', expected the centre's z of sphere 1 of 1, a finite number"},
-        {"1\n1 2 3\n4 5 6\nNaN", "4:1: found 'NaN', expected the radius of sphere 1 of 1, a finite number"},
         {"1\n1 2 3\n1e400 5 6\n7",
          "3:1: found '1e400', expected the centre's x of sphere 1 of 1, a number that a double can hold (at most 1.8e308)"},
-        {"1\n1 2 3\n-1e400 5 6\n7",
-         "3:1: found '-1e400', expected the centre's x of sphere 1 of 1, a number that a double can hold (at most 1.8e308)"},
         {"1\n1 2 3\n4 1,5 6\n7", "3:3: found '1,5', expected the centre's y of sphere 1 of 1, a number"},
-        {"1\n1 2 3\n4 5 0x10\n7", "3:5: found '0x10', expected the centre's z of sphere 1 of 1, a number"},
         {"1\r1 2 3\r\r4 five 6\r7", "4:3: found 'five', expected the centre's y of sphere 1 of 1, a number"},
     });
 }

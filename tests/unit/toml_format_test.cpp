@@ -87,12 +87,6 @@ TEST(TomlFormat, TakesLineEndsAndAByteOrderMark) {
     }
 }
 
-TEST(TomlFormat, ReadsBackgrounds) {
-    EXPECT_EQ(read_toml("background = 'white'", "s", {}).scene.background, (Background{{255, 255, 255}, false}));
-    EXPECT_EQ(read_toml("background = 'transparent'", "s", {}).scene.background, (Background{{0, 0, 0}, true}));
-    EXPECT_EQ(read_toml("background = '#FF8000'", "s", {}).scene.background, (Background{{255, 128, 0}, false}));
-}
-
 TEST(TomlFormat, IsWrittenWithoutDefaults) {
     EXPECT_EQ(write_toml({}), "# An empty scene.\n");
     Scene scene;
@@ -152,8 +146,13 @@ TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
     });
 }
 
-TEST(TomlErrors, NameTheKeyThatIsMissing) {
+TEST(TomlErrors, NameWhatIsMissingOrThereTwice) {
+    const std::string empty = "1:1: the file is empty, expected a scene in TOML";
     expect_messages({
+        {"", empty},
+        {" \r\n", empty},
+        {"\xEF\xBB\xBF\n", empty},
+        {"spheres = '0'\n[[sphere]]\n", "1:11: found both 'spheres' and [[sphere]], expected only one of them"},
         {sphere_with("color", ""), "1:1: [[sphere]] 1 has no 'color', which it needs"},
         {sphere_with("center", ""), "1:1: [[sphere]] 1 has no 'center', which it needs"},
         {sphere_with("", "") + "\n" + sphere_with("radius", ""), "6:1: [[sphere]] 2 has no 'radius', which it needs"},
@@ -176,6 +175,7 @@ TEST(TomlErrors, SayWhichTypeWasExpected) {
         {sphere_with("center", "center = [-inf, 2, 3]"), "3:11: found -inf, expected " + center},
         {sphere_with("radius", "radius = [7]"),
          "4:10: found a value of type 'array', expected 'radius' as a finite number above 0"},
+        {sphere_with("radius", "radius = '3'"), "4:10: found '3', expected 'radius' as a finite number above 0"},
         {sphere_with("radius", "radius = inf"), "4:10: found inf, expected 'radius' as a finite number above 0"},
         {sphere_with("radius", "radius = 0"), "4:10: found 0, expected 'radius' above 0"},
         {sphere_with("radius", "radius = -1.5"), "4:10: found -1.5, expected 'radius' above 0"},
@@ -198,11 +198,8 @@ TEST(TomlErrors, SayWhyACameraCannotBeUsed) {
     const std::string in_plane = "'eye' lies in the screen's plane, or within 1e-6 of its distance from 'center'";
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"up = [1, 50, 0]", "3:6: 'up' is not perpendicular to 'right'"},
-        {"right = [50, 1, 0]", "3:9: 'up' is not perpendicular to 'right'"},
         {"right = [50, 0, 0]\nup = [0, 51, 0]", "4:6: 'right' and 'up' are not equally long"},
         {"center = [0, 0, 9]\neye = [1, 2, 9]", "4:7: " + in_plane},
-        {"center = [9, 0, 0]", "3:10: " + in_plane},
-        {"right = [0, 0, 50]", "3:9: " + in_plane},
         {"eye = [0, 0, 100]", "3:7: 'eye' and 'center' are the same point"},
         {"right = [0, 0, 0]", "3:9: 'right' is zero"},
     };
@@ -250,17 +247,6 @@ TEST(TomlErrors, SayWhatIsWrongWithWhatIsSaidOfSingleSpheres) {
         {"[names]\n0 = 'x'", "1:1: found 'names' without 'spheres', expected 'spheres', or 'name' in each [[sphere]]"},
     });
     EXPECT_TRUE(message(two + "[names]\n1 = 'x'\n1 = 'y'").starts_with("s.toml:4:"));
-}
-
-TEST(TomlErrors, RefuseTwoListsOfSpheres) {
-    EXPECT_EQ(message("spheres = '0'\n[[sphere]]\n"),
-              "s.toml:1:11: found both 'spheres' and [[sphere]], expected only one of them");
-}
-
-TEST(TomlErrors, SayThatTheFileIsEmpty) {
-    for (const char* text : {"", " \r\n", "\xEF\xBB\xBF\n"}) {
-        EXPECT_EQ(message(text), "s.toml:1:1: the file is empty, expected a scene in TOML");
-    }
 }
 
 TEST(TomlErrors, SayWhereTheFileIsNotToml) {

@@ -1,0 +1,230 @@
+// Every system call of the program fails in turn, by strace: each ends in a documented status, with one line that says why, and
+// leaves an output whole or as it was.
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "support/folders.hpp"
+#include "support/gzip.hpp"
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A system call, by its name and by how many of its name the thread makes until then.
+struct Call {
+    std::string name;
+    int number;
+    std::string line;  // of the trace
+};
+
+// What each call can fail with. EINTR is no failure: the call is made again.
+std::vector<std::string> faults_of(const std::string& call) {
+    static const std::map<std::string, std::vector<std::string>> faults = {
+        {"brk", {"retval=0"}},  // how it says that memory ran out
+        {"clone", {"error=EAGAIN"}},
+        {"clone3", {"error=EAGAIN"}},
+        {"close", {"error=EIO", "error=EINTR"}},
+        {"fsync", {"error=EIO", "error=EINTR"}},
+        {"getcwd", {"error=ENOMEM"}},
+        {"mmap", {"error=ENOMEM"}},
+        {"mprotect", {"error=ENOMEM"}},
+        {"munmap", {"error=ENOMEM"}},
+        {"newfstatat", {"error=EACCES", "error=ENOMEM"}},
+        {"fstat", {"error=ENOMEM"}},
+        {"openat", {"error=EMFILE", "error=EACCES", "error=EINTR"}},
+        {"read", {"error=EIO", "error=EINTR"}},
+        {"readlink", {"error=EACCES"}},
+        {"rename", {"error=EACCES"}},
+        {"write", {"error=ENOSPC", "error=EINTR"}},
+    };
+    // These cannot fail, or the C library itself waits in them and ends the process when they do.
+    static const std::set<std::string> without = {"exit", "exit_group", "futex", "rt_sigreturn"};
+    if (without.contains(call)) return {};
+    const auto found = faults.find(call);
+    return found == faults.end() ? std::vector<std::string>{"error=EIO"} : found->second;
+}
+
+// The calls of a trace since main() began, whose first act is to handle SIGINT. What comes before is the dynamic loader's.
+std::vector<Call> calls_of_main(const std::string& trace) {
+    std::vector<Call> calls;
+    std::map<std::pair<std::string, std::string>, int> counts;  // of each thread, as strace counts
+    std::set<std::pair<std::string, int>> known;
+    bool in_main = false;
+    for (const std::string& line : lines(trace)) {
+        std::istringstream words(line);
+        std::string thread;
+        std::string name;
+        if (!(words >> thread) || !std::getline(words >> std::ws, name, '(') || name.find(' ') != std::string::npos) continue;
+        in_main = in_main || line.find("rt_sigaction(SIGINT") != std::string::npos;
+        const int number = ++counts[{thread, name}];
+        if (in_main && known.emplace(name, number).second) calls.push_back({name, number, line});
+    }
+    return calls;
+}
+
+class FailingCalls : public testing::Test {
+protected:
+    FailingCalls() {
+        files_ = {{"red.txt", red_scene},
+                  {"red.csv.gz", gzipped("x,y,z\n0,0,200\n")},
+                  {"red.cif", "data_\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n0 0 0\n"},
+                  {"linked.png", "old"}};
+        reset();
+        render(folder_, {"red.txt", "-s", "8x8", "-o", "golden.png"});
+        files_["golden.png"] = folder_.read("golden.png");
+    }
+
+    // One core makes one thread, whose calls are the same in each run.
+    void use_one_core() {
+        cpu_set_t cores;
+        ASSERT_EQ(sched_getaffinity(0, sizeof cores, &cores), 0);
+        int first = 0;
+        while (!CPU_ISSET(first, &cores)) ++first;
+        CPU_ZERO(&cores);
+        CPU_SET(first, &cores);
+        ASSERT_EQ(sched_setaffinity(0, sizeof cores, &cores), 0);
+    }
+
+    // The program with these arguments, whose call fails; "": none.
+    Outcome traced(const std::vector<std::string>& arguments, const std::string& input, const std::vector<std::string>& fault) {
+        Command command;
+        command.program = "/usr/bin/env";
+        command.arguments = {"strace", "-f", "-qq", "-o", log_.path("trace")};
+        command.arguments.insert(command.arguments.end(), fault.begin(), fault.end());
+        command.arguments.push_back(build_file("sphereview"));
+        command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+        command.folder = folder_.path();
+        command.input = input;
+        return run(command);
+    }
+
+    // The folder as it is before each run: a link to a picture that only its owner may read, and no other output.
+    void reset() {
+        for (const std::string& name : folder_.names()) {
+            if (!files_.contains(name)) fs::remove(folder_.path(name));
+        }
+        for (const auto& [name, bytes] : files_) folder_.write(name, bytes);
+        fs::permissions(folder_.path("linked.png"), fs::perms::owner_read | fs::perms::owner_write);
+        fs::create_symlink("linked.png", folder_.path("link.png"));
+    }
+
+    std::map<std::string, std::string> contents() const {
+        std::map<std::string, std::string> all;
+        for (const std::string& name : folder_.names()) {
+            const bool link = fs::is_symlink(folder_.path(name));
+            all[name] = link ? "link to " + fs::read_symlink(folder_.path(name)).string() : folder_.read(name);
+        }
+        return all;
+    }
+
+    void expect_good_ends(const std::vector<std::string>& arguments, int usual_status = 0, const std::string& input = "") {
+        reset();
+        const auto before = contents();
+        const Outcome usual = traced(arguments, input, {});
+        if (usual.status != usual_status && usual.errors.find("strace") != std::string::npos) {
+            const std::string why = "no program can be traced here: " + usual.errors;
+            if (std::getenv("CI") != nullptr) FAIL() << why;
+            GTEST_SKIP() << why;
+        }
+        ASSERT_EQ(usual.status, usual_status) << usual;
+        const auto after = contents();
+        const std::vector<Call> calls = calls_of_main(log_.read("trace"));
+        ASSERT_GT(calls.size(), 10U);
+        for (const Call& call : calls) {
+            for (const std::string& fault : faults_of(call.name)) {
+                reset();
+                const std::string injected = "inject=" + call.name + ":" + fault + ":when=" + std::to_string(call.number);
+                const Outcome outcome = traced(arguments, input, {"-e", "trace=" + call.name, "-e", injected});
+                SCOPED_TRACE(injected + ", as in " + call.line);
+                expect_good_end(outcome, usual, fault == "error=EINTR");
+                // A failure says so in one line; unless that is what cannot be written.
+                if (outcome.status != usual.status && call.line.find("write(2,") == std::string::npos) {
+                    EXPECT_EQ(lines(outcome.errors).size(), usual_status == 0 ? lines(usual.errors).size() + 1 : 1) << outcome;
+                }
+                // Each file is as it was or as it should be, and nothing else is there.
+                for (const auto& [name, bytes] : contents()) {
+                    EXPECT_TRUE((before.contains(name) && before.at(name) == bytes) ||
+                                (after.contains(name) && after.at(name) == bytes))
+                        << name << " has other bytes; " << outcome;
+                }
+                for (const auto& [name, bytes] : before)
+                    EXPECT_TRUE(fs::exists(folder_.path(name))) << name << " is lost; " << outcome;
+                if (outcome.status == 0) {
+                    EXPECT_EQ(contents(), after);
+                }
+                EXPECT_EQ(fs::status(folder_.path("linked.png")).permissions() & (fs::perms::group_all | fs::perms::others_all),
+                          fs::perms::none);
+                if (HasFailure()) return;  // one is enough to mend
+            }
+        }
+    }
+
+    TemporaryFolder folder_;
+
+private:
+    static void expect_good_end(const Outcome& outcome, const Outcome& usual, bool interrupted) {
+        const std::set<int> documented = {usual.status, 2, 3, 4};
+        EXPECT_TRUE(documented.contains(outcome.status)) << outcome;
+        if (interrupted || outcome.status == 0) {
+            EXPECT_EQ(outcome.status, usual.status) << outcome;
+            EXPECT_EQ(outcome.output, usual.output);
+        }
+    }
+
+    std::map<std::string, std::string> files_;
+    TemporaryFolder log_;
+};
+
+TEST_F(FailingCalls, OfRenderLeaveTheOldPictureOrTheNew) {
+    use_one_core();
+    expect_good_ends({"render", "red.txt", "--backend", "cpu", "-s", "8x8", "-o", "link.png"});
+}
+
+TEST_F(FailingCalls, OfRenderThroughPipes) {
+    use_one_core();
+    expect_good_ends({"render", "-", "--backend", "cpu", "-s", "8x8", "-o", "-"}, 0, red_scene);
+}
+
+TEST_F(FailingCalls, OfAComparison) {
+    use_one_core();
+    expect_good_ends({"render", "red.txt", "--backend", "cpu", "-s", "8x8", "--expect", "golden.png", "--diff", "diff.png"});
+}
+
+// Neither picture may become the other without a word.
+TEST_F(FailingCalls, OfTwoScenesOfOneName) {
+    use_one_core();
+    expect_good_ends({"render", "red.txt", "red.csv.gz", "--backend", "cpu", "-s", "8x8", "-o", "{name}.png"}, 2);
+}
+
+TEST_F(FailingCalls, OfRenderWithThreads) {
+    expect_good_ends({"render", "red.txt", "--backend", "cpu", "-s", "256x256", "-o", "out.png"});
+}
+
+TEST_F(FailingCalls, OfConvert) {
+    use_one_core();
+    expect_good_ends({"convert", "red.csv.gz", "out.toml"});
+}
+
+#ifndef WITHOUT_GEMMI
+TEST_F(FailingCalls, OfConvertOfAMolecule) {
+    use_one_core();
+    expect_good_ends({"convert", "red.cif", "out.toml"});
+}
+#endif
+
+TEST_F(FailingCalls, OfExplain) {
+    use_one_core();
+    expect_good_ends({"explain", "red.txt", "--pixel", "500,500"});
+}
+
+}  // namespace
+}  // namespace sphereview::test
