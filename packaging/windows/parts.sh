@@ -56,6 +56,9 @@ build() {
     ln -sfn "/usr/$target/lib/libz.a" "$folder/lib/libz.a"
     cmake_part "$(unpacked glfw3)" -DGLFW_BUILD_DOCS=OFF -DGLFW_BUILD_EXAMPLES=OFF -DGLFW_BUILD_TESTS=OFF
     cmake_part "$(unpacked libpng1.6)" -DPNG_SHARED=OFF -DPNG_TESTS=OFF -DPNG_EXECUTABLES=OFF
+    # The sources of GoogleTest are a package of their own; its build folder is beside the others'.
+    rm -rf "$sources/googletest-0" && cp -R /usr/src/googletest "$sources/googletest-0"
+    cmake_part "$sources/googletest-0" -DBUILD_GMOCK=OFF
     cp "$here/imgui.cmake" "$(unpacked imgui)/CMakeLists.txt"
     cmake_part "$(unpacked imgui)"
     (

@@ -9,9 +9,14 @@ namespace sphereview::oracle {
 
 std::vector<Backend> tested_backends() {
     const char* setting = std::getenv("SPHEREVIEW_BACKENDS");
-    const std::string_view wanted = setting != nullptr ? setting : "cpu,egl,osmesa";
+#ifdef _WIN32
+    constexpr const char* usual = "cpu,wgl";
+#else
+    constexpr const char* usual = "cpu,egl,osmesa";
+#endif
+    const std::string_view wanted = setting != nullptr ? setting : usual;
     std::vector<Backend> backends;
-    for (const Backend backend : {Backend::cpu, Backend::egl, Backend::osmesa}) {
+    for (const Backend backend : {Backend::cpu, Backend::egl, Backend::osmesa, Backend::wgl}) {
         if (wanted.find(name_of(backend)) != std::string_view::npos) backends.push_back(backend);
     }
     return backends;

@@ -1,4 +1,4 @@
-// The pictures of the three backends, as numbers of visible spheres.
+// The pictures of the backends, as numbers of visible spheres.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace sphereview::oracle {
 
-// Those that are compared: SPHEREVIEW_BACKENDS ("cpu,egl"), or all three.
+// Those that are compared: SPHEREVIEW_BACKENDS ("cpu,egl"), or all of this system.
 std::vector<Backend> tested_backends();
 
 // Costs with which scenes of a few thousand spheres already have tiles of several sizes.

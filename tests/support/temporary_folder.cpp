@@ -1,12 +1,12 @@
 #include "support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <stdexcept>
 
 namespace sphereview::test {
@@ -14,9 +14,10 @@ namespace sphereview::test {
 namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
-    std::string pattern = (fs::canonical(fs::temp_directory_path()) / "sphereview-test-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error("no temporary folder can be made");
-    root_ = pattern;
+    std::random_device random;
+    do {
+        root_ = fs::canonical(fs::temp_directory_path()) / ("sphereview-test-" + std::to_string(random()));
+    } while (!fs::create_directory(root_));
 }
 
 TemporaryFolder::~TemporaryFolder() {
