@@ -31,7 +31,11 @@ std::string bold(const std::string& text) { return "\\fB" + escaped(text) + "\\f
 std::string italic(const std::string& text) { return "\\fI" + escaped(text) + "\\fR"; }
 
 // Lines that stay as they are.
-std::string verbatim(std::string_view text) { return ".PP\n.nf\n" + escaped(trimmed(text)) + "\n.fi\n"; }
+std::string verbatim(const std::string& text) {
+    const std::size_t begin = std::min(text.find_first_not_of('\n'), text.size());
+    const std::size_t end = text.find_last_not_of('\n') + 1;
+    return ".PP\n.nf\n" + escaped(text.substr(begin, std::max(begin, end) - begin)) + "\n.fi\n";
+}
 
 bool is_positional(const CLI::Option& option) { return !option.nonpositional(); }
 

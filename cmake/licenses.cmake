@@ -13,12 +13,12 @@ if(SPHEREVIEW_PORTABLE)
     endif()
 endif()
 
-set(licenses_cpp ${PROJECT_BINARY_DIR}/generated/licenses.cpp)
-set(parts_list ${PROJECT_BINARY_DIR}/parts.json)
+set(generated ${PROJECT_BINARY_DIR}/generated)
+set(licenses_cpp ${generated}/licenses.cpp)
 add_custom_command(
     OUTPUT ${licenses_cpp}
-    BYPRODUCTS ${parts_list}
-    COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/packaging/parts.py build --cpp ${licenses_cpp} --json ${parts_list} ${parts}
+    BYPRODUCTS ${generated}/copyright ${generated}/parts.json
+    COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/packaging/parts.py build ${generated} ${parts}
     DEPENDS ${PROJECT_SOURCE_DIR}/packaging/parts.py ${PROJECT_SOURCE_DIR}/LICENSE
     COMMENT "Collecting the licences"
     VERBATIM)

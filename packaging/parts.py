@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """What sphereview's packages hold of others, and under which licences.
 
-  parts.py build --cpp FILE --json FILE HOW:PART...   what one build has in it: the text of `sphereview --licenses` as C++, and a list
-  parts.py spdx --version V --out FILE PACKAGE=LIST... an SPDX 2.3 list of the packages, each with the list of the build that it is from
+  parts.py build FOLDER HOW:PART...   what one build has in it: writes the text of `sphereview --licenses` as licenses.cpp, a list as
+                                      parts.json, and a file `copyright` as Debian wants it
+  parts.py spdx FILE PACKAGE=LIST...  writes an SPDX 2.3 list of the packages, each with the parts.json of the build that it is from
 
 HOW is `compiled` (from headers or sources, or linked in) or `shipped` (a shared library beside the program). Versions and the texts of the
 licences are found where the program is built: Debian's packages have them. Elsewhere the list says less, and the text names the licence.
@@ -65,15 +66,15 @@ def installed(pattern):
     return max(found, key=lambda package: len(package[0]), default=None)
 
 
-def license_text(part, package):
-    """What the package says of the part's licence; "" where no text was found."""
+def license_text(part, package, with_common):
+    """What the package says of the part's licence, with the licence that this names; "" where no text was found."""
     file = Path("/usr/share/doc") / (package[0] if package else part.package) / "copyright"
     text = file.read_text(encoding="utf-8").rstrip() if file.exists() else ""
     if text and part.stanza:
         texts = re.findall(r"^License: " + re.escape(part.stanza) + r"\n((?: .*\n)+)", text, re.MULTILINE)
         text = max(texts, key=len, default="").rstrip()
     common = COMMON_LICENSES / part.common
-    if text and part.common and common.exists():
+    if with_common and text and part.common and common.exists():
         text += "\n\n" + common.read_text(encoding="utf-8").strip("\n")
     return text
 
@@ -87,8 +88,8 @@ def parts_of_build(words):
     return parts
 
 
-def licenses(parts):
-    """The program's own licence, then those of the parts."""
+def licenses(parts, with_common=True):
+    """The program's own licence, then those of the parts. Without texts that Debian has in /usr/share/common-licenses, if asked for."""
     line = "-" * 80
     text = (ROOT / "LICENSE").read_text(encoding="utf-8").rstrip()
     text += "\n\nsphereview has parts of others in it:\n\n"
@@ -96,7 +97,7 @@ def licenses(parts):
         beside = ", a library beside the program" if how == "shipped" else ""
         text += f"  {part.name}: {part.license}, {part.url}{beside}\n"
     for part, _, package in parts:
-        found = license_text(part, package) or f"Its text was not at hand when this program was built: {part.url}"
+        found = license_text(part, package, with_common) or f"Its text was not at hand when this program was built: {part.url}"
         text += f"\n{line}\n{part.name}: {part.license}\n{part.url}\n\n{found}\n"
     return text.rstrip()
 
@@ -122,16 +123,17 @@ std::string licenses() {{
 """
 
 
-def write(name, text):
+def write(file, text):
     """Leaves a file alone that is so already: nothing is compiled anew for it."""
-    file = Path(name)
     if not file.exists() or file.read_bytes() != text.encode():
         file.write_bytes(text.encode())
 
 
 def build(arguments):
     parts = parts_of_build(arguments.parts)
-    write(arguments.cpp, cpp(licenses(parts)))
+    folder = Path(arguments.folder)
+    write(folder / "licenses.cpp", cpp(licenses(parts)))
+    write(folder / "copyright", licenses(parts, with_common=False) + "\n")
     listed = []
     for part, how, package in parts:
         entry = {"name": part.name, "license": part.license, "url": part.url, "how": how}
@@ -139,7 +141,7 @@ def build(arguments):
             entry["version"] = re.sub(r"^\d+:", "", package[1])
             entry["purl"] = "pkg:deb/debian/%s@%s?arch=%s" % (package[0], package[1].replace("+", "%2B").replace(":", "%3A"), package[2])
         listed.append(entry)
-    write(arguments.json, json.dumps(listed, indent=1) + "\n")
+    write(folder / "parts.json", json.dumps(listed, indent=1) + "\n")
 
 
 def spdx_package(identifier, name, version, license, url, **more):
@@ -149,6 +151,7 @@ def spdx_package(identifier, name, version, license, url, **more):
 
 
 def spdx(arguments):
+    version = re.search(r"project\(sphereview VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text()).group(1)
     packages, relationships, sums = {}, [], ""
 
     def relate(one, kind, other):
@@ -161,7 +164,7 @@ def spdx(arguments):
         name = Path(file).name
         parts = json.loads(Path(listed).read_text()) if listed else []
         license = " AND ".join(sorted({f"({part['license']})" if " " in part["license"] else part["license"] for part in parts} | {"MIT"}))
-        product = spdx_package("Package-" + name, "sphereview", arguments.version, license, None, packageFileName=name,
+        product = spdx_package("Package-" + name, "sphereview", version, license, None, packageFileName=name,
                                checksums=[{"algorithm": "SHA256", "checksumValue": total}])
         product["licenseDeclared"] = "MIT"
         packages[product["SPDXID"]] = product
@@ -170,31 +173,29 @@ def spdx(arguments):
             more = {}
             if "purl" in part:
                 more["externalRefs"] = [{"referenceCategory": "PACKAGE-MANAGER", "referenceType": "purl", "referenceLocator": part["purl"]}]
-            version = part.get("version", "NOASSERTION")
-            entry = spdx_package(f"Part-{part['name']}-{version}", part["name"], version, part["license"], part["url"], **more)
+            its_version = part.get("version", "NOASSERTION")
+            entry = spdx_package(f"Part-{part['name']}-{its_version}", part["name"], its_version, part["license"], part["url"], **more)
             packages[entry["SPDXID"]] = entry
             relate(product["SPDXID"], "CONTAINS", entry["SPDXID"])
     time = datetime.datetime.fromtimestamp(int(os.environ.get("SOURCE_DATE_EPOCH", datetime.datetime.now().timestamp())), datetime.timezone.utc)
     document = {
-        "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT", "name": f"sphereview-{arguments.version}",
-        "documentNamespace": f"https://spdx.org/spdxdocs/sphereview-{arguments.version}-{uuid.uuid5(uuid.NAMESPACE_OID, sums)}",
-        "creationInfo": {"created": time.strftime("%Y-%m-%dT%H:%M:%SZ"), "creators": [f"Tool: sphereview-packaging-{arguments.version}"]},
+        "spdxVersion": "SPDX-2.3", "dataLicense": "CC0-1.0", "SPDXID": "SPDXRef-DOCUMENT", "name": f"sphereview-{version}",
+        "documentNamespace": f"https://spdx.org/spdxdocs/sphereview-{version}-{uuid.uuid5(uuid.NAMESPACE_OID, sums)}",
+        "creationInfo": {"created": time.strftime("%Y-%m-%dT%H:%M:%SZ"), "creators": [f"Tool: sphereview-packaging-{version}"]},
         "packages": list(packages.values()), "relationships": relationships,
     }
-    Path(arguments.out).write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+    Path(arguments.file).write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(required=True)
     command = commands.add_parser("build")
-    command.add_argument("--cpp", required=True)
-    command.add_argument("--json", required=True)
+    command.add_argument("folder")
     command.add_argument("parts", nargs="*", metavar="HOW:PART")
     command.set_defaults(run=build)
     command = commands.add_parser("spdx")
-    command.add_argument("--version", required=True)
-    command.add_argument("--out", required=True)
+    command.add_argument("file")
     command.add_argument("packages", nargs="+", metavar="PACKAGE=LIST")
     command.set_defaults(run=spdx)
     arguments = parser.parse_args()

@@ -95,6 +95,21 @@ fs::path pictures_folder() {
     return fs::temp_directory_path(error);
 }
 
+fs::path program_file() {
+    std::error_code error;
+#ifdef __linux__
+    return fs::read_symlink("/proc/self/exe", error);
+#else
+    return {};
+#endif
+}
+
+fs::path share_folder(const fs::path& file) {
+    if (file.empty()) return {};
+    const fs::path folder = file.parent_path().parent_path() / "share" / program;
+    return is_folder(folder) ? folder : fs::path();
+}
+
 bool make_user_folder(const fs::path& folder) {
     std::error_code error;
     if (folder.empty()) return false;
