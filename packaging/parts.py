@@ -162,7 +162,7 @@ def spdx(arguments):
         total = hashlib.sha256(Path(file).read_bytes()).hexdigest()
         sums += total
         name = Path(file).name
-        parts = json.loads(Path(listed).read_text()) if listed else []
+        parts = json.loads(Path(listed).read_text())
         license = " AND ".join(sorted({f"({part['license']})" if " " in part["license"] else part["license"] for part in parts} | {"MIT"}))
         product = spdx_package("Package-" + name, "sphereview", version, license, None, packageFileName=name,
                                checksums=[{"algorithm": "SHA256", "checksumValue": total}])
