@@ -11,6 +11,9 @@ if(SPHEREVIEW_PORTABLE)
     if(TARGET PkgConfig::fontconfig)
         list(APPEND parts compiled:brotli compiled:expat compiled:fontconfig compiled:freetype)
     endif()
+elseif(SKBUILD AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    # A wheel, into which auditwheel copies what the linker has found.
+    list(APPEND parts compiled:pybind11 shipped:brotli shipped:expat shipped:fontconfig shipped:freetype shipped:glfw shipped:isal shipped:libpng)
 endif()
 
 set(generated ${PROJECT_BINARY_DIR}/generated)

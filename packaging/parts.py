@@ -46,6 +46,7 @@ PARTS = {
     "libpng": Part("libpng", "libpng-2.0", "http://www.libpng.org/pub/png/libpng.html", "libpng-dev"),
     "libstdc++": Part("GCC's libstdc++ and libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org", "libstdc++6", common="GPL-3"),
     "pegtl": Part("PEGTL", "MIT", "https://github.com/taocpp/PEGTL", "tao-pegtl-dev"),
+    "pybind11": Part("pybind11", "BSD-3-Clause", "https://github.com/pybind/pybind11", "pybind11-dev"),
     "stb": Part("stb", "MIT OR Unlicense", "https://github.com/nothings/stb", "libstb-dev"),
     "toml++": Part("toml++", "MIT", "https://github.com/marzer/tomlplusplus", "libtomlplusplus-dev"),
     "zlib": Part("zlib", "Zlib", "https://zlib.net", "zlib1g-dev"),
