@@ -42,7 +42,7 @@ make_system() {
 
 # Runs commands of the shell in the system.
 in_system() {
-    env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 CI=true chroot "$system" sh -ec "$1" </dev/null
+    env -i PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 CI=true chroot "$system" sh -ec "$1" </dev/null
 }
 
 # Calls the function `try`, which is the script's own, in a fresh system of each release; exits with the status of the last that failed.
