@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <limits>
 
+#include "app/command_line_texts.hpp"
+#include "app/licenses.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
 #include "app/usage_error.hpp"
@@ -117,7 +119,6 @@ std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const ch
     return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
 }
 
-constexpr const char* a_file = "the name of a file";
 std::string backends_listed() { return listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or"); }
 std::string scene_files() { return "Scene file: " + listed(format_names(), "or") + "; - is standard input"; }
 
@@ -198,7 +199,7 @@ void declare(CLI::App& command, ViewOptions& options) {
                 "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 1]");
     add_colors(command, options.background, options.shading, "as last time, at first flat");
     add_option(command, options.shader_folder,
-               {"--shader-dir", "FOLDER", "Use the shaders in this folder, and each that is saved there at once", "a folder"},
+               {"--shader-dir", "FOLDER", "Use the shaders in this folder, and each that is saved there at once", a_folder},
                [](const std::string& text) {
                    std::error_code ignored;
                    return std::filesystem::is_directory(text, ignored) ? std::optional(text) : std::nullopt;
@@ -331,6 +332,25 @@ Run print(const std::string& text) {
     };
 }
 
+const std::string program_and_version = "sphereview " + std::string(version);
+
+// Options of the program itself that print a text, as --version does.
+void declare_texts(CLI::App& app) {
+    const auto print_text = [](const std::string& text) { throw CLI::CallForVersion(text, 0); };
+    app.add_flag_callback(
+        "--licenses", [=] { print_text(licenses()); }, "Print the licences of this program and of the parts of others in it");
+    app.add_flag_callback(
+        "--man", [&app, print_text] { print_text(man_page(app, program_and_version)); }, "Print the manual page, in roff");
+    const std::string shells = listed(completion_shells(), "or");
+    static std::string unused;
+    add_option(app, unused, {"--completion", "SHELL", "Print what completes this command line in a shell: " + shells, shells},
+               [&app, print_text](const std::string& shell) -> std::optional<std::string> {
+                   const std::string script = completion_script(app, shell);
+                   if (!script.empty()) print_text(script);
+                   return std::nullopt;
+               });
+}
+
 // The command named by the first word; else adds `view`, which need not be named before its scene or options.
 CLI::App& named_command(CLI::App& app, std::vector<std::string>& words) {
     const std::string first = words.empty() ? "" : words.front();
@@ -355,7 +375,8 @@ Run parse_command_line(int argc, const char* const* argv) {
         "...    works without one\n",
         "sphereview");
     app.allow_windows_style_options(false);  // "/scenes/a.txt" is a file
-    app.set_version_flag("--version", "sphereview " + std::string(version));
+    app.set_version_flag("--version", program_and_version);
+    declare_texts(app);
     app.footer(exit_codes);
     app.require_subcommand(1);  // and no second: "doctor" behind it is a file's name
     Run chosen;
@@ -374,8 +395,8 @@ Run parse_command_line(int argc, const char* const* argv) {
         check_values(*command, words);
         app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
         return chosen;
-    } catch (const CLI::CallForVersion&) {
-        return print(app.version() + "\n");
+    } catch (const CLI::CallForVersion& asked) {  // or for another of the program's own texts
+        return print(asked.what() + std::string("\n"));
     } catch (const CLI::ParseError& error) {
         throw InputError("sphereview: " + in_words(*command, error) + " (see 'sphereview " +
                          (command == &app ? "" : command->get_name() + " ") + "--help')");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/command_line_texts.hpp"
 #include "base/input_file.hpp"
 #include "base/text.hpp"
 
@@ -11,15 +12,27 @@ namespace {
 
 // "; did you mean 'NAME'?" for an option of the command or of the program.
 std::string similar_option(const CLI::App& command, const std::string& unknown) {
-    std::vector<std::string> names = {"--version"};
-    for (const CLI::Option* option : command.get_options()) {
-        if (option->get_group().empty()) continue;
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-        for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    std::vector<std::string> names;
+    for (const CLI::App* app = &command; app != nullptr; app = app->get_parent()) {
+        for (const CLI::Option* option : shown_options(*app)) {
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+            for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+        }
     }
     // Of two letters every other option is near: only the other case was likely meant.
     if (unknown.size() == 2) std::erase_if(names, [&](const std::string& name) { return lower_case(name) != lower_case(unknown); });
     return did_you_mean(unknown, names);
+}
+
+// What the option says of an empty value; "" if it has no objection.
+std::string said_of_no_value(CLI::Option& option) {
+    try {
+        option.clear();
+        option.add_result("")->run_callback();
+    } catch (const CLI::ValidationError& error) {
+        return error.what();
+    }
+    return "";
 }
 
 }  // namespace
@@ -43,6 +56,13 @@ void check_values(const CLI::App& command, const std::vector<std::string>& words
     }
 }
 
+std::string expected_value(CLI::Option& option) {
+    constexpr std::string_view before = ", expected ";
+    const std::string said = said_of_no_value(option);
+    const std::size_t found = said.find(before);
+    return found == std::string::npos ? "" : said.substr(found + before.size());
+}
+
 std::string in_words(CLI::App& command, const CLI::ParseError& error) {
     std::vector<std::string> left = command.remaining();
     std::erase(left, "--");  // that what follows are no options, CLI11 has heeded
@@ -61,15 +81,8 @@ std::string in_words(CLI::App& command, const CLI::ParseError& error) {
             option = hidden;
         }
     }
-    if (option != nullptr) {
-        // Only the option knows what it expects, and says so of an empty value.
-        try {
-            option->clear();
-            option->add_result("")->run_callback();
-        } catch (const CLI::ValidationError& empty) {
-            return empty.what();
-        }
-    }
+    const std::string empty = option == nullptr ? "" : said_of_no_value(*option);
+    if (!empty.empty()) return empty;
     return left.empty() ? said : "unexpected argument " + in_quotes(left.front());
 }
 

@@ -26,6 +26,9 @@ bool is_option(const std::string& word);
 // Refuses "--output=", for whose value CLI11 would take the next word, and "--json=no", of which it would make what it likes.
 void check_values(const CLI::App& command, const std::vector<std::string>& words);
 
+// What the option's value should be, in the words of its messages; "" where there are none. Forgets the option's value.
+std::string expected_value(CLI::Option& option);
+
 // What is wrong with what follows the command's name.
 std::string in_words(CLI::App& command, const CLI::ParseError& error);
 

@@ -19,6 +19,7 @@
 #endif
 
 #include "base/path.hpp"
+#include "base/user_folders.hpp"
 
 namespace sphereview {
 
@@ -57,12 +58,6 @@ struct Pipe {
     }
 };
 
-std::wstring this_program() {
-    std::wstring name(32768, L'\0');
-    name.resize(GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())));
-    return name;
-}
-
 }  // namespace
 
 IsolatedResult call_isolated(const std::function<std::string()>& call, std::chrono::milliseconds limit,
@@ -70,7 +65,7 @@ IsolatedResult call_isolated(const std::function<std::string()>& call, std::chro
     using End = IsolatedResult::End;
     Pipe value;
     Pipe errors;
-    const std::wstring program = this_program();
+    const std::wstring program = program_file().wstring();
     std::wstring line = L"\"" + program + L"\"";
     for (const std::string& argument : arguments) line += L" \"" + path_from(argument).wstring() + L"\"";
     STARTUPINFOW start{};

@@ -110,6 +110,25 @@ std::vector<fs::path> drives() {
     return found;
 }
 
+fs::path program_file() {
+#if defined(__linux__)
+    std::error_code error;
+    return fs::read_symlink("/proc/self/exe", error);
+#elif defined(_WIN32)
+    std::wstring name(32768, L'\0');
+    name.resize(GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())));
+    return name;
+#else
+    return {};
+#endif
+}
+
+fs::path share_folder(const fs::path& file) {
+    if (file.empty()) return {};
+    const fs::path folder = file.parent_path().parent_path() / "share" / program;
+    return is_folder(folder) ? folder : fs::path();
+}
+
 bool make_user_folder(const fs::path& folder) {
     std::error_code error;
     if (folder.empty()) return false;

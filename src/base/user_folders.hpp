@@ -1,4 +1,5 @@
-// Where the platform wants a program's files of this user. Nothing is created by asking.
+// Where the platform wants a program's files of this user, and where those are that came with the program. Nothing is created by
+// asking.
 #pragma once
 
 #include <filesystem>
@@ -21,6 +22,12 @@ std::filesystem::path pictures_folder();
 
 // On Windows the drives that there are, as "C:\"; nothing elsewhere.
 std::vector<std::filesystem::path> drives();
+
+// The running program's file; empty where the system does not say.
+std::filesystem::path program_file();
+
+// What was installed with a program in PREFIX/bin: PREFIX/share/sphereview, with the folder `scenes`. Empty when nothing was.
+std::filesystem::path share_folder(const std::filesystem::path& program = program_file());
 
 // Makes the folder, and those above it, for this user alone where they are missing. False when it is not there then.
 bool make_user_folder(const std::filesystem::path& folder);

@@ -93,6 +93,17 @@ TEST_F(UserFolders, AreMadeForTheUserAlone) {
     EXPECT_FALSE(make_user_folder(""));
 }
 
+#ifdef __linux__
+TEST(ShareFolder, IsFoundFromTheProgram) {
+    const test::TemporaryFolder prefix;
+    EXPECT_EQ(share_folder(prefix.path("bin/sphereview")), "");
+    prefix.write("share/sphereview/scenes/a.txt", "0");
+    EXPECT_EQ(share_folder(prefix.path("bin/sphereview")), prefix.path("share/sphereview"));
+    EXPECT_EQ(program_file().filename(), "unit_tests");
+    EXPECT_EQ(share_folder(), "") << "a build is not installed";
+}
+#endif
+
 }  // namespace sphereview
 
 #endif

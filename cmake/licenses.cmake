@@ -1,0 +1,27 @@
+# What is in the program of others: `sphereview --licenses` prints their licences, and the packages list them.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+
+# How and what, by the names in packaging/parts.py.
+set(parts compiled:boost compiled:cli11 compiled:glad compiled:glm compiled:imgui compiled:json compiled:stb compiled:toml++)
+if(SPHEREVIEW_GEMMI)
+    list(APPEND parts compiled:gemmi compiled:pegtl)
+endif()
+if(SPHEREVIEW_PORTABLE)
+    list(APPEND parts compiled:libpng compiled:libstdc++ compiled:zlib shipped:glfw shipped:isal)
+    if(TARGET PkgConfig::fontconfig)
+        list(APPEND parts compiled:brotli compiled:expat compiled:fontconfig compiled:freetype)
+    endif()
+elseif(SKBUILD AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    # A wheel, into which auditwheel copies what the linker has found.
+    list(APPEND parts compiled:pybind11 shipped:brotli shipped:expat shipped:fontconfig shipped:freetype shipped:glfw shipped:isal shipped:libpng)
+endif()
+
+set(generated ${PROJECT_BINARY_DIR}/generated)
+set(licenses_cpp ${generated}/licenses.cpp)
+add_custom_command(
+    OUTPUT ${licenses_cpp}
+    BYPRODUCTS ${generated}/copyright ${generated}/parts.json
+    COMMAND ${Python3_EXECUTABLE} -B ${PROJECT_SOURCE_DIR}/packaging/parts.py build ${generated} ${parts}
+    DEPENDS ${PROJECT_SOURCE_DIR}/packaging/parts.py ${PROJECT_SOURCE_DIR}/LICENSE
+    COMMENT "Collecting the licences"
+    VERBATIM)
