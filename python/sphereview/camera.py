@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Union
 
 from numpy.typing import ArrayLike
 
@@ -13,7 +12,7 @@ from .arrays import sphere_arrays
 Vector = tuple[float, float, float]
 
 # "front", "back", "left", "right", "top", "bottom", "iso", or azimuth and elevation in degrees.
-View = Union[str, tuple[float, float]]
+View = str | tuple[float, float]
 
 
 @dataclass(frozen=True)

@@ -86,14 +86,14 @@ class ExactImage:
         from .scene import Scene, read
 
         golden = self._golden(name)
-        scene = read(picture) if isinstance(picture, (str, os.PathLike)) else picture
-        if isinstance(scene, Scene):
+        source: Any = read(picture) if isinstance(picture, (str, os.PathLike)) else picture
+        scene = source if isinstance(source, Scene) else None
+        if scene is not None:
             actual = scene.render(**options)
         elif options:
             raise TypeError(f"{', '.join(options)}: only a scene is rendered, and takes options")
         else:
-            actual = image_array(scene)
-            scene = None
+            actual = image_array(source)
         if not golden.exists():
             words, first, difference = f"{self._shown(golden)} is missing", None, None
         else:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 import numpy
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _native
 from .arrays import path_bytes
@@ -20,16 +20,20 @@ from .pictures import explain, render
 class Scene:
     """Spheres, and how they are seen. `read` makes one; so can you, of any arrays that `render` takes."""
 
-    centers: ArrayLike  #: (N, 3), in scene space
-    radii: ArrayLike  #: (N,), in the same unit
-    colors: ArrayLike  #: (N, 3), 0..255 or 0..1
+    centers: NDArray[numpy.float64]  #: (N, 3), in scene space
+    radii: NDArray[numpy.float64]  #: (N,), in the same unit
+    colors: NDArray[Any]  #: (N, 3), 0..255 or 0..1
     camera: Camera | Literal["fit"] | None = None
     background: str = "black"
-    hidden: ArrayLike | None = None  #: (N,) bool; None: no sphere is
+    hidden: NDArray[numpy.bool_] | None = None  #: (N,) bool; None: no sphere is
     names: dict[int, str] = field(default_factory=dict)  #: by the spheres' numbers, only of those that have one
     source: str = "the scene"  #: the file, as messages call it
     format: str | None = None  #: of that file: "text", "TOML", "XYZ", "CSV", "PDB" or "mmCIF"
     frames: int = 1  #: in that file
+
+    def __post_init__(self) -> None:
+        for name in ("centers", "radii", "colors"):
+            object.__setattr__(self, name, numpy.asarray(getattr(self, name)))
 
     def render(
         self,

@@ -1,6 +1,8 @@
 """What the tests share. They run against whichever sphereview is installed, or in PYTHONPATH."""
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy
@@ -27,9 +29,6 @@ def seed_scene():
 @pytest.fixture
 def run_program():
     """Runs the program with these arguments and returns its exit status, output and error output."""
-    import subprocess
-    import sys
-
     def run(*arguments, **options):
         done = subprocess.run([sys.executable, "-m", "sphereview", *map(os.fspath, arguments)], capture_output=True, text=True, **options)
         return done.returncode, done.stdout, done.stderr

@@ -4,6 +4,7 @@ import numpy
 import pytest
 
 import sphereview
+import sphereview.scene  # so that all pytests in this process know one Scene
 
 SCENE = """
 import numpy, pytest, sphereview
@@ -20,14 +21,18 @@ def tests(pytester):
 
 
 def run(pytester, *options):
-    return pytester.runpytest_subprocess("-p", "no:xdist", *options)
+    return pytester.runpytest_inprocess("-p", "no:xdist", *options)
 
 
 def test_a_missing_golden_fails_and_says_how_to_make_it(tests):
     result = run(tests)
     result.assert_outcomes(failed=1)
     result.stdout.fnmatch_lines(
-        ["*goldens/ball.png is missing*", "*actual: *exact_image/test_it/ball.actual.png", "*pytest --update-images 'test_it.py::test_ball'"]
+        [
+            "*goldens/ball.png is missing*",
+            "*actual: *exact_image/test_it/ball.actual.png",
+            "*pytest --update-images 'test_it.py::test_ball'",
+        ]
     )
     assert not (tests.path / "goldens").exists()
     actual = tests.path / ".pytest_cache" / "d" / "exact_image" / "test_it" / "ball.actual.png"
@@ -40,7 +45,7 @@ def test_update_makes_it_and_then_it_is_the_measure(tests):
     result.stdout.fnmatch_lines(["*golden images written*", "goldens/ball.png"])
     golden = tests.path / "goldens" / "ball.png"
     written = golden.stat().st_mtime_ns
-    run(tests).assert_outcomes(passed=1)
+    tests.runpytest_subprocess().assert_outcomes(passed=1)
     result = run(tests, "--update-images")
     result.assert_outcomes(passed=1)
     result.stdout.no_fnmatch_line("*golden images written*")

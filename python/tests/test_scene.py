@@ -1,6 +1,8 @@
 """Reading files, cameras, explanations and PNGs."""
 
 import os
+import subprocess
+import sys
 
 import numpy
 import pytest
@@ -60,8 +62,13 @@ def test_a_native_scene_has_all_its_properties(tmp_path, run_program):
 
 @pytest.mark.parametrize(
     "options, words",
-    [({}, []), ({"frame": 1}, ["--frame", "1"]), ({"radius": 0.5, "view": "iso"}, ["--radius", "0.5", "--view", "iso"]),
-     ({"view": (30, 20)}, ["--view", "30,20"]), ({"fit": False}, ["--no-fit"])],
+    [
+        ({}, []),
+        ({"frame": 1}, ["--frame", "1"]),
+        ({"radius": 0.5, "view": "iso"}, ["--radius", "0.5", "--view", "iso"]),
+        ({"view": (30, 20)}, ["--view", "30,20"]),
+        ({"fit": False}, ["--no-fit"]),
+    ],
 )
 def test_data_is_seen_as_the_program_sees_it(tmp_path, run_program, options, words):
     path = tmp_path / "water.xyz"
@@ -79,9 +86,13 @@ def test_a_bad_scene_has_the_command_lines_words(tmp_path, run_program):
         sphereview.read(path)
     assert str(caught.value) == run_program("render", path, "-o", tmp_path / "x.png")[2].rstrip("\n")
     assert str(caught.value).startswith(f"{path}:3:5: found 'x', expected the centre's z of sphere 1 of 1")
-    for options, words in [({"frame": 9}, "frame"), ({"frame": -1}, "frame: found '-1'"), ({"radius": 0}, "radius: found '0'"),
-                           ({"view": "under"}, "view: found 'under', expected front, back")]:
-        path.write_text("0")
+    path.write_text("0")
+    for options, words in [
+        ({"frame": 9}, "frame"),
+        ({"frame": -1}, "frame: found '-1'"),
+        ({"radius": 0}, "radius: found '0'"),
+        ({"view": "under"}, "view: found 'under', expected front, back"),
+    ]:
         with pytest.raises(ValueError, match=words):
             sphereview.read(path, **options)
 
@@ -144,7 +155,7 @@ def test_explain_says_what_the_program_says(tmp_path, run_program):
     status, words, _ = run_program("explain", path, "-p", "33,15", "-s", "60x40", "--shade", "depth")
     assert status == 0
     assert sphereview.read(path).explain((33, 15), (60, 40), "depth") == words
-    assert 'sphere 0 \'sun\'' in sphereview.explain([[0, 0, 300]], 50, (255, 0, 0), (500, 500), names={0: "sun"})
+    assert "sphere 0 'sun'" in sphereview.explain([[0, 0, 300]], 50, (255, 0, 0), (500, 500), names={0: "sun"})
     with pytest.raises(ValueError, match="^pixel: found '60,0', expected a pixel from 0,0 to 59,39$"):
         sphereview.read(path).explain((60, 0), (60, 40))
 
@@ -166,9 +177,7 @@ def test_the_program_is_in_the_package(run_program, tmp_path):
 
 
 def test_importing_the_package_does_not_import_numpy():
-    import subprocess
-    import sys
-
-    code = "import sys, sphereview, sphereview.pytest_plugin; assert 'numpy' not in sys.modules; sphereview.render; assert 'numpy' in sys.modules"
+    code = "import sys, sphereview.pytest_plugin as p; assert 'numpy' not in sys.modules; p.pytest; import sphereview; sphereview.render"
+    code += "; assert 'numpy' in sys.modules"
     assert subprocess.run([sys.executable, "-c", code]).returncode == 0
     assert set(sphereview.__all__) <= set(dir(sphereview))
