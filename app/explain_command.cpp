@@ -126,17 +126,18 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
 
 }  // namespace
 
-ExitCode run_explain(const ExplainOptions& options) {
-    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
-    const Scene& scene = loaded.scene;
-    const std::string& name = loaded.name;
+std::string explain(const Scene& scene, const std::string& name, const ExplainOptions& options) {
     const PixelExplanation explanation = explain_pixel(scene, drawn_spheres(scene), scene.camera, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const PictureShader shader(scene, scene.camera, options.size, options.shading, background);
     const Color color = shader.color(options.pixel, explanation.visible());
-    const std::string text = options.json ? to_json(options, name, scene, explanation, color).dump() + "\n"
-                                          : in_words(options, name, scene, explanation, background, color);
-    write_output(std::string(standard_stream), text);
+    return options.json ? to_json(options, name, scene, explanation, color).dump() + "\n"
+                        : in_words(options, name, scene, explanation, background, color);
+}
+
+ExitCode run_explain(const ExplainOptions& options) {
+    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    write_output(std::string(standard_stream), explain(loaded.scene, loaded.name, options));
     return ExitCode::done;
 }
 

@@ -88,4 +88,7 @@ ExitCode run_convert(const ConvertOptions& options);
 ExitCode run_explain(const ExplainOptions& options);
 ExitCode run_doctor(const DoctorOptions& options);
 
+// What run_explain() writes, of a scene that is read already; `name`: how the text calls the scene.
+std::string explain(const Scene& scene, const std::string& name, const ExplainOptions& options);
+
 }  // namespace sphereview

@@ -182,7 +182,7 @@ private:
         const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
         const PictureOptions options{scene.camera,     options_.size,    options_.background.value_or(scene.background),
                                      options_.certify, options_.samples, options_.shading};
-        const Image picture = render_by_what_holds_it(scene, drawn, options, report);
+        const Image picture = render(scene, drawn, options, report);
 
         // Before anything is written: the rest of the golden may be damaged.
         Image difference;
@@ -196,28 +196,17 @@ private:
         return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit}).scene;
     }
 
-    Image render_by_what_holds_it(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                                  RenderReport& report) {
-        const auto render = [&](OpenBackend& backend) {
+    Image render(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options, RenderReport& report) {
+        return render_by_what_holds_it(backend_for(report), options_.backend, [&](OpenBackend& backend) {
             report.backend = name_of(backend.backend);
             report.renderer = backend.description;
+            report.passed_over = backend.passed_over;
             return render_picture(backend, scene, drawn, options, report.timings, report.facts, [&](double done) {
                 // They take long: people see why.
                 const auto exactly = static_cast<std::uint64_t>(report.facts.decisions.exactly);
                 progress_.update(done, exactly > 0 ? in_groups(exactly) + " exactly, " : "");
             });
-        };
-        OpenBackend& opened = backend_for(report);
-        try {
-            return render(opened);
-        } catch (const TooLarge& error) {
-            if (options_.backend != Backend::automatic) {
-                throw RenderError("the backend " + opened.description + " cannot hold the scene: " + error.what() +
-                                  "; use --backend cpu");
-            }
-            report.passed_over.push_back(opened.description + ": " + error.what());
-            return render(cpu_);
-        }
+        });
     }
 
     OpenBackend& backend_for(RenderReport& report) {
@@ -226,7 +215,6 @@ private:
         // Never closed: the process ends soon, and taking a driver down in good order takes milliseconds.
         static OpenBackend& opened =
             *new OpenBackend(open_backend(options_.backend, options_.device, report.timings, picture_bytes));
-        report.passed_over = opened.passed_over;
         return opened;
     }
 
@@ -247,7 +235,6 @@ private:
     std::size_t scenes_;
     std::size_t started_ = 0;
     bool report_failed_ = false;
-    OpenBackend cpu_;
     Progress progress_;
 };
 

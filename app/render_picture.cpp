@@ -175,4 +175,19 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
                         [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
 }
 
+Image render_by_what_holds_it(OpenBackend& opened, Backend asked_for, const std::function<Image(OpenBackend&)>& render) {
+    try {
+        return render(opened);
+    } catch (const TooLarge& error) {
+        if (asked_for != Backend::automatic) {
+            throw RenderError("the backend " + opened.description + " cannot hold the scene: " + error.what() +
+                              "; use --backend cpu");
+        }
+        OpenBackend cpu;
+        cpu.passed_over = opened.passed_over;
+        cpu.passed_over.push_back(opened.description + ": " + error.what());
+        return render(cpu);
+    }
+}
+
 }  // namespace sphereview

@@ -43,4 +43,9 @@ struct PictureFacts {
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress);
 
+// Calls render(opened); where the GPU renderer of `opened` cannot hold the scene and nobody asked for that one by name, calls
+// render() again with the CPU's, whose passed_over then says why. Throws RenderError where one that was asked for cannot hold the
+// scene.
+Image render_by_what_holds_it(OpenBackend& opened, Backend asked_for, const std::function<Image(OpenBackend&)>& render);
+
 }  // namespace sphereview

@@ -10,6 +10,7 @@ function(add_glad name api extensions header)
         VERBATIM)
     add_library(glad_${name} STATIC ${out}/src/${header}.c ${out}/include/glad/${header}.h)
     target_include_directories(glad_${name} SYSTEM PUBLIC ${out}/include)
+    set_target_properties(glad_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON C_VISIBILITY_PRESET hidden)
 endfunction()
 
 add_glad(gl gl:core=3.3 "" gl)

@@ -11,6 +11,8 @@ if(SPHEREVIEW_PORTABLE)
     if(TARGET PkgConfig::fontconfig)
         list(APPEND parts compiled:brotli compiled:expat compiled:fontconfig compiled:freetype)
     endif()
+elseif(MINGW)
+    list(APPEND parts compiled:glfw compiled:isal compiled:libpng compiled:libstdc++ compiled:mingw-w64 compiled:zlib)
 elseif(SKBUILD AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
     # A wheel, into which auditwheel copies what the linker has found.
     list(APPEND parts compiled:pybind11 shipped:brotli shipped:expat shipped:fontconfig shipped:freetype shipped:glfw shipped:isal shipped:libpng)

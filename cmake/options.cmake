@@ -14,6 +14,8 @@ else()
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
         # Part of -Wconversion for Clang alone.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
+        # One set of objects for the program and for the Python module, which is a shared library that shows nothing but its entry.
+        "$<$<NOT:$<PLATFORM_ID:Windows>>:-fPIC;-fvisibility=hidden>"
         # Exact pictures: no multiplication and addition may be fused behind our back, and a square root is the processor's
         # (base/square_root.hpp).
         -ffp-contract=off -fno-math-errno)

@@ -12,6 +12,13 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// An input file cannot be read at all, which the file's content has no part in.
+struct ReadError : InputError {
+    ReadError(const std::string& message, int error) : InputError(message), number(error) {}
+
+    int number;  // errno, or 0 where the system gives none
+};
+
 // What is wrong with something that renders, as far as a person can do something about that.
 enum class RenderFault { other, no_library, no_driver, old_opengl, little_memory, no_answer, crash, exit };
 

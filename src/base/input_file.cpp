@@ -25,14 +25,14 @@ constexpr std::size_t most_at_once = std::size_t{1} << 22;  // so that a watcher
 
 int leave_open(std::FILE*) { return 0; }
 
-[[noreturn]] void fail_to_read(const std::string& name, const std::string& why) {
-    throw InputError(name + ": cannot be read: " + why);
+// `error`: errno, or 0 where the system gives none.
+[[noreturn]] void fail_to_read(const std::string& name, const std::string& why, int error) {
+    throw ReadError(name + ": cannot be read: " + why, error);
 }
 
-// `error`: errno, or 0 where the system gives none.
 [[noreturn]] void fail_to_read(const std::string& name, int error) {
     if (error == ENOMEM) throw std::bad_alloc();
-    fail_to_read(name, error != 0 ? std::strerror(error) : "a read error");
+    fail_to_read(name, error != 0 ? std::strerror(error) : "a read error", error);
 }
 
 // Up to `most` bytes; 0 only at the file's end.
@@ -53,7 +53,7 @@ InputStream::InputStream(const std::string& path, Content content)
     : name_(path == standard_stream ? "stdin" : path), file_(nullptr, &leave_open), content_(content) {
     const bool from_stdin = path == standard_stream;
     std::error_code ignored;
-    if (!from_stdin && fs::is_directory(path_from(path), ignored)) fail("it is a folder; expected a file");
+    if (!from_stdin && fs::is_directory(path_from(path), ignored)) fail_to_read(name_, "it is a folder; expected a file", EISDIR);
     std::FILE* file = from_stdin ? binary(stdin) : open_file(path, "rb");
     if (file == nullptr) fail_to_read(name_, errno);
     file_ = {file, from_stdin ? &leave_open : &std::fclose};
@@ -68,7 +68,7 @@ InputStream::InputStream(const std::string& path, Content content)
     if (!gunzip_) size_ = static_cast<std::size_t>(size);
 }
 
-void InputStream::fail(const std::string& why) const { fail_to_read(name_, why); }
+void InputStream::fail(const std::string& why) const { fail_to_read(name_, why, 0); }
 
 void InputStream::drop_first(std::size_t count) {
     assert(count <= end_ - begin_);

@@ -80,14 +80,6 @@ public:
             // The system allows no more threads: those there are do the work.
         }
     }
-    ~Pool() {
-        {
-            const std::lock_guard lock(mutex_);
-            ending_ = true;
-        }
-        begin_.notify_all();
-        for (std::thread& thread : threads_) thread.join();
-    }
     Pool(const Pool&) = delete;
     Pool& operator=(const Pool&) = delete;
 
@@ -109,8 +101,7 @@ private:
         std::unique_lock lock(mutex_);
         while (true) {
             Job* job = nullptr;
-            begin_.wait(lock, [&] { return ending_ || (job = neediest()) != nullptr; });
-            if (ending_) return;
+            begin_.wait(lock, [&] { return (job = neediest()) != nullptr; });
             ++job->helpers;
             const std::size_t begun = jobs_begun_;
             lock.unlock();
@@ -134,7 +125,6 @@ private:
     std::condition_variable end_;
     std::vector<Job*> jobs_;
     std::atomic<std::size_t> jobs_begun_ = 0;
-    bool ending_ = false;
     std::vector<std::thread> threads_;  // last: they use what is above
 };
 
@@ -151,7 +141,9 @@ void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
 
 void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t), const void* work) {
     if (count > 1 && !inside_work && worker_count() > 1) {
-        static Pool pool;
+        // Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the
+        // pool.
+        static Pool& pool = *new Pool;
         Job job{count, call, work};
         pool.run(job);
         if (job.error) std::rethrow_exception(job.error);

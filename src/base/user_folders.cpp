@@ -125,7 +125,12 @@ fs::path program_file() {
 
 fs::path share_folder(const fs::path& file) {
     if (file.empty()) return {};
-    const fs::path folder = file.parent_path().parent_path() / "share" / program;
+#ifdef _WIN32
+    const fs::path prefix = file.parent_path();
+#else
+    const fs::path prefix = file.parent_path().parent_path();
+#endif
+    const fs::path folder = prefix / "share" / program;
     return is_folder(folder) ? folder : fs::path();
 }
 

@@ -28,6 +28,9 @@ Function real(const char* name) {
 
 }  // namespace
 
+// The project hides symbols otherwise.
+#pragma GCC visibility push(default)
+
 extern "C" {
 
 void* malloc(std::size_t size) {
@@ -45,3 +48,5 @@ void* realloc(void* memory, std::size_t size) {
     return fails() ? nullptr : call(memory, size);
 }
 }
+
+#pragma GCC visibility pop

@@ -40,6 +40,9 @@ const std::map<std::string_view, Names> allowed = {
       "glm", "glad", "imgui"}},
     {"app", {"base", "scene",  "camera", "edit",  "formats", "image", "exact", "shade",  "tiles", "cpu",   "gpu", "platform",
              "glm",  "toml++", "stb",    "isa-l", "boost",   "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
+    {"python",
+     {"base", "scene", "camera", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "app", "glm",
+      "pybind11"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.
@@ -60,6 +63,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"CLI11", {"CLI/"}},
     {"json", {"nlohmann/"}},
     {"imgui", {"imgui"}},
+    {"pybind11", {"pybind11/"}},
     {"system",
      {"unistd.h", "sys/", "fcntl.h", "poll.h", "sched.h", "spawn.h", "dlfcn.h", "signal.h", "pthread.h", "termios.h", "windows.h",
       "io.h", "malloc.h", "mach-o/"}},
@@ -115,7 +119,7 @@ std::string room_of(const fs::path& file) {
 
 TEST(IncludeRules, HoldForEveryFile) {
     int checked = 0;
-    for (const char* folder : {"src", "app"}) {
+    for (const char* folder : {"src", "app", "python"}) {
         for (const auto& entry : fs::recursive_directory_iterator(source / folder)) {
             const fs::path& file = entry.path();
             if (file.extension() != ".cpp" && file.extension() != ".hpp") continue;

@@ -1,0 +1,91 @@
+# The packages that ./dev package makes; read by it. $root, say, need, build and $build_packages are its own.
+
+# Builds a preset and packs it; what cpack says goes to the build's log.
+pack() {
+    build "$@"
+    # Of the same sources the same bytes, whenever they are packed.
+    SOURCE_DATE_EPOCH=$(date -u -d "$(sed -n 's/^## [0-9.]* (\([-0-9]*\))$/\1/p' "$root/CHANGELOG.md" | head -n 1)" +%s)
+    export SOURCE_DATE_EPOCH
+    cpack --config "$root/build/$1/CPackConfig.cmake" >>"$root/build/$1.log" 2>&1 || { tail -n 20 "$root/build/$1.log" >&2; exit 1; }
+    rm -rf "$root/build/packages/_CPack_Packages"
+}
+
+# An .ico with one picture, which the program for this system renders: a head of 22 bytes and a PNG.
+icon_for_windows() {
+    icon=$root/build/icon.ico
+    "$program" render "$root/packaging/icon.toml" -s 256x256 --samples 16 --shade headlight --backend cpu -o "$icon.png"
+    size=$(wc -c <"$icon.png")
+    {
+        printf '\0\0\1\0\1\0\0\0\0\0\1\0\40\0'
+        for shift in 0 8 16 24; do
+            # shellcheck disable=SC2059
+            printf "\\$(printf %o $((size >> shift & 255)))"
+        done
+        printf '\26\0\0\0'
+        cat "$icon.png"
+    } >"$icon"
+    echo "$icon"
+}
+
+# The executable for Windows and what it links, by Debian's cross compiler; its icon is rendered by the program for this system.
+pack_windows() {
+    need_windows_parts
+    build release
+    pack windows "-DSPHEREVIEW_ICON=$(icon_for_windows)"
+}
+
+# A wheel for the Python that PYTHON names, with the libraries inside that a system may lack. What builds it is in an environment of its
+# own, so that only what changed is compiled anew.
+pack_wheel() {
+    # shellcheck disable=SC2086
+    need $build_packages python3-dev python3-venv
+    python=${PYTHON:-python3}
+    tools=$root/build/wheel/tools-$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
+    [ -x "$tools/bin/auditwheel" ] || { "$python" -m venv "$tools" && "$tools/bin/pip" install -q --require-hashes -r "$root/python/requirements.txt" >&2; }
+    rm -rf "$root/build/wheel/made"
+    say "building the wheel"
+    PATH=$tools/bin:$PATH
+    pip wheel -q --disable-pip-version-check --no-deps --no-build-isolation --config-settings build-dir=build/wheel/tree \
+        -w "$root/build/wheel/made" "$root" >&2
+    auditwheel repair -w "$root/build/packages" "$root"/build/wheel/made/*.whl >&2
+}
+
+# Says of all packages what is inside, and their sums.
+sum_up() (
+    cd "$root/build/packages"
+    rm -f ./*.spdx.json SHA256SUMS
+    set --
+    for package in *; do
+        case $package in
+        *.deb) built=release ;;
+        *.tar.xz) built=portable ;;
+        *.zip) built=windows ;;
+        *.whl) built=wheel/tree ;;
+        *) say "of $package it is not known what is inside"; exit 1 ;;
+        esac
+        set -- "$@" "$package=$root/build/$built/generated/parts.json"
+    done
+    python3 -B "$root/packaging/parts.py" spdx sphereview.spdx.json "$@"
+    sha256sum -- * >SHA256SUMS.part
+    mv SHA256SUMS.part SHA256SUMS
+)
+
+# make_packages KIND...: in build/packages, each in place of the former ones of its kind.
+make_packages() {
+    # shellcheck disable=SC2086
+    need $package_packages
+    mkdir -p "$root/build/packages"
+    [ $# -gt 0 ] || set -- deb tar
+    for kind in "$@"; do
+        case $kind in
+        deb) rm -f "$root"/build/packages/*.deb && pack release ;;
+        tar) rm -f "$root"/build/packages/*.tar.xz && pack portable ;;
+        wheel) pack_wheel ;;
+        windows) rm -f "$root"/build/packages/*.zip && pack_windows ;;
+        *) say "unknown kind of package '$kind': found neither deb, tar, wheel nor windows"; exit 2 ;;
+        esac
+    done
+    sum_up
+    say "made in build/packages:"
+    ls "$root/build/packages"
+}

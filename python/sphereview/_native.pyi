@@ -1,0 +1,47 @@
+from typing import Any
+
+import numpy
+from numpy.typing import NDArray
+
+# Eye, center, right and up of a camera, one behind the other.
+_Camera = tuple[float, ...]
+
+class SphereArrays:
+    def __init__(
+        self,
+        centers: NDArray[numpy.float64],
+        radii: NDArray[numpy.float64],
+        colors: NDArray[Any],
+        hidden: NDArray[numpy.bool_] | None,
+    ) -> None: ...
+
+def render(
+    arrays: SphereArrays,
+    camera: _Camera | None,
+    fit: bool,
+    size: tuple[int, int],
+    samples: int,
+    shade: str,
+    backend: str,
+    background: str,
+) -> NDArray[numpy.uint8]: ...
+def explain(
+    arrays: SphereArrays,
+    camera: _Camera,
+    names: dict[int, str],
+    background: str,
+    pixel: tuple[int, int],
+    size: tuple[int, int],
+    shade: str,
+    name: str,
+) -> str: ...
+def fit(arrays: SphereArrays, camera: _Camera, right_handed: bool, view: str | None) -> _Camera: ...
+def read(path: bytes, frame: int, radius: float | None, fit: bool | None, view: str | None) -> dict[str, Any]: ...
+def check_camera(camera: _Camera) -> None: ...
+def compare_with_png(
+    actual: NDArray[numpy.uint8], path: bytes
+) -> tuple[bool, str, tuple[int, int] | None, NDArray[numpy.uint8]]: ...
+def read_png(path: bytes) -> NDArray[numpy.uint8]: ...
+def write_png(path: bytes, image: NDArray[numpy.uint8]) -> None: ...
+def close_renderers() -> None: ...
+def forget_renderers() -> None: ...

@@ -1,0 +1,109 @@
+"""Scenes with all their properties, and reading them."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _native
+from .arrays import path_bytes
+from .camera import Camera, View, view_text
+from .camera import fit as fit_camera
+from .pictures import explain, render
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """Spheres, and how they are seen. `read` makes one; so can you, of any arrays that `render` takes."""
+
+    centers: NDArray[numpy.float64]  #: (N, 3), in scene space
+    radii: NDArray[numpy.float64]  #: (N,), in the same unit
+    colors: NDArray[Any]  #: (N, 3), 0..255 or 0..1
+    camera: Camera | Literal["fit"] | None = None
+    background: str = "black"
+    hidden: NDArray[numpy.bool_] | None = None  #: (N,) bool; None: no sphere is
+    names: dict[int, str] = field(default_factory=dict)  #: by the spheres' numbers, only of those that have one
+    source: str = "the scene"  #: the file, as messages call it
+    format: str | None = None  #: of that file: "text", "TOML", "XYZ", "CSV", "PDB" or "mmCIF"
+    frames: int = 1  #: in that file
+
+    def __post_init__(self) -> None:
+        for name in ("centers", "radii", "colors"):
+            object.__setattr__(self, name, numpy.asarray(getattr(self, name)))
+
+    def render(
+        self,
+        size: tuple[int, int] = (1000, 1000),
+        samples: int = 1,
+        shade: str = "flat",
+        backend: str = "auto",
+        *,
+        background: str | None = None,
+    ) -> NDArray[numpy.uint8]:
+        """The picture, as the function `render` makes it; `background` replaces the scene's own."""
+        shown = self.background if background is None else background
+        return render(
+            self.centers, self.radii, self.colors, self.camera, size, samples, shade, backend, background=shown, hidden=self.hidden
+        )
+
+    def explain(
+        self,
+        pixel: tuple[int, int],
+        size: tuple[int, int] = (1000, 1000),
+        shade: str = "flat",
+        *,
+        background: str | None = None,
+    ) -> str:
+        """The arithmetic of one pixel, as the function `explain` says it."""
+        return explain(
+            self.centers,
+            self.radii,
+            self.colors,
+            pixel,
+            self.seen_from(),
+            size,
+            shade,
+            background=self.background if background is None else background,
+            hidden=self.hidden,
+            names=self.names,
+            name=self.source,
+        )
+
+    def seen_from(self) -> Camera:
+        """The camera, fitted where "fit" stands for it."""
+        if isinstance(self.camera, Camera):
+            return self.camera
+        if self.camera is None:
+            return Camera()
+        return fit_camera(self.centers, self.radii, hidden=self.hidden)
+
+
+def read(
+    path: str | os.PathLike[str],
+    *,
+    frame: int = 0,
+    radius: float | None = None,
+    fit: bool | None = None,
+    view: View | None = None,
+) -> Scene:
+    """The scene in a file of any format that the program reads, also packed with gzip.
+
+    frame: which of several frames or models, from 0.
+    radius: of each sphere for which a data file says none; None: the element's, and 1 in CSV.
+    fit: True moves the camera until it sees everything; False looks at data, too, from (0, 0, 0) along z. None: data is fitted, a scene
+        keeps its camera.
+    view: fits from a side: as for the function `fit`.
+
+    The scene's arrays are new and yours: centers float64 (N, 3), radii float64 (N,), colors uint8 (N, 3), hidden bool (N,) or None. Its
+    camera is the one that `sphereview render` takes with the same options, so `read(path).render()` is that picture.
+
+    ValueError: what is wrong with the file, with its line and column. OSError, such as FileNotFoundError: it cannot be read.
+    """
+    found: dict[str, Any] = _native.read(path_bytes(path), frame, radius, fit, view_text(view))
+    found["camera"] = Camera.from_numbers(found["camera"])
+    found["source"] = os.fsdecode(found["source"])
+    return Scene(**found)

@@ -1,0 +1,183 @@
+"""Reading files, cameras, explanations and PNGs."""
+
+import os
+import subprocess
+import sys
+
+import numpy
+import pytest
+from conftest import ROOT
+
+import sphereview
+
+WATER = """3
+Properties=species:S:1:pos:R:3
+O  0.000  0.000 0.000
+H  0.757  0.586 0.000
+H -0.757  0.586 0.000
+3
+second frame
+O  0 0 1
+H  1 0 1
+H -1 0 1
+"""
+
+TOML = """
+background = "transparent"
+hidden = [1]
+spheres = '''
+2
+255 220 0    50 50 300     20
+0 255 0      100 100 600   60
+'''
+[camera]
+eye = [0, 0, -10]
+[names]
+0 = "sun"
+"""
+
+
+def test_a_text_scene_is_its_arrays(seed_scene):
+    scene = sphereview.read(ROOT / "scenes" / "input4.txt")
+    for found, expected in zip((scene.centers, scene.radii, scene.colors), seed_scene):
+        assert found.dtype == expected.dtype and numpy.array_equal(found, expected)
+        assert found.flags.c_contiguous and found.flags.writeable
+    assert scene.camera == sphereview.Camera()
+    assert (scene.format, scene.frames, scene.hidden, scene.names, scene.background) == ("text", 1, None, {}, "black")
+
+
+def test_a_native_scene_has_all_its_properties(tmp_path, run_program):
+    path = tmp_path / "scene.toml"
+    path.write_text(TOML)
+    scene = sphereview.read(path)
+    assert scene.camera.eye == (0, 0, -10)
+    assert scene.background == "transparent"
+    assert scene.names == {0: "sun"}
+    assert scene.hidden.tolist() == [False, True]
+    assert (scene.format, scene.source) == ("TOML", str(path))
+    assert run_program("render", path, "-o", tmp_path / "picture.png", "-s", "60x40")[0] == 0
+    assert numpy.array_equal(scene.render((60, 40)), sphereview.read_png(tmp_path / "picture.png"))
+    assert numpy.array_equal(scene.render((60, 40), background="black")[..., :3], scene.render((60, 40))[..., :3])
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({}, []),
+        ({"frame": 1}, ["--frame", "1"]),
+        ({"radius": 0.5, "view": "iso"}, ["--radius", "0.5", "--view", "iso"]),
+        ({"view": (30, 20)}, ["--view", "30,20"]),
+        ({"fit": False}, ["--no-fit"]),
+    ],
+)
+def test_data_is_seen_as_the_program_sees_it(tmp_path, run_program, options, words):
+    path = tmp_path / "water.xyz"
+    path.write_text(WATER)
+    scene = sphereview.read(path, **options)
+    assert scene.frames == 2 and scene.format == "XYZ" and scene.names[0] == "O"
+    assert run_program("render", path, "-o", tmp_path / "picture.png", "-s", "60x40", *words)[0] == 0
+    assert numpy.array_equal(scene.render((60, 40)), sphereview.read_png(tmp_path / "picture.png"))
+
+
+def test_a_bad_scene_has_the_command_lines_words(tmp_path, run_program):
+    path = tmp_path / "bad.txt"
+    path.write_text("1\n255 0 0\n0 0 x\n5\n")
+    with pytest.raises(ValueError) as caught:
+        sphereview.read(path)
+    assert str(caught.value) == run_program("render", path, "-o", tmp_path / "x.png")[2].rstrip("\n")
+    assert str(caught.value).startswith(f"{path}:3:5: found 'x', expected the centre's z of sphere 1 of 1")
+    path.write_text("0")
+    for options, words in [
+        ({"frame": 9}, "frame"),
+        ({"frame": -1}, "frame: found '-1'"),
+        ({"radius": 0}, "radius: found '0'"),
+        ({"view": "under"}, "view: found 'under', expected front, back"),
+    ]:
+        with pytest.raises(ValueError, match=words):
+            sphereview.read(path, **options)
+
+
+def test_files_that_cannot_be_read_or_written_are_os_errors(tmp_path):
+    with pytest.raises(FileNotFoundError) as caught:
+        sphereview.read(tmp_path / "missing.txt")
+    assert str(tmp_path / "missing.txt") in str(caught.value)
+    with pytest.raises(IsADirectoryError):
+        sphereview.read(tmp_path)
+    with pytest.raises(FileNotFoundError):
+        sphereview.read_png(tmp_path / "missing.png")
+    with pytest.raises(OSError):
+        sphereview.write_png(tmp_path / "none" / "x.png", numpy.zeros((2, 2, 3), numpy.uint8))
+    with pytest.raises(ValueError):
+        sphereview.read("")
+
+
+def test_names_of_files_are_any_that_the_system_allows(tmp_path, monkeypatch):
+    for name in ("kugeln ä 球.txt", "-"):
+        monkeypatch.chdir(tmp_path)
+        with open(name, "w") as file:
+            file.write("0")
+        assert len(sphereview.read(name).radii) == 0
+    if os.name == "posix":
+        name = os.fsdecode(b"no utf-8 \xff.txt")
+        with open(name, "w") as file:
+            file.write("zero")
+        with pytest.raises(ValueError, match="no utf-8 "):
+            sphereview.read(name)
+
+
+def test_cameras_are_checked():
+    assert sphereview.Camera((0, 0, 1)).eye == (0.0, 0.0, 1.0)
+    assert len({sphereview.Camera(), sphereview.Camera()}) == 1
+    with pytest.raises(ValueError, match="^found a camera that cannot be used: 'up' is not perpendicular to 'right'; expected"):
+        sphereview.Camera(up=(50, 50, 0))
+    with pytest.raises(ValueError, match="its numbers are not all finite"):
+        sphereview.Camera(eye=(0, 0, float("nan")))
+    with pytest.raises(ValueError, match="^eye: found 2 numbers, expected 3$"):
+        sphereview.Camera(eye=(0, 0))
+
+
+def test_fit_looks_from_each_side():
+    centers, radii = [[0, 0, 0], [10, 0, 0]], [1, 2]
+    front = sphereview.fit(centers, radii)
+    assert front.eye[2] < 0 and front.right[0] > 0
+    assert sphereview.fit(centers, radii, "right").eye[0] > 10
+    assert sphereview.fit(centers, radii, (90, 0)) == sphereview.fit(centers, radii, "right")
+    mirrored = sphereview.fit(centers, radii, right_handed=True)
+    assert mirrored.eye[2] > 0 and mirrored.right[0] > 0
+    top = sphereview.fit(centers, radii, "top", camera=mirrored)
+    assert top == sphereview.fit(centers, radii, "top", right_handed=True)
+    assert sphereview.fit([], []) == sphereview.Camera()
+
+
+def test_explain_says_what_the_program_says(tmp_path, run_program):
+    path = tmp_path / "scene.toml"
+    path.write_text(TOML)
+    status, words, _ = run_program("explain", path, "-p", "33,15", "-s", "60x40", "--shade", "depth")
+    assert status == 0
+    assert sphereview.read(path).explain((33, 15), (60, 40), "depth") == words
+    assert "sphere 0 'sun'" in sphereview.explain([[0, 0, 300]], 50, (255, 0, 0), (500, 500), names={0: "sun"})
+    with pytest.raises(ValueError, match="^pixel: found '60,0', expected a pixel from 0,0 to 59,39$"):
+        sphereview.read(path).explain((60, 0), (60, 40))
+
+
+def test_pngs_come_back_as_they_went(tmp_path):
+    for channels in (3, 4):
+        image = numpy.random.default_rng(channels).integers(0, 256, (7, 5, channels), dtype=numpy.uint8)
+        sphereview.write_png(tmp_path / "x.png", image[:, ::-1])
+        assert numpy.array_equal(sphereview.read_png(tmp_path / "x.png"), image[:, ::-1])
+    for bad in (numpy.zeros((2, 2, 3)), numpy.zeros((2, 2), numpy.uint8), numpy.zeros((0, 2, 3), numpy.uint8)):
+        with pytest.raises(ValueError, match="picture"):
+            sphereview.write_png(tmp_path / "x.png", bad)
+
+
+def test_the_program_is_in_the_package(run_program, tmp_path):
+    status, words, _ = run_program("--version")
+    assert status == 0 and words.startswith("sphereview ")
+    assert run_program("render", tmp_path / "missing.txt")[0] == 2
+
+
+def test_importing_the_package_does_not_import_numpy():
+    code = "import sys, sphereview.pytest_plugin as p; assert 'numpy' not in sys.modules; p.pytest; import sphereview; sphereview.render"
+    code += "; assert 'numpy' in sys.modules"
+    assert subprocess.run([sys.executable, "-c", code]).returncode == 0
+    assert set(sphereview.__all__) <= set(dir(sphereview))
