@@ -131,8 +131,8 @@ Trials stress_trials(int count, PictureSize size) {
         return Sphere{{0, 0, 1e300 * (i + 1)}, 1e305};
     });
     add("of all sizes, from one cone", [=](double i) {
-        const double size = std::ldexp(1.0, static_cast<int>(i * 2000 / n) - 1000);
-        return Sphere{{0, 0, 3 * size}, 1.5 * size};
+        const double scale = std::ldexp(1.0, static_cast<int>(i * 2000 / n) - 1000);
+        return Sphere{{0, 0, 3 * scale}, 1.5 * scale};
     });
     add("around one point, from there", [](double i) { return Sphere{{1e10, 1, 1}, 1e-300 * (i + 1)}; });
     trials.back().scene.camera.eye = {1e10, 1, 1};
