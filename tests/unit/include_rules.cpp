@@ -29,17 +29,18 @@ const std::map<std::string_view, Names> allowed = {
     {"formats", {"base", "scene", "glm", "toml++", "gemmi"}},
     {"image", {"base", "stb", "png", "isa-l"}},
     {"exact", {"base", "scene", "glm", "boost"}},
-    {"shade", {"base", "scene", "image", "exact", "glm"}},
+    {"light", {"base", "scene", "exact", "glm"}},
+    {"shade", {"base", "scene", "image", "exact", "light", "glm"}},
     {"tiles", {"base", "scene", "edit", "exact", "glm"}},
     {"cpu", {"base", "scene", "exact", "tiles", "glm"}},
     {"gpu", {"base", "scene", "edit", "image", "exact", "shade", "tiles", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
     {"panels", {"base", "scene", "camera", "edit", "exact", "shade", "glm", "imgui"}},
     {"viewer",
-     {"base", "scene", "camera", "edit", "formats", "image", "exact", "shade", "tiles", "cpu", "gpu", "platform", "panels", "app",
-      "glm", "glad", "imgui"}},
-    {"app", {"base", "scene",  "camera", "edit",  "formats", "image", "exact", "shade",  "tiles", "cpu",   "gpu", "platform",
-             "glm",  "toml++", "stb",    "isa-l", "boost",   "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
+     {"base", "scene", "camera", "edit", "formats", "image", "exact", "light", "shade", "tiles", "cpu", "gpu", "platform", "panels",
+      "app", "glm", "glad", "imgui"}},
+    {"app", {"base",     "scene", "camera", "edit", "formats", "image", "exact", "light", "shade",  "tiles", "cpu",   "gpu",
+             "platform", "glm",   "toml++", "stb",  "isa-l",   "boost", "glad",  "EGL",   "OSMesa", "GLFW",  "CLI11", "json"}},
 };
 
 // How the headers of a library begin. "system" is what only some operating systems have.
