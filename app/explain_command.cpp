@@ -9,6 +9,7 @@
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "exact/explain.hpp"
+#include "light/lighting.hpp"
 #include "shade/picture_shader.hpp"
 
 namespace sphereview {
@@ -124,6 +125,11 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
             {"decided_in", level}};
 }
 
+LightVector light_of_pixel(const Scene& scene, const ExplainOptions& options, std::int32_t visible) {
+    const Lighting lighting(scene, drawn_spheres(scene), scene.camera, options.size, 1, with_options(scene.light, options.light));
+    return lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front();
+}
+
 }  // namespace
 
 ExitCode run_explain(const ExplainOptions& options) {
@@ -133,7 +139,9 @@ ExitCode run_explain(const ExplainOptions& options) {
     const PixelExplanation explanation = explain_pixel(scene, drawn_spheres(scene), scene.camera, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const PictureShader shader(scene, scene.camera, options.size, options.shading, background);
-    const Color color = shader.color(options.pixel, explanation.visible());
+    LightVector light;
+    if (options.shading == Shading::studio) light = light_of_pixel(scene, options, explanation.visible());
+    const Color color = shader.color(options.pixel, explanation.visible(), light);
     const std::string text = options.json ? to_json(options, name, scene, explanation, color).dump() + "\n"
                                           : in_words(options, name, scene, explanation, background, color);
     write_output(std::string(standard_stream), text);

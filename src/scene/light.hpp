@@ -22,9 +22,9 @@ struct Sun {
 };
 
 struct Light {
-    std::optional<int> lights;  // directions of the sky, fewest_lights .. most_lights; none: as many as suit the scene
+    std::optional<int> lights{};  // directions of the sky, fewest_lights .. most_lights; none: as many as suit the scene
     double sky = 1.0;           // 0 .. most_sky: the strength of sky and key light
-    std::optional<Sun> sun;
+    std::optional<Sun> sun{};
 
     bool operator==(const Light&) const = default;
 };

@@ -41,7 +41,7 @@ struct Scene {
     std::map<std::uint32_t, std::string> names;  // only of the spheres that have one
     Background background;
     Camera camera;
-    Light light;
+    Light light{};
 
     bool operator==(const Scene&) const = default;
 };
