@@ -88,6 +88,8 @@ std::uint32_t reversed(std::uint32_t value, int bits) {
 
 }  // namespace
 
+glm::dvec3 key_direction(const CameraAxes& axes) { return unit(-0.45 * axes.right + 0.75 * axes.up - 0.55 * axes.ahead); }
+
 int sky_lights(const Light& light, std::size_t spheres, int samples) {
     return light.lights.value_or(samples > 1 || spheres > many_spheres ? few_lights : usual_lights);
 }
@@ -98,8 +100,7 @@ std::vector<DirectedLight> light_set(const Light& light, int lights, const Camer
         if (its_share != LightVector{}) all.push_back({direction, its_share});
     };
     if (light.sun) add(light.sun->direction, share(light.sun->direction, light.sun->strength));
-    const CameraAxes axes = camera_axes(camera);
-    const glm::dvec3 key = unit(-0.45 * axes.right + 0.75 * axes.up - 0.55 * axes.ahead);
+    const glm::dvec3 key = key_direction(camera_axes(camera));
     const auto add_sky = [&](const glm::dvec3& direction) {
         const double towards_key = dot(unit(direction), key);
         const double lobe = towards_key > 0.0 ? (towards_key * towards_key) * (towards_key * towards_key) : 0.0;

@@ -29,6 +29,9 @@ struct LightVector {
 // No sum overflows: sky and key come to less than 3.1, the sun to 4.
 inline constexpr double light_one = 0x1p28;
 
+// From the scene to the key light, of length 1: above left of the eye.
+glm::dvec3 key_direction(const CameraAxes& axes);
+
 // A light at infinity.
 struct DirectedLight {
     glm::dvec3 direction;  // to the light, of any length: the very numbers that shadows are decided for

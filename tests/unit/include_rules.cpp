@@ -33,7 +33,7 @@ const std::map<std::string_view, Names> allowed = {
     {"shade", {"base", "scene", "image", "exact", "light", "glm"}},
     {"tiles", {"base", "scene", "edit", "exact", "glm"}},
     {"cpu", {"base", "scene", "exact", "tiles", "glm"}},
-    {"gpu", {"base", "scene", "edit", "image", "exact", "shade", "tiles", "glad", "glm"}},
+    {"gpu", {"base", "scene", "edit", "image", "exact", "light", "shade", "tiles", "glad", "glm"}},
     {"platform", {"base", "glad", "EGL", "OSMesa", "GLFW", "fontconfig", "system"}},
     {"panels", {"base", "scene", "camera", "edit", "exact", "shade", "glm", "imgui"}},
     {"viewer",
