@@ -1,5 +1,6 @@
 #include "light/blockers.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "scene/vectors.hpp"
@@ -21,6 +22,7 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec
     all.numbers.reserve(drawn.size());
     const double factor = std::ldexp(1.0, -points.exponent);
     const double middle = size_of(points.middle) * factor;
+    const auto farthest = static_cast<double>(points.farthest);
     auto gap = drawn.gone.begin();
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (gap != drawn.gone.end() && *gap == i) {
@@ -38,6 +40,7 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec
             all.far.push_back(number);
             continue;
         }
+        all.covered += std::min(1.0, (radius / farthest) * (radius / farthest));
         const double in_double = 4.0 * double_unit * (size + 2.0 * middle);
         const double doubt = float_roundings * (1.0 + size) + 2.0 * static_cast<double>(points.error) + 4.0 * in_double;
         all.x.push_back(static_cast<float>(c.x));

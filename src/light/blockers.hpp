@@ -22,6 +22,8 @@ struct Blockers {
     std::vector<std::int32_t> numbers;
     std::vector<std::int32_t> far;  // numbers of those so large or far that squares leave the range of float
 
+    double covered = 0.0;  // how many times their discs together cover the square that all points lie in, at most
+
     std::size_t size() const { return x.size(); }
 };
 

@@ -17,6 +17,7 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::size_t at_once = 256;  // points or spheres: what the loops below turn into SIMD stays in the nearest cache
 constexpr std::size_t fewest_tiles = 8;
 constexpr int coarse_shift = 3;
+constexpr double most_touched = 0x1p25;  // tiles that all discs of a light touch: many huge spheres get larger tiles
 constexpr std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere
 
 // A facing that float computes is off by less: 5 roundings of products that sum to 1 at most, and the normal's own error.
@@ -84,7 +85,7 @@ std::span<const std::uint32_t> LightTiles::lit(const LitScene& lit_scene, std::s
     frame_ = {to_float(across), to_float(cross(l, across)), to_float(l)};
     lit_.clear();
     do {
-        choose_tiles(lit_scene.blockers.size(), lit_scene.points.farthest);
+        choose_tiles(lit_scene.blockers, lit_scene.points.farthest);
         find_facing(lit_scene, begin, end, direction);
         find_discs(lit_scene);
         cut();
@@ -94,9 +95,11 @@ std::span<const std::uint32_t> LightTiles::lit(const LitScene& lit_scene, std::s
     return lit_;
 }
 
-void LightTiles::choose_tiles(std::size_t blockers, float farthest) {
-    const auto root = static_cast<std::size_t>(std::sqrt(static_cast<double>(blockers)));
-    side_ = std::min(std::clamp<std::size_t>(root, 128, 768), most_side_);
+void LightTiles::choose_tiles(const Blockers& blockers, float farthest) {
+    const auto root = static_cast<std::size_t>(std::sqrt(static_cast<double>(blockers.size())));
+    const double side_touched = std::sqrt(most_touched / (blockers.covered + 1e-9));
+    const auto by_discs = static_cast<std::size_t>(std::clamp(side_touched, static_cast<double>(fewest_tiles), 768.0));
+    side_ = std::min({std::clamp<std::size_t>(root, 128, 768), by_discs, most_side_});
     half_ = 1.001F * farthest + 0x1p-20F;
     to_tiles_ = static_cast<float>(side_) / (2.0F * half_);
     const std::size_t coarse_side = (side_ >> coarse_shift) + 1;

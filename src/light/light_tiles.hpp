@@ -73,7 +73,7 @@ private:
         std::int32_t number;
     };
 
-    void choose_tiles(std::size_t blockers, float farthest);
+    void choose_tiles(const Blockers& blockers, float farthest);
     std::size_t tile(float coordinate) const;
     void find_facing(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
     void find_discs(const LitScene& lit_scene);
