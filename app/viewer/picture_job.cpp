@@ -136,10 +136,18 @@ void make_rest_picture(ViewerState& state) {
     if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
     const PictureOptions options = picture_options(state, state.picture_size);
     auto image = std::make_shared<Image>();
-    BackgroundJob job([image, options, scene = scene_snapshot(state)](WorkControl& control) {
+    auto preview = std::make_shared<Preview>();
+    BackgroundJob job([image, preview, options, scene = scene_snapshot(state)](WorkControl& control) {
+        if (options.shading == Shading::studio) {
+            PictureOptions few = options;
+            few.samples = 1;
+            few.light.lights = fewest_lights;
+            preview->set(render_beside(*scene, few, control));
+        }
         *image = render_beside(*scene, options, control);
     });
-    state.rest_picture.emplace(RestPicture{state.document.revision(), options, std::move(image), std::move(job)});
+    state.rest_picture.emplace(
+        RestPicture{state.document.revision(), options, std::move(image), std::move(preview), std::move(job)});
 }
 
 void export_now(ViewerState& state) {
