@@ -186,6 +186,41 @@ void add_colors(CLI::App& command, std::optional<Background>& background, Mode& 
                [](const std::string& text) { return shading_named(text); });
 }
 
+// Of the shading `studio`.
+void add_light(CLI::App& command, LightOptions& light) {
+    const std::string count = "a whole number from " + std::to_string(fewest_lights) + " to " + std::to_string(most_lights);
+    add_option(
+        command, light.lights,
+        {"--lights", "K", "With --shade studio: directions of the sky's light [256; 64 with --samples or many spheres]", count},
+        [](const std::string& text) {
+            const auto number = whole_number(text, fewest_lights);
+            return number && *number <= most_lights ? number : std::nullopt;
+        });
+    add_option(command, light.sky,
+               {"--sky", "S", "Strength of the sky and the key light in it, 0 to 1 [1]", "a number from 0 to 1"},
+               [](const std::string& text) -> std::optional<double> {
+                   double sky = 0.0;
+                   const bool good = parse_double(text, sky) == NumberFault::none && sky >= 0.0 && sky <= most_sky;
+                   return good ? std::optional(sky) : std::nullopt;
+               });
+    const std::string directions(sun_syntax);
+    add_option(command, light.sun, {"--sun", "DIR", "A sun: " + directions, directions},
+               [](const std::string& text) { return parse_sun(text); });
+    add_option(command, light.sun_strength,
+               {"--sun-strength", "S", "Strength of the sun, " + shortest(weakest_sun) + " to " + shortest(strongest_sun) + " [1]",
+                "a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun)},
+               [](const std::string& text) {
+                   const auto strength = number_above_0(text, strongest_sun);
+                   return strength && *strength >= weakest_sun ? strength : std::nullopt;
+               });
+}
+
+void check_light(const LightOptions& light, Shading shading) {
+    if (shading == Shading::studio || !light.any()) return;
+    const std::string option = light.lights ? "--lights" : light.sky ? "--sky" : light.sun ? "--sun" : "--sun-strength";
+    wrong("--shade", in_quotes(name_of(shading)), "studio with " + option);
+}
+
 // Of each command: its options, and a check of what they are together, which throws CLI::ParseError.
 
 template <typename Options>
@@ -217,6 +252,7 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
+    add_light(command, options.light);
     add_option(command, options.backend,
                {"--backend", "NAME", backends_listed() + " [auto, or SPHEREVIEW_BACKEND]", backends_listed()}, backend_named);
     add_option(command, options.device,
@@ -241,6 +277,7 @@ void declare(CLI::App& command, RenderOptions& options) {
 }
 
 void check(const CLI::App& command, RenderOptions& options) {
+    check_light(options.light, options.shading);
     const int longest = longest_side(options.samples);
     if (std::max(options.size.width, options.size.height) > longest) {
         wrong("--size", in_quotes(std::to_string(options.size.width) + "x" + std::to_string(options.size.height)),
@@ -291,11 +328,13 @@ void declare(CLI::App& command, ExplainOptions& options) {
     add_size(command, options.size, "Width and height of the picture in pixels [1000x1000]");
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
+    add_light(command, options.light);
     add_flag(command, options.json, "--json", "The same as one JSON line");
     command.footer(std::string(explain_examples) + exit_codes);
 }
 
 void check(const CLI::App&, const ExplainOptions& options) {
+    check_light(options.light, options.shading);
     const auto& [pixel, size] = std::pair(options.pixel, options.size);
     if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height) return;
     wrong("--pixel", in_quotes(std::to_string(pixel.x) + "," + std::to_string(pixel.y)),

@@ -1,5 +1,6 @@
 // sphereview explain: the arithmetic of one pixel, to be checked with pen and paper.
 #include <cmath>
+#include <optional>
 
 #include "app/json.hpp"
 #include "app/load_scene.hpp"
@@ -9,11 +10,29 @@
 #include "base/output_file.hpp"
 #include "base/text.hpp"
 #include "exact/explain.hpp"
+#include "light/explain_light.hpp"
+#include "light/lighting.hpp"
 #include "shade/picture_shader.hpp"
 
 namespace sphereview {
 
 namespace {
+
+// What the shading `studio` knows of a pixel that shows a sphere.
+struct PixelLight {
+    LightVector sum;
+    std::optional<Sun> sun;
+    LightExplanation of_sun;
+};
+
+PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std::int32_t visible) {
+    const Light light = with_options(scene.light, options.light);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const Lighting lighting(scene, drawn, scene.camera, options.size, 1, light);
+    PixelLight found{lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), light.sun, {}};
+    if (light.sun) found.of_sun = explain_light(scene, drawn, options.size, options.pixel, visible, light.sun->direction);
+    return found;
+}
 
 std::string in_words(const Color& color) {
     return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
@@ -45,7 +64,7 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
 }
 
 std::string in_words(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
-                     const Background& background, const Color& color) {
+                     const Background& background, const Color& color, const std::optional<PixelLight>& light) {
     const PictureSize size = options.size;
     std::string text = "pixel " + std::to_string(options.pixel.x) + "," + std::to_string(options.pixel.y) + " of " +
                        on_one_line(name) + " at " + std::to_string(size.width) + "x" + std::to_string(size.height) +
@@ -67,6 +86,13 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
                 (tie ? " and comes first in the file of those that have it" : "") + "\n";
         const std::string shaded =
             options.shading == Shading::flat ? "" : " (--shade " + std::string(name_of(options.shading)) + ")";
+        if (light) {
+            text += "light: B = (" + std::to_string(light->sum.x) + ", " + std::to_string(light->sum.y) + ", " +
+                    std::to_string(light->sum.z) + ") / 2^28, the sum of the lights that shine\n";
+        }
+        if (light && light->sun) {
+            text += "sun: L = " + vector_in_words(light->sun->direction) + " " + in_words(light->of_sun) + "\n";
+        }
         text += "colour: " + in_words(color) + shaded + "\n";
     }
     return text + "decided: " + level_in_words(e.level) + "\n";
@@ -104,24 +130,35 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
 }
 
 Json to_json(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
-             const Color& color) {
+             const Color& color, const std::optional<PixelLight>& light) {
     Json hits = Json::array();
     for (const ExplainedHit& hit : e.hits) hits.push_back(to_json(scene, hit));
     const std::int32_t visible = e.visible();
     const char* level = e.level == DecisionLevel::in_float ? "float" : e.level == DecisionLevel::in_double ? "double" : "exact";
-    return {{"scene", name},
-            {"pixel", {options.pixel.x, options.pixel.y}},
-            {"size", {options.size.width, options.size.height}},
-            {"origin", vector(e.origin)},
-            {"direction", vector(e.direction)},
-            {"hits", hits},
-            {"missed", e.missed},
-            {"behind", e.behind},
-            {"hidden", e.hidden},
-            {"visible", visible < 0 ? Json(nullptr) : Json(visible)},
-            {"shade", name_of(options.shading)},
-            {"color", rgb(color)},
-            {"decided_in", level}};
+    Json json = {{"scene", name},
+                 {"pixel", {options.pixel.x, options.pixel.y}},
+                 {"size", {options.size.width, options.size.height}},
+                 {"origin", vector(e.origin)},
+                 {"direction", vector(e.direction)},
+                 {"hits", hits},
+                 {"missed", e.missed},
+                 {"behind", e.behind},
+                 {"hidden", e.hidden},
+                 {"visible", visible < 0 ? Json(nullptr) : Json(visible)},
+                 {"shade", name_of(options.shading)},
+                 {"color", rgb(color)},
+                 {"decided_in", level}};
+    if (!light) return json;
+    json.set("light", {light->sum.x, light->sum.y, light->sum.z});
+    if (!light->sun) return json;
+    const LightExplanation& sun = light->of_sun;
+    json.set("sun", {{"direction", vector(light->sun->direction)},
+                     {"shines", sun.shines()},
+                     {"facing_sign", sun.facing},
+                     {"blocker", sun.blocker ? Json(*sun.blocker) : Json(nullptr)},
+                     {"along_sign", sun.blocker ? Json(sun.signs.along) : Json(nullptr)},
+                     {"disc_sign", sun.blocker ? Json(sun.signs.disc) : Json(nullptr)}});
+    return json;
 }
 
 }  // namespace
@@ -130,9 +167,13 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
     const PixelExplanation explanation = explain_pixel(scene, drawn_spheres(scene), scene.camera, options.size, options.pixel);
     const Background background = options.background.value_or(scene.background);
     const PictureShader shader(scene, scene.camera, options.size, options.shading, background);
-    const Color color = shader.color(options.pixel, explanation.visible());
-    return options.json ? to_json(options, name, scene, explanation, color).dump() + "\n"
-                        : in_words(options, name, scene, explanation, background, color);
+    std::optional<PixelLight> light;
+    if (options.shading == Shading::studio && explanation.visible() >= 0) {
+        light = light_of_pixel(scene, options, explanation.visible());
+    }
+    const Color color = shader.color(options.pixel, explanation.visible(), light ? light->sum : LightVector{});
+    return options.json ? to_json(options, name, scene, explanation, color, light).dump() + "\n"
+                        : in_words(options, name, scene, explanation, background, color, light);
 }
 
 ExitCode run_explain(const ExplainOptions& options) {

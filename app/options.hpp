@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/failure.hpp"
+#include "app/light_options.hpp"
 #include "app/load_scene.hpp"
 #include "base/output_file.hpp"
 #include "formats/scene_format.hpp"
@@ -34,6 +35,7 @@ struct RenderOptions {
     FitOptions fit;
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
+    LightOptions light;  // instead of the scene's own
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
     std::optional<std::string> expect;  // a golden image, may hold {name}
@@ -61,6 +63,7 @@ struct ExplainOptions {
     FitOptions fit;
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
+    LightOptions light;  // instead of the scene's own
     bool json = false;
 };
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/error.hpp"
 #include "cpu/cpu_renderer.hpp"
+#include "light/lighting.hpp"
 #include "shade/picture_shader.hpp"
 #include "tiles/build_lists.hpp"
 
@@ -29,7 +31,9 @@ public:
           picture_(make_picture(options.size, options.background)),
           timings_(timings),
           counts_(counts),
-          progress_(progress) {}
+          progress_(progress) {
+        if (options.shading == Shading::studio) lighting_.emplace(scene, drawn, options.camera, size_, side_, options.light);
+    }
 
     // Calls trace(block, visible) for blocks of at most this size, one after the other, and finishes each. Width and height must
     // be multiples of every sample_side().
@@ -52,23 +56,41 @@ public:
     }
 
 private:
-    // In strips that take about as long as people wait for a sign of life: an exact pixel may cost a thousand times a usual one.
+    // With light a block is one batch: whatever the light falls on is asked for all its points at once.
     void finish(const Block& block, std::span<std::int32_t> visible) {
+        if (!lighting_) return finish_strips(block, visible, 1.0);
+        constexpr double part_of_visibility = 0.1;
+        finish_strips(block, visible, part_of_visibility);
+        std::vector<LightVector> light;
+        {
+            const PhaseTimer timer(timings_, Phase::light);
+            light = lighting_->light(block, visible,
+                                     [&](double done) { report(block, part_of_visibility + (1.0 - part_of_visibility) * done); });
+        }
+        const PhaseTimer timer(timings_, Phase::resolve);
+        color(block, visible, light);
+    }
+
+    void report(const Block& block, double block_part) const {
+        progress_((block.y + block.height * (block.x + block_part * block.width) / size_.width) / size_.height);
+    }
+
+    // In strips that take about as long as people wait for a sign of life: an exact pixel may cost a thousand times a usual one.
+    void finish_strips(const Block& block, std::span<std::int32_t> visible, double part_of_block) {
         const PhaseTimer timer(timings_, Phase::resolve);
         const auto width = static_cast<std::size_t>(block.width);
         int rows = first_strip;
         for (int y = 0; y < block.height;) {
             const Block strip{block.x, block.y + y, block.width, std::min(rows, block.height - y)};
             const auto begin = std::chrono::steady_clock::now();
-            const auto report = [&](double strip_part) {
-                const double block_part = (y + strip_part * strip.height) / block.height;
-                progress_((block.y + block.height * (block.x + block_part * block.width) / size_.width) / size_.height);
+            const auto report_strip = [&](double strip_part) {
+                report(block, part_of_block * (y + strip_part * strip.height) / block.height);
             };
             finish_strip(strip,
                          visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(strip.height) * width),
-                         report);
+                         report_strip);
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-            report(1.0);
+            report_strip(1.0);
             y += strip.height;
             rows = static_cast<int>(std::clamp(rows * std::clamp(0.1 / seconds, 0.1, 16.0), 1.0, 1e6));
             // Whole cells of the resolver's (and whole pixels).
@@ -82,15 +104,19 @@ private:
         } else {
             resolver_.accept_guesses(visible);
         }
+        if (!lighting_) color(strip, visible, {});
+    }
+
+    void color(const Block& block, std::span<const std::int32_t> visible, std::span<const LightVector> light) {
         if (side_ == 1) {
-            shader_.shade(strip, visible, picture_);
+            shader_.shade(block, visible, picture_, {}, light);
         } else {
-            average(strip, visible);
+            average(block, visible, light);
         }
     }
 
     // Some rows at a time: their colours stay in the processor's cache.
-    void average(const Block& strip, std::span<const std::int32_t> visible) {
+    void average(const Block& strip, std::span<const std::int32_t> visible, std::span<const LightVector> light) {
         constexpr int points_at_once = 1 << 18;
         const auto width = static_cast<std::size_t>(strip.width);
         const int most_rows = std::max(points_at_once / strip.width / side_, 1) * side_;
@@ -99,8 +125,10 @@ private:
             if (points_.width() != rows.width || points_.height() != rows.height) {
                 points_ = make_picture({rows.width, rows.height}, options_.background);
             }
-            shader_.shade(rows, visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(rows.height) * width),
-                          points_, {rows.x, rows.y});
+            const std::size_t begin = static_cast<std::size_t>(y) * width;
+            const std::size_t count = static_cast<std::size_t>(rows.height) * width;
+            shader_.shade(rows, visible.subspan(begin, count), points_, {rows.x, rows.y},
+                          light.empty() ? light : light.subspan(begin, count));
             average_into(points_, side_, picture_, rows.x / side_, rows.y / side_);
         }
     }
@@ -113,6 +141,7 @@ private:
     PictureSize size_;  // in points
     Resolver resolver_;
     PictureShader shader_;
+    std::optional<Lighting> lighting_;  // in the shading that has light
     Image picture_;
     Image points_;  // colours that are not averaged yet
     Timings& timings_;
@@ -139,6 +168,12 @@ int gpu_block_height(int block_width, int largest) {
     return std::min(largest, std::max(64, pixels_per_block / block_width / 64 * 64));
 }
 
+// Rows of a block that is lit: lists for each light are worth their time for many points, which take some 100 bytes each.
+int lit_block_height(int block_width) {
+    constexpr int points_per_block = 1 << 20;
+    return std::max(64, points_per_block / block_width / 64 * 64);
+}
+
 void describe(const CandidateLists& lists, PictureFacts& facts) {
     facts.tile_sides.clear();
     for (const TileLevel& level : lists.levels) facts.tile_sides.push_back(1 << level.shift);
@@ -158,10 +193,12 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
         timed(timings, Phase::lists, [&] { return build_lists(drawn, options.camera, size, backend.tile_costs); });
     PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress);
     describe(lists, facts);
+    const bool lit = options.shading == Shading::studio;
     if (!backend.gpu) {
         facts.spheres_in = "memory";
         const CpuRenderer cpu(drawn, lists, options.camera, size);
-        return picture.draw(cpu_block_width, cpu_block_height(size, lists),
+        const int width = std::min(cpu_block_width, size.width);
+        return picture.draw(cpu_block_width, lit ? lit_block_height(width) : cpu_block_height(size, lists),
                             [&](const Block& block, std::span<std::int32_t> visible) {
                                 timed(timings, Phase::trace, [&] { cpu.trace(block, visible); });
                             });
@@ -171,7 +208,7 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     facts.spheres_in = gpu.storage();
     const int side = gpu.largest_block_side() / 4 * 4;  // whole pixels, whatever the samples
     const int width = std::min(side, size.width);
-    return picture.draw(side, gpu_block_height(width, side),
+    return picture.draw(side, lit ? std::min(side, lit_block_height(width)) : gpu_block_height(width, side),
                         [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
 }
 

@@ -9,6 +9,7 @@
 #include "exact/resolve.hpp"
 #include "image/image.hpp"
 #include "scene/camera.hpp"
+#include "scene/light.hpp"
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 
@@ -21,6 +22,7 @@ struct PictureOptions {
     bool certify = true;  // false: best guesses stay as they are
     int samples = 1;      // points a pixel: one of sample_counts
     Shading shading = Shading::flat;
+    Light light{};  // in the shading `studio`
 
     bool operator==(const PictureOptions&) const = default;
 };

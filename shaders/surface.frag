@@ -15,6 +15,7 @@ out vec4 color;
 // The modes. Twin: Shading in src/shade/shading.hpp.
 const int headlight = 1;
 const int normals = 2;
+const int studio = 5;
 
 float between_0_and_1(float value) { return clamp(value, 0.0, 1.0); }
 
@@ -48,6 +49,13 @@ void main() {
         shaded = clamp(0.5 + 0.5 * seen, 0.0, 1.0);
     } else if (shading == headlight) {
         shaded = color_at(index).rgb * ((0.2 + 0.8 * facing) / (1.0 + depth));
+    } else if (shading == studio) {
+        // What moves has no shadows: the sky and the key light of a free surface, and the sun. docs/shading.md.
+        vec3 normal = -(side * q) - facing * ray;
+        float toward_key = 0.5 + 0.5 * dot(normal, key_light.xyz);
+        float sky = 0.62 + 0.45 * toward_key * toward_key * (0.5 + 0.5 * toward_key);
+        float brightness = key_light.w * sky + max(dot(normal, sun_light.xyz), 0.0);
+        shaded = color_at(index).rgb * min(1.8 * brightness / (0.8 + brightness), 1.0);
     } else {
         shaded = vec3(1.0 - 0.8 * depth);
     }

@@ -44,7 +44,13 @@ Image render_beside(const Scene& scene, const PictureOptions& options, WorkContr
 
 // What `render` would be asked for the picture in the window, or for one of another size.
 PictureOptions picture_options(const ViewerState& state, PictureSize size) {
-    return {state.camera, size, state.shown_background(), true, state.settings.samples, state.settings.shading};
+    return {state.camera,
+            size,
+            state.shown_background(),
+            true,
+            state.settings.samples,
+            state.settings.shading,
+            state.document.scene().light};
 }
 
 // Begins to write a file; none may be on its way. `fail` is called with what went wrong, now or later.
@@ -132,10 +138,18 @@ void make_rest_picture(ViewerState& state) {
     if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
     const PictureOptions options = picture_options(state, state.picture_size);
     auto image = std::make_shared<Image>();
-    BackgroundJob job([image, options, scene = scene_snapshot(state)](WorkControl& control) {
+    auto preview = std::make_shared<Preview>();
+    BackgroundJob job([image, preview, options, scene = scene_snapshot(state)](WorkControl& control) {
+        if (options.shading == Shading::studio) {
+            PictureOptions few = options;
+            few.samples = 1;
+            few.light.lights = fewest_lights;
+            preview->set(render_beside(*scene, few, control));
+        }
         *image = render_beside(*scene, options, control);
     });
-    state.rest_picture.emplace(RestPicture{state.document.revision(), options, std::move(image), std::move(job)});
+    state.rest_picture.emplace(
+        RestPicture{state.document.revision(), options, std::move(image), std::move(preview), std::move(job)});
 }
 
 void export_now(ViewerState& state) {

@@ -5,6 +5,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <utility>
 
 #include "app/render_picture.hpp"
 #include "base/background_job.hpp"
@@ -24,10 +26,29 @@ struct SceneSnapshot {
 std::shared_ptr<const Scene> scene_snapshot(ViewerState& state);
 
 // The picture that the window shows at rest.
+// A picture with few lights, shown until that with all of them is made. Both threads use it.
+class Preview {
+public:
+    std::shared_ptr<const Image> image() const {
+        const std::lock_guard lock(mutex_);
+        return image_;
+    }
+    void set(Image image) {
+        auto made = std::make_shared<const Image>(std::move(image));
+        const std::lock_guard lock(mutex_);
+        image_ = std::move(made);
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::shared_ptr<const Image> image_;  // null until it is made
+};
+
 struct RestPicture {
     std::uint64_t revision;  // of the document that it is of
     PictureOptions options;
     std::shared_ptr<Image> image;  // empty until the job has ended, and if it failed
+    std::shared_ptr<Preview> preview;
     BackgroundJob job;
 
     bool is_made() const { return job.ended() && image->width() > 0; }

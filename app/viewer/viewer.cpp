@@ -142,6 +142,10 @@ void Viewer::follow_work() {
         rest_picture_works_ = false;
         pacing_.touch();
     }
+    if (rest_picture_works_ && state_.rest_picture && state_.rest_picture->preview->image() != previewed_) {
+        previewed_ = state_.rest_picture->preview->image();
+        if (previewed_) pacing_.touch();
+    }
     if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
@@ -334,8 +338,11 @@ void Viewer::note_facts() {
 }
 
 void Viewer::show(const Rectangle& area, bool finished) {
-    if (finished && uploaded_ != state_.rest_picture->image) {
-        uploaded_ = state_.rest_picture->image;
+    // A preview is as right as the picture is: both are forgotten when something changes.
+    std::shared_ptr<const Image> image;
+    if (state_.rest_picture) image = finished ? state_.rest_picture->image : state_.rest_picture->preview->image();
+    if (image && uploaded_ != image) {
+        uploaded_ = image;
         picture_.upload(*uploaded_);
     }
     const Window::Extent framebuffer = window_.framebuffer();
@@ -345,7 +352,7 @@ void Viewer::show(const Rectangle& area, bool finished) {
     const PictureSize size = state_.picture_size;
     picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
                   {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)},
-                  finished);
+                  image != nullptr);
 }
 
 }  // namespace sphereview

@@ -51,9 +51,10 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
-    std::shared_ptr<const Image> uploaded_;  // the rest picture that the window's context holds
-    bool rest_picture_works_ = false;        // it is being made
-    bool shaders_changed_ = false;           // they are read once the edits are kept
+    std::shared_ptr<const Image> uploaded_;   // the rest picture that the window's context holds
+    std::shared_ptr<const Image> previewed_;  // the latest preview that a redraw was asked for
+    bool rest_picture_works_ = false;         // it is being made
+    bool shaders_changed_ = false;            // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
 
     Clock::time_point last_redraw_ = Clock::now();

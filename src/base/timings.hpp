@@ -9,10 +9,11 @@
 namespace sphereview {
 
 // lists: which spheres each tile of the picture can show. resolve: deciding what float could not, and colouring.
-enum class Phase { read, context, shaders, lists, prepare, trace, read_back, resolve, encode, write };
+// light: where lights shine, in the shading that asks.
+enum class Phase { read, context, shaders, lists, prepare, trace, read_back, resolve, light, encode, write };
 
-inline constexpr std::array<std::string_view, 10> phase_names = {"read",  "context",   "shaders", "lists",  "prepare",
-                                                                 "trace", "read back", "resolve", "encode", "write"};
+inline constexpr std::array<std::string_view, 11> phase_names = {"read",      "context", "shaders", "lists",  "prepare", "trace",
+                                                                 "read back", "resolve", "light",   "encode", "write"};
 
 // Milliseconds spent in each phase; a phase entered twice adds up.
 class Timings {

@@ -170,6 +170,37 @@ Camera read_camera(const TomlText& document, const toml::table& table) {
     return camera;
 }
 
+Light read_light(const TomlText& document, const toml::table& table) {
+    static const std::vector<std::string> keys = {"lights", "sky", "sun", "sun_strength"};
+    const TableReader reader(document, table, "[light]", keys);
+    Light light;
+    if (const auto* node = reader.find("lights")) {
+        const std::string expected =
+            "'lights' as a whole number from " + std::to_string(fewest_lights) + " to " + std::to_string(most_lights);
+        const auto lights = reader.value<std::int64_t>(*node, expected);
+        if (lights < fewest_lights || lights > most_lights) wrong(document, *node, expected);
+        light.lights = static_cast<int>(lights);
+    }
+    if (const auto* node = reader.find("sky")) {
+        const std::string expected = "'sky' as a number from 0 to 1";
+        light.sky = reader.number(*node, expected);
+        if (!(light.sky >= 0.0 && light.sky <= most_sky)) wrong(document, *node, expected);
+    }
+    if (const auto* node = reader.find("sun")) {
+        light.sun = Sun{reader.vector(*node, "sun")};
+        if (light.sun->direction == glm::dvec3(0.0))
+            fail(document, *node, "found a sun in no direction, expected 'sun' other than [0, 0, 0]");
+    }
+    if (const auto* node = reader.find("sun_strength")) {
+        const std::string expected = "'sun_strength' as a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun);
+        const double strength = reader.number(*node, expected);
+        if (!(strength >= weakest_sun && strength <= strongest_sun)) wrong(document, *node, expected);
+        if (!light.sun) fail(document, *node, "found 'sun_strength' without 'sun', expected 'sun = [x, y, z]' as well");
+        light.sun->strength = strength;
+    }
+    return light;
+}
+
 // The text inside a string value, with its place in the file: where it begins, or, where escapes shift what follows them, that of
 // the whole value.
 TextSource inside_string(const TomlText& document, const toml::value<std::string>& value) {
@@ -312,7 +343,7 @@ SphereData read_toml(std::string_view content, const std::string& name, const Da
         fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
     }
     const toml::table table = parse(document);
-    static const std::vector<std::string> keys = {"background", "camera", "sphere", "spheres", "hidden", "names"};
+    static const std::vector<std::string> keys = {"background", "camera", "light", "sphere", "spheres", "hidden", "names"};
     const TableReader reader(document, table, "the scene", keys);
 
     Scene scene;
@@ -323,6 +354,10 @@ SphereData read_toml(std::string_view content, const std::string& name, const Da
     if (const auto* node = reader.find("camera")) {
         if (!node->is_table()) wrong(document, *node, "the table [camera]");
         scene.camera = read_camera(document, *node->as_table());
+    }
+    if (const auto* node = reader.find("light")) {
+        if (!node->is_table()) wrong(document, *node, "the table [light]");
+        scene.light = read_light(document, *node->as_table());
     }
     read_spheres(document, reader, scene);
     return {std::move(scene), 1};

@@ -73,6 +73,20 @@ void append_hidden(std::string& text, const std::vector<Sphere>& spheres) {
     if (count > 0) text += "]\n";
 }
 
+void append_light(std::string& text, const Light& light) {
+    const auto append = [&](std::string_view key, double value) {
+        text.append(key) += " = ";
+        append_float(text, value);
+        text += '\n';
+    };
+    text += text.empty() ? "[light]\n" : "\n[light]\n";
+    if (light.lights) text += "lights = " + std::to_string(*light.lights) + "\n";
+    if (light.sky != Light{}.sky) append("sky", light.sky);
+    if (!light.sun) return;
+    append_vector(text, "sun", light.sun->direction);
+    if (light.sun->strength != Sun{}.strength) append("sun_strength", light.sun->strength);
+}
+
 }  // namespace
 
 std::string write_toml(const Scene& scene) {
@@ -92,6 +106,7 @@ std::string write_toml(const Scene& scene) {
         append_vector(text, "right", scene.camera.right);
         append_vector(text, "up", scene.camera.up);
     }
+    if (scene.light != Light{}) append_light(text, scene.light);
     if (as_text && !scene.names.empty()) {
         text += "\n[names]\n";
         for (const auto& [number, name] : scene.names) {

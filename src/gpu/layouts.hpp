@@ -34,6 +34,8 @@ struct DrawBlock {
     glm::vec4 axis_right{0.0F};
     glm::vec4 axis_up{0.0F};
     glm::vec4 axis_toward{0.0F};
+    glm::vec4 key_light{0.0F};
+    glm::vec4 sun_light{0.0F};
     std::array<glm::ivec4, most_tile_levels> levels{};
 };
 
@@ -42,7 +44,7 @@ struct BlockMember {
     std::size_t offset;
 };
 
-inline constexpr std::array<BlockMember, 21> draw_members = {{
+inline constexpr std::array<BlockMember, 23> draw_members = {{
     {"forward", offsetof(DrawBlock, forward)},
     {"right", offsetof(DrawBlock, right)},
     {"up", offsetof(DrawBlock, up)},
@@ -63,10 +65,12 @@ inline constexpr std::array<BlockMember, 21> draw_members = {{
     {"axis_right", offsetof(DrawBlock, axis_right)},
     {"axis_up", offsetof(DrawBlock, axis_up)},
     {"axis_toward", offsetof(DrawBlock, axis_toward)},
+    {"key_light", offsetof(DrawBlock, key_light)},
+    {"sun_light", offsetof(DrawBlock, sun_light)},
     {"levels", offsetof(DrawBlock, levels)},
 }};
 
-static_assert(sizeof(DrawBlock) == 304);
+static_assert(sizeof(DrawBlock) == 336);
 static_assert(sizeof(glm::vec4) == 16, "an element of the arrays in the blocks Spheres and Colors");
 
 static_assert(most_tile_levels == 8, "levels in draw.glsl");

@@ -12,6 +12,8 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "exact/resolve.hpp"
+#include "light/light_set.hpp"
+#include "scene/vectors.hpp"
 #include "tiles/pixel_range.hpp"
 
 namespace sphereview {
@@ -200,6 +202,10 @@ void LivePicture::prepare_shading(const Document& document, Shading shading) {
     frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
     frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
     frame_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
+    const Light& light = scene.light;
+    frame_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(light.sky));
+    frame_.sun_light = glm::vec4(0.0F);
+    if (light.sun) frame_.sun_light = glm::vec4(glm::vec3(light.sun->strength * unit(light.sun->direction)), 0.0F);
 }
 
 bool LivePicture::update(const Document& document, const View& view, int step, Shading shading) {

@@ -23,8 +23,8 @@ struct OutlinePrograms {
     Program outline;
 };
 
-// The shaders shift and do not divide: an integer division for each pixel made a redraw on llvmpipe three times as long. Outlines are
-// looked for only in the cells near a marked sphere.
+// The shaders shift and do not divide: an integer division for each pixel made a redraw on llvmpipe three times as long. Outlines
+// are looked for only in the cells near a marked sphere.
 class Outlines {
 public:
     // Draws into framebuffer `window` what `frame`, which is uploaded, says of the picture in `visible`. The marked spheres are in

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scene/camera.hpp"
+#include "scene/light.hpp"
 #include "scene/sphere.hpp"
 
 namespace sphereview {
@@ -40,6 +41,7 @@ struct Scene {
     std::map<std::uint32_t, std::string> names;  // only of the spheres that have one
     Background background;
     Camera camera;
+    Light light{};
 
     bool operator==(const Scene&) const = default;
 };

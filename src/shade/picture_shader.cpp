@@ -117,6 +117,17 @@ std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::floor
 
 std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(std::floor(channel * factor + 0.5)); }
 
+// What is lit at all is not black, unless the sphere is: so a shadow's edge is seen however flat the light falls.
+Color lit_color(const Color& color, const glm::dvec3& normal, const LightVector& light) {
+    if (light == LightVector{}) return {0, 0, 0};
+    const double sum =
+        normal.x * static_cast<double>(light.x) + normal.y * static_cast<double>(light.y) + normal.z * static_cast<double>(light.z);
+    const double brightness = sum > 0.0 ? sum / light_one : 0.0;
+    const double factor = between_0_and_1(1.8 * brightness / (0.8 + brightness));
+    const auto channel = [&](std::uint8_t own) { return std::max(times(own, factor), std::min<std::uint8_t>(own, 1)); };
+    return {channel(color.r), channel(color.g), channel(color.b)};
+}
+
 // Fills `count` pixels from `out` on with the `channels` bytes of `pixel`; doubling, because most runs are long.
 void fill(std::uint8_t* out, std::size_t count, const std::uint8_t* pixel, std::size_t channels) {
     const std::size_t size = count * channels;
@@ -160,35 +171,41 @@ PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSi
     if (!depends_on_hit(shading)) return;
     rays_ = ray_basis<double>(camera, size);
     axes_ = camera_axes(camera);
-    if (shading == Shading::normal) return;
+    if (shading == Shading::normal || shading == Shading::studio) return;
     range_ = depth_range(scene, eye_);
     inverse_range_ = 1.0 / (range_.farthest - range_.nearest);
 }
 
-void PictureShader::shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin) const {
+void PictureShader::shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin,
+                          std::span<const LightVector> light) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
+    assert(light.size() == (shading_ == Shading::studio ? visible.size() : 0));
     const auto width = static_cast<std::size_t>(block.width);
     parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
         const int y = block.y + static_cast<int>(row);
-        shade_row(block.x, y, visible.subspan(row * width, width), picture.at(block.x - origin.x, y - origin.y),
-                  static_cast<std::size_t>(picture.channels()));
+        shade_row(block.x, y, visible.subspan(row * width, width), light.empty() ? light : light.subspan(row * width, width),
+                  picture.at(block.x - origin.x, y - origin.y), static_cast<std::size_t>(picture.channels()));
     });
 }
 
-Color PictureShader::color(Pixel pixel, std::int32_t visible) const {
+Color PictureShader::color(Pixel pixel, std::int32_t visible, const LightVector& light) const {
     std::array<std::uint8_t, 3> bytes{};
-    shade_row(pixel.x, pixel.y, {&visible, 1}, bytes.data(), bytes.size());
+    const std::span<const LightVector> lights(&light, shading_ == Shading::studio ? 1 : 0);
+    shade_row(pixel.x, pixel.y, {&visible, 1}, lights, bytes.data(), bytes.size());
     return {bytes[0], bytes[1], bytes[2]};
 }
 
-void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visible, std::uint8_t* out, std::size_t channels) const {
+void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visible, std::span<const LightVector> light,
+                              std::uint8_t* out, std::size_t channels) const {
     const double upward = static_cast<double>(ray_coefficients(size_, {x, y}).upward);
     Span span;
     span.first = {rays_.forward.x + upward * rays_.up.x, rays_.forward.y + upward * rays_.up.y,
                   rays_.forward.z + upward * rays_.up.z};
     span.right = rays_.right;
     Hits hits;
-    const auto color_of = [&](const Sphere& sphere, std::size_t k) -> Color {
+    // The sphere, the hit in `hits` and the pixel in the row.
+    const auto color_of = [&](const Sphere& sphere, std::size_t k, std::size_t column) -> Color {
+        if (shading_ == Shading::studio) return lit_color(sphere.color, {hits.x[k], hits.y[k], hits.z[k]}, light[column]);
         if (shading_ == Shading::normal) {
             const auto along = [&](const glm::dvec3& axis) {
                 return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
@@ -200,8 +217,8 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
             const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
             return {grey, grey, grey};
         }
-        const double light = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
-        return {times(sphere.color.r, light), times(sphere.color.g, light), times(sphere.color.b, light)};
+        const double factor = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
+        return {times(sphere.color.r, factor), times(sphere.color.g, factor), times(sphere.color.b, factor)};
     };
     const bool of_numbers = !depends_on_hit(shading_);
     for (auto run = visible.begin(); run != visible.end();) {
@@ -226,7 +243,7 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
             span.count = std::min(static_cast<std::size_t>(end - run), most_at_once);
             find_hits(span, hits);
             for (std::size_t k = 0; k < span.count; ++k, out += channels) {
-                const Color color = color_of(sphere, k);
+                const Color color = color_of(sphere, k, static_cast<std::size_t>(run - visible.begin()) + k);
                 const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, 255};
                 std::copy_n(pixel.data(), channels, out);
             }

@@ -8,6 +8,7 @@
 #include "exact/rays.hpp"
 #include "exact/visible.hpp"
 #include "image/image.hpp"
+#include "light/light_set.hpp"
 #include "scene/scene.hpp"
 #include "shade/shading.hpp"
 
@@ -38,15 +39,18 @@ public:
     // Of the scene as the camera sees it. The scene must outlive it.
     PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading, const Background& background);
 
+    // `light`: of each pixel of the block, for the shading `studio`; else nothing.
     // Colours one block of the picture from its visible spheres (scene numbers or visible_background), row by row. `picture` may be
     // a part of the whole: its top left pixel is `origin` of that.
-    void shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin = {}) const;
+    void shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin = {},
+               std::span<const LightVector> light = {}) const;
 
     // Of one pixel.
-    Color color(Pixel pixel, std::int32_t visible) const;
+    Color color(Pixel pixel, std::int32_t visible, const LightVector& light = {}) const;
 
 private:
-    void shade_row(int x, int y, std::span<const std::int32_t> visible, std::uint8_t* out, std::size_t channels) const;
+    void shade_row(int x, int y, std::span<const std::int32_t> visible, std::span<const LightVector> light, std::uint8_t* out,
+                   std::size_t channels) const;
 
     const Scene& scene_;
     glm::dvec3 eye_;

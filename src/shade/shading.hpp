@@ -13,7 +13,7 @@
 
 namespace sphereview {
 
-enum class Shading { flat, headlight, normal, depth, id };
+enum class Shading { flat, headlight, normal, depth, id, studio };
 
 struct ShadingMode {
     std::string_view name;   // on the command line and in reports
@@ -23,12 +23,13 @@ struct ShadingMode {
 };
 
 // By their values.
-inline constexpr std::array<ShadingMode, 5> shading_modes = {{
+inline constexpr std::array<ShadingMode, 6> shading_modes = {{
     {"flat", "Flat", "Shading: the spheres' own colours.", false},
     {"headlight", "Headlight", "Shading: light from the eye, dimmer with distance.", true},
     {"normal", "Normals", "Shading: the direction that the surface faces, as a colour.", true},
     {"depth", "Depth", "Shading: the distance from the eye, from white to dark grey.", true},
     {"id", "False colours", "Shading: a colour for each sphere that tells it from the others.", false},
+    {"studio", "Studio", "Shading: sky, key light and sun, with their shadows.", true},
 }};
 
 constexpr std::string_view name_of(Shading shading) { return shading_modes[static_cast<std::size_t>(shading)].name; }
@@ -42,7 +43,7 @@ constexpr std::optional<Shading> shading_named(std::string_view name) {
     return std::nullopt;
 }
 
-// "flat, headlight, normal, depth or id".
+// "flat, headlight, normal, depth, id or studio".
 inline std::string shading_syntax() {
     std::string names;
     for (const ShadingMode& mode : shading_modes) {

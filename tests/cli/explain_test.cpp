@@ -86,6 +86,32 @@ TEST(Explain, TellsTheSameInWords) {
     }
 }
 
+// The middle pixel sees (0, 0, 180); the second sphere touches the line from there in the direction (1, 0, -1).
+TEST(Explain, TellsWhyTheSunDoesNotShine) {
+    const std::string scene = "2 200 30 40 0 0 200 20 0 200 0 40 5 140 5";
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"1,0,-1", R"({"/sun/shines": false, "/sun/facing_sign": 1, "/sun/blocker": 1, "/sun/along_sign": -1, "/sun/disc_sign": 0,
+                       "/light": [0, 0, 0], "/color": [0, 0, 0]})"},
+        {"1,0.1,-1", R"({"/sun/shines": false, "/sun/blocker": 1, "/sun/disc_sign": 1, "/color": [0, 0, 0]})"},
+        {"1,0,0", R"({"/sun/shines": false, "/sun/facing_sign": 0, "/sun/blocker": null, "/color": [0, 0, 0]})"},
+        {"0,0,1", R"({"/sun/shines": false, "/sun/facing_sign": -1, "/color": [0, 0, 0]})"},
+        {"1,-1e-9,-1", R"({"/sun/shines": true, "/sun/blocker": null})"},
+        {"180,0", R"({"/sun/shines": false, "/sun/direction": [0.0, 0.0, 1.0], "/sun/facing_sign": -1})"},
+        {"0,0,-3", R"({"/sun/shines": true, "/light": [0, 0, -268435456], "/color": [200, 30, 40]})"},
+    };
+    for (const auto& [sun, members] : cases) {
+        const Outcome outcome = explain(scene, {"--json", "--shade", "studio", "--sky", "0", "--sun", sun});
+        ASSERT_EQ(outcome.status, 0) << outcome;
+        const Json json = Json::parse(outcome.output);
+        const Json expected = Json::parse(members);
+        for (const auto& [place, value] : expected.items()) EXPECT_EQ(json.at(Json::json_pointer(place)), value) << sun << place;
+    }
+    const Outcome outcome = explain(scene, {"--shade", "studio", "--sun", "1,0,-1"});
+    EXPECT_TRUE(contains(outcome.output, "sphere 1 is in the way")) << outcome;
+    EXPECT_TRUE(contains(outcome.output, "the line to the light touches the sphere")) << outcome;
+    EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--sun-strength", "2"}), 2, "--sun-strength: the scene has no sun"));
+}
+
 TEST(Explain, TellsWhatANothingPixelShows) {
     const Outcome outcome = explain("0", {"--background", "white"});
     EXPECT_EQ(outcome.status, 0) << outcome;

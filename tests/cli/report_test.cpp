@@ -10,7 +10,7 @@ namespace sphereview::test {
 namespace {
 
 const std::vector<std::string> phases = {"read",  "context",   "shaders", "lists",  "prepare",
-                                         "trace", "read back", "resolve", "encode", "write"};
+                                         "trace", "read back", "resolve", "light", "encode", "write"};
 
 const std::string one_tile = "red.txt: tiles of 8 pixels, candidates: 1, in the longest list: 1; spheres in memory";
 

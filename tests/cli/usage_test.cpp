@@ -127,7 +127,13 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
         {"--background",
          "black, white, transparent or #rrggbb",
          {"red", "#ff80", "#gggggg", "#ff80001", "BLACK", " white", "0xff8000", ""}},
-        {"--shade", "flat, headlight, normal, depth or id", {"Flat", "lambert", ""}},
+        {"--shade", "flat, headlight, normal, depth, id or studio", {"Flat", "lambert", ""}},
+        {"--lights", "a whole number from 16 to 1024", {"15", "1025", "64.5", "many", ""}},
+        {"--sky", "a number from 0 to 1", {"-0.1", "1.1", "nan", "blue", ""}},
+        {"--sun-strength", "a number from 0.001 to 4", {"0", "0.0001", "4.1", "inf", ""}},
+        {"--sun",
+         "X,Y,Z, not all 0, from the scene to the sun, or AZIMUTH,ELEVATION in degrees, from where the sun shines as --view looks",
+         {"0,0,0", "1", "1,2,3,4", "0,91", "1,2,x", "1,,2", "1,2,", "inf,0,0", "front", ""}},
         {"--view",
          "front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in degrees",
          {"side", "90", "90,", "0,91", "x,y", "inf,0", ""}},
@@ -148,6 +154,12 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
                                               ", expected " + expected + " (see 'sphereview " + words[0] + " --help')\n");
             }
         }
+    }
+    // Options of a light that nothing would show.
+    for (const char* option : {"--lights=64", "--sky=0.5", "--sun=1,2,3", "--sun-strength=1"}) {
+        const std::string name = std::string(option).substr(0, std::string(option).find('='));
+        EXPECT_EQ(run({"render", "missing.txt", option}).errors,
+                  "sphereview: --shade: found 'flat', expected studio with " + name + " (see 'sphereview render --help')\n");
     }
     EXPECT_TRUE(run({"render", "missing.txt", "--size", "429496729x1"}).errors.starts_with("missing.txt: "));
 }

@@ -111,6 +111,19 @@ TEST_P(SamePicture, OnEveryBackend) {
     }
 }
 
+// Light falls on what is visible, whoever found that; also where a picture has several batches of points.
+TEST(SameLight, OnEveryBackend) {
+    const std::string scene = "[light]\nlights = 24\nsky = 0.7\nsun = [-1, 2, -1]\nsun_strength = 0.5" + three_spheres;
+    const std::vector<std::vector<std::string>> pictures = {
+        {"-s", "301x200"}, {"-s", "301x200", "--samples", "16"}, {"-s", "1300x1000", "--lights", "16"}};
+    for (std::vector<std::string> options : pictures) {
+        options.insert(options.end(), {"--shade", "studio"});
+        const Picture expected = picture_of(scene, "cpu", options);
+        for (const char* backend : {"egl", "osmesa"})
+            EXPECT_TRUE(picture_of(scene, backend, options).bytes == expected.bytes) << backend;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, SamePicture, testing::ValuesIn(cases), [](const auto& test) { return test.param.name; });
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "exact/resolve.hpp"
 #include "gl/contexts.hpp"
 #include "gl/live.hpp"
+#include "light/lighting.hpp"
 #include "shade/picture_shader.hpp"
 #include "support/render.hpp"
 #include "support/shaded_scenes.hpp"
@@ -66,6 +67,44 @@ TEST_P(WindowShading, IsWithinOneOfTheExports) {
             EXPECT_LE(worst, exact ? 0 : 1) << "scene " << which << ", " << name_of(mode);
         }
         ++which;
+    }
+}
+
+// A free sphere has no shadow but its own, so what moves looks nearly like the export.
+TEST_P(WindowShading, OfLightIsNearlyTheExports) {
+    Scene scene;
+    scene.spheres = {{{10, -5, 200}, 60, {220, 160, 90}, false}};
+    for (const Light& light : {Light{}, Light{.lights = {}, .sky = 0.4, .sun = Sun{{3.0, 1.0, -2.0}, 0.8}}}) {
+        scene.light = light;
+        scene.light.lights = 1024;
+        const Document document(scene);
+        const View view{scene.camera, {101, 101}};
+        LivePicture picture;
+        picture.update(document, view, 1, Shading::studio);
+        const Image window = drawn_into_window(picture, document, view, {});
+        const DrawnSpheres drawn = drawn_spheres(scene);
+        const Resolver resolver(scene, drawn, view.size);
+        const Lighting lighting(scene, drawn, scene.camera, view.size, 1, scene.light);
+        const PictureShader shader(scene, scene.camera, view.size, Shading::studio, scene.background);
+        std::vector<std::int32_t> visible;
+        for (int y = 0; y < 101; ++y) {
+            for (int x = 0; x < 101; ++x) {
+                DecisionLevel level{};
+                visible.push_back(resolver.resolve({x, y}, level));
+            }
+        }
+        const std::vector<LightVector> lit = lighting.light({0, 0, 101, 101}, visible);
+        int worst = 0;
+        for (std::size_t i = 0; i < visible.size(); ++i) {
+            const Pixel pixel{static_cast<int>(i) % 101, static_cast<int>(i) / 101};
+            // Of doubtful pixels the window shows guesses.
+            if (decision_level(scene, drawn, view.camera, view.size, pixel) != DecisionLevel::in_float) continue;
+            const Color expected = shader.color(pixel, visible[i], lit[i]);
+            const Rgba seen = at(window, pixel.x, pixel.y);
+            worst =
+                std::max({worst, std::abs(seen[0] - expected.r), std::abs(seen[1] - expected.g), std::abs(seen[2] - expected.b)});
+        }
+        EXPECT_LE(worst, 6);
     }
 }
 

@@ -155,7 +155,8 @@ TEST_F(PictureAtRest, IsWhatRenderWritesInEveryMode) {
     window_.key("alt+6");
     expect_rest(16, "headlight");
     window_.key("alt+1");
-    for (const auto& [key, mode] : {std::pair{"ctrl+3", "normal"}, {"ctrl+4", "depth"}, {"ctrl+5", "id"}, {"ctrl+1", "flat"}}) {
+    for (const auto& [key, mode] :
+         {std::pair{"ctrl+3", "normal"}, {"ctrl+4", "depth"}, {"ctrl+5", "id"}, {"ctrl+6", "studio"}, {"ctrl+1", "flat"}}) {
         window_.key(key);
         expect_rest(1, mode);
     }

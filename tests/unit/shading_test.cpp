@@ -235,5 +235,45 @@ TEST(Shading, GivesTheSameBytesEverywhere) {
     EXPECT_EQ(sum_of(Shading::id), 15816985907994986407ULL);
 }
 
+// A light vector that stands for some lights: from below left to above right over the picture.
+std::vector<LightVector> some_light(PictureSize of) {
+    std::vector<LightVector> light;
+    for (int y = 0; y < of.height; ++y) {
+        for (int x = 0; x < of.width; ++x)
+            light.push_back({(x - of.width / 2) * 1000003, y * 1500007 - 40000000, -300000007 + x * y});
+    }
+    return light;
+}
+
+TEST(Studio, GivesTheSameBytesEverywhere) {
+    constexpr PictureSize of{200, 150};
+    std::uint64_t sum = 14695981039346656037ULL;
+    for (const Scene& scene : shaded_scenes()) {
+        Image picture(of.width, of.height, 3);
+        PictureShader(scene, scene.camera, of, Shading::studio, scene.background)
+            .shade({0, 0, of.width, of.height}, visible_in(scene, of), picture, {}, some_light(of));
+        for (const std::uint8_t byte : picture.bytes()) sum = (sum ^ byte) * 1099511628211ULL;
+    }
+    EXPECT_EQ(sum, 16548869827512253254ULL);
+}
+
+// 1.8 E / (0.8 + E) of the own colour, with E = n.B: 1.8 for light from where the surface faces.
+TEST(Studio, IsTheFormula) {
+    Scene scene;
+    scene.spheres = {{{0, 0, 200}, 20, {200, 100, 0}, false}};
+    const PictureShader shader(scene, scene.camera, {101, 101}, Shading::studio, {});
+    const auto color = [&](double toward_eye) {
+        return shader.color({50, 50}, 0, {0, 0, static_cast<std::int32_t>(-toward_eye * light_one)});
+    };
+    EXPECT_EQ(color(1.0), (Color{200, 100, 0}));
+    EXPECT_EQ(color(2.0), (Color{200, 100, 0}));
+    EXPECT_EQ(color(0.4), (Color{120, 60, 0}));
+    EXPECT_EQ(color(0.1), (Color{40, 20, 0}));
+    // Without light: black. With any: not, unless the sphere is.
+    EXPECT_EQ(color(0.0), (Color{0, 0, 0}));
+    EXPECT_EQ(shader.color({50, 50}, 0, {0, 0, -1}), (Color{1, 1, 0}));
+    EXPECT_EQ(shader.color({50, 50}, 0, {0, 0, 1}), (Color{1, 1, 0}));  // the normal rounds, and the light is exact
+}
+
 }  // namespace
 }  // namespace sphereview

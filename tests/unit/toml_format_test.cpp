@@ -133,17 +133,46 @@ TEST(TomlFormat, HoldsManySpheresAsTextWithWhatIsSaidOfSingleOnes) {
 TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
     expect_messages({
         {"backgroud = 'white'",
-         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, sphere, spheres, hidden, names; "
-         "did you mean "
-         "'background'?"},
+         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, sphere, spheres, "
+         "hidden, names; did you mean 'background'?"},
         {"[camera]\n  Eye = [0, 0, 0]",
          "2:3: found the unknown key 'Eye' in [camera], expected one of eye, center, right, up; did you mean 'eye'?"},
         {"[[sphere]]\ncolour = [1, 2, 3]",
          "2:1: found the unknown key 'colour' in [[sphere]] 1, expected one of name, color, center, radius, hidden; did you mean "
          "'color'?"},
         {"[lights]\n",
-         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, sphere, spheres, hidden, names"},
+         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, sphere, spheres, hidden, "
+         "names; did you mean 'light'?"},
+        {"[light]\nsunn = 1",
+         "2:1: found the unknown key 'sunn' in [light], expected one of lights, sky, sun, sun_strength; did you mean 'sun'?"},
     });
+}
+
+TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
+    expect_messages({
+        {"light = 1", "1:9: found 1, expected the table [light]"},
+        {"[light]\nlights = 15", "2:10: found 15, expected 'lights' as a whole number from 16 to 1024"},
+        {"[light]\nlights = 1025", "2:10: found 1025, expected 'lights' as a whole number from 16 to 1024"},
+        {"[light]\nlights = 64.0", "2:10: found 64.0, expected 'lights' as a whole number from 16 to 1024"},
+        {"[light]\nsky = -0.1", "2:7: found -0.10000000000000001, expected 'sky' as a number from 0 to 1"},
+        {"[light]\nsky = nan", "2:7: found nan, expected 'sky' as a number from 0 to 1"},
+        {"[light]\nsun = [0, 0, -0.0]", "2:7: found a sun in no direction, expected 'sun' other than [0, 0, 0]"},
+        {"[light]\nsun = [0, 1]", "2:7: found 2 values, expected 'sun' as three finite numbers [x, y, z]"},
+        {"[light]\nsun = [0, 1, 0]\nsun_strength = 0",
+         "3:16: found 0, expected 'sun_strength' as a number from 0.001 to 4"},
+        {"[light]\nsun_strength = 1", "2:16: found 'sun_strength' without 'sun', expected 'sun = [x, y, z]' as well"},
+    });
+}
+
+TEST(TomlFormat, KeepsTheLight) {
+    for (const Light& light :
+         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.lights = {}, .sky = 0.0, .sun = Sun{}},
+          Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
+        Scene scene;
+        scene.light = light;
+        scene.camera.eye.x = 3.0;
+        EXPECT_EQ(read_toml(write_toml(scene), "s.toml", {}).scene, scene) << write_toml(scene);
+    }
 }
 
 TEST(TomlErrors, NameWhatIsMissingOrThereTwice) {

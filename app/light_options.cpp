@@ -1,0 +1,42 @@
+#include "app/light_options.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "camera/fit.hpp"
+
+namespace sphereview {
+
+Light with_options(Light light, const LightOptions& options) {
+    if (options.lights) light.lights = options.lights;
+    if (options.sky) light.sky = *options.sky;
+    if (options.sun) {
+        if (!light.sun) light.sun.emplace();
+        light.sun->direction = *options.sun;
+    }
+    if (options.sun_strength) {
+        if (!light.sun) throw InputError("--sun-strength: the scene has no sun, expected --sun as well");
+        light.sun->strength = *options.sun_strength;
+    }
+    return light;
+}
+
+std::optional<glm::dvec3> parse_sun(std::string_view text) {
+    if (std::ranges::count(text, ',') == 1) {
+        // Words such as "front" have no comma.
+        const std::optional<ViewAxes> axes = parse_view(text);
+        return axes ? std::optional(-axes->ahead) : std::nullopt;
+    }
+    glm::dvec3 direction{0.0};
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        const bool last = axis == 2;
+        if ((end == text.size()) != last) return std::nullopt;
+        if (parse_double(text.substr(0, end), direction[axis]) != NumberFault::none) return std::nullopt;
+        text.remove_prefix(last ? end : end + 1);
+    }
+    return direction == glm::dvec3(0.0) ? std::nullopt : std::optional(direction);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,30 @@
+// What the command line says of the light, instead of the scene.
+#pragma once
+
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string_view>
+
+#include "scene/light.hpp"
+
+namespace sphereview {
+
+struct LightOptions {
+    std::optional<int> lights;
+    std::optional<double> sky;
+    std::optional<glm::dvec3> sun;  // its direction
+    std::optional<double> sun_strength;
+
+    bool any() const { return lights || sky || sun || sun_strength; }
+};
+
+// The scene's light with the options instead. Throws InputError for the strength of a sun that is not there.
+Light with_options(Light light, const LightOptions& options);
+
+inline constexpr std::string_view sun_syntax =
+    "X,Y,Z, not all 0, from the scene to the sun, or AZIMUTH,ELEVATION in degrees, from where the sun shines as --view looks";
+
+// Reads what sun_syntax says. Nothing for anything else.
+std::optional<glm::dvec3> parse_sun(std::string_view text);
+
+}  // namespace sphereview

@@ -1,0 +1,43 @@
+// Visible spheres -> the light of each pixel, decided exactly. docs/light.md.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "exact/drawn.hpp"
+#include "exact/visible.hpp"
+#include "light/hit_places.hpp"
+#include "light/light_set.hpp"
+#include "light/light_tiles.hpp"
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+// The light of one picture, or of the points of its pixels.
+class Lighting {
+public:
+    // `size`: in points, `side` of them along the side of a pixel. `drawn` is as the camera sees it. What is passed in must outlive
+    // it.
+    Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, int side, const Light& light);
+
+    // The light of each point of a block, row by row, from its visible spheres (scene numbers or visible_background); zero where
+    // there is none. The sum of the shares of the lights that shine there; its product with the normal is the brightness. Calls
+    // progress() now and then, from this thread, with the part that is done, 0..1.
+    std::vector<LightVector> light(const Block& block, std::span<const std::int32_t> visible,
+                                   const std::function<void(double)>& progress = nullptr) const;
+
+    // The lights of a set, in their order.
+    const std::vector<DirectedLight>& lights(int set) const { return sets_[static_cast<std::size_t>(set)]; }
+
+private:
+    const Scene& scene_;
+    const DrawnSpheres& drawn_;
+    int side_;
+    HitPlaces places_;
+    std::vector<EyeSide> sides_;  // the eye's, by number
+    std::vector<std::vector<DirectedLight>> sets_;
+};
+
+}  // namespace sphereview

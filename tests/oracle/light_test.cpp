@@ -1,0 +1,286 @@
+// The light of every pixel against the oracle's.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <string>
+
+#include "base/parallel.hpp"
+#include "light/lighting.hpp"
+#include "oracle/light_oracle.hpp"
+#include "oracle/oracle.hpp"
+#include "oracle/random.hpp"
+#include "oracle/scenes.hpp"
+
+namespace sphereview::oracle {
+
+namespace {
+
+constexpr std::size_t most_work = 30'000;  // spheres times pixels: the oracle is slow
+
+struct LitTrial {
+    Trial trial;
+    Light light;
+    int side = 1;  // points along the side of a pixel; the trial's size is in points
+};
+
+// Directions that lattices have spheres, tangents and edges in.
+glm::dvec3 whole_direction(Random& random) {
+    glm::dvec3 v{0.0};
+    while (v == glm::dvec3(0.0)) {
+        v = {random.whole(-2, 2), random.whole(-2, 2), random.whole(-2, 2)};
+    }
+    return v;
+}
+
+LitTrial with_light(Trial trial, std::uint64_t seed) {
+    Random random(seed);
+    const glm::dvec3 direction = random.chance(0.6) ? whole_direction(random) : random.in_cube(1.0);
+    return {std::move(trial), {.lights = 16, .sky = 1.0, .sun = Sun{direction, 1.0}}};
+}
+
+// The number of pixels whose light differs from the oracle's by the rules; `what` says where the first is.
+int differences(const LitTrial& lit, const LightRules& rules, std::string& what) {
+    const auto& [name, scene, size] = lit.trial;
+    const std::vector<std::int32_t> visible = picture(scene, size);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const Lighting lighting(scene, drawn, scene.camera, size, lit.side, lit.light);
+    const std::vector<LightVector> found = lighting.light({0, 0, size.width, size.height}, visible);
+    std::vector<std::vector<glm::dvec3>> directions;
+    for (int set = 0; set < lit.side * lit.side; ++set) {
+        directions.emplace_back();
+        for (const DirectedLight& light : lighting.lights(set)) directions.back().push_back(light.direction);
+    }
+    std::vector<LightVector> expected(visible.size());
+    parallel_for(visible.size(), [&](std::size_t i) {
+        if (visible[i] < 0) return;
+        const Pixel pixel{static_cast<int>(i) % size.width, static_cast<int>(i) / size.width};
+        const int set = pixel.y % lit.side * lit.side + pixel.x % lit.side;
+        const std::vector<bool> shining = shines(scene, size, pixel, visible[i], directions[static_cast<std::size_t>(set)], rules);
+        for (std::size_t k = 0; k < shining.size(); ++k) {
+            if (shining[k]) expected[i] += lighting.lights(set)[k].share;
+        }
+    });
+    int count = 0;
+    for (std::size_t i = 0; i < visible.size(); ++i) {
+        if (found[i] == expected[i]) continue;
+        if (count++ == 0) {
+            what = name + ": pixel " + std::to_string(static_cast<int>(i) % size.width) + "," +
+                   std::to_string(static_cast<int>(i) / size.width) + " of sphere " + std::to_string(visible[i]);
+        }
+    }
+    return count;
+}
+
+void expect_the_oracles_light(const LitTrial& lit) {
+    std::string what;
+    EXPECT_EQ(differences(lit, {}, what), 0) << what;
+}
+
+void expect_the_oracles_light(const Trials& trials) {
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        const std::size_t spheres = trials[i].scene.spheres.size();
+        const auto pixels = static_cast<std::size_t>(trials[i].size.width) * static_cast<std::size_t>(trials[i].size.height);
+        if (!is_sampled(i) || spheres * pixels > most_work) continue;
+        expect_the_oracles_light(with_light(trials[i], seed() + i));
+    }
+}
+
+Trials made(Trial (*make)(std::uint64_t), std::uint64_t count) {
+    Trials trials;
+    for (std::uint64_t i = 0; i < count; ++i) trials.push_back(make(seed() + i));
+    return trials;
+}
+
+// The middle pixel sees the point (0, 0, 180), the light is in the direction (1, 0, -1).
+Scene lit_middle() {
+    Scene scene;
+    scene.spheres.push_back({{0.0, 0.0, 200.0}, 20.0, {255, 0, 0}});
+    return scene;
+}
+constexpr glm::dvec3 slanting{1.0, 0.0, -1.0};
+
+// What the definition leaves to chance: edges of shadows, tangent lines, normals at right angles, spheres that touch or hold
+// others.
+std::vector<LitTrial> edges() {
+    std::vector<LitTrial> all;
+    const auto add = [&](const std::string& name, Scene scene, const glm::dvec3& direction) {
+        for (const int side : {9, 21}) {
+            all.push_back({{name, scene, {side, side}}, {.lights = 16, .sky = 1.0, .sun = Sun{direction, 1.0}}});
+        }
+    };
+    Scene scene = lit_middle();
+    add("alone", scene, slanting);
+    add("light at a right angle to the normal", scene, {0.0, 1.0, 0.0});
+    add("light behind", scene, {0.0, 0.0, 1.0});
+    scene.spheres.push_back({{40.0, 5.0, 140.0}, 5.0, {0, 255, 0}});
+    add("line to the light touches a sphere", scene, slanting);
+    scene.spheres[1].center = {-40.0, 5.0, 220.0};
+    add("line away from the light touches a sphere", scene, slanting);
+    scene.spheres[1] = {{40.0, 0.0, 140.0}, 5.0, {0, 255, 0}};
+    add("sphere in the way", scene, slanting);
+    scene.spheres[1].hidden = true;
+    add("hidden sphere in the way", scene, slanting);
+    scene.spheres[1] = {{0.0, 0.0, 0.0}, 500.0, {0, 255, 0}};
+    add("all in a sphere that holds the eye", scene, slanting);
+    scene.spheres[1] = {{0.0, 0.0, 40.0}, 40.0, {0, 255, 0}};
+    add("the eye on a sphere", scene, slanting);
+    scene.spheres[1] = {{0.0, 40.0, 200.0}, 20.0, {0, 255, 0}};
+    add("touching spheres", scene, {0.0, 1.0, 0.0});
+    add("touching spheres, light across", scene, {0.0, 0.0, -1.0});
+    scene.spheres[1] = scene.spheres[0];
+    add("equal spheres", scene, slanting);
+    scene.spheres[1].radius = std::nextafter(20.0, 0.0);
+    add("nearly equal spheres", scene, slanting);
+    scene.spheres[1] = {{0.0, 5.0, 200.0}, 15.0, {0, 255, 0}};
+    add("a sphere within, touching", scene, {0.0, 1.0, 0.0});
+    scene.spheres[1] = {{10.0, 0.0, 190.0}, 15.0, {0, 255, 0}};
+    add("spheres that cross", scene, {1.0, 0.0, 0.0});
+    scene = Scene{};
+    scene.spheres.push_back({{0.0, 0.0, 0.0}, 300.0, {255, 0, 0}});
+    scene.spheres.push_back({{30.0, 30.0, 200.0}, 40.0, {0, 255, 0}});
+    add("in a room", scene, {0.0, 0.0, -1.0});
+    for (const double factor : {1e-150, 1e-40, 1e30, 1e120}) {
+        scene = lit_middle();
+        scene.spheres.push_back({{40.0, 5.0, 140.0}, 5.0, {0, 255, 0}});
+        scene.spheres.push_back({{10.0, -20.0, 160.0}, 10.0, {0, 0, 255}});
+        for (Sphere& sphere : scene.spheres) sphere = {sphere.center * factor, sphere.radius * factor, sphere.color};
+        for (glm::dvec3* v : {&scene.camera.center, &scene.camera.right, &scene.camera.up}) *v *= factor;
+        add("scaled by " + std::to_string(factor), scene, slanting);
+    }
+    scene = lit_middle();
+    scene.spheres.push_back({{0.0, -1e9 - 20.0, 200.0}, 1e9, {0, 255, 0}});
+    scene.spheres.push_back({{1e160, 0.0, -1e160}, 1e158, {0, 255, 0}});
+    scene.spheres.push_back({{3.0, 3.0, 170.0}, 1e-200, {0, 255, 0}});
+    add("sizes far apart", scene, slanting);
+    return all;
+}
+
+// The sets of lights are what they were when these numbers were written, with every compiler.
+TEST(LightSet, is_the_same_everywhere) {
+    const auto sum = [](const std::vector<DirectedLight>& lights) {
+        std::uint64_t hash = 0;
+        for (const DirectedLight& light : lights) {
+            for (const double component : {light.direction.x, light.direction.y, light.direction.z}) {
+                hash = hash * 0x100000001b3U + static_cast<std::uint64_t>(static_cast<std::int64_t>(component));
+            }
+            for (const std::int32_t part : {light.share.x, light.share.y, light.share.z}) {
+                hash = hash * 0x100000001b3U + static_cast<std::uint64_t>(part);
+            }
+        }
+        return hash;
+    };
+    EXPECT_EQ(sum(light_set({}, 16, {}, 0)), 7235032799401254674U);
+    EXPECT_EQ(sum(light_set({}, 255, {}, 7)), 12563828551802134336U);
+    EXPECT_EQ(sum(light_set({.lights = {}, .sky = 0.5, .sun = Sun{{3.0, -4.0, 12.0}, 0.7}}, 1024, {}, 15)), 9618890243853199149U);
+}
+
+// A free surface that faces the key has the brightness 1.07, whatever the number of lights; so has each turned set.
+TEST(LightSet, is_as_bright_whatever_its_number) {
+    for (const int lights : {16, 17, 64, 255, 256, 1024}) {
+        for (int set = 0; set < turned_sets; ++set) {
+            const std::vector<DirectedLight> all = light_set({}, lights, {}, set);
+            EXPECT_EQ(all.size(), static_cast<std::size_t>(lights));
+            const glm::dvec3 key = glm::dvec3(-0.45, 0.75, -0.55) / std::sqrt(0.45 * 0.45 + 0.75 * 0.75 + 0.55 * 0.55);
+            double brightness = 0.0;
+            for (const DirectedLight& light : all) {
+                const glm::dvec3 l(light.share.x, light.share.y, light.share.z);
+                const double part = (key.x * l.x + key.y * l.y + key.z * l.z) / light_one;
+                if (part > 0.0) brightness += part;
+            }
+            EXPECT_NEAR(brightness, 1.07, lights < 20 ? 0.25 : lights < 100 ? 0.05 : 0.02) << lights << " lights, set " << set;
+        }
+    }
+}
+
+// No sum of shares leaves 32 bits.
+TEST(LightSet, sums_fit) {
+    for (const int lights : {fewest_lights, 64, most_lights}) {
+        double sum = 0.0;
+        for (const DirectedLight& light :
+             light_set({.lights = {}, .sky = most_sky, .sun = Sun{{1.0, 0.0, 0.0}, strongest_sun}}, lights, {}, 3)) {
+            sum += std::sqrt(std::pow(light.share.x, 2.0) + std::pow(light.share.y, 2.0) + std::pow(light.share.z, 2.0));
+        }
+        EXPECT_LT(sum, 2147483647.0);
+    }
+}
+
+TEST(LightSet, beginnings_are_spread_evenly) {
+    const std::vector<DirectedLight> all = light_set({}, 256, {}, 0);
+    for (const std::size_t count : {16U, 32U, 64U, 128U}) {
+        glm::dmat3 sum(0.0);
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 l = all[i].direction / 32767.0;
+            for (int row = 0; row < 3; ++row) sum[row] += l[row] * l / static_cast<double>(count);
+        }
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 3; ++column)
+                EXPECT_NEAR(sum[row][column], row == column ? 1.0 / 3.0 : 0.0, count < 64 ? 0.15 : 0.06) << count;
+        }
+    }
+}
+
+TEST(LightSet, lights_that_add_nothing_are_left_out) {
+    EXPECT_EQ(light_set({.lights = {}, .sky = 0.0, .sun = Sun{}}, 64, {}, 0).size(), 1U);
+    EXPECT_TRUE(light_set({.lights = {}, .sky = 0.0, .sun = {}}, 64, {}, 0).empty());
+}
+
+TEST(Light, edges) {
+    for (const LitTrial& lit : edges()) expect_the_oracles_light(lit);
+}
+TEST(Light, random) { expect_the_oracles_light(made(random_trial, 30)); }
+TEST(Light, lattices) { expect_the_oracles_light(made(lattice_trial, 60)); }
+TEST(Light, near_misses) { expect_the_oracles_light(made(near_miss_trial, 30)); }
+TEST(Light, bit_patterns) { expect_the_oracles_light(made(bit_pattern_trial, 40)); }
+TEST(Light, touching) { expect_the_oracles_light(touching_trials()); }
+TEST(Light, range) { expect_the_oracles_light(range_trials()); }
+TEST(Light, tiles) { expect_the_oracles_light(tile_trials()); }
+
+TEST(Light, samples_have_sets_of_their_own) {
+    for (const int side : {2, 4}) {
+        LitTrial lit = with_light(lattice_trial(seed()), seed());
+        lit.trial.size = sampled_size({7, 5}, side);
+        lit.side = side;
+        expect_the_oracles_light(lit);
+    }
+}
+
+// Blocks have the light of the whole picture.
+TEST(Light, blocks) {
+    const Trial trial = random_trial(seed());
+    const std::vector<std::int32_t> visible = picture(trial.scene, trial.size);
+    const DrawnSpheres drawn = drawn_spheres(trial.scene);
+    const Lighting lighting(trial.scene, drawn, trial.scene.camera, trial.size, 1, {.lights = 33, .sky = 1.0, .sun = {}});
+    const int width = trial.size.width;
+    const std::vector<LightVector> all = lighting.light({0, 0, width, trial.size.height}, visible);
+    std::vector<LightVector> rows;
+    for (int y = 0; y < trial.size.height; ++y) {
+        const std::span row(&visible[static_cast<std::size_t>(y) * static_cast<std::size_t>(width)],
+                            static_cast<std::size_t>(width));
+        const std::vector<LightVector> lit = lighting.light({0, y, width, 1}, row);
+        rows.insert(rows.end(), lit.begin(), lit.end());
+    }
+    EXPECT_EQ(all, rows);
+}
+
+// Each mistake in the definition shows in at least one of the scenes.
+TEST(Light, mistakes_are_noticed) {
+    const std::vector<LitTrial> trials = edges();
+    const auto noticed = [&](const LightRules& rules) {
+        int count = 0;
+        std::string what;
+        for (const LitTrial& lit : trials) count += differences(lit, rules, what);
+        return count > 0;
+    };
+    EXPECT_FALSE(noticed({}));
+    EXPECT_TRUE(noticed({.tangent_blocks = false}));
+    EXPECT_TRUE(noticed({.edge_is_dark = false}));
+    EXPECT_TRUE(noticed({.spheres_of_eye_block = true}));
+    EXPECT_TRUE(noticed({.only_towards_the_light = false}));
+    EXPECT_TRUE(noticed({.normal_turned_to_eye = false}));
+    EXPECT_TRUE(noticed({.hidden_blocks = true}));
+}
+
+}  // namespace
+
+}  // namespace sphereview::oracle
