@@ -1,6 +1,7 @@
 #include "python/scene_arrays.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -20,59 +21,76 @@ namespace {
 
 constexpr std::size_t spheres_at_once = 16384;
 
-// One array's element, for messages. `column`: in a row; none for an array of one dimension.
-struct Element {
-    const char* array;
-    std::size_t row;
-    std::optional<std::size_t> column;
-    const char* what;  // "the centre's x"
+// What a caller gave, without Python.
+template <typename Channel>
+struct Values {
+    const double* centers;
+    const double* radii;
+    const Channel* colors;
+    const bool* hidden;  // may be null
     std::size_t count;
-
-    [[noreturn]] void fail(const std::string& found, const std::string& expected) const {
-        std::string place = std::string(array) + "[" + std::to_string(row);
-        if (column) place += ", " + std::to_string(*column);
-        throw InputError(place + "]: " +
-                         found_expected(found, std::string(what) + " of sphere " + std::to_string(row + 1) + " of " +
-                                                   std::to_string(count) + expected));
-    }
 };
 
-double finite(double value, const Element& element) {
-    if (!std::isfinite(value)) element.fail(shortest(value), ", a finite number");
-    return value;
+// Throws InputError "ARRAY[ROW, COLUMN]: found ..., expected WHAT of sphere ROW + 1 of COUNT..."; no column for an array of one
+// dimension.
+[[noreturn]] void fail(const std::string& array, std::size_t row, std::optional<std::size_t> column, std::size_t count,
+                       const std::string& found, const std::string& what, const std::string& expected) {
+    const std::string place = array + "[" + std::to_string(row) + (column ? ", " + std::to_string(*column) : "") + "]: ";
+    const std::string sphere = " of sphere " + std::to_string(row + 1) + " of " + std::to_string(count);
+    throw InputError(place + found_expected(found, what + sphere + expected));
 }
 
 template <typename Channel>
-std::uint8_t channel(Channel value, const Element& element) {
-    if constexpr (std::is_floating_point_v<Channel>) {
-        if (!(finite(value, element) >= 0.0 && value <= 1.0)) element.fail(shortest(value), " from 0 to 1");
+bool is_channel(Channel value) {
+    return value >= 0 && value <= (std::is_floating_point_v<Channel> ? 1 : color_max);
+}
+
+template <typename Channel>
+std::uint8_t to_byte(Channel value) {
+    if constexpr (std::is_floating_point_v<Channel>)
         return static_cast<std::uint8_t>(std::lround(color_max * value));  // as formats/xyz.cpp
+    return static_cast<std::uint8_t>(value);
+}
+
+// Throws for the first value of sphere i that is wrong, of which there is one.
+template <typename Channel>
+[[noreturn]] void fail_for(const Values<Channel>& values, std::size_t i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double value = values.centers[3 * i + axis];
+        if (std::isfinite(value)) continue;
+        fail("centers", i, axis, values.count, shortest(value), std::string("the centre's ") + "xyz"[axis], ", a finite number");
+    }
+    const double radius = values.radii[i];
+    if (!(radius > 0.0 && std::isfinite(radius))) {
+        fail("radii", i, std::nullopt, values.count, shortest(radius), "the radius",
+             std::isfinite(radius) ? " above 0" : ", a finite number");
+    }
+    std::size_t channel = 0;
+    while (is_channel(values.colors[3 * i + channel])) ++channel;
+    constexpr std::array names = {"the red", "the green", "the blue"};
+    const Channel value = values.colors[3 * i + channel];
+    if constexpr (std::is_floating_point_v<Channel>) {
+        fail("colors", i, channel, values.count, shortest(value), names[channel], " from 0 to 1");
     } else {
-        if (value < 0 || value > color_max) element.fail(std::to_string(value), " from 0 to 255");
-        return static_cast<std::uint8_t>(value);
+        fail("colors", i, channel, values.count, std::to_string(value), names[channel], " from 0 to 255");
     }
 }
 
 template <typename Channel>
-void fill(std::vector<Sphere>& spheres, const double* centers, const double* radii, const Channel* colors, const bool* hidden) {
-    const std::size_t count = spheres.size();
-    parallel_in_order((count + spheres_at_once - 1) / spheres_at_once, [&](std::size_t piece) {
-        const std::size_t end = std::min(count, (piece + 1) * spheres_at_once);
+void fill(std::vector<Sphere>& spheres, const Values<Channel>& values) {
+    parallel_in_order((values.count + spheres_at_once - 1) / spheres_at_once, [&](std::size_t piece) {
+        const std::size_t end = std::min(values.count, (piece + 1) * spheres_at_once);
         for (std::size_t i = piece * spheres_at_once; i < end; ++i) {
-            const auto center = [&](std::size_t axis, const char* what) {
-                return finite(centers[3 * i + axis], {"centers", i, axis, what, count});
-            };
-            const auto color = [&](std::size_t column, const char* what) {
-                return channel(colors[3 * i + column], {"colors", i, column, what, count});
-            };
-            Sphere sphere;
-            sphere.center = {center(0, "the centre's x"), center(1, "the centre's y"), center(2, "the centre's z")};
-            const Element radius{"radii", i, std::nullopt, "the radius", count};
-            sphere.radius = finite(radii[i], radius);
-            if (!(sphere.radius > 0.0)) radius.fail(shortest(sphere.radius), " above 0");
-            sphere.color = {color(0, "the red"), color(1, "the green"), color(2, "the blue")};
-            sphere.hidden = hidden != nullptr && hidden[i];
-            spheres[i] = sphere;
+            const double* center = values.centers + 3 * i;
+            const Channel* color = values.colors + 3 * i;
+            const double radius = values.radii[i];
+            const bool good = std::isfinite(center[0]) && std::isfinite(center[1]) && std::isfinite(center[2]) && radius > 0.0 &&
+                              std::isfinite(radius) && is_channel(color[0]) && is_channel(color[1]) && is_channel(color[2]);
+            if (!good) fail_for(values, i);
+            spheres[i] = {{center[0], center[1], center[2]},
+                          radius,
+                          {to_byte(color[0]), to_byte(color[1]), to_byte(color[2])},
+                          values.hidden != nullptr && values.hidden[i]};
         }
     });
 }
@@ -126,13 +144,15 @@ Scene scene_from(const SphereArrays& arrays) {
     const py::gil_scoped_release others_may_run;
     require_memory(count * (sizeof(Sphere) + bytes_to_draw_a_sphere), "sphereview: " + in_groups(count) + " spheres need");
     Scene scene;
+    scene.spheres.reserve(count);
+    prefer_large_pages(scene.spheres.data(), count * sizeof(Sphere));
     scene.spheres.resize(count);
     if (bytes) {
-        fill(scene.spheres, centers, radii, static_cast<const std::uint8_t*>(colors), hidden);
+        fill<std::uint8_t>(scene.spheres, {centers, radii, static_cast<const std::uint8_t*>(colors), hidden, count});
     } else if (whole) {
-        fill(scene.spheres, centers, radii, static_cast<const std::int64_t*>(colors), hidden);
+        fill<std::int64_t>(scene.spheres, {centers, radii, static_cast<const std::int64_t*>(colors), hidden, count});
     } else {
-        fill(scene.spheres, centers, radii, static_cast<const double*>(colors), hidden);
+        fill<double>(scene.spheres, {centers, radii, static_cast<const double*>(colors), hidden, count});
     }
     return scene;
 }

@@ -10,6 +10,7 @@
 #endif
 
 #ifdef __linux__
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -72,7 +73,17 @@ std::optional<std::uint64_t> available_memory() {
     return least != unlimited ? std::optional(least) : std::nullopt;
 }
 
+void prefer_large_pages(void* memory, std::size_t bytes) {
+    constexpr std::uintptr_t large = std::uintptr_t{1} << 21;
+    const auto begin = (reinterpret_cast<std::uintptr_t>(memory) + large - 1) / large * large;
+    const auto end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / large * large;
+    // What it returns does not matter: it is a wish.
+    if (begin < end) madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+}
+
 #else
+
+void prefer_large_pages(void*, std::size_t) {}
 
 std::optional<std::uint64_t> address_space_left() { return std::nullopt; }
 

@@ -1,6 +1,7 @@
 // Whether something large fits in memory, asked before it is begun, and giving back what is no longer needed.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -24,5 +25,9 @@ std::string in_bytes(std::uint64_t bytes);
 // From now on blocks of megabytes go back to the system when they are freed, for a process that lives long and whose needs come and
 // go. glibc keeps freed blocks of up to 32 MB otherwise; elsewhere this does nothing.
 void return_large_blocks();
+
+// Of memory that is reserved and not touched yet: the system may provide it some megabytes at a time. Page by page, it takes longer than
+// whoever fills the memory. Elsewhere than on Linux this does nothing.
+void prefer_large_pages(void* memory, std::size_t bytes);
 
 }  // namespace sphereview
