@@ -43,15 +43,17 @@ struct Axes {
 SPHEREVIEW_FOR_EACH_SIMD void project(const float* px, const float* py, const float* pz, int count, const Axes& axes,
                                       Projected& out) {
     for (int i = 0; i < count; ++i) {
-        out.x[i] = px[i] * axes.across[0] + py[i] * axes.across[1] + pz[i] * axes.across[2];
-        out.y[i] = px[i] * axes.upward[0] + py[i] * axes.upward[1] + pz[i] * axes.upward[2];
-        out.height[i] = px[i] * axes.height[0] + py[i] * axes.height[1] + pz[i] * axes.height[2];
+        const auto at = static_cast<std::size_t>(i);
+        out.x[at] = px[i] * axes.across[0] + py[i] * axes.across[1] + pz[i] * axes.across[2];
+        out.y[at] = px[i] * axes.upward[0] + py[i] * axes.upward[1] + pz[i] * axes.upward[2];
+        out.height[at] = px[i] * axes.height[0] + py[i] * axes.height[1] + pz[i] * axes.height[2];
     }
 }
 
 SPHEREVIEW_FOR_EACH_SIMD void face(const float* nx, const float* ny, const float* nz, int count, const Axes& axes, Projected& out) {
     for (int i = 0; i < count; ++i) {
-        out.facing[i] = nx[i] * axes.height[0] + ny[i] * axes.height[1] + nz[i] * axes.height[2];
+        const auto at = static_cast<std::size_t>(i);
+        out.facing[at] = nx[i] * axes.height[0] + ny[i] * axes.height[1] + nz[i] * axes.height[2];
     }
 }
 

@@ -41,7 +41,8 @@ LitTrial with_light(Trial trial, std::uint64_t seed) {
 
 // The number of pixels whose light differs from the oracle's by the rules; `what` says where the first is.
 int differences(const LitTrial& lit, const LightRules& rules, std::string& what) {
-    const auto& [name, scene, size] = lit.trial;
+    const Scene& scene = lit.trial.scene;
+    const PictureSize size = lit.trial.size;
     const std::vector<std::int32_t> visible = picture(scene, size);
     const DrawnSpheres drawn = drawn_spheres(scene);
     const Lighting lighting(scene, drawn, scene.camera, size, lit.side, lit.light);
@@ -65,7 +66,7 @@ int differences(const LitTrial& lit, const LightRules& rules, std::string& what)
     for (std::size_t i = 0; i < visible.size(); ++i) {
         if (found[i] == expected[i]) continue;
         if (count++ == 0) {
-            what = name + ": pixel " + std::to_string(static_cast<int>(i) % size.width) + "," +
+            what = lit.trial.name + ": pixel " + std::to_string(static_cast<int>(i) % size.width) + "," +
                    std::to_string(static_cast<int>(i) / size.width) + " of sphere " + std::to_string(visible[i]);
         }
     }
