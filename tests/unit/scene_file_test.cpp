@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "support/temporary_folder.hpp"
 #include "viewer/perform.hpp"
 
@@ -26,6 +28,14 @@ struct DataInViewer : testing::Test {
         const auto asked = *question();
         state.dialogs.pop_back();
         asked.answer(number);
+    }
+
+    // A file is read beside the loop while edits are still being kept.
+    void finish_reading() {
+        while (state.loading) {
+            state.loading->job.wait_for(std::chrono::milliseconds(100));
+            finish_work(state);
+        }
     }
 
     test::TemporaryFolder folder;
@@ -68,6 +78,7 @@ TEST_F(DataInViewer, AStepAsksAboutEdits) {
     EXPECT_TRUE(state.document.is_changed());
     run_command(state, CommandId::next_frame);
     answer(1);
+    finish_reading();
     EXPECT_EQ(state.frame, 1);
     EXPECT_EQ(state.scene().spheres.size(), 2U);
     EXPECT_FALSE(state.document.is_changed());
