@@ -237,7 +237,7 @@ void declare(CLI::App& command, ViewOptions& options) {
                {"--shader-dir", "FOLDER", "Use the shaders in this folder, and each that is saved there at once", a_folder},
                [](const std::string& text) {
                    std::error_code ignored;
-                   return std::filesystem::is_directory(text, ignored) ? std::optional(text) : std::nullopt;
+                   return std::filesystem::is_directory(path_from(text), ignored) ? std::optional(text) : std::nullopt;
                });
     add_file(command, options.redraw_log, "--redraw-log", "FILE", "")->group("");  // hidden: for tests
     command.footer(std::string(view_examples) + exit_codes);

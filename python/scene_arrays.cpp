@@ -66,7 +66,7 @@ template <typename Channel>
              std::isfinite(radius) ? " above 0" : ", a finite number");
     }
     std::size_t channel = 0;
-    while (is_channel(values.colors[3 * i + channel])) ++channel;
+    while (channel < 2 && is_channel(values.colors[3 * i + channel])) ++channel;
     constexpr std::array names = {"the red", "the green", "the blue"};
     const Channel value = values.colors[3 * i + channel];
     if constexpr (std::is_floating_point_v<Channel>) {

@@ -169,9 +169,9 @@ std::vector<Recovery> list_recoveries() {
 bool remove_recovery(const std::string& file) noexcept {
     std::error_code error;
     try {
-        fs::remove(file, error);
+        fs::remove(path_from(file), error);
         std::error_code ignored;
-        fs::remove(lock_of(file), ignored);
+        fs::remove(lock_of(path_from(file)), ignored);
         return !error;
     } catch (const std::exception&) {
         return false;

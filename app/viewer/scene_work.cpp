@@ -79,7 +79,9 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
         write_output(path, text);
     });
     state.saving.emplace(Work{.path = path, .job = std::move(job), .done = std::move(done), .fail = std::move(fail)});
-    if (state.scene().spheres.size() <= spheres_at_once) wait_for_saving(state);
+    // Not for ever: the file may be on a disk that hangs, and the loop goes on with what is not saved yet.
+    constexpr std::chrono::seconds patience{2};
+    if (state.scene().spheres.size() <= spheres_at_once && state.saving->job.wait_for(patience)) wait_for_saving(state);
 }
 
 bool is_working(const ViewerState& state) { return state.loading || state.saving || state.exporting; }

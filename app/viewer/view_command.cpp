@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -49,11 +50,13 @@ void save_for_recovery(const ViewerState& state) {
     if (!said.empty()) say("sphereview: " + said);
 }
 
-// Of a loop that hangs, by another thread. Should the loop go on meanwhile, it changes nothing until the process has ended.
-void save_of_hung_loop(ViewerState& state) {
-    if (!state.changing.try_lock_for(patience)) return say(hangs_in_change);
+// Of a loop that hangs, by another thread. Should the loop go on meanwhile, it changes nothing until the process has ended. False
+// when the loop is in the middle of a change.
+bool save_of_hung_loop(ViewerState& state) {
+    if (!state.changing.try_lock_for(patience)) return false;
     state.autosave.finish();  // an older copy must not replace this one
     save_for_recovery(state);
+    return true;
 }
 
 [[noreturn]] void on_connection_lost() {
@@ -158,21 +161,26 @@ ExitCode run_view(const ViewOptions& options) {
         pass_interrupts_to([&state](int signal_number) {
             interrupted = signal_number;
             Window::wake();
-            if (loop_ended.get_future().wait_for(patience) == std::future_status::ready) {
+            const std::future<void> ended = loop_ended.get_future();
+            const auto has_ended = [&](std::chrono::seconds limit) { return ended.wait_for(limit) == std::future_status::ready; };
+            if (!has_ended(patience) && !save_of_hung_loop(state) && !has_ended(std::chrono::seconds(0))) say(hangs_in_change);
+            if (has_ended(std::chrono::seconds(0))) {
                 edits_kept.get_future().wait();
                 std::this_thread::sleep_for(patience);  // closing a window may hang too
-            } else {
-                save_of_hung_loop(state);
             }
             std::_Exit(128 + signal_number);
         });
         Viewer viewer(state, window);
         window.show();
         leave_own_console();
+        // Held to the end: from here on, this thread alone keeps the edits.
+        std::unique_lock ending(state.changing, std::defer_lock);
         try {
             viewer.run([] { return interrupted.load() != 0; });
+            ending.lock();
             loop_ended.set_value();
         } catch (...) {
+            ending.lock();
             loop_ended.set_value();
             wait_for_saving(state);
             state.autosave.finish();

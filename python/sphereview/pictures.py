@@ -43,8 +43,8 @@ def render(
         way and sees everything.
     size: (width, height) in pixels. The array's shape has the height first.
     samples: points a pixel, whose colours are averaged: 1, 4 or 16.
-    shade: "flat", "headlight", "normal", "depth" or "id".
-    backend: "auto", "egl", "osmesa" or "cpu". "auto" is the variable SPHEREVIEW_BACKEND where that is set, else the best that works. One
+    shade: "flat", "headlight", "normal", "depth", "id" or "studio".
+    backend: "auto", "egl", "osmesa", "wgl" (Windows) or "cpu". "auto" is the variable SPHEREVIEW_BACKEND where that is set, else the best that works. One
         that you name is never replaced silently.
     background: "black", "white", "transparent" or "#rrggbb".
     hidden: (N,) bool; True: the sphere is not drawn, but counts where spheres are numbered (shade="id").

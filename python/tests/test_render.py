@@ -129,8 +129,8 @@ def test_a_wrong_value_is_named_with_its_place(seed_scene, which, place, value, 
         (dict(size=(0, 5)), "size: found '0x5', expected (width, height), such as (1000, 1000): sides of at least 1 pixel, at most "),
         (dict(size=(1 << 40, 5)), "size: found '1099511627776x5', expected "),
         (dict(samples=3), "samples: found '3', expected 1, 4 or 16"),
-        (dict(shade="phong"), "shade: found 'phong', expected flat, headlight, normal, depth or id"),
-        (dict(backend="vulkan"), "backend: found 'vulkan', expected auto, egl, osmesa or cpu"),
+        (dict(shade="phong"), "shade: found 'phong', expected flat, headlight, normal, depth, id or studio"),
+        (dict(backend="vulkan"), "backend: found 'vulkan', expected auto, egl, osmesa, wgl or cpu"),
         (dict(background="mauve"), "background: found 'mauve', expected black, white, transparent or #rrggbb"),
         (dict(camera="fat"), "camera: found 'fat', expected a Camera, 'fit' or None"),
     ],
@@ -161,7 +161,7 @@ def test_a_wrong_shape_is_named(centers, radii, colors, words):
 def test_the_variable_chooses_where_nobody_names_a_backend(seed_scene, monkeypatch):
     monkeypatch.setenv("SPHEREVIEW_BACKEND", "nonsense")
     sphereview.render(*seed_scene, backend="cpu", **SMALL)
-    with pytest.raises(ValueError, match="^SPHEREVIEW_BACKEND: found 'nonsense', expected auto, egl, osmesa or cpu$"):
+    with pytest.raises(ValueError, match="^SPHEREVIEW_BACKEND: found 'nonsense', expected auto, egl, osmesa, wgl or cpu$"):
         sphereview.render(*seed_scene, **SMALL)
 
 

@@ -28,8 +28,9 @@ std::atomic<bool> progress_bar_shown = false;
 
 #ifdef _WIN32
 // What the first event is passed to.
-std::mutex act_mutex;
-std::function<void(int)> act_once;
+// Never destroyed: events come also while the process ends.
+std::mutex& act_mutex = *new std::mutex;
+std::function<void(int)>& act_once = *new std::function<void(int)>;
 #else
 // Where the handler writes a signal's number to, once.
 std::atomic<int> passing_pipe = -1;

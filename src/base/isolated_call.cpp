@@ -74,8 +74,10 @@ IsolatedResult call_isolated(const std::function<std::string()>& call, std::chro
     start.hStdOutput = value.write_end;
     start.hStdError = errors.write_end;
     PROCESS_INFORMATION process{};
-    if (arguments.empty() || CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr,
-                                            nullptr, &start, &process) == 0) {
+    SetErrorMode(GetErrorMode() | SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX);  // a crash ends the started program at once
+    if (arguments.empty() || value.write_end == nullptr || errors.write_end == nullptr ||
+        CreateProcessW(program.c_str(), line.data(), nullptr, nullptr, TRUE, CREATE_NO_WINDOW, nullptr, nullptr, &start,
+                       &process) == 0) {
         return {End::returned, 0, call(), ""};
     }
     CloseHandle(process.hThread);

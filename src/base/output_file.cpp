@@ -1,5 +1,6 @@
 #include "base/output_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -87,8 +88,12 @@ fs::path hidden_sibling(const fs::path& target) {
     std::array<char, 32> suffix{};
     std::random_device random;
     std::snprintf(suffix.data(), suffix.size(), ".%08x%08x.tmp", static_cast<unsigned>(random()), static_cast<unsigned>(random()));
-    std::string name(1, '.');
-    name += text_from(target.filename()).substr(0, longest_stem);
+    std::string stem = text_from(target.filename());
+    std::size_t length = std::min(stem.size(), longest_stem);
+    while (length > 0 && length < stem.size() && (static_cast<unsigned char>(stem[length]) & 0xC0U) == 0x80U)
+        --length;  // whole characters
+    stem.resize(length);
+    std::string name = "." + stem;
     name += suffix.data();
     return target.parent_path() / path_from(name);
 }
@@ -110,9 +115,15 @@ constexpr Opened not_opened = nullptr;
 Opened create(const fs::path& path, const fs::file_status&) {
     // Not fopen() with "x", which older run-time libraries there do not know.
     const int handle = _wopen(path.c_str(), _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE);
-    return handle < 0 ? nullptr : _fdopen(handle, "wb");
+    std::FILE* file = handle < 0 ? nullptr : _fdopen(handle, "wb");
+    if (file == nullptr && handle >= 0) {
+        _close(handle);
+        _wremove(path.c_str());
+        errno = ENOMEM;  // what else _fdopen() can lack
+    }
+    return file;
 }
-Opened open_special(const std::string& path) { return std::fopen(path.c_str(), "wb"); }
+Opened open_special(const std::string& path) { return open_file(path, "wb"); }
 
 // Writes all bytes and closes; false, with errno set, if any step fails.
 bool write_and_close(Opened file, std::string_view bytes, Durability durability) {

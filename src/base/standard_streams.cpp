@@ -10,6 +10,7 @@
 #include <unistd.h>
 #endif
 
+#include "base/path.hpp"
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -22,11 +23,15 @@ std::FILE* binary(std::FILE* stream) {
 }
 
 std::FILE* open_file(const std::string& path, const char* mode) {
+#ifdef _WIN32
+    return _wfopen(path_from(path).c_str(), path_from(mode).c_str());  // whatever the process's code page is
+#else
     std::FILE* file = nullptr;
     do {
         file = std::fopen(path.c_str(), mode);
     } while (file == nullptr && errno == EINTR);
     return file;
+#endif
 }
 
 bool stderr_is_terminal() {

@@ -114,6 +114,8 @@ inline Approximate operator*(const Approximate& a, const Approximate& b) {
     const double size = std::fabs(high.high);
     double error = std::fabs(a.high) * b.error + (std::fabs(b.high) + b.error) * a.error;
     if (size < Approximate::least_exact) return {{high.high, 0.0}, (error + Approximate::underflow) * Approximate::margin};
+    if ((a.error > 0.0 || b.error > 0.0) && error < Approximate::least_exact)
+        error += Approximate::underflow;  // its products may underflow
     if (a.is_a_double() && b.is_a_double()) return {high, error * Approximate::margin};
     const TwoDoubles result = fast_two_sum(high.high, high.low + (a.high * b.low + a.low * b.high));
     return {result, (error + Approximate::unit * size) * Approximate::margin};

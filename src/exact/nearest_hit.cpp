@@ -75,7 +75,9 @@ Approximate power_of_eye(const ApproximateVector& center, const Approximate& rad
         terms.add_product(x.high, x.high);
     }
     terms.add_product(-radius.high, radius.high);
-    for (const Approximate& x : {center[0], center[1], center[2], radius}) terms.lost += 2.0 * x.most() * x.error;
+    for (const Approximate& x : {center[0], center[1], center[2], radius}) {
+        if (x.error > 0.0) terms.lost += 2.0 * x.most() * x.error + Approximate::underflow;  // the product may underflow
+    }
     Approximate c = terms.count == 0 ? Approximate() : distilled(std::span(terms.values).first(terms.count));
     c.error += terms.lost * Approximate::margin;
     return c;
@@ -264,7 +266,8 @@ void NearestHit::rescale(const SphereScale& scale) {
     if (shift == 0) return;
     // The hit itself is moved, and not found anew: of a sphere that is far too small for the scale nothing could be said.
     for (Approximate* value : {&best_->square_t, &best_->point[0], &best_->point[1], &best_->point[2]}) {
-        *value = times_power({value->high, value->low}, std::ldexp(value->error, shift), shift);
+        const double error = value->error > 0.0 ? std::max(std::ldexp(value->error, shift), least_scaled) : 0.0;
+        *value = times_power({value->high, value->low}, error, shift);
     }
     best_->sphere = scale(*best_->sphere.sphere, best_->sphere.number, best_->sphere.side);
 }

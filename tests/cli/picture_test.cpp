@@ -65,8 +65,8 @@ TEST(BackendVariable, ChoosesUnlessTheOptionDoes) {
         {"cpu", {}, "scene.txt: backend: cpu\n", 0},
         {"vulkan", {"--backend", "cpu"}, "scene.txt: backend: cpu\n", 0},
         {"osmesa", {"--backend", "cpu"}, "scene.txt: backend: cpu\n", 0},
-        {"vulkan", {}, "SPHEREVIEW_BACKEND: found 'vulkan', expected auto, egl, osmesa or cpu", 2},
-        {"cpu", {"--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa or cpu", 2},
+        {"vulkan", {}, "SPHEREVIEW_BACKEND: found 'vulkan', expected auto, egl, osmesa, wgl or cpu", 2},
+        {"cpu", {"--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa, wgl or cpu", 2},
     };
     for (const auto& [variable, options, said, status] : cases) {
         std::vector<std::string> arguments = {"render", "scene.txt", "-s", "5x5", "--verbose"};

@@ -121,8 +121,8 @@ TEST(Texts, BashCompletesCommandsOptionsAndValues) {
     EXPECT_EQ(offered("--shader"), Words{"--shader-dir"});  // of `view`
     EXPECT_EQ(offered("render scene.txt --exp"), Words{"--expect"});
     EXPECT_EQ(offered("scene.txt --exp"), Words{""});  // `view` has none
-    EXPECT_EQ(offered("render --backend ''"), (Words{"auto", "egl", "osmesa", "cpu"}));
-    EXPECT_EQ(offered("render --backend ="), (Words{"auto", "egl", "osmesa", "cpu"}));
+    EXPECT_EQ(offered("render --backend ''"), (Words{"auto", "egl", "osmesa", "wgl", "cpu"}));
+    EXPECT_EQ(offered("render --backend ="), (Words{"auto", "egl", "osmesa", "wgl", "cpu"}));
     EXPECT_EQ(offered("render --backend = c"), Words{"cpu"});
     EXPECT_EQ(offered("render --samples 1"), (Words{"1", "16"}));
     EXPECT_EQ(offered("convert a.xyz b --to t"), (Words{"text", "toml"}));

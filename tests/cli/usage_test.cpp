@@ -67,7 +67,7 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"convert", "", "b.txt"}, "IN: found no value, expected the name of a file"},
         {{"convert", "a.txt", ""}, "OUT: found no value, expected the name of a file"},
         {{"render", "a.txt", "--device", "0", "--backend", "cpu"}, "--backend: found 'cpu', expected egl with --device"},
-        {{"render", "a.txt", "--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa or cpu"},
+        {{"render", "a.txt", "--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa, wgl or cpu"},
         {{"render", "a.txt", "--backend", ""}, "--backend: found no value"},
         {{"render", "a.txt", "--fit", "--no-fit"}, "--fit excludes --no-fit"},
         {{"render", "a.txt", "--view=top", "--no-fit"}, "--no-fit excludes --view"},
