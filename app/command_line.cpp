@@ -17,6 +17,7 @@
 #include "base/input_file.hpp"
 #include "base/number.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
 #include "base/text.hpp"
 #include "image/image.hpp"
 #include "scene/camera.hpp"
