@@ -28,7 +28,7 @@ TEST(OutputFile, IsWholeOrTheOldOneWhileAnotherProgramReadsIt) {
 
 TEST(OutputFile, TakesNamesBeyondAscii) {
     const TemporaryFolder folder;
-    const std::string path = folder.path("größe→球.txt");
+    const std::string path = folder.path() + "/größe→球.txt";
     write_output(path, "text");
     EXPECT_EQ(InputFile(path).bytes(), "text");
     EXPECT_EQ(text_from(path_from(path)), path);
