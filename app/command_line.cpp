@@ -57,6 +57,12 @@ constexpr const char* explain_examples =
     "  sphereview explain scene.txt --pixel 665,334\n"
     "  sphereview explain scene.toml --pixel 10,20 --size 64x48 --json\n";
 
+constexpr const char* compare_examples =
+    "Pictures are PNG, PPM, PGM or BMP; each is compared with the flat picture of its own size.\n"
+    "Examples:\n"
+    "  sphereview compare mine.png scene.txt              which mistake explains what differs\n"
+    "  sphereview compare students/*.png scene.txt --json\n";
+
 constexpr const char* doctor_examples =
     "Exit status 0 if any backend works, else 3.\n"
     "Examples:\n"
@@ -133,6 +139,13 @@ CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, 
     return add_option(command, field, {name, type, help, a_file}, [](const std::string& text) { return std::optional(text); });
 }
 
+// One file or more.
+CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files, const std::string& name, const std::string& help) {
+    return command.add_option(name, files, help)->required()->type_name("")->check([](const std::string& file) {
+        return file.empty() ? std::string("found no value, expected ") + a_file : "";
+    });
+}
+
 // How a scene is read and from where it is seen: options of every command with scenes.
 void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& fit) {
     add_option(command, data.frame,
@@ -174,14 +187,15 @@ void add_samples(CLI::App& command, Samples& samples, const std::string& help) {
     });
 }
 
+std::optional<Background> background_named(const std::string& text) {
+    Background found;
+    return parse_background(text, found) ? std::optional(found) : std::nullopt;
+}
+
 template <typename Mode>
 void add_colors(CLI::App& command, std::optional<Background>& background, Mode& shading, const std::string& otherwise) {
     const std::string colors(background_syntax);
-    add_option(command, background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors},
-               [](const std::string& text) -> std::optional<Background> {
-                   Background found;
-                   return parse_background(text, found) ? std::optional(found) : std::nullopt;
-               });
+    add_option(command, background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors}, background_named);
     const std::string modes = shading_syntax();
     add_option(command, shading, {"--shade", "MODE", modes + " [" + otherwise + "]", modes},
                [](const std::string& text) { return shading_named(text); });
@@ -245,9 +259,7 @@ void declare(CLI::App& command, ViewOptions& options) {
 }
 
 void declare(CLI::App& command, RenderOptions& options) {
-    command.add_option("SCENE", options.scenes, scene_files())->required()->type_name("")->check([](const std::string& name) {
-        return name.empty() ? std::string("found no value, expected ") + a_file : "";
-    });
+    add_files(command, options.scenes, "SCENE", scene_files());
     add_file(command, options.output, "-o,--output", "FILE", "PNG file, or a pattern with {name}; - is standard output");
     add_size(command, options.size, "Width and height in pixels [1000x1000]");
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
@@ -342,6 +354,28 @@ void check(const CLI::App&, const ExplainOptions& options) {
           "a pixel from 0,0 to " + std::to_string(size.width - 1) + "," + std::to_string(size.height - 1));
 }
 
+void declare(CLI::App& command, CompareOptions& options) {
+    add_files(command, options.pictures, "PICTURE", "Pictures, and last the scene: " + scene_files())->type_name("... SCENE");
+    add_scene_options(command, options.data, options.fit);
+    const std::string colors(background_syntax);
+    add_option(command, options.background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors},
+               background_named);
+    CLI::Option* difference = add_file(command, options.difference, "--diff", "FILE",
+                                       "Where the picture of the difference goes, {name} is the picture's [{name}-difference.png]");
+    add_flag(command, options.writes_difference, "--no-diff", "Write no picture of the difference", false)->excludes(difference);
+    add_flag(command, options.json, "--json", "Report each picture as one JSON line");
+    command.footer(std::string(compare_examples) + exit_codes);
+}
+
+void check(const CLI::App&, CompareOptions& options) {
+    if (options.pictures.size() < 2) wrong("PICTURE", "one file alone", "pictures, and last the scene");
+    options.scene = options.pictures.back();
+    options.pictures.pop_back();
+    const auto from_stdin = std::ranges::count(options.pictures, standard_stream) + (options.scene == standard_stream ? 1 : 0);
+    if (from_stdin > 1) wrong("PICTURE", "'-' twice", "standard input once");
+    if (options.difference == standard_stream) wrong("--diff", "'-'", "a file: standard output has the report");
+}
+
 void declare(CLI::App& command, DoctorOptions& options) {
     add_flag(command, options.json, "--json", "The report as JSON on stdout");
     add_option(command, options.timeout_seconds,
@@ -425,6 +459,7 @@ Run parse_command_line(int argc, const char* const* argv) {
     add_command(app, chosen, "convert", run_convert, "Convert a scene to " + listed(format_names(is_written), "or"));
     add_command(app, chosen, "explain", run_explain,
                 "Everything about one pixel: its ray, every hit, which sphere it shows and why");
+    add_command(app, chosen, "compare", run_compare, "Say which mistakes explain how pictures of another ray tracer differ");
     add_command(app, chosen, "doctor", run_doctor, "Try every backend and say what works here, and why others do not");
     std::vector<std::string> words(argv + 1, argv + argc);
     CLI::App* command = &app;

@@ -67,6 +67,17 @@ struct ExplainOptions {
     bool json = false;
 };
 
+struct CompareOptions {
+    std::vector<std::string> pictures;  // paths, one of which may be "-"
+    std::string scene;                  // a path, or "-"
+    DataOptions data;
+    FitOptions fit;
+    std::optional<Background> background;   // instead of the scene's own
+    std::optional<std::string> difference;  // where its picture goes, may hold {name}
+    bool writes_difference = true;
+    bool json = false;
+};
+
 struct DoctorOptions {
     bool json = false;
     double timeout_seconds = 20.0;     // for each probe
@@ -89,6 +100,7 @@ ExitCode run_view(const ViewOptions& options);  // in app/viewer/
 ExitCode run_render(const RenderOptions& options);
 ExitCode run_convert(const ConvertOptions& options);
 ExitCode run_explain(const ExplainOptions& options);
+ExitCode run_compare(const CompareOptions& options);
 ExitCode run_doctor(const DoctorOptions& options);
 
 // What run_explain() writes, of a scene that is read already; `name`: how the text calls the scene.

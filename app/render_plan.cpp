@@ -16,22 +16,8 @@ namespace {
 
 constexpr std::string_view placeholder = "{name}";
 
-std::string fill_in(std::string pattern, const std::string& name) {
-    for (std::size_t at = 0; (at = pattern.find(placeholder, at)) != std::string::npos; at += name.size()) {
-        pattern.replace(at, placeholder.size(), name);
-    }
-    return pattern;
-}
-
-// What {name} stands for: the scene's file without its folder, .gz and the ending before that.
-std::string name_of(const std::string& scene) {
-    if (scene == standard_stream) return "stdin";
-    return text_from(path_from(without_gzip_ending(scene)).stem());
-}
-
-std::optional<std::string> fill_in(const std::optional<std::string>& pattern, const std::string& name) {
-    if (!pattern) return std::nullopt;
-    return fill_in(*pattern, name);
+std::optional<std::string> filled_in(const std::optional<std::string>& pattern, const std::string& name) {
+    return pattern ? std::optional(fill_in(*pattern, name)) : std::nullopt;
 }
 
 // Remembers what each file and standard stream is used for, and refuses a use that would destroy another.
@@ -86,6 +72,18 @@ private:
 
 }  // namespace
 
+std::string fill_in(std::string pattern, const std::string& name) {
+    for (std::size_t at = 0; (at = pattern.find(placeholder, at)) != std::string::npos; at += name.size()) {
+        pattern.replace(at, placeholder.size(), name);
+    }
+    return pattern;
+}
+
+std::string name_in_patterns(const std::string& path) {
+    if (path == standard_stream) return "stdin";
+    return text_from(path_from(without_gzip_ending(path)).stem());
+}
+
 std::vector<RenderJob> plan_render(const RenderOptions& options) {
     const std::string output = options.output.value_or(std::string(placeholder) + ".png");
     std::vector<RenderJob> jobs;
@@ -93,10 +91,10 @@ std::vector<RenderJob> plan_render(const RenderOptions& options) {
         RenderJob job;
         job.scene = scene;
         job.label = scene == standard_stream ? "stdin" : scene;
-        job.name = name_of(scene);
+        job.name = name_in_patterns(scene);
         if (options.output || !options.expect) job.output = fill_in(output, job.name);
-        job.expect = fill_in(options.expect, job.name);
-        job.diff = fill_in(options.diff, job.name);
+        job.expect = filled_in(options.expect, job.name);
+        job.diff = filled_in(options.diff, job.name);
         jobs.push_back(job);
     }
 

@@ -1,4 +1,4 @@
-// The one place that compiles stb_image_write, with a compressor of our choice.
+// The one place that compiles stb_image_write, with a compressor of our choice, and stb_image, for BMP files.
 #include <isa-l/igzip_lib.h>
 
 #include <cstdint>
@@ -46,3 +46,8 @@ unsigned char* compress(unsigned char* data, int size, int* compressed_size, int
 #define STBI_WRITE_NO_STDIO
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #include <stb_image_write.h>
+
+#define STBI_ONLY_BMP
+#define STBI_NO_STDIO
+#define STB_IMAGE_IMPLEMENTATION
+#include <stb_image.h>

@@ -12,13 +12,14 @@ namespace {
 TEST(Usage, EachCommandHasHelpWithExamplesAndExitStatus) {
     const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases = {
         {{"--help"},
-         {"render", "convert", "explain", "doctor", "Exit status: 0 done; 1 ", "2 wrong usage", "3 nothing", "4 the output",
+         {"render", "convert", "explain", "compare", "doctor", "Exit status: 0 done; 1 ", "2 wrong usage", "3 nothing", "4 the output",
           "129, 130, 143 interrupted"}},
         {{"-h"}, {"render", "Exit status"}},
         {{"render", "--help"},
          {"Examples:", "sphereview render scene.txt", "Exit status: 0", "--output", "--size", "--background", "--backend",
           "--device", "--expect", "--diff", "--timings", "--json", "--verbose", "--samples", "SPHEREVIEW_BACKEND"}},
         {{"convert", "--help"}, {"Examples:", "sphereview convert scene.txt scene.toml", "--to", "Exit status"}},
+        {{"compare", "--help"}, {"Examples:", "sphereview compare mine.png scene.txt", "PICTURE ... SCENE", "--diff", "Exit status"}},
         {{"explain", "--help"}, {"Examples:", "sphereview explain scene.txt --pixel", "--json", "Exit status"}},
         {{"doctor", "--help"}, {"Examples:", "sphereview doctor --json", "--timeout", "Exit status 0 if any backend works"}},
     };

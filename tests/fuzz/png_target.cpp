@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "fuzz/targets.hpp"
 #include "image/compare.hpp"
+#include "image/picture_file.hpp"
 #include "image/png.hpp"
 
 namespace sphereview {
@@ -72,6 +73,16 @@ std::string wrong_with(const std::string& bytes) {
 }
 
 }  // namespace
+
+std::string fuzz_picture(std::string_view bytes) {
+    try {
+        const Image image = decode_picture(bytes, "picture");
+        if (image.width() < 1 || image.height() < 1) return "a picture without pixels";
+    } catch (const InputError&) {
+    } catch (const MemoryError&) {
+    }
+    return "";
+}
 
 std::string fuzz_png(std::string_view bytes) {
     const std::string file(bytes);

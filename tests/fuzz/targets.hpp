@@ -26,6 +26,9 @@ std::string fuzz_mmcif(std::string_view bytes);
 // picture.
 std::string fuzz_png(std::string_view bytes);
 
+// Reads the bytes as a picture of another program.
+std::string fuzz_picture(std::string_view bytes);
+
 // Unpacks the bytes as gzip, all at once and piece by piece, which must give the same text or the same fault.
 std::string fuzz_gunzip(std::string_view bytes);
 
@@ -40,10 +43,10 @@ struct FuzzTarget {
     std::string (*wrong_with)(std::string_view bytes);
 };
 inline constexpr std::array fuzz_targets = {
-    FuzzTarget{"scene", fuzz_scene},       FuzzTarget{"file", fuzz_file},     FuzzTarget{"xyz", fuzz_xyz},
-    FuzzTarget{"csv", fuzz_csv},           FuzzTarget{"pdb", fuzz_pdb},       FuzzTarget{"mmcif", fuzz_mmcif},
-    FuzzTarget{"png", fuzz_png},           FuzzTarget{"gunzip", fuzz_gunzip}, FuzzTarget{"settings", fuzz_settings},
-    FuzzTarget{"recovery", fuzz_recovery},
+    FuzzTarget{"scene", fuzz_scene},       FuzzTarget{"file", fuzz_file},         FuzzTarget{"xyz", fuzz_xyz},
+    FuzzTarget{"csv", fuzz_csv},           FuzzTarget{"pdb", fuzz_pdb},           FuzzTarget{"mmcif", fuzz_mmcif},
+    FuzzTarget{"png", fuzz_png},           FuzzTarget{"picture", fuzz_picture},   FuzzTarget{"gunzip", fuzz_gunzip},
+    FuzzTarget{"settings", fuzz_settings}, FuzzTarget{"recovery", fuzz_recovery},
 };
 
 }  // namespace sphereview

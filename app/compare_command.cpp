@@ -1,0 +1,205 @@
+// sphereview compare: what is wrong in the pictures of somebody's own ray tracer.
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/json.hpp"
+#include "app/load_scene.hpp"
+#include "app/options.hpp"
+#include "app/render_plan.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/standard_streams.hpp"
+#include "base/text.hpp"
+#include "exact/explain.hpp"
+#include "image/picture_file.hpp"
+#include "image/png.hpp"
+#include "mistakes/diagnosis.hpp"
+
+namespace sphereview {
+
+namespace {
+
+struct CompareJob {
+    std::string picture;
+    std::string difference;  // where its picture goes; "" for nowhere
+};
+
+// One job a picture. Throws InputError where a difference would overwrite a picture, the scene or another difference.
+std::vector<CompareJob> plan(const CompareOptions& options) {
+    std::set<std::string> taken;
+    taken.insert(file_identity(options.scene));
+    for (const std::string& picture : options.pictures) taken.insert(file_identity(picture));
+    std::vector<CompareJob> jobs;
+    for (const std::string& picture : options.pictures) {
+        CompareJob job{picture, ""};
+        if (options.writes_difference) {
+            job.difference = fill_in(options.difference.value_or("{name}-difference.png"), name_in_patterns(picture));
+            check_output(job.difference);
+            const std::string file = file_identity(job.difference);
+            if (!file.empty() && !taken.insert(file).second) {
+                throw InputError(job.difference + ": the picture of the difference of " + picture +
+                                 " would overwrite another file of these; use --diff with a pattern such as out/{name}.png, or "
+                                 "compare those of one name one at a time");
+            }
+        }
+        jobs.push_back(std::move(job));
+    }
+    return jobs;
+}
+
+std::string in_words(const Color& color) {
+    return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
+}
+
+std::string called(const Scene& scene, std::int32_t number) {
+    if (number == visible_background) return "the background";
+    const auto name = scene.names.find(static_cast<std::uint32_t>(number));
+    return "sphere " + std::to_string(number) + (name == scene.names.end() ? "" : " " + in_quotes(name->second));
+}
+
+std::string coordinates(Pixel pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
+
+// The roots of a sphere along a pixel's ray, or that it has none.
+std::string roots_in_words(const Scene& scene, const PixelExplanation& explanation, std::int32_t number) {
+    for (const ExplainedHit& hit : explanation.hits) {
+        if (hit.number != number) continue;
+        const HitInWords words = in_words(hit);
+        return called(scene, number) + ": t1 = " + words.t1 + ", t2 = " + words.t2;
+    }
+    return called(scene, number) + ": no hit in front of the eye";
+}
+
+// A line for each thing that a person should know of the pictures, in the order in which it helps.
+std::string in_words(const Diagnosis& diagnosis, const CompareJob& job, const LoadedScene& loaded, PictureSize size) {
+    const std::string name = on_one_line(job.picture);
+    const std::string scene_name = on_one_line(loaded.name);
+    const auto count = [](std::int64_t pixels) { return in_groups(static_cast<std::uint64_t>(pixels)); };
+    if (diagnosis.different == 0) return name + ": equal to the right picture of " + scene_name + "\n";
+    std::string text = name + ": " + count(diagnosis.different) + " of " + count(diagnosis.pixels) +
+                       " pixels differ from the right picture of " + scene_name + "\n";
+    if (diagnosis.likeliest.empty()) {
+        text += "  likeliest mistake: none of the usual ones\n";
+    } else {
+        text += "  likeliest mistake: " + diagnosis.likeliest_words + "\n";
+        text += "    explains " + count(diagnosis.explained) + " of the pixels that differ";
+        text += diagnosis.contradicting == 0 ? ", and contradicts none that is right\n"
+                                             : "; " + count(diagnosis.contradicting) + " right ones speak against it\n";
+        if (!diagnosis.as_likely.empty()) {
+            text += "    this picture cannot tell it from " + listed(diagnosis.as_likely, "or") + "\n";
+        }
+    }
+    for (const MistakeShare& share : diagnosis.shares) text += "  " + count(share.pixels) + ": " + share.words + "\n";
+    const DrawnSpheres drawn = drawn_spheres(loaded.scene);
+    for (const DifferingPixel& example : diagnosis.examples) {
+        const std::string found =
+            example.found_number ? called(loaded.scene, *example.found_number) : std::string("a colour of nothing in the scene");
+        text += "  pixel " + coordinates(example.pixel) + ": found " + in_words(example.found) + " (" + found + "), expected " +
+                in_words(example.expected) + " (" + called(loaded.scene, example.expected_number) + ")\n";
+        const PixelExplanation explanation = explain_pixel(loaded.scene, drawn, loaded.scene.camera, size, example.pixel);
+        for (const std::int32_t number : {example.expected_number, example.found_number.value_or(visible_background)}) {
+            if (number != visible_background) text += "    " + roots_in_words(loaded.scene, explanation, number) + "\n";
+        }
+        text += "    more: sphereview explain " + scene_name + " --pixel " + coordinates(example.pixel) + " --size " +
+                std::to_string(size.width) + "x" + std::to_string(size.height) + "\n";
+    }
+    if (!job.difference.empty()) text += "  picture of the difference: " + on_one_line(job.difference) + "\n";
+    return text;
+}
+
+Json rgb(const Color& color) { return {color.r, color.g, color.b}; }
+Json number_or_null(std::int32_t number) { return number == visible_background ? Json(nullptr) : Json(number); }
+
+Json to_json(const Diagnosis& diagnosis, const CompareJob& job, const LoadedScene& loaded, PictureSize size) {
+    Json shares = Json::array();
+    for (const MistakeShare& share : diagnosis.shares) {
+        shares.push_back({{"name", share.name}, {"words", share.words}, {"pixels", share.pixels}, {"mark", rgb(share.mark)}});
+    }
+    Json examples = Json::array();
+    for (const DifferingPixel& example : diagnosis.examples) {
+        examples.push_back({{"pixel", {example.pixel.x, example.pixel.y}},
+                            {"found", rgb(example.found)},
+                            {"found_known", example.found_number.has_value()},
+                            {"found_sphere", number_or_null(example.found_number.value_or(visible_background))},
+                            {"expected", rgb(example.expected)},
+                            {"expected_sphere", number_or_null(example.expected_number)},
+                            {"mistake", diagnosis.shares[example.share].name}});
+    }
+    const bool equal = diagnosis.different == 0;
+    return {{"picture", job.picture},
+            {"scene", loaded.name},
+            {"status", static_cast<int>(equal ? ExitCode::done : ExitCode::differs)},
+            {"error", nullptr},
+            {"size", {size.width, size.height}},
+            {"equal", equal},
+            {"different_pixels", diagnosis.different},
+            {"likeliest", diagnosis.likeliest},
+            {"likeliest_words", diagnosis.likeliest_words},
+            {"explained", diagnosis.explained},
+            {"contradicting", diagnosis.contradicting},
+            {"as_likely", diagnosis.as_likely},
+            {"mistakes", shares},
+            {"examples", examples},
+            {"difference", equal || job.difference.empty() ? Json(nullptr) : Json(job.difference)}};
+}
+
+// Compares pictures with one scene. What wrong tracers see of it is made once for pictures of one size.
+class Comparing {
+public:
+    Comparing(const CompareOptions& options, const LoadedScene& loaded) : options_(options), loaded_(loaded) {}
+
+    ExitCode run(const CompareJob& job) {
+        try {
+            const Image picture = read_picture(job.picture);
+            const PictureSize size{picture.width(), picture.height()};
+            if (wrong_ == nullptr || wrong_->size() != size) {
+                wrong_.reset();
+                wrong_ = std::make_unique<WrongPictures>(loaded_.scene, size);
+            }
+            const Background background = options_.background.value_or(loaded_.scene.background);
+            Image marked;
+            const Diagnosis diagnosis =
+                diagnose(picture, loaded_.scene, background, *wrong_, job.difference.empty() ? nullptr : &marked);
+            const bool equal = diagnosis.different == 0;
+            if (!equal && !job.difference.empty()) write_output(job.difference, encode_png(marked));
+            report(options_.json ? to_json(diagnosis, job, loaded_, size).dump() + "\n" : in_words(diagnosis, job, loaded_, size));
+            return equal ? ExitCode::done : ExitCode::differs;
+        } catch (...) {
+            const Failure failure = describe_current_exception(job.picture);
+            say(failure.message);
+            if (options_.json) {
+                report(Json{{"picture", job.picture},
+                            {"scene", loaded_.name},
+                            {"status", static_cast<int>(failure.code)},
+                            {"error", failure.message}}
+                           .dump() +
+                       "\n");
+            }
+            return failure.code;
+        }
+    }
+
+private:
+    static void report(const std::string& text) { write_output(std::string(standard_stream), text); }
+
+    const CompareOptions& options_;
+    const LoadedScene& loaded_;
+    std::unique_ptr<WrongPictures> wrong_{};
+};
+
+}  // namespace
+
+ExitCode run_compare(const CompareOptions& options) {
+    const std::vector<CompareJob> jobs = plan(options);
+    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    Comparing comparing(options, loaded);
+    ExitCode worst = ExitCode::done;
+    for (const CompareJob& job : jobs) worst = std::max(worst, comparing.run(job));
+    return worst;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,141 @@
+#include "image/picture_file.hpp"
+
+#include <stb_image.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <new>
+
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/memory.hpp"
+#include "base/text.hpp"
+#include "image/png.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Throws where no picture of that size can be kept, or where the file, of `bytes`, is too short for one. `pixels_a_byte`: of the
+// densest.
+void check_size(const std::string& name, std::int64_t width, std::int64_t height, std::size_t bytes, std::size_t pixels_a_byte) {
+    const std::string size = std::to_string(width) + " x " + std::to_string(height);
+    if (width < 1 || height < 1 || width > most_pixels / height) {
+        throw InputError(name + ": found a picture of " + size + " pixels, expected 1 to " + in_groups(most_pixels));
+    }
+    const auto pixels = static_cast<std::uint64_t>(width * height);
+    if (pixels / pixels_a_byte > bytes) {
+        throw InputError(name + ": found " + in_groups(bytes) + " bytes, expected more for a picture of " + size + " pixels");
+    }
+    require_memory(pixels * 8, name + ": a picture of " + size + " pixels needs");
+}
+
+// A PPM or PGM. Not by stb_image, which reads none that is text and takes what a cut off one lacks for black.
+class PortableMap {
+public:
+    PortableMap(std::string_view bytes, const std::string& name) : bytes_(bytes), name_(name) {}
+
+    Image read() {
+        const bool grey = bytes_[1] == '2' || bytes_[1] == '5';
+        const bool text = bytes_[1] == '2' || bytes_[1] == '3';
+        const int width = next("the width", 1, std::numeric_limits<int>::max());
+        const int height = next("the height", 1, std::numeric_limits<int>::max());
+        check_size(name_, width, height, bytes_.size(), 1);
+        const int most = next("the largest value", 1, text ? 65535 : 255);
+        if (!text) ++at_;  // one white character
+        Image image(width, height, 3);
+        std::uint8_t* out = image.bytes().data();
+        for (std::size_t i = 0; i < image.bytes().size(); i += 3) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                out[i + c] = grey && c > 0 ? out[i] : scaled(text ? next("a value", 0, most) : next_byte(most), most);
+            }
+        }
+        return image;
+    }
+
+private:
+    static std::uint8_t scaled(int value, int most) { return static_cast<std::uint8_t>((value * 255 + most / 2) / most); }
+
+    static bool is_white(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+
+    [[noreturn]] void fail(const std::string& found, const std::string& expected) const {
+        throw InputError(place_in(name_, position_at(bytes_, at_)) + "found " + found + ", expected " + expected);
+    }
+
+    int next(const std::string& what, int least, int most) {
+        while (at_ < bytes_.size() && (is_white(bytes_[at_]) || bytes_[at_] == '#')) {
+            if (bytes_[at_] == '#') at_ = std::min(bytes_.find('\n', at_), bytes_.size() - 1);
+            ++at_;
+        }
+        const auto end = std::find_if(bytes_.begin() + static_cast<std::ptrdiff_t>(at_), bytes_.end(), is_white);
+        const std::string_view word = bytes_.substr(at_, static_cast<std::size_t>(end - bytes_.begin()) - at_);
+        int value = 0;
+        const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (word.empty() || parsed.ec != std::errc{} || parsed.ptr != word.data() + word.size() || value < least || value > most) {
+            fail(word.empty() ? "the end of the file" : in_quotes(word),
+                 what + ", " + std::to_string(least) + " to " + std::to_string(most));
+        }
+        at_ += word.size();
+        return value;
+    }
+
+    int next_byte(int most) {
+        if (at_ >= bytes_.size()) throw InputError(name_ + ": found the end of the file, expected more pixels");
+        const int value = static_cast<unsigned char>(bytes_[at_++]);
+        return std::min(value, most);
+    }
+
+    std::string_view bytes_;
+    const std::string& name_;
+    std::size_t at_ = 2;  // behind "P3"
+};
+
+Image decode_bmp(std::string_view bytes, const std::string& name) {
+    // stb_image takes what a cut off file lacks for black: the file says how long it is.
+    std::uint32_t length = 0;
+    for (std::size_t i = 0; i < 4 && i + 2 < bytes.size(); ++i) {
+        length |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + 2])) << (8 * i);
+    }
+    if (length > bytes.size()) {
+        throw InputError(name + ": found " + in_groups(bytes.size()) + " bytes of a BMP, expected " + in_groups(length));
+    }
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), std::numeric_limits<int>::max()));
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    const auto fail = [&] { throw InputError(name + ": not a usable BMP: " + on_one_line(stbi_failure_reason())); };
+    if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) fail();
+    check_size(name, width, height, bytes.size(), 8);
+    const int wanted = channels == 4 ? 4 : 3;
+    const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
+        stbi_load_from_memory(data, size, &width, &height, &channels, wanted), &stbi_image_free);
+    if (pixels == nullptr && std::string_view(stbi_failure_reason()) == "outofmem") throw std::bad_alloc();
+    if (pixels == nullptr) fail();
+    Image image(width, height, wanted);
+    std::memcpy(image.bytes().data(), pixels.get(), image.bytes().size());
+    return image;
+}
+
+}  // namespace
+
+Image decode_picture(std::string_view bytes, const std::string& name) {
+    for (const char* map : {"P2", "P3", "P5", "P6"}) {
+        if (bytes.starts_with(map)) return PortableMap(bytes, name).read();
+    }
+    if (bytes.starts_with("BM")) return decode_bmp(bytes, name);
+    if (bytes.starts_with("\x89PNG")) return decode_png(bytes, name);
+    throw InputError(name + ": found " +
+                     (bytes.empty() ? "an empty file" : "a file that begins with " + in_quotes(bytes.substr(0, 8))) +
+                     ", expected a PNG, PPM, PGM or BMP picture");
+}
+
+Image read_picture(const std::string& path) {
+    const InputFile file(path, Content::binary);
+    return decode_picture(file.bytes(), file.name());
+}
+
+}  // namespace sphereview

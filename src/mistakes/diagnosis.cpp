@@ -1,0 +1,313 @@
+#include "mistakes/diagnosis.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <span>
+#include <unordered_map>
+
+#include "base/parallel.hpp"
+#include "exact/visible.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Numbers = std::vector<std::int32_t>;
+
+std::uint32_t packed(const Color& color) {
+    return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
+}
+
+// How a person's program may write the right number in the wrong colour.
+struct Palette {
+    bool red_and_blue_swapped = false;
+    bool inexact = false;               // off by so little that no other colour is meant
+    std::optional<Color> background{};  // instead of the right one
+
+    static constexpr int most_off = 4;  // of 255
+
+    bool operator==(const Palette&) const = default;
+};
+
+// What is supposed of the program that made a picture.
+struct Suspicion {
+    WrongTracer tracer{};
+    Palette palette{};
+};
+
+// The picture and what it should be.
+class Comparer {
+public:
+    Comparer(const Image& picture, const Scene& scene, const Background& background)
+        : picture_(picture), scene_(scene), background_(background) {}
+
+    Color found(std::size_t i) const {
+        const std::uint8_t* bytes = picture_.bytes().data() + i * static_cast<std::size_t>(picture_.channels());
+        return background_.transparent && picture_.channels() == 4 && bytes[3] == 0 ? background_.color
+                                                                                    : Color{bytes[0], bytes[1], bytes[2]};
+    }
+
+    Color right(std::int32_t number) const {
+        return number == visible_background ? background_.color : scene_.spheres[static_cast<std::size_t>(number)].color;
+    }
+
+    // Whether pixel i is as a program with that palette shows that number.
+    bool shows(std::size_t i, std::int32_t number, const Palette& palette) const {
+        Color color = number == visible_background && palette.background ? *palette.background : right(number);
+        if (palette.red_and_blue_swapped) std::swap(color.r, color.b);
+        const Color is = found(i);
+        if (is == color) return true;
+        const auto near = [](int a, int b) { return std::abs(a - b) <= Palette::most_off; };
+        return palette.inexact && near(is.r, color.r) && near(is.g, color.g) && near(is.b, color.b);
+    }
+
+    // For how many pixels is(i) holds.
+    template <typename Is>
+    std::int64_t count(const Is& is) const {
+        std::atomic<std::int64_t> all = 0;
+        constexpr std::size_t piece = 1 << 16;
+        parallel_pieces(pixels(), piece, [&](std::size_t begin, std::size_t end) {
+            std::int64_t some = 0;
+            for (std::size_t i = begin; i < end; ++i) some += is(i) ? 1 : 0;
+            all += some;
+        });
+        return all;
+    }
+
+    std::int64_t showing(const Numbers& numbers, const Palette& palette) const {
+        return count([&](std::size_t i) { return shows(i, numbers[i], palette); });
+    }
+
+    std::size_t pixels() const { return static_cast<std::size_t>(picture_.width()) * static_cast<std::size_t>(picture_.height()); }
+    Pixel pixel(std::size_t i) const {
+        const auto width = static_cast<std::size_t>(picture_.width());
+        return {static_cast<int>(i % width), static_cast<int>(i / width)};
+    }
+
+private:
+    const Image& picture_;
+    const Scene& scene_;
+    Background background_;
+};
+
+// The colour that most pixels have of those that should show the background; none where that is the right one.
+std::optional<Color> other_background(const Comparer& comparer, const Numbers& numbers) {
+    std::unordered_map<std::uint32_t, std::int64_t> counts;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] == visible_background) ++counts[packed(comparer.found(i))];
+    }
+    if (counts.empty()) return std::nullopt;
+    const auto most = std::ranges::max_element(
+        counts, [](const auto& a, const auto& b) { return a.second < b.second || (a.second == b.second && a.first > b.first); });
+    const std::uint32_t value = most->first;
+    const Color color{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
+                      static_cast<std::uint8_t>(value)};
+    return color == comparer.right(visible_background) ? std::nullopt : std::optional(color);
+}
+
+struct Named {
+    std::string name;
+    std::string words;
+};
+
+std::string in_words(const Color& color) {
+    return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
+}
+
+// The mistakes, one each.
+std::vector<Named> named(const Suspicion& suspicion) {
+    std::vector<Named> all;
+    for (const MistakeWords& words : mistakes_of(suspicion.tracer))
+        all.push_back({std::string(words.name), std::string(words.words)});
+    const Palette& palette = suspicion.palette;
+    if (palette.red_and_blue_swapped) all.push_back({"red-blue-swapped", "red and blue are exchanged"});
+    if (palette.background) {
+        all.push_back({"background", "the background is " + in_words(*palette.background)});
+    }
+    if (palette.inexact) {
+        all.push_back({"inexact-colors", "colours are off by up to " + std::to_string(Palette::most_off) + " of 255"});
+    }
+    return all;
+}
+
+// The suspicions with one mistake more.
+std::vector<Suspicion> more_suspicious(const Suspicion& base, const Comparer& comparer, WrongPictures& wrong) {
+    std::vector<Suspicion> more;
+    for (const WrongTracer& tracer : with_one_more_mistake(base.tracer, wrong.size())) more.push_back({tracer, base.palette});
+    const auto add = [&](auto change) {
+        Suspicion changed = base;
+        change(changed.palette);
+        if (changed.palette != base.palette) more.push_back(changed);
+    };
+    add([](Palette& palette) { palette.red_and_blue_swapped = true; });
+    add([](Palette& palette) { palette.inexact = true; });
+    const std::optional<Color> background = other_background(comparer, wrong.numbers(base.tracer));
+    if (background && !base.palette.background) add([&](Palette& palette) { palette.background = background; });
+    return more;
+}
+
+// The mistakes that are left one by one to be tried, and what was found with them.
+struct Search {
+    Suspicion likeliest{};
+    std::vector<Suspicion> as_likely{};  // when it is a single mistake
+    std::vector<Suspicion> singles{};    // that explain more than they contradict, but for the likeliest; the best first
+};
+
+constexpr std::size_t most_mistakes = 4;
+// A further mistake must explain so many of the pixels that are left.
+constexpr double least_part = 0.05;
+
+Search search(const Comparer& comparer, WrongPictures& wrong) {
+    Search out;
+    const auto all = static_cast<std::int64_t>(comparer.pixels());
+    std::int64_t shown = comparer.showing(wrong.numbers({}), {});
+    std::vector<std::pair<std::int64_t, Suspicion>> better;
+    for (std::size_t mistakes = 0; mistakes < most_mistakes && shown < all; ++mistakes) {
+        std::vector<std::pair<std::int64_t, Suspicion>> tried;
+        for (const Suspicion& next : more_suspicious(out.likeliest, comparer, wrong)) {
+            tried.emplace_back(comparer.showing(wrong.numbers(next.tracer), next.palette), next);
+        }
+        std::ranges::stable_sort(tried, std::ranges::greater(), [](const auto& entry) { return entry.first; });
+        std::erase_if(tried, [&](const auto& entry) { return entry.first <= shown; });
+        if (mistakes == 0) better = tried;
+        if (tried.empty() || static_cast<double>(tried[0].first - shown) < least_part * static_cast<double>(all - shown)) break;
+        out.as_likely.clear();
+        for (std::size_t i = 1; mistakes == 0 && i < tried.size() && tried[i].first == tried[0].first; ++i) {
+            out.as_likely.push_back(tried[i].second);
+        }
+        std::tie(shown, out.likeliest) = tried[0];
+    }
+    const std::vector<Named> used = named(out.likeliest);
+    for (const auto& [count, single] : better) {
+        const std::string name = named(single).front().name;
+        if (std::ranges::find(used, name, &Named::name) == used.end()) out.singles.push_back(single);
+    }
+    return out;
+}
+
+// For each differing pixel the number of its share; `none` for the others.
+constexpr std::uint8_t none = std::numeric_limits<std::uint8_t>::max();
+
+// By their place in the list of shares: the likeliest, then others, the last three for what comes from float, from nothing known,
+// and what no sphere's colour is.
+constexpr Color likeliest_mark{255, 255, 255};
+constexpr std::array<Color, 3> other_marks = {{{255, 220, 0}, {255, 140, 0}, {160, 220, 0}}};
+constexpr Color float_mark{0, 220, 255};
+constexpr Color unknown_mark{255, 0, 255};
+constexpr Color no_color_mark{150, 150, 150};
+
+void add_examples(Diagnosis& out, const Comparer& comparer, const Numbers& right, const std::vector<std::uint8_t>& share_of,
+                  const std::unordered_map<std::uint32_t, std::int32_t>& number_of_color) {
+    const auto largest = std::ranges::max_element(out.shares, {}, &MistakeShare::pixels);
+    const auto share = static_cast<std::uint8_t>(largest - out.shares.begin());
+    constexpr std::int64_t most = 3;
+    // At a quarter, the middle and three quarters of them in reading order: seldom all at one sphere's edge.
+    std::int64_t passed = 0;
+    for (std::size_t i = 0; i < share_of.size(); ++i) {
+        if (share_of[i] != share) continue;
+        const auto wanted = static_cast<std::int64_t>(out.examples.size()) + 1;
+        const bool few = largest->pixels <= most;
+        if (wanted <= most && (few || passed == largest->pixels * wanted / (most + 1))) {
+            DifferingPixel example{comparer.pixel(i), comparer.found(i)};
+            const auto number = number_of_color.find(packed(example.found));
+            if (number != number_of_color.end()) example.found_number = number->second;
+            example.expected_number = right[i];
+            example.expected = comparer.right(right[i]);
+            example.share = share;
+            out.examples.push_back(example);
+        }
+        ++passed;
+    }
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& background, WrongPictures& wrong, Image* marked) {
+    const Comparer comparer(picture, scene, background);
+    const Numbers& right = wrong.numbers({});
+    Diagnosis out;
+    out.pixels = static_cast<std::int64_t>(comparer.pixels());
+    out.different = out.pixels - comparer.showing(right, {});
+    if (out.different == 0) return out;
+
+    const Search found = search(comparer, wrong);
+    const Numbers& likeliest = wrong.numbers(found.likeliest.tracer);
+    for (const Named& mistake : named(found.likeliest)) {
+        out.likeliest.push_back(mistake.name);
+        out.likeliest_words += (out.likeliest_words.empty() ? "" : "; and ") + mistake.words;
+    }
+    for (const Suspicion& other : found.as_likely) out.as_likely.push_back(named(other).front().name);
+
+    const auto is_right = [&](std::size_t i) { return comparer.shows(i, right[i], {}); };
+    std::vector<std::uint8_t> share_of(comparer.pixels(), none);
+    const auto add_share = [&](const Named& mistake, const Color& mark, const auto& is) {
+        MistakeShare share{mistake.name, mistake.words, 0, mark};
+        share.pixels = comparer.count([&](std::size_t i) {
+            if (share_of[i] != none || is_right(i) || !is(i)) return false;
+            share_of[i] = static_cast<std::uint8_t>(out.shares.size());
+            return true;
+        });
+        if (share.pixels > 0) out.shares.push_back(share);
+    };
+
+    // Say for each pixel why it differs: the first reason of these that holds.
+    if (!out.likeliest.empty()) {
+        const auto is_explained = [&](std::size_t i) { return comparer.shows(i, likeliest[i], found.likeliest.palette); };
+        std::string names = out.likeliest.front();
+        for (std::size_t i = 1; i < out.likeliest.size(); ++i) names += "+" + out.likeliest[i];
+        add_share({names, out.likeliest_words}, likeliest_mark, is_explained);
+        out.explained = out.shares.empty() ? 0 : out.shares.front().pixels;
+        out.contradicting = comparer.count([&](std::size_t i) { return is_right(i) && !is_explained(i); });
+    }
+    for (std::size_t k = 0; k < std::min(found.singles.size(), other_marks.size()); ++k) {
+        const Suspicion& single = found.singles[k];
+        const Numbers& numbers = wrong.numbers(single.tracer);
+        add_share(named(single).front(), other_marks[k],
+                  [&](std::size_t i) { return comparer.shows(i, numbers[i], single.palette); });
+    }
+    // What has each colour, the first in the file.
+    std::unordered_map<std::uint32_t, std::int32_t> number_of_color;
+    number_of_color.emplace(packed(background.color), visible_background);
+    for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+        if (!scene.spheres[k].hidden) number_of_color.emplace(packed(scene.spheres[k].color), static_cast<std::int32_t>(k));
+    }
+    const auto has_color = [&](std::size_t i) { return number_of_color.contains(packed(comparer.found(i))); };
+    wrong.numbers_in_float({});  // made once, before all cores ask
+    add_share({"float", "too close for float arithmetic to tell which sphere is seen"}, float_mark, [&](std::size_t i) {
+        if (!has_color(i)) return false;
+        const Numbers perhaps = wrong.numbers_in_float(comparer.pixel(i));
+        return std::ranges::any_of(perhaps,
+                                   [&](std::int32_t number) { return comparer.shows(i, number, found.likeliest.palette); });
+    });
+    if (out.likeliest.empty() && !out.shares.empty() && out.shares.back().name == "float" &&
+        2 * out.shares.back().pixels > out.different) {
+        out.likeliest = {"float"};
+        out.likeliest_words = out.shares.back().words;
+        out.explained = out.shares.back().pixels;
+    }
+    add_share({"unknown", "another sphere's colour or the background's, for no usual reason"}, unknown_mark, has_color);
+    add_share({"no-color", "a colour that nothing in the scene has, such as a mixed or a shaded one"}, no_color_mark,
+              [](std::size_t) { return true; });
+
+    add_examples(out, comparer, right, share_of, number_of_color);
+    if (marked != nullptr) {
+        *marked = Image(picture.width(), picture.height(), 3);
+        for (std::size_t i = 0; i < share_of.size(); ++i) {
+            const Color is = comparer.found(i);
+            const auto dimmed = [](std::uint8_t value) { return static_cast<std::uint8_t>(value / 4); };
+            const Color color =
+                share_of[i] == none ? Color{dimmed(is.r), dimmed(is.g), dimmed(is.b)} : out.shares[share_of[i]].mark;
+            std::uint8_t* at = marked->bytes().data() + 3 * i;
+            at[0] = color.r;
+            at[1] = color.g;
+            at[2] = color.b;
+        }
+    }
+    return out;
+}
+
+}  // namespace sphereview

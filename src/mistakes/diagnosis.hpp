@@ -1,0 +1,53 @@
+// Why a picture of somebody's own ray tracer differs from the right one: which usual mistakes explain it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "image/image.hpp"
+#include "mistakes/wrong_tracer.hpp"
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+// A mistake, and how many of the differing pixels show what it makes of them.
+struct MistakeShare {
+    std::string name;   // for programs
+    std::string words;  // for people
+    std::int64_t pixels = 0;
+    Color mark{};  // its pixels in the picture of the difference
+};
+
+// One of the differing pixels.
+struct DifferingPixel {
+    Pixel pixel;
+    Color found;
+    // What has that colour in the scene: the first such sphere or visible_background; none where nothing has.
+    std::optional<std::int32_t> found_number{};
+    Color expected{};
+    std::int32_t expected_number = 0;
+    std::size_t share = 0;  // in Diagnosis::shares
+};
+
+struct Diagnosis {
+    std::int64_t pixels = 0;
+    std::int64_t different = 0;
+    std::vector<std::string> likeliest{};    // the names of the mistakes that together explain most; none: no usual one
+    std::string likeliest_words{};           // the same for people
+    std::vector<std::string> as_likely{};    // names of single mistakes that this picture cannot tell from the likeliest one
+    std::int64_t explained = 0;              // differing pixels that show what the likeliest mistakes make of them
+    std::int64_t contradicting = 0;          // right pixels which those would change
+    std::vector<MistakeShare> shares{};      // of all differing pixels, each counted once; the likeliest mistakes first
+    std::vector<DifferingPixel> examples{};  // up to three, of the largest share
+};
+
+// Compares a picture with the right flat one of the scene at the same size. Where that has a transparent background, alpha 0 is
+// background; otherwise alpha is passed over. `marked`: where a picture of the difference is wanted: equal pixels dimmed to a
+// quarter, different ones in their share's mark.
+Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& background, WrongPictures& wrong,
+                   Image* marked = nullptr);
+
+}  // namespace sphereview

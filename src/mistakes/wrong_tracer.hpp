@@ -1,0 +1,111 @@
+// How a ray tracer with a usual mistake sees a scene: for each pixel the number of the sphere that it would show.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/candidates.hpp"
+#include "exact/drawn.hpp"
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+// How a mistake is called: `name` in reports for programs, `words` for people.
+struct MistakeWords {
+    std::string_view name;
+    std::string_view words;
+};
+
+// Where the picture's x and y point. The first of each of these is right, the others are mistakes.
+enum class Orientation { right, y_down, x_mirrored, turned, swapped };
+inline constexpr std::array<MistakeWords, 5> orientation_words = {{
+    {"", ""},
+    {"y-down", "y points down: the picture is upside down"},
+    {"x-mirrored", "x is mirrored: left and right are exchanged"},
+    {"turned", "x and y are both mirrored: the picture is turned by half"},
+    {"x-y-exchanged", "rows and columns are exchanged"},
+}};
+
+// Through which points of the screen the rays go.
+enum class RayPlace { center, top_left, top_right, bottom_left, bottom_right, edges, stretched };
+inline constexpr std::array<MistakeWords, 7> ray_place_words = {{
+    {"", ""},
+    {"top-left-corner", "rays go through the top left corners of the pixels instead of their centres"},
+    {"top-right-corner", "rays go through the top right corners of the pixels instead of their centres"},
+    {"bottom-left-corner", "rays go through the bottom left corners of the pixels instead of their centres"},
+    {"bottom-right-corner", "rays go through the bottom right corners of the pixels instead of their centres"},
+    {"edge-to-edge", "the first and last pixels' rays go through the screen's edges: x / (W - 1) instead of (x + 0.5) / W"},
+    {"stretched", "the square screen is stretched over a picture that is not square"},
+}};
+
+// Which of the hits is shown.
+enum class HitRule {
+    nearest,
+    far_root,
+    behind,
+    inside_missed,
+    tangent_missed,
+    last_of_equals,
+    first_in_file,
+    last_in_file,
+    farthest
+};
+inline constexpr std::array<MistakeWords, 9> hit_rule_words = {{
+    {"", ""},
+    {"far-root", "the far root counts: t2 = (-b + sqrt(discriminant)) / (2 a) instead of t1"},
+    {"behind-the-eye", "what lies behind the eye counts: a negative t is not left out"},
+    {"inside-missed", "a sphere around the eye is missed: t2 is not tried where t1 is negative"},
+    {"tangent-missed", "a tangent ray counts as a miss: discriminant > 0 instead of >= 0"},
+    {"last-of-equals", "of equally near spheres the last in the file is shown: <= instead of < in the depth test"},
+    {"no-depth-test", "no depth test: the first sphere in the file that is hit is shown"},
+    {"last-in-file", "no depth test: each hit overwrites the one before, so the last in the file is shown"},
+    {"farthest", "the farthest hit is shown: the depth test is the wrong way round"},
+}};
+
+// A tracer and its mistakes; the default makes none.
+struct WrongTracer {
+    Orientation orientation = Orientation::right;
+    RayPlace place = RayPlace::center;
+    HitRule rule = HitRule::nearest;
+
+    auto operator<=>(const WrongTracer&) const = default;
+};
+
+// The tracers with one mistake more than this one, of those that can make a difference in a picture of that size.
+std::vector<WrongTracer> with_one_more_mistake(const WrongTracer& tracer, PictureSize size);
+
+// The mistakes of a tracer, one each.
+std::vector<MistakeWords> mistakes_of(const WrongTracer& tracer);
+
+// What wrong tracers see of a scene from its own camera, in pictures of one size. The scene must outlive it.
+class WrongPictures {
+public:
+    // Throws MemoryError when what is kept cannot fit.
+    WrongPictures(const Scene& scene, PictureSize size);
+    ~WrongPictures();
+
+    PictureSize size() const { return size_; }
+
+    // Row by row the number of the sphere that each pixel shows, or visible_background. Made at the first call and kept.
+    const std::vector<std::int32_t>& numbers(const WrongTracer& tracer);
+
+    // The numbers, perhaps visible_background among them, of what float arithmetic without care may show in a pixel instead of
+    // the right sphere. One number where it surely sees the right one.
+    std::vector<std::int32_t> numbers_in_float(Pixel pixel);
+
+private:
+    struct FloatView;
+
+    const Scene& scene_;
+    PictureSize size_;
+    std::map<WrongTracer, std::vector<std::int32_t>> numbers_;
+    std::unique_ptr<FloatView> float_view_;
+};
+
+}  // namespace sphereview

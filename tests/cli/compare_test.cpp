@@ -1,0 +1,105 @@
+// Pictures of other ray tracers, and what is wrong with them.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "cli/fails.hpp"
+#include "support/json.hpp"
+#include "support/picture.hpp"
+#include "support/render.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+class Compare : public testing::Test {
+protected:
+    Compare() {
+        folder_.write("scene.txt", "2  255 0 0  0 0 300 50  0 0 255  -30 0 250 30");
+        render(folder_, {"scene.txt", "-s", "60x40", "-o", "right.png"});
+    }
+
+    Outcome compare(std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "compare");
+        return run({.arguments = arguments, .folder = folder_.path()});
+    }
+
+    // The right picture upside down, as a PPM.
+    void write_upside_down(const std::string& name) {
+        const Picture right = decode_png(folder_.read("right.png"));
+        std::string bytes = "P6\n60 40\n255\n";
+        for (std::size_t row = 40; row-- > 0;) bytes += right.bytes.substr(row * 180, 180);
+        folder_.write(name, bytes);
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Compare, SaysNothingElseOfAnEqualPicture) {
+    const Outcome outcome = compare({"right.png", "scene.txt"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.output, "right.png: equal to the right picture of scene.txt\n");
+    EXPECT_FALSE(folder_.has("right-difference.png"));
+}
+
+TEST_F(Compare, NamesTheLikeliestMistakeAndShowsWhere) {
+    folder_.write("scene.txt", "2  255 0 0  0 40 300 50  0 0 255  -30 0 250 30");
+    render(folder_, {"scene.txt", "-s", "60x40", "-o", "right.png"});
+    write_upside_down("mine.ppm");
+    const Outcome outcome = compare({"mine.ppm", "scene.txt"});
+    EXPECT_EQ(outcome.status, 1) << outcome;
+    for (const char* part :
+         {"likeliest mistake: y points down: the picture is upside down\n", "and contradicts none that is right\n",
+          "found 0 0 0 (the background), expected 255 0 0 (sphere 0)\n    sphere 0: t1 = ",
+          "more: sphereview explain scene.txt --pixel ", "picture of the difference: mine-difference.png\n"}) {
+        EXPECT_TRUE(contains(outcome.output, part)) << outcome;
+    }
+    const Picture difference = decode_png(folder_.read("mine-difference.png"));
+    EXPECT_EQ(difference.at(0, 0), (std::vector{0, 0, 0}));
+    EXPECT_EQ(difference.at(30, 10), (std::vector{255, 255, 255}));
+}
+
+TEST_F(Compare, GoesThroughAClassAndReportsJson) {
+    folder_.write("scene.txt", "1  255 0 0  0 40 300 50");
+    render(folder_, {"scene.txt", "-s", "60x40", "-o", "right.png"});
+    write_upside_down("mine.ppm");
+    folder_.write("broken.png", "GIF89a");
+    const Outcome outcome = compare({"right.png", "broken.png", "mine.ppm", "scene.txt", "--json", "--no-diff"});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.errors, "broken.png: found a file that begins with 'GIF89a', expected a PNG, PPM, PGM or BMP picture\n");
+    std::istringstream lines(outcome.output);
+    std::string line;
+    std::vector<Json> reports;
+    while (std::getline(lines, line)) reports.push_back(Json::parse(line));
+    ASSERT_EQ(reports.size(), 3U);
+    EXPECT_EQ(reports[0]["equal"], true);
+    EXPECT_EQ(reports[1]["status"], 2);
+    EXPECT_EQ(reports[2]["likeliest"], Json({"y-down"}));
+    EXPECT_EQ(reports[2]["explained"], reports[2]["different_pixels"]);
+    EXPECT_EQ(reports[2]["examples"].size(), 3U);
+    EXPECT_TRUE(reports[2]["difference"].is_null());
+    EXPECT_FALSE(folder_.has("mine-difference.png"));
+}
+
+TEST_F(Compare, RefusesWhatMakesNoSense) {
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+        {{"scene.txt"}, "PICTURE: found one file alone, expected pictures, and last the scene"},
+        {{"-", "-"}, "PICTURE: found '-' twice, expected standard input once"},
+        {{"right.png", "scene.txt", "--diff", "-"}, "--diff: found '-', expected a file: standard output has the report"},
+        {{"right.png", "scene.txt", "--diff", "right.png"},
+         "right.png: the picture of the difference of right.png would overwrite"},
+        {{"right.png", "right.png", "scene.txt"},
+         "right-difference.png: the picture of the difference of right.png would overwrite"},
+        {{"right.png", "none.txt"}, "none.txt: "},
+        {{"none.png", "scene.txt"}, "none.png: "},
+    };
+    for (const auto& [arguments, message] : cases) {
+        const Outcome outcome = compare(arguments);
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_TRUE(contains(outcome.errors, message)) << outcome;
+    }
+}
+
+}  // namespace
+}  // namespace sphereview::test

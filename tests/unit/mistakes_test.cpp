@@ -1,0 +1,215 @@
+// A deliberately wrong tracer, which shares no code with the program's: the diagnosis must name what is wrong with it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "mistakes/diagnosis.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// The names of the mistakes that it makes, as the diagnosis calls them; "" for none.
+struct Mistakes {
+    std::string orientation{};
+    std::string place{};
+    std::string rule{};
+};
+
+// The numbers of the spheres as somebody's program may find them who reads the definition of the picture, and makes mistakes.
+template <typename Real>
+std::vector<int> traced(const Scene& scene, PictureSize size, const Mistakes& mistakes) {
+    std::vector<int> numbers;
+    const bool edges = mistakes.place == "edge-to-edge";
+    const bool corner = mistakes.place.ends_with("corner");
+    const Real in_x = corner ? (mistakes.place.find("left") != std::string::npos ? 0 : 1) : Real(0.5);
+    const Real in_y = corner ? (mistakes.place.starts_with("top") ? 0 : 1) : Real(0.5);
+    for (int row = 0; row < size.height; ++row) {
+        for (int column = 0; column < size.width; ++column) {
+            const Real m = static_cast<Real>(std::min(size.width, size.height));
+            const Real w = static_cast<Real>(size.width);
+            const Real h = static_cast<Real>(size.height);
+            const bool stretched = mistakes.place == "stretched";
+            Real x = Real(50) * (2 * (static_cast<Real>(column) + in_x) - w) / (stretched ? w : m);
+            Real y = Real(50) * (h - 2 * (static_cast<Real>(row) + in_y)) / (stretched ? h : m);
+            if (edges) x = (Real(-50) + Real(100) * static_cast<Real>(column) / (w - 1)) * w / m;
+            if (edges) y = (Real(50) - Real(100) * static_cast<Real>(row) / (h - 1)) * h / m;
+            if (mistakes.orientation == "x-y-exchanged") std::tie(x, y) = std::pair(-y, -x);
+            if (mistakes.orientation == "y-down" || mistakes.orientation == "turned") y = -y;
+            if (mistakes.orientation == "x-mirrored" || mistakes.orientation == "turned") x = -x;
+            const Real z = 100;
+            const std::string& rule = mistakes.rule;
+            int seen = -1;
+            Real nearest = rule == "farthest" ? -1 : std::numeric_limits<Real>::max();
+            for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+                const auto cx = static_cast<Real>(scene.spheres[k].center.x);
+                const auto cy = static_cast<Real>(scene.spheres[k].center.y);
+                const auto cz = static_cast<Real>(scene.spheres[k].center.z);
+                const auto r = static_cast<Real>(scene.spheres[k].radius);
+                const Real a = x * x + y * y + z * z;
+                const Real b = -2 * (x * cx + y * cy + z * cz);
+                const Real c = cx * cx + cy * cy + cz * cz - r * r;
+                const Real discriminant = b * b - 4 * a * c;
+                if (discriminant < 0 || (rule == "tangent-missed" && discriminant == 0)) continue;
+                const Real t1 = (-b - std::sqrt(discriminant)) / (2 * a);
+                const Real t2 = (-b + std::sqrt(discriminant)) / (2 * a);
+                Real t = t1 > 0 ? t1 : t2;
+                if (rule == "far-root") t = t2;
+                if (rule == "inside-missed" || rule == "behind-the-eye") t = t1;
+                if (t <= 0 && rule != "behind-the-eye") continue;
+                const bool wins = rule == "no-depth-test"    ? seen < 0
+                                  : rule == "last-in-file"   ? true
+                                  : rule == "last-of-equals" ? t <= nearest
+                                  : rule == "farthest"       ? t > nearest
+                                                             : t < nearest;
+                if (wins) std::tie(seen, nearest) = std::pair(static_cast<int>(k), t);
+            }
+            numbers.push_back(seen);
+        }
+    }
+    return numbers;
+}
+
+Image painted(const Scene& scene, PictureSize size, const std::vector<int>& numbers, bool swapped = false) {
+    Image picture(size.width, size.height, 3);
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const Color color = numbers[i] < 0 ? Color{} : scene.spheres[static_cast<std::size_t>(numbers[i])].color;
+        std::uint8_t* at = picture.bytes().data() + 3 * i;
+        at[0] = swapped ? color.b : color.r;
+        at[1] = color.g;
+        at[2] = swapped ? color.r : color.b;
+    }
+    return picture;
+}
+
+Diagnosis diagnosed(const Image& picture, const Scene& scene) {
+    WrongPictures wrong(scene, {picture.width(), picture.height()});
+    return diagnose(picture, scene, {}, wrong);
+}
+
+// Spheres in front of the eye and behind it, overlapping, none of them like another in its colour.
+Scene usual_scene(unsigned seed) {
+    std::mt19937 random(seed);
+    const auto between = [&](double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; };
+    Scene scene;
+    for (std::uint8_t i = 0; i < 14; ++i) {
+        const double z = i % 7 == 6 ? between(-500, -200) : between(200, 500);
+        scene.spheres.push_back({{between(-120, 120), between(-120, 120), z},
+                                 between(20, 70),
+                                 {static_cast<std::uint8_t>(10 * i + 30), static_cast<std::uint8_t>(250 - 9 * i), i}});
+    }
+    return scene;
+}
+
+}  // namespace
+
+TEST(Diagnosis, NamesTheOneMistakeOfAWrongTracer) {
+    const PictureSize square{120, 120};
+    const PictureSize wide{150, 100};
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        const Scene scene = usual_scene(seed);
+        EXPECT_EQ(diagnosed(painted(scene, wide, traced<double>(scene, wide, {})), scene).different, 0);
+        const auto expect_named = [&](const Mistakes& mistakes, PictureSize size) {
+            const std::string name = mistakes.orientation + mistakes.place + mistakes.rule;
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", " + name);
+            const Diagnosis found = diagnosed(painted(scene, size, traced<double>(scene, size, mistakes)), scene);
+            ASSERT_GT(found.different, 0);
+            EXPECT_EQ(found.likeliest, (std::vector{name}));
+            EXPECT_EQ(found.explained, found.different);
+            EXPECT_EQ(found.contradicting, 0);
+            ASSERT_EQ(found.shares.size(), 1U);
+            EXPECT_EQ(found.shares[0].pixels, found.different);
+            EXPECT_EQ(found.examples.size(), std::min<std::size_t>(3, static_cast<std::size_t>(found.different)));
+        };
+        for (const char* name : {"y-down", "x-mirrored", "turned"}) expect_named({.orientation = name}, wide);
+        expect_named({.orientation = "x-y-exchanged"}, square);
+        for (const char* name :
+             {"top-left-corner", "top-right-corner", "bottom-left-corner", "bottom-right-corner", "edge-to-edge", "stretched"}) {
+            expect_named({.place = name}, wide);
+        }
+        for (const char* name : {"far-root", "behind-the-eye", "no-depth-test", "last-in-file", "farthest"}) {
+            expect_named({.rule = name}, wide);
+        }
+    }
+}
+
+// Whole numbers, for which double arithmetic is exact: rays at the pixels of a 5 x 5 picture.
+TEST(Diagnosis, NamesMistakesOfTiesTangentsAndInsides) {
+    Scene ties;
+    ties.spheres = {{{0, 0, 300}, 100, {1, 2, 3}}, {{0, 0, 300}, 100, {4, 5, 6}}, {{200, 0, 300}, 40, {7, 8, 9}}};
+    Scene tangent;
+    tangent.spheres = {{{50, 0, 300}, 50, {9, 9, 9}}};
+    Scene inside;
+    inside.spheres = {{{0, 0, 100}, 150, {9, 9, 9}}, {{40, 0, 200}, 30, {5, 5, 5}}};
+    const std::vector<std::pair<std::string, const Scene*>> cases = {
+        {"last-of-equals", &ties}, {"tangent-missed", &tangent}, {"inside-missed", &inside}};
+    for (const auto& [name, scene] : cases) {
+        const PictureSize size{5, 5};
+        const Diagnosis found = diagnosed(painted(*scene, size, traced<double>(*scene, size, {.rule = name})), *scene);
+        EXPECT_GT(found.different, 0) << name;
+        EXPECT_EQ(found.likeliest, (std::vector{name}));
+        EXPECT_EQ(found.contradicting, 0) << name;
+    }
+}
+
+TEST(Diagnosis, NamesTwoMistakesAtOnce) {
+    const Scene scene = usual_scene(4);
+    const PictureSize size{120, 120};
+    const Diagnosis turned =
+        diagnosed(painted(scene, size, traced<double>(scene, size, {.orientation = "y-down", .rule = "far-root"})), scene);
+    EXPECT_EQ(turned.likeliest, (std::vector<std::string>{"y-down", "far-root"}));
+    EXPECT_EQ(turned.explained, turned.different);
+    const Diagnosis swapped = diagnosed(painted(scene, size, traced<double>(scene, size, {.rule = "last-in-file"}), true), scene);
+    EXPECT_EQ(swapped.explained, swapped.different);
+    EXPECT_EQ(std::set<std::string>(swapped.likeliest.begin(), swapped.likeliest.end()),
+              (std::set<std::string>{"last-in-file", "red-blue-swapped"}));
+}
+
+TEST(Diagnosis, NamesFloatArithmetic) {
+    // Two spheres that are nearly the same: where the second is nearer, it is so by less than float can tell.
+    Scene scene;
+    scene.spheres = {{{0, 0, 3000}, 1000, {255, 0, 0}}, {{0.002, 0.001, 3000}, 1000, {0, 255, 0}}};
+    const PictureSize size{100, 100};
+    const Diagnosis found = diagnosed(painted(scene, size, traced<float>(scene, size, {})), scene);
+    ASSERT_GT(found.different, 0);
+    EXPECT_EQ(found.likeliest, (std::vector<std::string>{"float"}));
+    EXPECT_EQ(found.explained, found.different);
+}
+
+TEST(Diagnosis, SaysWhatNoUsualMistakeExplains) {
+    const Scene scene = usual_scene(5);
+    const PictureSize size{60, 60};
+    const std::vector<int> numbers = traced<double>(scene, size, {});
+    Image picture = painted(scene, size, numbers);
+    const auto middle = static_cast<std::size_t>(numbers[60 * 30 + 30]);
+    const auto other = scene.spheres[(middle + 1) % scene.spheres.size()].color;
+    const auto set = [&](int x, int y, const Color& color) {
+        picture.at(x, y)[0] = color.r;
+        picture.at(x, y)[1] = color.g;
+        picture.at(x, y)[2] = color.b;
+    };
+    set(30, 30, other);
+    set(31, 30, {255, 0, 255});
+    Image marked;
+    WrongPictures wrong(scene, size);
+    const Diagnosis found = diagnose(picture, scene, {}, wrong, &marked);
+    EXPECT_EQ(found.different, 2);
+    EXPECT_TRUE(found.likeliest.empty());
+    ASSERT_EQ(found.shares.size(), 2U);
+    EXPECT_EQ(found.shares[0].name, "unknown");
+    EXPECT_EQ(found.shares[1].name, "no-color");
+    ASSERT_EQ(found.examples.size(), 1U);
+    EXPECT_EQ(found.examples[0].pixel, (Pixel{30, 30}));
+    EXPECT_EQ(found.examples[0].found_number, (middle + 1) % scene.spheres.size());
+    EXPECT_EQ(marked.at(31, 30)[0], found.shares[1].mark.r);
+    EXPECT_EQ(marked.at(5, 5)[1], picture.at(5, 5)[1] / 4);
+}
+
+}  // namespace sphereview
