@@ -30,7 +30,7 @@ namespace {
 ViewerState* open_state = nullptr;
 
 constexpr std::chrono::milliseconds patience_without_window{300};
-constexpr std::chrono::seconds patience{2};  // with a window that does not act on a signal
+constexpr std::chrono::seconds patience{2};  // with a window that does not act on a signal, and a disk that does not write
 
 // What is said when the loop hangs while it changes the document, so that nobody else can read that.
 constexpr const char* hangs_in_change =
@@ -62,7 +62,7 @@ bool save_of_hung_loop(ViewerState& state) {
 [[noreturn]] void on_connection_lost() {
     std::string said = "the connection to the display is lost";
     if (open_state != nullptr) {
-        wait_for_saving(*open_state);
+        finish_writing(*open_state, patience);
         open_state->autosave.finish();
         const std::string kept = keep_for_recovery(*open_state);
         if (!kept.empty()) said += "; " + kept;
@@ -182,13 +182,13 @@ ExitCode run_view(const ViewOptions& options) {
         } catch (...) {
             ending.lock();
             loop_ended.set_value();
-            wait_for_saving(state);
+            finish_writing(state, patience);
             state.autosave.finish();
             save_for_recovery(state);
             edits_kept.set_value();
             throw;
         }
-        wait_for_saving(state);
+        finish_writing(state, patience);
         state.autosave.finish();
         open_state = nullptr;
         if (interrupted != 0) {

@@ -17,6 +17,7 @@
 #include "base/input_file.hpp"
 #include "formats/scene_format.hpp"
 #include "support/environment.hpp"
+#include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
@@ -261,6 +262,18 @@ TEST_F(AutosaveTest, WritesANewerCopyAfterTheOneThatIsBeingWritten) {
     EXPECT_TRUE(older->ended());
     autosave.finish();
     EXPECT_EQ(kept_scene().spheres.size(), 2U);
+}
+
+TEST_F(AutosaveTest, KeepsAlsoWithoutAThreadAndNeverReplacesThatByAnOlderCopy) {
+    if (!test::NoThreads::possible) GTEST_SKIP() << "threads can always begin here";
+    begin_to_keep_a_large_scene();
+    document.apply(RemoveSpheres{{0}}, "Remove");
+    {
+        const test::NoThreads none;
+        EXPECT_EQ(autosave.keep_before_reading(document, ""), nullptr) << "kept";
+    }
+    autosave.finish();
+    EXPECT_EQ(kept_scene().spheres.size(), 20'000u);
 }
 
 TEST_F(AutosaveTest, DoesNotTryAgainAndAgainWhereNothingCanBeWritten) {
