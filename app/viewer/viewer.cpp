@@ -308,8 +308,8 @@ void Viewer::redraw() {
         const bool resting =
             pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
         log_.add(state_, facts_,
-                 {++redraw_number_, picture_.builds(), explanations_, exact, resting, area_, seconds_between(begin, Clock::now()),
-                  title_for(state_)},
+                 {++redraw_number_, picture_.builds(), explanations_, exact, rest_picture_works_, resting, area_,
+                  seconds_between(begin, Clock::now()), title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
