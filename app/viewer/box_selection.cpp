@@ -1,15 +1,29 @@
 #include "viewer/box_selection.hpp"
 
 #include <chrono>
+#include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "app/failure.hpp"
 #include "cpu/cpu_renderer.hpp"
+#include "exact/drawn.hpp"
 #include "exact/resolve.hpp"
+#include "tiles/build_lists.hpp"
 #include "viewer/perform.hpp"
+#include "viewer/picture_job.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
+
+namespace {
+
+// Of the exception being handled.
+void report_failure(ViewerState& state) {
+    report_error(state, "What is seen in the box cannot be found", describe_current_exception().message);
+}
+
+}  // namespace
 
 std::vector<std::uint32_t> spheres_seen(const Scene& scene, const Camera& camera, PictureSize size, const Block& block) {
     const DrawnSpheres drawn = drawn_spheres(scene, camera);
@@ -31,11 +45,16 @@ std::vector<std::uint32_t> spheres_seen(const Scene& scene, const Camera& camera
 void select_seen(ViewerState& state, const Block& block, bool toggles) {
     // A redraw can wait so long without anyone noticing.
     constexpr std::chrono::milliseconds patience{10};
-    auto numbers = std::make_shared<std::vector<std::uint32_t>>();
-    BackgroundJob job([numbers, block, scene = scene_snapshot(state), camera = state.camera,
-                       size = state.picture_size](WorkControl&) { *numbers = spheres_seen(*scene, camera, size, block); });
-    state.box_selection.emplace(
-        BoxSelection{state.document.revision(), state.selection, toggles, std::move(numbers), std::move(job)});
+    state.box_selection.reset();
+    try {
+        auto numbers = std::make_shared<std::vector<std::uint32_t>>();
+        BackgroundJob job([numbers, block, scene = scene_snapshot(state), camera = state.camera,
+                           size = state.picture_size](WorkControl&) { *numbers = spheres_seen(*scene, camera, size, block); });
+        state.box_selection.emplace(
+            BoxSelection{state.document.revision(), state.selection, toggles, std::move(numbers), std::move(job)});
+    } catch (...) {
+        return report_failure(state);
+    }
     state.box_selection->job.wait_for(patience);
     finish_box_selection(state);
 }
@@ -46,7 +65,7 @@ bool finish_box_selection(ViewerState& state) {
     try {
         done.job.rethrow();
     } catch (...) {
-        report_error(state, "What is seen in the box cannot be found", describe_current_exception().message);
+        report_failure(state);
         return true;
     }
     const bool same_numbers = !state.document.changes_since(done.revision).order;

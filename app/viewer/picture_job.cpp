@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -53,51 +54,64 @@ PictureOptions picture_options(const ViewerState& state, PictureSize size) {
             state.document.scene().light};
 }
 
-// Begins to write a file; none may be on its way. `fail` is called with what went wrong, now or later.
-void start_export(ViewerState& state, const std::string& path, PictureSize size, std::function<void(const std::string& why)> fail) {
+// NAME.png beside the scene, or in the Pictures folder.
+std::string usual_name(const ViewerState& state) {
+    const fs::path folder = state.path.empty() ? pictures_folder() : path_from(state.path).parent_path();
+    const std::string stem = state.path.empty() ? "untitled" : text_from(path_from(without_gzip_ending(state.path)).stem());
+    return text_from(folder / path_from(stem + ".png"));
+}
+
+// NAME.png, NAME-1.png, NAME-2.png, ...: the first that is not there.
+std::string next_free_name(const std::string& usual) {
+    const fs::path first = path_from(usual);
+    std::error_code error;
+    fs::path name = first;
+    for (int i = 1; fs::exists(fs::symlink_status(name, error)); ++i) {
+        name = first;
+        name.replace_filename(path_from(text_from(first.stem()) + "-" + std::to_string(i) + ".png"));
+    }
+    return text_from(name);
+}
+
+enum class Naming { as_said, next_free };
+
+// Begins to write a file; none may be on its way. `fail` is called with what went wrong, now or later. The job alone asks for
+// files: a FIFO that nobody reads, or a disk that hangs, holds up nobody else.
+void start_export(ViewerState& state, const std::string& path, Naming naming, PictureSize size,
+                  std::function<void(const std::string& why)> fail) {
     const PictureOptions options = picture_options(state, size);
+    const auto written = std::make_shared<std::string>(path);
+    const auto done = [&state, written, options] {
+        const auto& [width, height] = options.size;
+        announce(state, "Exported " + *written + " (" + std::to_string(width) + " x " + std::to_string(height) +
+                            (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples a pixel)" : ")"));
+    };
     try {
         if (std::max(size.width, size.height) > longest_side(options.samples)) {
             throw RenderError("a picture with " + std::to_string(options.samples) + " samples a pixel can be at most " +
                               in_groups(static_cast<std::uint64_t>(longest_side(options.samples))) + " pixels wide and high");
         }
-        check_output(path);
+        std::shared_ptr<const Image> made;
+        if (rest_picture_is_shown(state) && state.rest_picture->options == options) made = state.rest_picture->image;
+        BackgroundJob job([written, naming, made, options, scene = made ? nullptr : scene_snapshot(state)](WorkControl& control) {
+            if (naming == Naming::next_free) *written = next_free_name(*written);
+            check_output(*written);
+            const std::string png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
+            control.begin_to_write();
+            write_output(*written, png);
+        });
+        state.exporting.emplace(Work{.path = path, .job = std::move(job), .done = done, .fail = fail});
     } catch (...) {
-        return fail(describe_current_exception().message);
+        fail(describe_current_exception().message);
     }
-    std::shared_ptr<const Image> made;
-    if (rest_picture_is_shown(state) && state.rest_picture->options == options) made = state.rest_picture->image;
-    auto png = std::make_shared<std::string>();
-    BackgroundJob job([png, made, options, scene = made ? nullptr : scene_snapshot(state)](WorkControl& control) {
-        *png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
-    });
-    const auto done = [&state, path, options] {
-        const auto& [width, height] = options.size;
-        announce(state, "Exported " + path + " (" + std::to_string(width) + " x " + std::to_string(height) +
-                            (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples a pixel)" : ")"));
-    };
-    // The loop writes the file, so that an export that is cancelled before leaves nothing.
-    const auto write = [path, png] { write_output(path, *png); };
-    state.exporting.emplace(Work{.path = path, .job = std::move(job), .done = done, .fail = std::move(fail), .write = write});
 }
 
-// NAME.png, NAME-1.png, NAME-2.png, ...: the first that is not there.
-fs::path next_free_name(const ViewerState& state) {
-    const fs::path folder = state.path.empty() ? pictures_folder() : path_from(state.path).parent_path();
-    const std::string stem = state.path.empty() ? "untitled" : text_from(path_from(without_gzip_ending(state.path)).stem());
-    std::error_code error;
-    fs::path name = folder / path_from(stem + ".png");
-    for (int i = 1; fs::exists(fs::symlink_status(name, error)); ++i)
-        name = folder / path_from(stem + "-" + std::to_string(i) + ".png");
-    return name;
-}
-
-void ask_for_export(ViewerState& state, const fs::path& first, const std::string& fault) {
+void ask_for_export(ViewerState& state, const std::string& first, const std::string& fault) {
     FileBrowser form;
     form.saving = true;
     form.title = "Export picture";
-    form.folder = text_from(first.parent_path());
-    form.name = text_from(first.filename());
+    form.folder = text_from(path_from(first).parent_path());
+    form.name = text_from(path_from(first).filename());
     form.kinds = {{"PNG", {".png"}}};
     form.size = PictureSize{state.settings.export_width, state.settings.export_height};
     form.view = state.picture_size;
@@ -105,9 +119,9 @@ void ask_for_export(ViewerState& state, const fs::path& first, const std::string
     form.accept = [&state](const std::string& path, PictureSize size) {
         state.settings.export_width = size.width;
         state.settings.export_height = size.height;
-        const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path_from(path), why); };
+        const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
         if (state.exporting) return ask_again(state.exporting->path + " is not exported yet");
-        start_export(state, path, size, ask_again);
+        start_export(state, path, Naming::as_said, size, ask_again);
     };
     state.dialogs.push_back(std::move(form));
 }
@@ -137,9 +151,15 @@ void make_rest_picture(ViewerState& state) {
     // Shaders of a folder are there to be looked at; and one picture at a time is made.
     if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
     const PictureOptions options = picture_options(state, state.picture_size);
+    std::shared_ptr<const Scene> scene;
+    try {
+        scene = scene_snapshot(state);
+    } catch (const std::bad_alloc&) {
+        return;  // the live picture stays
+    }
     auto image = std::make_shared<Image>();
     auto preview = std::make_shared<Preview>();
-    BackgroundJob job([image, preview, options, scene = scene_snapshot(state)](WorkControl& control) {
+    BackgroundJob job([image, preview, options, scene](WorkControl& control) {
         if (options.shading == Shading::studio) {
             PictureOptions few = options;
             few.samples = 1;
@@ -154,10 +174,10 @@ void make_rest_picture(ViewerState& state) {
 
 void export_now(ViewerState& state) {
     if (state.exporting) return;
-    start_export(state, text_from(next_free_name(state)), {state.settings.export_width, state.settings.export_height},
+    start_export(state, usual_name(state), Naming::next_free, {state.settings.export_width, state.settings.export_height},
                  [&state](const std::string& why) { report_error(state, "The picture cannot be exported", why); });
 }
 
-void ask_for_export(ViewerState& state) { ask_for_export(state, next_free_name(state), ""); }
+void ask_for_export(ViewerState& state) { ask_for_export(state, next_free_name(usual_name(state)), ""); }
 
 }  // namespace sphereview

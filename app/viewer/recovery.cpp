@@ -213,13 +213,15 @@ void Autosave::begin(const Document& document, const std::string& original) {
     due_.reset();
     try {
         // The copy that is being written comes first, or it would replace this newer one.
-        job_ = std::make_shared<BackgroundJob>(
+        auto job = std::make_shared<BackgroundJob>(
             [scene = std::make_shared<const Scene>(document.scene()), original, earlier = job_, written = written_](WorkControl&) {
                 if (earlier) earlier->wait();
                 const auto begin = Clock::now();
                 written->done = write_recovery(*scene, original);
                 written->took = Clock::now() - begin;
             });
+        if (job->ended()) job->rethrow();
+        job_ = std::move(job);
     } catch (const std::exception&) {  // there is no memory for a copy, or no thread
         finish();
         written_->done = write_recovery(document.scene(), original);

@@ -43,6 +43,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"exact", frame.exact},
         {"samples", frame.exact ? state.settings.samples : 1},
         {"shading", name_of(state.settings.shading)},
+        {"making", frame.making},
         {"resting", frame.resting},
         {"seconds", frame.seconds},
         {"title", frame.title},

@@ -1,6 +1,9 @@
 #include "viewer/scene_work.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -18,13 +21,13 @@ namespace {
 
 constexpr std::uintmax_t bytes_at_once = std::uintmax_t{1} << 20;
 constexpr std::size_t spheres_at_once = 10'000;
+constexpr std::chrono::milliseconds unnoticed{20};  // a redraw can wait so long
 
 void end(std::optional<Work>& work) {
     const Work ended = std::move(*work);
     work.reset();
     try {
         ended.job.rethrow();
-        ended.write();
     } catch (...) {
         return ended.fail(describe_current_exception(ended.path).message);
     }
@@ -66,22 +69,27 @@ void start_loading(ViewerState& state, LoadRequest request) {
 void cancel_work(ViewerState& state) {
     std::optional<Work>& work = state.loading ? state.loading : state.exporting;
     if (!work) return;
-    const std::function<void()> cancel = std::move(work->cancel);
-    work.reset();
-    cancel();
+    work->job.cancel();
+    // A file that is whole in a moment needs no words.
+    const bool may_appear = work->job.control().writes && !work->job.wait_for(unnoticed);
+    const Work cancelled = *std::exchange(work, std::nullopt);
+    if (may_appear) announce(state, "Cancelled too late: the picture may be written all the same");
+    cancelled.cancel();
 }
 
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail) {
-    BackgroundJob job([scene = std::make_shared<Scene>(state.scene()), path, format](WorkControl&) mutable {
-        const std::string text = write_scene(*scene, format);
-        scene.reset();
-        write_output(path, text);
-    });
-    state.saving.emplace(Work{.path = path, .job = std::move(job), .done = std::move(done), .fail = std::move(fail)});
-    // Not for ever: the file may be on a disk that hangs, and the loop goes on with what is not saved yet.
-    constexpr std::chrono::seconds patience{2};
-    if (state.scene().spheres.size() <= spheres_at_once && state.saving->job.wait_for(patience)) wait_for_saving(state);
+    try {
+        BackgroundJob job([scene = std::make_shared<Scene>(state.scene()), path, format](WorkControl&) mutable {
+            const std::string text = write_scene(*scene, format);
+            scene.reset();
+            write_output(path, text);
+        });
+        state.saving.emplace(Work{.path = path, .job = std::move(job), .done = std::move(done), .fail = fail});
+    } catch (...) {
+        return fail(describe_current_exception(path).message);
+    }
+    if (state.scene().spheres.size() <= spheres_at_once && state.saving->job.wait_for(unnoticed)) end(state.saving);
 }
 
 bool is_working(const ViewerState& state) { return state.loading || state.saving || state.exporting; }
@@ -97,11 +105,17 @@ bool finish_work(ViewerState& state) {
     return any;
 }
 
-void wait_for_saving(ViewerState& state) {
-    while (state.saving) {
-        state.saving->job.wait();
-        end(state.saving);
+void finish_writing(ViewerState& state, std::chrono::milliseconds limit) {
+    const auto last = Clock::now() + limit;
+    const auto ends = [&](const Work& work) {
+        return work.job.wait_for(std::max(std::chrono::duration_cast<std::chrono::milliseconds>(last - Clock::now()), {}));
+    };
+    if (state.exporting) {
+        state.exporting->job.cancel();
+        ends(*state.exporting);
+        state.exporting.reset();
     }
+    while (state.saving && ends(*state.saving)) end(state.saving);
 }
 
 }  // namespace sphereview

@@ -1,6 +1,7 @@
 // Reading and writing scenes beside the window's loop, and what else goes on there.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 
@@ -22,14 +23,13 @@ struct LoadRequest {
     bool reload = false;  // of the file that is shown
 };
 
-// What a thread beside the window's loop does with a file, and what the loop does once it has ended: write() and then done(), or
-// fail() where the thread or write() throws. Work that is cancelled calls none of them.
+// What a thread beside the window's loop does with a file, and what the loop does once it has ended: done(), or fail() where the
+// thread throws. Work that is cancelled calls neither.
 struct Work {
     std::string path;
     BackgroundJob job;
     std::function<void()> done;
     std::function<void(const std::string& why)> fail;
-    std::function<void()> write = [] {};
     std::function<void()> cancel = [] {};
     bool reload = false;  // it reads the file that is shown
 };
@@ -40,11 +40,12 @@ bool is_read_at_once(const std::string& path);
 // Begins to read, instead of what is being read now. What is_read_at_once() has been read when this returns: before anyone could
 // see a bar. A reading that was cancelled ends at its next 4 MB; nobody waits for it, since a read of a pipe may never return.
 void start_loading(ViewerState& state, LoadRequest request);
-// What is being read, or else exported; nothing is written then.
+// What is being read, or else exported; says so if it is already being written, and leaves nothing else.
 void cancel_work(ViewerState& state);
 
 // Writes the scene as it is now, from a copy (10 ms for a million spheres), so that edits need not wait and cannot tear what is
-// written. A small one has been written when this returns. None may be under way. `done` is called once the file is whole.
+// written. A small one is usually written when this returns; a FIFO that nobody reads, or a disk that hangs, is not waited for.
+// None may be under way. `done` is called once the file is whole.
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 
@@ -52,7 +53,7 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
 bool is_working(const ViewerState& state);
 // Acts on what has ended. Returns whether anything has.
 bool finish_work(ViewerState& state);
-// Waits for what is being written, and acts on it.
-void wait_for_saving(ViewerState& state);
+// Cancels an export; waits for what is being written all the same, at most so long, and acts on what is saved.
+void finish_writing(ViewerState& state, std::chrono::milliseconds limit);
 
 }  // namespace sphereview

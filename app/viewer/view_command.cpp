@@ -7,6 +7,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "platform/gl_context.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/unsaved_edits.hpp"
 #include "viewer/viewer.hpp"
 
 namespace sphereview {
@@ -30,7 +32,7 @@ namespace {
 ViewerState* open_state = nullptr;
 
 constexpr std::chrono::milliseconds patience_without_window{300};
-constexpr std::chrono::seconds patience{2};  // with a window that does not act on a signal
+constexpr std::chrono::seconds patience{2};  // with a window that does not act on a signal, and a disk that does not write
 
 // What is said when the loop hangs while it changes the document, so that nobody else can read that.
 constexpr const char* hangs_in_change =
@@ -38,33 +40,16 @@ constexpr const char* hangs_in_change =
 
 constexpr const char* way_out = " ('sphereview render' needs no window; 'sphereview doctor' says what works here)";
 
-// What became of unsaved changes, for a message; "" when there are none.
-std::string keep_for_recovery(const ViewerState& state) {
-    if (!state.document.is_changed() && !state.saving) return "";  // a save may not be finished
-    const bool kept = write_recovery(state.scene(), state.path);
-    return "unsaved changes of " + state.name() + (kept ? " are kept; the next start offers them" : " could not be kept");
-}
-
-void save_for_recovery(const ViewerState& state) {
-    const std::string said = keep_for_recovery(state);
+void say_of_edits(const std::string& said) {
     if (!said.empty()) say("sphereview: " + said);
-}
-
-// Of a loop that hangs, by another thread. Should the loop go on meanwhile, it changes nothing until the process has ended. False
-// when the loop is in the middle of a change.
-bool save_of_hung_loop(ViewerState& state) {
-    if (!state.changing.try_lock_for(patience)) return false;
-    state.autosave.finish();  // an older copy must not replace this one
-    save_for_recovery(state);
-    return true;
 }
 
 [[noreturn]] void on_connection_lost() {
     std::string said = "the connection to the display is lost";
     if (open_state != nullptr) {
-        wait_for_saving(*open_state);
+        finish_writing(*open_state, patience);
         open_state->autosave.finish();
-        const std::string kept = keep_for_recovery(*open_state);
+        const std::string kept = keep_unsaved(*open_state);
         if (!kept.empty()) said += "; " + kept;
         save_settings(open_state->settings);
     }
@@ -163,7 +148,14 @@ ExitCode run_view(const ViewOptions& options) {
             Window::wake();
             const std::future<void> ended = loop_ended.get_future();
             const auto has_ended = [&](std::chrono::seconds limit) { return ended.wait_for(limit) == std::future_status::ready; };
-            if (!has_ended(patience) && !save_of_hung_loop(state) && !has_ended(std::chrono::seconds(0))) say(hangs_in_change);
+            if (!has_ended(patience)) {
+                const std::optional<std::string> said = keep_unsaved_of_hung_loop(state, patience);
+                if (said) {
+                    say_of_edits(*said);
+                } else if (!has_ended(std::chrono::seconds(0))) {
+                    say(hangs_in_change);
+                }
+            }
             if (has_ended(std::chrono::seconds(0))) {
                 edits_kept.get_future().wait();
                 std::this_thread::sleep_for(patience);  // closing a window may hang too
@@ -182,17 +174,17 @@ ExitCode run_view(const ViewOptions& options) {
         } catch (...) {
             ending.lock();
             loop_ended.set_value();
-            wait_for_saving(state);
+            finish_writing(state, patience);
             state.autosave.finish();
-            save_for_recovery(state);
+            say_of_edits(keep_unsaved(state));
             edits_kept.set_value();
             throw;
         }
-        wait_for_saving(state);
+        finish_writing(state, patience);
         state.autosave.finish();
         open_state = nullptr;
         if (interrupted != 0) {
-            save_for_recovery(state);
+            say_of_edits(keep_unsaved(state));
             save_settings(state.settings);
             edits_kept.set_value();
             return static_cast<ExitCode>(128 + interrupted.load());

@@ -83,7 +83,7 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
-        if (pacing_.rests() && input_.empty() && !state_.saving) {
+        if (pacing_.rests() && input_.empty() && autosaves()) {
             const std::lock_guard lock(state_.changing);
             state_.autosave.look(state_.document, state_.path, Clock::now());
         }
@@ -92,11 +92,15 @@ void Viewer::run(const std::function<bool()>& interrupted) {
     }
 }
 
+// Not what is being saved: what is kept of that stays until the file is whole. But what is edited meanwhile.
+bool Viewer::autosaves() const { return !state_.saving || state_.document.is_changed(); }
+
 void Viewer::wait_for_work() {
     files_.watch({state_.path, state_.options.shader_folder});
     std::optional<double> patience = input_.empty() ? pacing_.patience() : 0.0;
     if (!patience) {
-        for (const auto& time : {state_.announcement_ends, state_.autosave.due(), files_.next_look()}) {
+        for (const auto& time :
+             {state_.announcement_ends, autosaves() ? state_.autosave.due() : std::nullopt, files_.next_look()}) {
             if (!time) continue;
             const double seconds = std::max(seconds_between(Clock::now(), *time), 0.0);
             patience = std::min(patience.value_or(seconds), seconds);
@@ -304,8 +308,8 @@ void Viewer::redraw() {
         const bool resting =
             pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
         log_.add(state_, facts_,
-                 {++redraw_number_, picture_.builds(), explanations_, exact, resting, area_, seconds_between(begin, Clock::now()),
-                  title_for(state_)},
+                 {++redraw_number_, picture_.builds(), explanations_, exact, rest_picture_works_, resting, area_,
+                  seconds_between(begin, Clock::now()), title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.

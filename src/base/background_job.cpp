@@ -1,17 +1,19 @@
 #include "base/background_job.hpp"
 
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
 
 namespace sphereview {
 
 BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work) : control_(std::make_shared<WorkControl>()) {
-    std::promise<void> end;
-    end_ = end.get_future();
-    std::thread([control = control_, work = std::move(work), end = std::move(end)]() mutable {
+    const auto end = std::make_shared<std::promise<void>>();
+    end_ = end->get_future();
+    auto run = [control = control_, work = std::move(work), end]() mutable {
         std::exception_ptr error;
         try {
             cancel_loops_by(&control->cancelled);
@@ -21,11 +23,16 @@ BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work) : control_(
         }
         work = nullptr;  // what it holds may be large: it goes here, not where the end is awaited
         if (error) {
-            end.set_exception(std::move(error));
+            end->set_exception(std::move(error));
         } else {
-            end.set_value();
+            end->set_value();
         }
-    }).detach();
+    };
+    try {
+        std::thread(std::move(run)).detach();
+    } catch (const std::system_error&) {
+        end->set_exception(std::make_exception_ptr(RenderError("the system allows no more threads")));
+    }
 }
 
 BackgroundJob::~BackgroundJob() {

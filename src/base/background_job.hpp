@@ -18,18 +18,24 @@ struct WorkControl {
     std::atomic<std::uint64_t> done = 0;   // bytes, or what the work counts in
     std::atomic<std::uint64_t> total = 0;  // likewise; 0 when nobody knows
     std::atomic<bool> cancelled = false;
+    std::atomic<bool> writes = false;  // what is cancelled now may be written all the same
 
     // Throws Cancelled when it is.
     void check() const {
         if (cancelled) throw Cancelled();
+    }
+    // To be called before the first byte of an output: either this throws Cancelled or who cancels sees `writes`.
+    void begin_to_write() {
+        writes = true;
+        check();
     }
 };
 
 class BackgroundJob {
 public:
     // Begins at once. The work owns what it touches: it may outlive this object, as a read of a pipe that nobody writes to
-    // does. Cancelled, it ends at its next check(), or in its next loop on all cores (base/parallel.hpp). Throws
-    // std::system_error when there can be no thread.
+    // does. Cancelled, it ends at its next check(), or in its next loop on all cores (base/parallel.hpp). When there can be no
+    // thread it has ended at once, and rethrow() throws RenderError.
     explicit BackgroundJob(std::function<void(WorkControl&)> work);
     // Cancels, and waits for nothing.
     ~BackgroundJob();
@@ -39,6 +45,7 @@ public:
     BackgroundJob& operator=(const BackgroundJob&) = delete;
 
     const WorkControl& control() const { return *control_; }
+    void cancel() { control_->cancelled = true; }
     // Whether it ended, by itself or by an exception.
     bool ended() const { return wait_for(std::chrono::milliseconds(0)); }
     void wait() const { end_.wait(); }

@@ -101,6 +101,35 @@ TEST(NearestHit, is_that_of_integers) {
     EXPECT_LT(in_integers, pairs / 10);
 }
 
+// Two spheres that nearly touch the eye, each with a number that is too small for their scale. Its square, all that keeps the
+// sphere off the eye, is smaller than any double.
+TEST(NearestHit, counts_errors_whose_squares_underflow) {
+    Camera camera;
+    camera.center = {1.0, 0.0, 0.0};
+    camera.right = {0.0, 0.0, 1.0};
+    const PictureSize size{1, 1};
+    const Pixel pixel{0, 0};
+    const Sphere farther{.center = {0x1p1000, 0x1p-500, 0.0}, .radius = 0x1p1000};
+    const Sphere nearer{.center = {0x1p1000, 0x1p-501, 0.0}, .radius = 0x1p1000};
+    const std::array<Contender, 2> both = {Contender{0, &farther}, Contender{1, &nearer}};
+    ASSERT_EQ(decide_exactly(camera, size, pixel, both), 1);
+
+    const ExactBasis basis(camera);
+    const SphereScale scale(camera.eye, 0x1p1000);
+    NearestHit nearest(camera, basis, size, pixel);
+    for (const Contender& contender : both) {
+        const EyeSide side = eye_side(*contender.sphere, camera.eye);
+        ASSERT_EQ(side, EyeSide::outside);
+        const ScaledSphere scaled = scale(*contender.sphere, contender.number, side);
+        EXPECT_GT(scaled.c.error, 0.0);
+        DifferenceLanes lanes(1);
+        lanes.set(0, nearest);
+        EXPECT_NE(lanes.challenged_by(scaled), 0U);
+        nearest.challenge(scaled);
+    }
+    EXPECT_EQ(nearest.visible(), 1);
+}
+
 }  // namespace
 
 }  // namespace sphereview

@@ -36,6 +36,17 @@ void answer(ViewerWindow& window, const std::string& question, const std::string
     window.click_widget("answer " + answer);
 }
 
+std::string kept_changes(const TemporaryFolder& folder) {
+    const std::string kept = "home/state/sphereview/";
+    std::error_code none;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path(kept), none)) {
+        const std::string name = file.path().filename().string();
+        if (name.starts_with("recovery-") && name.ends_with(".toml"))
+            return folder.read(kept + name);  // before, its name is hidden
+    }
+    return "";
+}
+
 void wait_for_no_dialogs(ViewerWindow& window) { window.wait_for("dialogs", Json::array()); }
 
 std::string announced(ViewerWindow& window, const std::string& part, const std::string& member) {

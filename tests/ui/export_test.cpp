@@ -1,7 +1,11 @@
 // Pictures written from the window and the picture at rest: the very bytes of `render`, in every shading mode and with any samples.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <csignal>
 #include <filesystem>
+#include <iostream>
 #include <sstream>
 
 #include "support/text_match.hpp"
@@ -181,6 +185,46 @@ TEST_F(PictureAtRest, GivesWayToTheLivePictureAndComesBack) {
     window_.key("ctrl+z");
     wait_for_another(revision);
     expect_rest(4);
+}
+
+// Spheres around the eye that differ in the last bit of their radii, in the light of 1,024 lamps: a picture with 16 samples takes
+// minutes. All that is looked at is what happens before it is made.
+TEST(HardPicture, IsMadeWhileTheWindowAnswersAndKeepsEdits) {
+    constexpr int many = 50;
+    std::ostringstream spheres;
+    spheres.precision(17);
+    double radius = 150.0;
+    for (int i = 0; i < many; ++i, radius = std::nextafter(radius, 200.0)) {
+        spheres << "[[sphere]]\ncenter = [0, 0, 0]\nradius = " << radius << "\ncolor = [200, " << i << ", 0]\n";
+    }
+    const TemporaryFolder folder;
+    ViewerWindow window(folder, {folder.write("scene.toml", "[light]\nlights = 1024\n"), "--samples", "16", "--shade", "studio"});
+    replace_by_rename(folder, "scene.toml", "[light]\nlights = 1024\n" + spheres.str());
+    const auto is_being_made = [](const Json& f) { return f.at("making") == true && f.at("exact") == false; };
+    window.wait_meanwhile("work on the picture", [&](const Json& f) { return f.at("spheres") == many && is_being_made(f); });
+
+    window.step("an edit begins the picture anew, and is kept");
+    window.key("Insert");
+    window.wait_meanwhile("the edit", [&](const Json& f) { return f.at("spheres") == many + 1 && is_being_made(f); });
+    window.wait_meanwhile("what is kept", [&](const Json&) { return contains(kept_changes(folder), "[[sphere]]"); });
+    EXPECT_TRUE(is_being_made(window.frame()));
+
+    window.step("answers");
+    constexpr int answers = 20;
+    std::vector<double> seconds;
+    for (int i = 0; i < answers; ++i) {
+        window.key("ctrl+i");
+        const int selected = i % 2 == 0 ? many : 1;
+        const Json& redraw = window.wait_meanwhile("an answer", [&](const Json& f) { return f.at("selected") == selected; });
+        ASSERT_TRUE(is_being_made(redraw)) << "answer " << i;
+        seconds.push_back(redraw.at("seconds").get<double>());
+    }
+    std::ranges::sort(seconds);
+    std::cout << "the median of " << answers << " redraws: " << 1000.0 * seconds[answers / 2] << " ms\n";
+
+    window.step("the end does not wait for the picture");
+    window.send(SIGTERM);
+    EXPECT_EQ(window.wait_for_end().status, 128 + SIGTERM);
 }
 
 TEST(Samples, AreKeptOverriddenAndInExports) {

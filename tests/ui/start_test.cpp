@@ -1,7 +1,6 @@
 // Ends that nobody asked for, and shaders that are edited while the program runs.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <csignal>
 #include <filesystem>
 
@@ -15,14 +14,8 @@ namespace {
 
 // Waits until the running window has kept its changes, or has forgotten them.
 void wait_for_kept(ViewerWindow& window, const TemporaryFolder& folder, bool kept) {
-    window.wait_until(kept ? "changes that are kept" : "no changes that are kept", [&](const Json&) {
-        std::error_code none;
-        const std::filesystem::directory_iterator files(folder.path("home/state/sphereview"), none);
-        return kept == std::any_of(begin(files), end(files), [](const auto& file) {
-                   const std::string name = file.path().filename().string();
-                   return name.starts_with("recovery-") && name.ends_with(".toml");  // whole: before, its name is hidden
-               });
-    });
+    window.wait_until(kept ? "changes that are kept" : "no changes that are kept",
+                      [&](const Json&) { return kept == !kept_changes(folder).empty(); });
 }
 
 void kill(ViewerWindow& window) {

@@ -38,7 +38,7 @@ TEST(SpheresSeen, AreThoseThatPixelsOfTheBlockShow) {
             }
         }
         std::ranges::sort(expected);
-        expected.erase(std::ranges::unique(expected).begin(), expected.end());
+        expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
         EXPECT_EQ(spheres_seen(scene, scene.camera, size, block), expected) << block.x << " " << block.y;
     }
 }

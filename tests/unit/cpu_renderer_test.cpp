@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <cmath>
 #include <random>
 
+#include "base/background_job.hpp"
+#include "base/parallel.hpp"
 #include "exact/resolve.hpp"
 
 namespace sphereview {
@@ -85,6 +89,27 @@ TEST(CpuRenderer, TracesABlockAsItTracesThePicture) {
                     << "at pixel " << block.x + x << "," << block.y + y;
             }
         }
+    }
+}
+
+// However long one pixel takes, what is cancelled ends soon: after 4,096 spheres in double, or a cell's comparisons with one in
+// integers.
+TEST(Resolver, LooksWhetherToEndWithinAPixel) {
+    Scene far_apart;
+    for (int i = 0; i < 5000; ++i) far_apart.spheres.push_back({{0, 0, 200.0 + 10.0 * i}, 1});
+    const Scene nearly_equal = of({{{0, 0, 200}, 5}, {{0, 0, 200}, std::nextafter(5.0, 6.0)}});
+    const std::atomic<bool> cancelled = true;
+    using Expected = std::pair<const Scene*, DecisionLevel>;
+    for (const auto& [scene, expected] :
+         {Expected(&far_apart, DecisionLevel::in_double), {&nearly_equal, DecisionLevel::exactly}}) {
+        const DrawnSpheres drawn = drawn_spheres(*scene);
+        const Resolver resolver(*scene, drawn, {1, 1});
+        DecisionLevel level = DecisionLevel::in_float;
+        resolver.resolve({0, 0}, level);
+        EXPECT_EQ(level, expected);
+        cancel_loops_by(&cancelled);
+        EXPECT_THROW(resolver.resolve({0, 0}, level), Cancelled);
+        cancel_loops_by(nullptr);
     }
 }
 

@@ -13,8 +13,10 @@
 #include <vector>
 
 #include "base/background_job.hpp"
+#include "base/error.hpp"
 #include "base/isolated_call.hpp"
 #include "support/eventually.hpp"
+#include "support/no_threads.hpp"
 
 namespace sphereview {
 
@@ -122,6 +124,14 @@ TEST(BackgroundJob, EndsAndPassesOnWhatItThrew) {
     const BackgroundJob failing([](WorkControl&) { throw std::runtime_error("no"); });
     failing.wait();
     EXPECT_THROW(failing.rethrow(), std::runtime_error);
+}
+
+TEST(BackgroundJob, HasEndedAndSaysWhyWhereThereCanBeNoThread) {
+    if (!test::NoThreads::possible) GTEST_SKIP() << "threads can always begin here";
+    const test::NoThreads none;
+    const BackgroundJob job([](WorkControl&) { FAIL(); });
+    EXPECT_TRUE(job.ended());
+    EXPECT_THROW(job.rethrow(), RenderError);
 }
 
 TEST(BackgroundJob, IsNotWaitedForWhenNobodyWantsIt) {

@@ -10,6 +10,9 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <future>
+#include <mutex>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -17,9 +20,12 @@
 #include "base/input_file.hpp"
 #include "formats/scene_format.hpp"
 #include "support/environment.hpp"
+#include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
+#include "viewer/unsaved_edits.hpp"
+#include "viewer/viewer_state.hpp"
 
 namespace sphereview {
 
@@ -31,6 +37,13 @@ namespace {
 struct RecoveryTest : testing::Test {
     test::TemporaryFolder folder;
     test::Variable state{"XDG_STATE_HOME", folder.path("state")};
+
+    Scene kept_scene() const {
+        const fs::directory_iterator files(folder.path("state/sphereview"));
+        const auto kept =
+            std::ranges::find(begin(files), end(files), ".toml", [](const auto& file) { return file.path().extension(); });
+        return load_scene(kept->path().string()).scene;
+    }
 };
 
 struct AutosaveTest : RecoveryTest {
@@ -50,12 +63,6 @@ struct AutosaveTest : RecoveryTest {
         change();
         autosave.look(document, "", now);
         autosave.look(document, "", now + 1h);
-    }
-    Scene kept_scene() const {
-        const fs::directory_iterator files(folder.path("state/sphereview"));
-        const auto kept =
-            std::ranges::find(begin(files), end(files), ".toml", [](const auto& file) { return file.path().extension(); });
-        return load_scene(kept->path().string()).scene;
     }
     void change() { document.apply(InsertSpheres{{0}, {{}}}, "Add"); }
 
@@ -263,6 +270,18 @@ TEST_F(AutosaveTest, WritesANewerCopyAfterTheOneThatIsBeingWritten) {
     EXPECT_EQ(kept_scene().spheres.size(), 2U);
 }
 
+TEST_F(AutosaveTest, KeepsAlsoWithoutAThreadAndNeverReplacesThatByAnOlderCopy) {
+    if (!test::NoThreads::possible) GTEST_SKIP() << "threads can always begin here";
+    begin_to_keep_a_large_scene();
+    document.apply(RemoveSpheres{{0}}, "Remove");
+    {
+        const test::NoThreads none;
+        EXPECT_EQ(autosave.keep_before_reading(document, ""), nullptr) << "kept";
+    }
+    autosave.finish();
+    EXPECT_EQ(kept_scene().spheres.size(), 20'000u);
+}
+
 TEST_F(AutosaveTest, DoesNotTryAgainAndAgainWhereNothingCanBeWritten) {
     folder.write("file", "");
     const test::Variable broken("XDG_STATE_HOME", folder.path("file"));
@@ -275,6 +294,32 @@ TEST_F(AutosaveTest, DoesNotTryAgainAndAgainWhereNothingCanBeWritten) {
     change();
     kept_after(0s);
     EXPECT_TRUE(autosave.due());
+}
+
+TEST_F(RecoveryTest, OfAHungLoopHasNoHalfOfAChange) {
+    ViewerState window{ViewOptions{}, ViewerSettings{}};
+    const auto add = [&] { window.document.apply(InsertSpheres{{0}, {{}}}, "Add"); };
+    std::promise<void> begun;
+    std::jthread loop([&] {
+        const std::lock_guard change(window.changing);
+        add();
+        begun.set_value();
+        std::this_thread::sleep_for(200ms);
+        add();
+    });
+    begun.get_future().wait();
+    EXPECT_EQ(keep_unsaved_of_hung_loop(window, 30s), "unsaved changes of untitled are kept; the next start offers them");
+    EXPECT_EQ(kept_scene().spheres.size(), 2U);
+    EXPECT_FALSE(std::async(std::launch::async, [&] { return window.changing.try_lock(); }).get()) << "the loop can change nothing";
+    window.changing.unlock();
+}
+
+TEST_F(RecoveryTest, OfALoopThatHangsInAChangeIsGivenUp) {
+    ViewerState window{ViewOptions{}, ViewerSettings{}};
+    const std::lock_guard change(window.changing);
+    window.document.mark_unsaved();
+    EXPECT_EQ(std::async(std::launch::async, [&] { return keep_unsaved_of_hung_loop(window, 10ms); }).get(), std::nullopt);
+    EXPECT_FALSE(folder.has("state/sphereview"));
 }
 
 }  // namespace sphereview

@@ -99,6 +99,7 @@ TEST_F(DataInViewer, SavingAsksForAnotherName) {
     EXPECT_FALSE(folder.has("b.csv"));
     state.dialogs.clear();
     accept(folder.path("b.toml"), {});
+    finish_writing(state, std::chrono::seconds(30));
     EXPECT_EQ(state.path, folder.path("b.toml"));
     EXPECT_EQ(state.format, SceneFormat::toml);
     EXPECT_EQ(state.frames, 1);

@@ -1,0 +1,124 @@
+// What the window writes beside its loop, where nobody takes it or no thread can write it. Without a window.
+#include "viewer/scene_work.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sys/stat.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "support/eventually.hpp"
+#include "support/no_threads.hpp"
+#include "support/temporary_folder.hpp"
+#include "viewer/perform.hpp"
+#include "viewer/scene_file.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Outputs : testing::Test {
+    Outputs() : state(ViewOptions{}, ViewerSettings{}) {
+        adopt(state, load_scene(folder.write("scene.txt", "1\n1 2 3 0 0 300 60\n")), folder.path("scene.txt"));
+        state.settings.export_width = state.settings.export_height = 64;
+        state.picture_size = {64, 64};
+        mkfifo(folder.path("pipe.toml").c_str(), 0600);
+        mkfifo(folder.path("pipe.png").c_str(), 0600);
+    }
+
+    // Chooses a name in the dialog of a command.
+    void choose(CommandId command, const std::string& name) {
+        run_command(state, command);
+        ASSERT_FALSE(state.dialogs.empty());
+        const auto accept = std::get<FileBrowser>(state.dialogs.back()).accept;
+        state.dialogs.clear();
+        accept(folder.path(name), {64, 64});
+    }
+    // What the loop does from redraw to redraw; whether nothing is under way any more.
+    bool is_finished() {
+        finish_work(state);
+        return !is_working(state);
+    }
+    std::string take(const std::string& fifo) {
+        std::ostringstream bytes;
+        bytes << std::ifstream(folder.path(fifo)).rdbuf();
+        return bytes.str();
+    }
+    std::string error() const { return state.dialogs.empty() ? "" : std::get<Question>(state.dialogs.back()).text; }
+
+    test::TemporaryFolder folder;
+    ViewerState state;
+};
+
+constexpr const char* no_threads = "the system allows no more threads";
+
+}  // namespace
+
+TEST_F(Outputs, AFifoThatNobodyReadsHoldsUpNobody) {
+    choose(CommandId::export_picture, "pipe.png");
+    choose(CommandId::file_save_as, "pipe.toml");
+    // Both write, or would if somebody read.
+    ASSERT_TRUE(test::eventually([&] { return state.exporting->job.control().writes.load(); }));
+    EXPECT_FALSE(is_finished());
+    EXPECT_TRUE(state.saving && state.exporting);
+    EXPECT_TRUE(take("pipe.png").starts_with("\x89PNG"));
+    EXPECT_NE(take("pipe.toml").find("[[sphere]]"), std::string::npos);
+    EXPECT_TRUE(test::eventually([&] { return is_finished(); }));
+    EXPECT_EQ(state.path, folder.path("pipe.toml"));
+    EXPECT_TRUE(state.dialogs.empty()) << error();
+}
+
+TEST_F(Outputs, AnExportThatIsCancelledWhileItIsWrittenSaysSo) {
+    choose(CommandId::export_picture, "pipe.png");
+    ASSERT_TRUE(test::eventually([&] { return state.exporting->job.control().writes.load(); }));
+    cancel_work(state);
+    EXPECT_FALSE(is_working(state));
+    EXPECT_EQ(state.messages.announcement, "Cancelled too late: the picture may be written all the same");
+    take("pipe.png");
+}
+
+TEST_F(Outputs, TheEndOfTheWindowWaitsSomeTimeForThem) {
+    choose(CommandId::export_picture, "pipe.png");
+    choose(CommandId::file_save_as, "pipe.toml");
+    finish_writing(state, 10ms);
+    EXPECT_TRUE(state.saving) << "it is not saved";
+    EXPECT_FALSE(state.exporting);
+    take("pipe.toml");
+    finish_writing(state, 30s);
+    EXPECT_FALSE(state.saving);
+}
+
+TEST_F(Outputs, TheNextFreeNameIsFoundBesideTheLoop) {
+    folder.write("scene.png", "mine");
+    run_command(state, CommandId::export_now);
+    EXPECT_TRUE(test::eventually([&] { return is_finished(); }));
+    EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("scene-1.png") + " (64 x 64)");
+    EXPECT_EQ(folder.read("scene.png"), "mine");
+    EXPECT_TRUE(folder.has("scene-1.png"));
+}
+
+TEST_F(Outputs, WithoutAThreadTheReasonIsSaid) {
+    if (!test::NoThreads::possible) GTEST_SKIP() << "threads can always begin here";
+    run_command(state, CommandId::add_sphere);
+    {
+        const test::NoThreads none;
+        run_command(state, CommandId::export_now);
+        is_finished();
+        EXPECT_TRUE(error().ends_with(no_threads)) << error();
+        state.dialogs.clear();
+        choose(CommandId::file_save_as, "scene.toml");
+        EXPECT_TRUE(error().ends_with(no_threads)) << error();
+        EXPECT_TRUE(state.document.is_changed());
+        state.dialogs.clear();
+        select_seen(state, {0, 0, 64, 64}, false);
+        EXPECT_EQ(error(), no_threads);
+        make_rest_picture(state);
+        EXPECT_FALSE(rest_picture_is_shown(state));
+    }
+    EXPECT_FALSE(folder.has("scene.toml") || folder.has("scene.png"));
+}
+
+}  // namespace sphereview
