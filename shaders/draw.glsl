@@ -1,7 +1,7 @@
 // What one draw needs to know. Twin: DrawBlock in src/gpu/layouts.hpp.
 layout(std140) uniform Draw {
-    vec4 forward;        // a pixel's ray is forward + across right + upward up (xyz)
-    vec4 right;
+    vec4 forward;        // a pixel's ray is forward + across right + upward up (xyz); orthographic: forward, from
+    vec4 right;          // across right + upward up, relative to the eye, which are no larger than forward.w
     vec4 up;
     vec4 background;     // colour where no sphere is, 0..1, with alpha
     ivec2 picture_size;  // of the whole picture, in pixels

@@ -1,6 +1,7 @@
 // The spheres, in the order of their indices. Twin: src/gpu/layouts.hpp. In a uniform block of SPHERE_CAPACITY elements where
 // that is defined, else in a table.
-// xyz: centre relative to the eye; w: radius, negative when the eye is inside, 0 when it is exactly on the surface.
+// xyz: centre relative to the eye; w: radius, negative when the eye is inside, 0 when it is exactly on the surface. Orthographic:
+// negative when the sphere meets the plane that rays begin in.
 #include "tables.glsl"
 
 #ifdef SPHERE_CAPACITY

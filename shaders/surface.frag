@@ -31,9 +31,13 @@ void main() {
     ivec2 traced = min((texel << grid_shift) + ((1 << grid_shift) >> 1), picture_size - 1);
     vec3 ray = ray_direction(traced, picture_size);
     vec4 sphere = sphere_at(index);
-    vec3 center = sphere.xyz;
+    vec3 center = sphere.xyz - ray_origin(traced, picture_size);
     float radius = sphere.w != 0.0 ? abs(sphere.w) : length(center);  // 0: the eye is on the surface
-    float side = sphere.w > 0.0 ? 1.0 : -1.0;
+    bool outside = sphere.w > 0.0;
+#ifdef ORTHOGRAPHIC
+    outside = outside || length(center) > radius;
+#endif
+    float side = outside ? 1.0 : -1.0;
     float along = dot(center, ray);
     vec3 approach = center - along * ray;
     approach -= dot(approach, ray) * ray;  // what rounding left along the ray

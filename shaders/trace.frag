@@ -12,6 +12,7 @@ void main() {
     // Row 0 of the attachment is the top row of the block. In a coarse grid a texel stands for the pixels around this one.
     ivec2 pixel = min(block_origin + (ivec2(gl_FragCoord.xy) << grid_shift), picture_size - 1);
     vec3 ray = ray_direction(pixel, picture_size);
+    vec3 origin = ray_origin(pixel, picture_size);
     float smallest_high = never;  // over the sure hits
     int sure = -1;
     float low = never;            // the smallest lower bound over all candidates
@@ -28,8 +29,8 @@ void main() {
         if (more) do {
             int index = int(candidate.x);
             vec4 sphere = sphere_at(index);
-            float w = error_scale * (abs(sphere.x) + abs(sphere.y) + abs(sphere.z) + abs(sphere.w));
-            vec2 hit = hit_bounds(sphere, w, ray);
+            float w = error_scale * (abs(sphere.x) + abs(sphere.y) + abs(sphere.z) + abs(sphere.w) + reach_of_origins());
+            vec2 hit = hit_bounds(vec4(sphere.xyz - origin, sphere.w), w, ray);
             bool nearer = hit.x < low;
             second_low = min(second_low, nearer ? low : hit.x);
             low = nearer ? hit.x : low;

@@ -22,11 +22,15 @@ constexpr float never = NearestHits<float>::never;
 using Lane = std::array<float, cell_size>;
 using IndexLane = std::array<std::int32_t, cell_size>;
 
-// The unit directions of a cell's rays.
+// The unit directions of a cell's rays. Orthographic: one for all, and where the rays begin, relative to the eye.
 struct Rays {
     Lane x;
     Lane y;
     Lane z;
+    bool orthographic;
+    Lane origin_x;
+    Lane origin_y;
+    Lane origin_z;
 };
 
 // NearestHits (exact/filter.hpp) for a cell's rays.
@@ -38,11 +42,34 @@ struct Nearest {
     IndexLane guess;
 };
 
+// A sphere as one of the rays has it: relative to where the ray begins.
+template <bool in_eye>
+glm::vec3 from_origin(const Rays& rays, int i, const glm::vec4& sphere) {
+    if constexpr (in_eye) return {sphere.x, sphere.y, sphere.z};
+    return {sphere.x - rays.origin_x[i], sphere.y - rays.origin_y[i], sphere.z - rays.origin_z[i]};
+}
+
 // Beyond the picture's edge the last pixel's ray is repeated.
 void aim(Rays& rays, const RayBasis<float>& frame, PictureSize size, Pixel cell) {
     const RayCoefficients first = ray_coefficients(size, cell);
     const int last_x = std::min(cell_side, size.width - cell.x) - 1;
     const int last_y = std::min(cell_side, size.height - cell.y) - 1;
+    rays.orthographic = frame.orthographic;
+    if (rays.orthographic) {
+        const glm::vec3 ray = unit_ray(frame, size, cell);
+        for (int i = 0; i < cell_size; ++i) {
+            const int column = std::min(i % cell_side, last_x);
+            const int row = std::min(i / cell_side, last_y);
+            const glm::vec3 origin = ray_origin(frame, size, {cell.x + column, cell.y + row});
+            rays.x[i] = ray.x;
+            rays.y[i] = ray.y;
+            rays.z[i] = ray.z;
+            rays.origin_x[i] = origin.x;
+            rays.origin_y[i] = origin.y;
+            rays.origin_z[i] = origin.z;
+        }
+        return;
+    }
     for (int row = 0; row < cell_side; ++row) {
         const auto upward = static_cast<float>(static_cast<std::int32_t>(first.upward) - 2 * std::min(row, last_y));
         const glm::vec3 middle = frame.forward + upward * frame.up;
@@ -61,25 +88,28 @@ void aim(Rays& rays, const RayBasis<float>& frame, PictureSize size, Pixel cell)
 }
 
 // Whether all rays surely miss, from outside: without square roots, by twice the bound.
+template <bool in_eye>
 bool all_miss(const Rays& rays, const glm::vec4& sphere, float w) {
     const float reach = sphere.w + 2.0F * w;
     const float reach_square = reach * reach;
     int near = 0;
     for (int i = 0; i < cell_size; ++i) {
-        const float along = sphere.x * rays.x[i] + sphere.y * rays.y[i] + sphere.z * rays.z[i];
-        const float px = sphere.x - along * rays.x[i];
-        const float py = sphere.y - along * rays.y[i];
-        const float pz = sphere.z - along * rays.z[i];
+        const glm::vec3 c = from_origin<in_eye>(rays, i, sphere);
+        const float along = c.x * rays.x[i] + c.y * rays.y[i] + c.z * rays.z[i];
+        const float px = c.x - along * rays.x[i];
+        const float py = c.y - along * rays.y[i];
+        const float pz = c.z - along * rays.z[i];
         near |= static_cast<int>(px * px + py * py + pz * pz <= reach_square);
     }
     return near == 0;
 }
 
-template <EyeSide side>
+template <EyeSide side, bool in_eye>
 void add_sphere(Nearest& nearest, const Rays& rays, std::int32_t index, const glm::vec4& sphere, float w) {
     const float radius = std::fabs(sphere.w);
     for (int i = 0; i < cell_size; ++i) {
-        const HitBounds<float> hit = hit_bounds<side>(sphere.x, sphere.y, sphere.z, radius, w, rays.x[i], rays.y[i], rays.z[i]);
+        const glm::vec3 c = from_origin<in_eye>(rays, i, sphere);
+        const HitBounds<float> hit = hit_bounds<side>(c.x, c.y, c.z, radius, w, rays.x[i], rays.y[i], rays.z[i]);
         // All loads before all stores: a conditional one would keep this from becoming SIMD.
         const float low = nearest.low[i];
         const float second_low = nearest.second_low[i];
@@ -111,18 +141,31 @@ float farthest(const Lane& smallest_high) {
 void add_candidate(Nearest& nearest, const Rays& rays, std::int32_t index, const glm::vec4& sphere, float error_scale) {
     const float w = error_scale * (std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) + std::fabs(sphere.w));
     if (sphere.w > 0.0F) {
-        if (!all_miss(rays, sphere, w)) add_sphere<EyeSide::outside>(nearest, rays, index, sphere, w);
+        if (!all_miss<true>(rays, sphere, w)) add_sphere<EyeSide::outside, true>(nearest, rays, index, sphere, w);
     } else if (sphere.w < 0.0F) {
-        add_sphere<EyeSide::inside>(nearest, rays, index, sphere, w);
+        add_sphere<EyeSide::inside, true>(nearest, rays, index, sphere, w);
     } else {
-        add_sphere<EyeSide::on_surface>(nearest, rays, index, sphere, w);
+        add_sphere<EyeSide::on_surface, true>(nearest, rays, index, sphere, w);
+    }
+}
+
+// `reach`: of the rays' origins.
+void add_orthographic_candidate(Nearest& nearest, const Rays& rays, std::int32_t index, const glm::vec4& sphere, float error_scale,
+                                float reach) {
+    const float w = error_scale * (std::fabs(sphere.x) + std::fabs(sphere.y) + std::fabs(sphere.z) + std::fabs(sphere.w) + reach);
+    if (sphere.w > 0.0F) {
+        if (!all_miss<false>(rays, sphere, w)) add_sphere<EyeSide::outside, false>(nearest, rays, index, sphere, w);
+    } else if (sphere.w < 0.0F) {
+        add_sphere<EyeSide::in_plane, false>(nearest, rays, index, sphere, w);
+    } else {  // beyond float: perhaps hit, anywhere
+        add_sphere<EyeSide::on_surface, true>(nearest, rays, index, sphere, 0.0F);
     }
 }
 
 }  // namespace
 
 CpuRenderer::CpuRenderer(const DrawnSpheres& spheres, const CandidateLists& lists, const Camera& camera, PictureSize size)
-    : spheres_(spheres), lists_(lists), view_(float_view(camera, size, float_unit)), size_(size) {}
+    : spheres_(spheres), lists_(lists), view_(float_view(camera, size, spheres.scale, float_unit)), size_(size) {}
 
 void CpuRenderer::trace(const Block& block, std::span<std::int32_t> visible) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
@@ -158,8 +201,13 @@ void CpuRenderer::trace_cell(Pixel cell, const Block& block, std::int32_t* visib
     for (const TileLevel& level : lists_.levels) {
         for (const Candidate& candidate : lists_.at(level, cell.x, cell.y)) {
             if (ends_walk(candidate, farthest(nearest.smallest_high))) break;
-            add_candidate(nearest, rays, static_cast<std::int32_t>(candidate.index), spheres_.center_radius[candidate.index],
-                          view_.error_scale);
+            const auto index = static_cast<std::int32_t>(candidate.index);
+            const glm::vec4& sphere = spheres_.center_radius[candidate.index];
+            if (rays.orthographic) {
+                add_orthographic_candidate(nearest, rays, index, sphere, view_.error_scale, view_.rays.reach);
+            } else {
+                add_candidate(nearest, rays, index, sphere, view_.error_scale);
+            }
         }
     }
 

@@ -167,7 +167,7 @@ private:
 
 float signed_radius(double radius, EyeSide side) {
     const auto size = static_cast<float>(std::max(radius, smallest_radius));
-    return side == EyeSide::outside ? size : side == EyeSide::inside ? -size : 0.0F;
+    return side == EyeSide::outside ? size : side == EyeSide::on_surface ? 0.0F : -size;
 }
 
 // The sphere in the form of DrawnSpheres::center_radius; none for a sphere that is beyond float.
@@ -183,6 +183,8 @@ DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std:
     DrawnSpheres drawn;
     drawn.numbers = std::move(numbers);
     const glm::dvec3& eye = camera.eye;
+    const EyeSides sides(camera);
+    drawn.orthographic = camera.orthographic();
     const std::size_t count = drawn.numbers.empty() ? scene.spheres.size() : drawn.numbers.size();
     drawn.scale = scale_for(scene, eye, drawn.numbers);
     const Scaling scaled(drawn.scale);
@@ -192,7 +194,7 @@ DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std:
     parallel_pieces(count, spheres_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[static_cast<std::size_t>(drawn.number(i))];
-            const EyeSide side = eye_side(sphere, eye);
+            const EyeSide side = sides(sphere);
             if (const auto values = in_float(sphere, side, eye, scaled)) {
                 drawn.center_radius[i] = *values;
             } else {  // leaves the mark, zeros
@@ -210,7 +212,7 @@ DrawnSpheres drawn_spheres(const Scene& scene) { return drawn_spheres(scene, sce
 
 DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
     Numbers numbers = numbers_of(scene.spheres);
-    if (numbers.all ? scene.spheres.empty() : numbers.drawn.empty()) return {};
+    if (numbers.all ? scene.spheres.empty() : numbers.drawn.empty()) return {.orthographic = camera.orthographic()};
     DrawnSpheres drawn = drawn_of(scene, camera, std::move(numbers.drawn));
     drawn.twins = std::move(numbers.twins);
     return drawn;
@@ -218,14 +220,19 @@ DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
 
 DrawnSpheres drawn_again(const Scene& scene, const Camera& camera, const DrawnSpheres& drawn) {
     assert(drawn.gone.empty() && drawn.late == 0);
-    if (drawn.size() == 0) return {};
+    if (drawn.size() == 0) return {.orthographic = camera.orthographic()};
     DrawnSpheres again = drawn_of(scene, camera, drawn.numbers);
     again.twins = drawn.twins;
     return again;
 }
 
 std::optional<glm::vec4> drawn_form(const Sphere& sphere, const Camera& camera, int scale) {
-    return in_float(sphere, eye_side(sphere, camera.eye), camera.eye, Scaling(scale));
+    return in_float(sphere, EyeSides(camera)(sphere), camera.eye, Scaling(scale));
+}
+
+bool same_eye(const Camera& a, const Camera& b) {
+    if (a.eye != b.eye || a.projection != b.projection) return false;
+    return !a.orthographic() || (a.right == b.right && a.up == b.up);
 }
 
 std::optional<std::size_t> DrawnSpheres::index_of(std::uint32_t number) const {
@@ -248,15 +255,16 @@ std::optional<std::size_t> DrawnSpheres::index_of(std::uint32_t number) const {
 
 EyeSide DrawnSpheres::side(std::size_t index) const {
     const glm::vec4& sphere = center_radius[index];
-    if (sphere.w != 0.0F) return sphere.w > 0.0F ? EyeSide::outside : EyeSide::inside;
+    if (sphere.w > 0.0F) return EyeSide::outside;
+    if (sphere.w < 0.0F) return orthographic ? EyeSide::in_plane : EyeSide::inside;
     const auto beyond = beyond_float.find(static_cast<std::uint32_t>(index));
     return beyond == beyond_float.end() ? EyeSide::on_surface : beyond->second;
 }
 
-FloatView float_view(const Camera& camera, PictureSize size, double unit) {
-    FloatView view{ray_basis<float>(camera, size), 0.0F, false};
+FloatView float_view(const Camera& camera, PictureSize size, int scale, double unit) {
+    FloatView view{ray_basis<float>(camera, size, scale), 0.0F, false};
     const double kappa = ray_condition(camera);
-    view.error_scale = static_cast<float>(error_scale(std::min(kappa, largest_float_condition), unit));
+    view.error_scale = static_cast<float>(error_scale(std::min(filter_condition(camera), largest_float_condition), unit));
     view.all_doubtful = !view.rays.in_range || !(kappa <= largest_float_condition);
     return view;
 }

@@ -17,11 +17,13 @@ namespace sphereview {
 // (of equal hits the first is seen, so it never is). Renderers write indices into these vectors.
 struct DrawnSpheres {
     // x, y, z: the centre relative to the eye, subtracted in double, times 2^scale. w: the radius likewise; negative when
-    // the eye is inside, 0 when it lies exactly on the surface. All 0: beyond float, see below.
+    // the eye is inside or, in an orthographic picture, the sphere meets the plane that rays begin in; 0 when the eye lies exactly
+    // on the surface. All 0: beyond float, see below.
     std::vector<glm::vec4> center_radius;
     std::vector<std::int32_t> numbers;  // in the scene, ascending; empty when nothing was left out: index i is number i
     std::vector<std::int32_t> twins;    // the numbers of those that equal an earlier one, ascending
     int scale = 0;                      // 0 unless most of the scene is very small or very large
+    bool orthographic = false;          // seen by such an eye
     // The spheres so small or large that the float filter proves nothing about them. They are uploaded as zeros, for which the
     // filter finds "perhaps hit, at 0 or farther": every pixel that tries one is doubtful.
     std::unordered_map<std::uint32_t, EyeSide> beyond_float;
@@ -41,10 +43,13 @@ struct DrawnSpheres {
 };
 
 DrawnSpheres drawn_spheres(const Scene& scene);
-// As another camera than the scene's sees them; only its eye matters.
+// As another camera than the scene's sees them; only its eye matters (see same_eye()).
 DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera);
 // As another eye sees those that were drawn of the same scene, without any edits. Which spheres can be seen does not depend on it.
 DrawnSpheres drawn_again(const Scene& scene, const Camera& camera, const DrawnSpheres& drawn);
+
+// Whether the drawn spheres are the same for both: the eye, and of an orthographic camera the plane through it.
+bool same_eye(const Camera& a, const Camera& b);
 
 // One of DrawnSpheres::center_radius; none for a sphere that is beyond float.
 std::optional<glm::vec4> drawn_form(const Sphere& sphere, const Camera& camera, int scale);
@@ -56,7 +61,7 @@ struct FloatView {
     bool all_doubtful = false;  // the filter proves nothing here
 };
 
-// `unit` is the arithmetic's: gpu_unit or float_unit.
-FloatView float_view(const Camera& camera, PictureSize size, double unit);
+// `unit` is the arithmetic's: gpu_unit or float_unit. `scale`: the drawn spheres'.
+FloatView float_view(const Camera& camera, PictureSize size, int scale, double unit);
 
 }  // namespace sphereview

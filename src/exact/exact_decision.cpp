@@ -50,7 +50,54 @@ EyeSide eye_side(const Sphere& sphere, const glm::dvec3& eye) {
     return side > 0 ? EyeSide::outside : EyeSide::inside;
 }
 
-ExactRay::ExactRay(const Camera& camera, PictureSize size, Pixel pixel) : eye_(camera.eye) {
+namespace {
+
+// Whether the plane passes by the sphere: |C.N| > r |N| with N = right x up.
+EyeSide side_of_plane(const Sphere& sphere, const Camera& camera) {
+    CommonScale of_plane;
+    of_plane.include(camera.right);
+    of_plane.include(camera.up);
+    const IntegerVector right = of_plane.whole(camera.right);
+    const IntegerVector up = of_plane.whole(camera.up);
+    const IntegerVector normal = {right[1] * up[2] - right[2] * up[1], right[2] * up[0] - right[0] * up[2],
+                                  right[0] * up[1] - right[1] * up[0]};
+    CommonScale scale;
+    scale.include(camera.eye);
+    scale.include(sphere);
+    const Integer depth = dot(difference(scale.whole(sphere.center), scale.whole(camera.eye)), normal);
+    const Integer radius = scale.whole(sphere.radius);
+    return depth * depth > radius * radius * dot(normal, normal) ? EyeSide::outside : EyeSide::in_plane;
+}
+
+}  // namespace
+
+EyeSide EyeSides::operator()(const Sphere& sphere) const {
+    if (!camera_.orthographic()) return eye_side(sphere, camera_.eye);
+    const glm::dvec3 c = sphere.center - camera_.eye;
+    const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
+    if (size > smallest_double_size && size < largest_double_size) {
+        // The normal is within 20 units of 2^-53, C within one, the sum within 5.
+        const double doubt = 64.0 * double_unit * size;
+        const double depth = std::fabs(dot(c, normal_));
+        if (depth - sphere.radius > doubt) return EyeSide::outside;
+        if (sphere.radius - depth > doubt) return EyeSide::in_plane;
+    }
+    return side_of_plane(sphere, camera_);
+}
+
+EyeSide origin_side(const Sphere& sphere, EyeSide side, const Camera& camera, PictureSize size, Pixel pixel) {
+    if (side != EyeSide::in_plane) return side;
+    CommonScale scale;
+    scale.include_origins(camera);
+    scale.include(sphere);
+    const ExactOrigin origin = exact_origin(camera, size, pixel, scale);
+    const IntegerVector center = origin.to(scale.whole(sphere.center));
+    const Integer radius = scale.whole(sphere.radius) * origin.factor;
+    const Integer exact_side = dot(center, center) - radius * radius;
+    return exact_side > 0 ? EyeSide::outside : exact_side < 0 ? EyeSide::inside : EyeSide::on_surface;
+}
+
+ExactRay::ExactRay(const Camera& camera, PictureSize size, Pixel pixel) : camera_(camera), size_(size), pixel_(pixel) {
     CommonScale scale;
     scale.include(camera);
     direction_ = exact_direction(camera, size, pixel, scale);
@@ -59,9 +106,10 @@ ExactRay::ExactRay(const Camera& camera, PictureSize size, Pixel pixel) : eye_(c
 
 std::optional<ExactRoot> ExactRay::hit(const Sphere& sphere) const {
     CommonScale scale;
-    scale.include(eye_);
+    scale.include_origins(camera_);
     scale.include(sphere);
-    auto root = smallest_positive_root(ExactQuadratic(sphere, scale.whole(eye_), direction_, square_, scale));
+    const ExactOrigin origin = exact_origin(camera_, size_, pixel_, scale);
+    auto root = smallest_positive_root(ExactQuadratic(sphere, origin, direction_, square_, scale));
     if (root) root->exponent = scale.exponent();
     return root;
 }

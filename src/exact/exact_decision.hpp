@@ -15,8 +15,25 @@ namespace sphereview {
 // On which side of the sphere's surface the eye lies.
 EyeSide eye_side(const Sphere& sphere, const glm::dvec3& eye);
 
-// A pixel's ray in integers. The ray has a power of two of its own, and so has each sphere with the eye: numbers are as long as
-// these need, whatever else is in the scene.
+// The sides of a camera's eye, of spheres one after the other.
+class EyeSides {
+public:
+    explicit EyeSides(const Camera& camera) : camera_(camera) {
+        if (camera.orthographic()) normal_ = camera_axes(camera).ahead;
+    }
+
+    EyeSide operator()(const Sphere& sphere) const;
+
+private:
+    Camera camera_;
+    glm::dvec3 normal_{0.0};  // of the plane that orthographic rays begin in, of length 1
+};
+
+// On which side of the sphere's surface a pixel's ray begins: never in_plane. `side`: the eye's.
+EyeSide origin_side(const Sphere& sphere, EyeSide side, const Camera& camera, PictureSize size, Pixel pixel);
+
+// A pixel's ray in integers. The ray has a power of two of its own, and so has each sphere with the ray's origin: numbers are as
+// long as these need, whatever else is in the scene.
 class ExactRay {
 public:
     ExactRay(const Camera& camera, PictureSize size, Pixel pixel);
@@ -25,7 +42,9 @@ public:
     std::optional<ExactRoot> hit(const Sphere& sphere) const;
 
 private:
-    glm::dvec3 eye_;
+    Camera camera_;
+    PictureSize size_;
+    Pixel pixel_;
     IntegerVector direction_;
     Integer square_;
 };

@@ -1,5 +1,7 @@
 #include "exact/exact_light.hpp"
 
+#include "exact/exact_decision.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -14,7 +16,11 @@ IntegerVector whole_direction(const glm::dvec3& direction) {
 }  // namespace
 
 ExactLitPoint::ExactLitPoint(const Camera& camera, PictureSize size, Pixel pixel, const Sphere& sphere, EyeSide side)
-    : camera_(camera), sphere_(sphere), root_sign_(side == EyeSide::outside ? -1 : 1) {
+    : camera_(camera),
+      size_(size),
+      pixel_(pixel),
+      sphere_(sphere),
+      root_sign_(origin_side(sphere, side, camera, size, pixel) == EyeSide::outside ? -1 : 1) {
     CommonScale scale;
     scale.include(camera);
     ray_ = exact_direction(camera, size, pixel, scale);
@@ -23,15 +29,15 @@ ExactLitPoint::ExactLitPoint(const Camera& camera, PictureSize size, Pixel pixel
 
 ExactLitPoint::FromCenter ExactLitPoint::from_center_of(const Sphere& other) const {
     CommonScale scale;
-    scale.include(camera_.eye);
+    scale.include_origins(camera_);
     scale.include(sphere_);
     scale.include(other);
-    const IntegerVector eye = scale.whole(camera_.eye);
-    const ExactQuadratic quadratic(sphere_, eye, ray_, square_, scale);
-    const IntegerVector to_eye = difference(eye, scale.whole(other.center));
-    const Integer radius = square_ * scale.whole(other.radius);
+    const ExactOrigin origin = exact_origin(camera_, size_, pixel_, scale);
+    const ExactQuadratic quadratic(sphere_, origin, ray_, square_, scale);
+    const IntegerVector to_center = origin.to(scale.whole(other.center));
+    const Integer radius = square_ * scale.whole(other.radius) * origin.factor;
     FromCenter from{{}, quadratic.d, radius * radius};
-    for (std::size_t i = 0; i < 3; ++i) from.v[i] = square_ * to_eye[i] + quadratic.b * ray_[i];
+    for (std::size_t i = 0; i < 3; ++i) from.v[i] = quadratic.b * ray_[i] - square_ * to_center[i];
     return from;
 }
 

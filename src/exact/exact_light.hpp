@@ -21,7 +21,7 @@ struct BlockingSigns {
 // Where a pixel's ray hits the sphere that it shows.
 class ExactLitPoint {
 public:
-    // `side`: of the eye, seen from the sphere. What is passed in must outlive it.
+    // `side`: of the eye, or of the ray's origin, seen from the sphere. What is passed in must outlive it.
     ExactLitPoint(const Camera& camera, PictureSize size, Pixel pixel, const Sphere& sphere, EyeSide side);
 
     // The sign of n.L, with the normal turned to the eye.
@@ -35,11 +35,13 @@ private:
     struct FromCenter {
         IntegerVector v;
         Integer d;
-        Integer square_radius;  // times A^2
+        Integer square_radius;  // times A^2, and the factor of the ray's origin, like m
     };
     FromCenter from_center_of(const Sphere& other) const;
 
     const Camera& camera_;
+    PictureSize size_;
+    Pixel pixel_;
     const Sphere& sphere_;
     int root_sign_;
     IntegerVector ray_;

@@ -47,6 +47,13 @@ void CommonScale::include(const Camera& camera) {
     include(camera.up);
 }
 
+void CommonScale::include_origins(const Camera& camera) {
+    include(camera.eye);
+    if (!camera.orthographic()) return;
+    include(camera.right);
+    include(camera.up);
+}
+
 Integer CommonScale::whole(double value) const {
     const Dyadic parts = dyadic(value);
     if (parts.mantissa == 0) return 0;
@@ -62,6 +69,7 @@ IntegerVector difference(const IntegerVector& a, const IntegerVector& b) { retur
 IntegerVector exact_direction(const Camera& camera, PictureSize size, Pixel pixel, const CommonScale& scale) {
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
     const IntegerVector axis = difference(scale.whole(camera.center), scale.whole(camera.eye));
+    if (camera.orthographic()) return axis;
     const IntegerVector right = scale.whole(camera.right);
     const IntegerVector up = scale.whole(camera.up);
     IntegerVector d;
@@ -71,10 +79,28 @@ IntegerVector exact_direction(const Camera& camera, PictureSize size, Pixel pixe
     return d;
 }
 
-ExactQuadratic::ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const Integer& square,
+ExactOrigin exact_origin(const Camera& camera, PictureSize size, Pixel pixel, const CommonScale& scale) {
+    ExactOrigin origin{scale.whole(camera.eye), 1};
+    if (!camera.orthographic()) return origin;
+    const RayCoefficients coefficients = ray_coefficients(size, pixel);
+    const IntegerVector right = scale.whole(camera.right);
+    const IntegerVector up = scale.whole(camera.up);
+    origin.factor = size.shorter_side();
+    for (std::size_t i = 0; i < 3; ++i) {
+        origin.place[i] = origin.place[i] * origin.factor + right[i] * coefficients.across + up[i] * coefficients.upward;
+    }
+    return origin;
+}
+
+IntegerVector ExactOrigin::to(const IntegerVector& point) const {
+    if (factor == 1) return difference(point, place);
+    return {point[0] * factor - place[0], point[1] * factor - place[1], point[2] * factor - place[2]};
+}
+
+ExactQuadratic::ExactQuadratic(const Sphere& sphere, const ExactOrigin& origin, const IntegerVector& ray, const Integer& square,
                                const CommonScale& scale) {
-    const IntegerVector center = difference(scale.whole(sphere.center), eye);
-    const Integer radius = scale.whole(sphere.radius);
+    const IntegerVector center = origin.to(scale.whole(sphere.center));
+    const Integer radius = scale.whole(sphere.radius) * origin.factor;
     b = dot(center, ray);
     c = dot(center, center) - radius * radius;
     d = b * b - square * c;

@@ -22,6 +22,8 @@ public:
     void include(const glm::dvec3& v);
     void include(const Sphere& sphere);
     void include(const Camera& camera);
+    // Where the camera's rays begin.
+    void include_origins(const Camera& camera);
 
     // value = whole(value) * 2^exponent(); only of doubles that were included.
     Integer whole(double value) const;
@@ -36,17 +38,29 @@ private:
 Integer dot(const IntegerVector& a, const IntegerVector& b);
 IntegerVector difference(const IntegerVector& a, const IntegerVector& b);
 
-// m D of the pixel's ray (scene/camera.hpp), on the scale: D itself is m times shorter, which no comparison notices.
+// m D of the pixel's ray (scene/camera.hpp), on the scale: D itself is m times shorter, which no comparison notices. Orthographic:
+// D.
 IntegerVector exact_direction(const Camera& camera, PictureSize size, Pixel pixel, const CommonScale& scale);
 
-// A t^2 - 2 b t + c = 0 with A = ray . ray, the sphere's centre relative to the eye, and d = b^2 - A c.
+// Where a ray begins, times a factor that makes it whole: 1 in perspective, m in an orthographic picture.
+struct ExactOrigin {
+    IntegerVector place;
+    int factor = 1;
+
+    // From the origin to a point, both times the factor.
+    IntegerVector to(const IntegerVector& point) const;
+};
+ExactOrigin exact_origin(const Camera& camera, PictureSize size, Pixel pixel, const CommonScale& scale);
+
+// A t^2 - 2 b t + c = 0 with A = ray . ray, the sphere's centre relative to the origin, and d = b^2 - A c. The sphere and the
+// origin are times the origin's factor.
 struct ExactQuadratic {
     Integer b;
     Integer c;
     Integer d;
 
-    // square: of the ray, A. The scale is the sphere's and the eye's; the ray may have another.
-    ExactQuadratic(const Sphere& sphere, const IntegerVector& eye, const IntegerVector& ray, const Integer& square,
+    // square: of the ray, A. The scale is the sphere's and the origin's; the ray may have another.
+    ExactQuadratic(const Sphere& sphere, const ExactOrigin& origin, const IntegerVector& ray, const Integer& square,
                    const CommonScale& scale);
 };
 

@@ -16,17 +16,17 @@ namespace {
 // The pixel's ray in exact integers.
 struct Ray {
     CommonScale scale;
-    IntegerVector eye;
-    IntegerVector direction;  // m D on the scale
+    ExactOrigin origin;       // on the scale
+    IntegerVector direction;  // likewise, times `factor`
     Integer square;           // of the direction: A
-    Integer m;
+    Integer factor;           // m; orthographic: 1
 
     // On a scale that also holds the spheres with these numbers.
     Ray(const Scene& scene, std::span<const std::int32_t> numbers, const Camera& camera, PictureSize size, Pixel pixel)
-        : m(size.shorter_side()) {
+        : factor(camera.orthographic() ? 1 : size.shorter_side()) {
         scale.include(camera);
         for (const std::int32_t number : numbers) scale.include(scene.spheres[static_cast<std::size_t>(number)]);
-        eye = scale.whole(camera.eye);
+        origin = exact_origin(camera, size, pixel, scale);
         direction = exact_direction(camera, size, pixel, scale);
         square = dot(direction, direction);
     }
@@ -67,17 +67,22 @@ double rounded(const Integer& x, const Integer& z, int exponent) { return rounde
 class DoubleFilter {
 public:
     DoubleFilter(const Camera& camera, PictureSize size, Pixel pixel)
-        : eye_(camera.eye), frame_(ray_basis<double>(camera, size)), error_scale_(error_scale(ray_condition(camera), double_unit)) {
-        if (frame_.in_range) ray_ = unit_ray(frame_, size, pixel);
+        : eye_(camera.eye),
+          frame_(ray_basis<double>(camera, size)),
+          error_scale_(error_scale(filter_condition(camera), double_unit)) {
+        if (!frame_.in_range) return;
+        ray_ = unit_ray(frame_, size, pixel);
+        origin_ = ray_origin(frame_, size, pixel);
     }
 
     // The discriminant is below 0: the ray passes the centre at a distance above the radius, as hit_bounds() has it.
     bool surely_missed(const Sphere& sphere) const {
-        const glm::dvec3 c = sphere.center - eye_;
-        const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
+        const glm::dvec3 from_eye = sphere.center - eye_;
+        const double size = std::fabs(from_eye.x) + std::fabs(from_eye.y) + std::fabs(from_eye.z) + sphere.radius + frame_.reach;
         if (!frame_.in_range || !std::isfinite(error_scale_) || !(size > smallest_double_size && size < largest_double_size)) {
             return false;
         }
+        const glm::dvec3 c = from_eye - origin_;
         const double along = c.x * ray_.x + c.y * ray_.y + c.z * ray_.z;
         const glm::dvec3 p = c - along * ray_;
         return square_root(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius > error_scale_ * size;
@@ -88,6 +93,7 @@ private:
     RayBasis<double> frame_;
     double error_scale_;
     glm::dvec3 ray_{0.0};
+    glm::dvec3 origin_{0.0};  // relative to the eye
 };
 
 struct Hit {
@@ -106,24 +112,25 @@ ExplainedHit explain(const Hit& hit, const Ray& ray) {
     out.counts = out.eye == EyeSide::outside  ? CountingRoot::t1
                  : out.eye == EyeSide::inside ? CountingRoot::t2_inside
                                               : CountingRoot::t2_surface;
-    // The integers belong to m D and to half of b: A t'^2 - 2 q.b t' + q.c = 0 with t = m t'.
-    const Integer square_m = ray.m * ray.m;
+    // The integers belong to f D and to half of b, and to g times the scene: A t'^2 - 2 q.b t' + q.c = 0 with g t = f t'.
+    const Integer& f = ray.factor;
+    const Integer g = ray.origin.factor;
     const int exponent = ray.scale.exponent();
-    out.a = rounded(ray.square, square_m, 2 * exponent);
-    out.b = rounded(-2 * q.b, ray.m, 2 * exponent);
-    out.c = rounded(q.c, 1, 2 * exponent);
-    out.discriminant = rounded(4 * q.d, square_m, 4 * exponent);
-    out.t1 = rounded(ray.m * q.b, -ray.m, q.d, ray.square, 0);
-    out.t2 = rounded(ray.m * q.b, ray.m, q.d, ray.square, 0);
+    out.a = rounded(ray.square, f * f, 2 * exponent);
+    out.b = rounded(-2 * q.b, f * g, 2 * exponent);
+    out.c = rounded(q.c, g * g, 2 * exponent);
+    out.discriminant = rounded(4 * q.d, f * f * g * g, 4 * exponent);
+    out.t1 = rounded(f * q.b, -f, q.d, ray.square * g, 0);
+    out.t2 = rounded(f * q.b, f, q.d, ray.square * g, 0);
     out.t = out.counts == CountingRoot::t1 ? out.t1 : out.t2;
     const IntegerVector center = ray.scale.whole(hit.sphere->center);
     const Integer radius = ray.scale.whole(hit.sphere->radius);
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
-        const Integer x = ray.eye[i] * ray.square + ray.direction[i] * q.b;
+        const Integer x = ray.origin.place[i] * ray.square + ray.direction[i] * q.b;
         const Integer y = hit.root.sign * ray.direction[i];
-        out.point[axis] = rounded(x, y, q.d, ray.square, exponent);
-        out.normal[axis] = rounded(x - center[i] * ray.square, y, q.d, ray.square * radius, 0);
+        out.point[axis] = rounded(x, y, q.d, ray.square * g, exponent);
+        out.normal[axis] = rounded(x - center[i] * ray.square * g, y, q.d, ray.square * radius * g, 0);
     }
     return out;
 }
@@ -176,13 +183,15 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
     const Ray ray(scene, numbers, camera, size, pixel);
     out.origin = camera.eye;
     for (int axis = 0; axis < 3; ++axis) {
-        out.direction[axis] = rounded(ray.direction[static_cast<std::size_t>(axis)], ray.m, ray.scale.exponent());
+        const auto i = static_cast<std::size_t>(axis);
+        out.direction[axis] = rounded(ray.direction[i], ray.factor, ray.scale.exponent());
+        if (camera.orthographic()) out.origin[axis] = rounded(ray.origin.place[i], ray.origin.factor, ray.scale.exponent());
     }
 
     std::vector<Hit> hits;
     for (const std::int32_t number : numbers) {
         const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
-        ExactQuadratic quadratic(sphere, ray.eye, ray.direction, ray.square, ray.scale);
+        ExactQuadratic quadratic(sphere, ray.origin, ray.direction, ray.square, ray.scale);
         if (auto root = smallest_positive_root(quadratic)) {
             hits.push_back({&sphere, number, std::move(quadratic), *std::move(root)});
         } else {

@@ -27,8 +27,8 @@ enum class CountingRoot {
 // a double cannot hold them), so they can be checked against a t^2 + b t + c = 0 with
 // a = D.D, b = 2 D.(O - C), c = (O - C).(O - C) - r^2, discriminant = b^2 - 4 a c.
 struct ExplainedHit {
-    std::int32_t number = 0;  // in the scene
-    EyeSide eye = EyeSide::outside;
+    std::int32_t number = 0;         // in the scene
+    EyeSide eye = EyeSide::outside;  // where the ray's origin is
     double a = 0.0;
     double b = 0.0;
     double c = 0.0;
@@ -44,8 +44,8 @@ struct ExplainedHit {
 };
 
 struct PixelExplanation {
-    glm::dvec3 origin{0.0};
-    glm::dvec3 direction{0.0};       // D, rounded once
+    glm::dvec3 origin{0.0};          // O, rounded once
+    glm::dvec3 direction{0.0};       // D, likewise
     std::vector<ExplainedHit> hits;  // nearest first; of equal ones the first in the file first
     std::int64_t farther = 0;        // hits beyond these, where not all were asked for
     std::int64_t missed = 0;         // discriminant below 0

@@ -9,8 +9,9 @@
 
 namespace sphereview {
 
-// Where the eye is, seen from a sphere: the sign of |C|^2 - r^2, decided exactly once for the sphere.
-enum class EyeSide { outside, inside, on_surface };
+// Where the eye is, seen from a sphere: the sign of |C|^2 - r^2, decided exactly once for the sphere. An orthographic eye is the
+// plane that its rays begin in: outside where the plane passes by the sphere, else in_plane: which root counts, each ray must tell.
+enum class EyeSide { outside, inside, on_surface, in_plane };
 
 // The arithmetic that a bound is for: `unit` bounds the relative error of + - x and of the inputs; square roots, inverse
 // square roots and division may err by twice as much.
@@ -21,11 +22,15 @@ inline constexpr double double_unit = 0x1p-53;  // IEEE 754 double precision, ro
 // Beyond this condition of the rays (exact/rays.hpp) the bound for floats is not proven.
 inline constexpr double largest_float_condition = 256.0;
 
+// An orthographic direction is only rounded; the rest pays for the rounding of origins. docs/exactness.md, "Orthographic rays".
+inline constexpr double orthographic_condition = 2.0;
+
 // Sizes, |x| + |y| + |z| + r, for which the squares and the bound of the double filter neither overflow nor underflow.
 inline constexpr double smallest_double_size = 0x1p-300;
 inline constexpr double largest_double_size = 0x1p300;
 
-// c(kappa, u) of docs/exactness.md: a sphere at C with radius r has w = c (|x| + |y| + |z| + r).
+// c(kappa, u) of docs/exactness.md: a sphere at C with radius r has w = c (|x| + |y| + |z| + r). Orthographic: plus the reach of
+// the rays' origins, and kappa is orthographic_condition.
 constexpr double error_scale(double kappa, double unit) { return (5.0 * kappa + 22.0) * unit * (1.0 + 1.0 / 64.0); }
 
 // The interval of the hit's distance along the ray. Missed: low is infinite. Not sure to be a hit: high is infinite.
@@ -41,7 +46,7 @@ constexpr Real at_least_zero(Real x) {
     return x < Real(0) ? Real(0) : x;
 }
 
-// The centre (cx, cy, cz) relative to the eye, the radius r > 0, the bound w and the ray's unit direction (nx, ny, nz).
+// The centre (cx, cy, cz) relative to the ray's origin, the radius r > 0, the bound w and the ray's unit direction (nx, ny, nz).
 // Without branches, so that a loop over rays becomes SIMD. Haines, Guenther and Akenine-Moeller, "Precision improvements
 // for ray/sphere intersection", 2019: the closest approach h first, because b^2 - c cancels.
 template <EyeSide side, typename Real>
@@ -62,6 +67,17 @@ inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Rea
         const Real shortest = square_root(at_least_zero(r - h - w) * at_least_zero(r + h - w));
         if constexpr (side == EyeSide::inside) {
             return {along + shortest - w, along + longest + w};
+        } else if constexpr (side == EyeSide::in_plane) {
+            // The smaller root where that is positive, else the larger.
+            const Real near_low = along - longest - w;
+            const Real near_high = along - shortest + w;
+            const Real far_low = along + shortest - w;
+            const Real far_high = along + longest + w;
+            const bool missed = (h - r > w) | (far_high < Real(0));
+            const bool both = r - h > w;
+            const Real low = near_high <= Real(0) ? far_low : near_low;
+            const Real high = near_low > Real(0) ? near_high : far_low > Real(0) ? far_high : never;
+            return {missed ? never : low, both ? high : never};
         } else {
             const bool missed = (h - r > w) | (along < -w);
             const bool sure = (r - h > w) & (along > w);

@@ -30,6 +30,12 @@ Approximate times_power(const TwoDoubles& sum, double error, int exponent) {
     return {{high, low}, error + 2.0 * lost};
 }
 
+// The number times 2^exponent.
+Approximate moved(const Approximate& value, int exponent) {
+    const double error = value.error > 0.0 ? std::max(std::ldexp(value.error, exponent), least_scaled) : 0.0;
+    return times_power({value.high, value.low}, error, exponent);
+}
+
 Approximate dot(const ApproximateVector& a, const ApproximateVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // The sum of the terms, which it overwrites: exact if two doubles can hold it. Each pass leaves the sum of the doubles as it is,
@@ -128,7 +134,8 @@ ExactBasis::ExactBasis(const Camera& camera) {
     const bool quarters = !std::isfinite(largest_of(camera.center - camera.eye));
     const double part = quarters ? 0.25 : 1.0;
     std::array<TwoDoubles, 3> axis{};
-    double largest = part * std::max(largest_of(camera.right), largest_of(camera.up));
+    const double largest_edge = part * std::max(largest_of(camera.right), largest_of(camera.up));
+    double largest = camera.orthographic() ? 0.0 : largest_edge;
     for (int i = 0; i < 3; ++i) {
         TwoDoubles& component = axis[static_cast<std::size_t>(i)];
         component = two_sum(part * camera.center[i], -part * camera.eye[i]);
@@ -136,19 +143,42 @@ ExactBasis::ExactBasis(const Camera& camera) {
     }
     int exponent = 0;
     std::frexp(largest, &exponent);
+    // Directions and origins of rays have powers of two of their own.
+    orthographic = camera.orthographic();
+    int of_edges = exponent;
+    if (orthographic) std::frexp(largest_edge, &of_edges);
+    edge_exponent = quarters ? of_edges + 2 : of_edges;
     // Coefficients stay below 2^32, rays below 2^62.
-    const auto scaled = [&](double value) { return unless_too_small(value, std::ldexp(value, -exponent), error); };
+    const auto scaled = [&](double value, int by) { return unless_too_small(value, std::ldexp(value, -by), error); };
     for (int i = 0; i < 3; ++i) {
         const TwoDoubles& component = axis[static_cast<std::size_t>(i)];
-        forward[static_cast<std::size_t>(i)] = Approximate({scaled(component.high), scaled(component.low)}, 0.0);
-        right[i] = scaled(part * camera.right[i]);
-        up[i] = scaled(part * camera.up[i]);
+        forward[static_cast<std::size_t>(i)] =
+            Approximate({scaled(component.high, exponent), scaled(component.low, exponent)}, 0.0);
+        right[i] = scaled(part * camera.right[i], of_edges);
+        up[i] = scaled(part * camera.up[i], of_edges);
     }
     // Both parts of a component may have been too small.
     for (Approximate& component : forward) component.error = 2.0 * error;
 }
 
+ApproximateVector ExactBasis::origin(PictureSize size, Pixel pixel, int exponent) const {
+    if (!orthographic) return {};
+    const RayCoefficients coefficients = ray_coefficients(size, pixel);
+    const Approximate m(size.shorter_side());
+    const Approximate across(static_cast<double>(coefficients.across));
+    const Approximate upward(static_cast<double>(coefficients.upward));
+    const auto within = [&](double value) { return Approximate({value, 0.0}, error); };
+    ApproximateVector out;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int axis = static_cast<int>(i);
+        const Approximate place = (across * within(right[axis]) + upward * within(up[axis])) / m;
+        out[i] = moved(place, edge_exponent + exponent);
+    }
+    return out;
+}
+
 ApproximateVector ExactBasis::ray(PictureSize size, Pixel pixel) const {
+    if (orthographic) return forward;
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
     const Approximate m(size.shorter_side());
     const Approximate across(static_cast<double>(coefficients.across));
@@ -163,13 +193,33 @@ ApproximateVector ExactBasis::ray(PictureSize size, Pixel pixel) const {
 }
 
 NearestHit::NearestHit(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel)
-    : camera_(camera), size_(size), pixel_(pixel), ray_(basis.ray(size, pixel)), square_(dot(ray_, ray_)) {}
+    : camera_(camera), basis_(basis), size_(size), pixel_(pixel), ray_(basis.ray(size, pixel)), square_(dot(ray_, ray_)) {}
 
 std::int32_t NearestHit::visible() const { return best_ ? best_->sphere.number : visible_background; }
 
-Approximate NearestHit::along(const ScaledSphere& sphere) const { return dot(sphere.center, ray_); }
+ApproximateVector NearestHit::center(const ScaledSphere& sphere) const {
+    if (!basis_.orthographic) return sphere.center;
+    const auto [x, y, z] = basis_.origin(size_, pixel_, sphere.exponent);
+    return {sphere.center[0] - x, sphere.center[1] - y, sphere.center[2] - z};
+}
 
-Approximate NearestHit::discriminant(const ScaledSphere& sphere, const Approximate& b) const { return b * b - square_ * sphere.c; }
+Approximate NearestHit::c(const ScaledSphere& sphere) const {
+    if (!basis_.orthographic) return sphere.c;
+    const ApproximateVector from_origin = center(sphere);
+    return dot(from_origin, from_origin) - sphere.radius * sphere.radius;
+}
+
+// Of the ray's origin, if 106 bits are enough.
+std::optional<EyeSide> NearestHit::side(const ScaledSphere& sphere) const {
+    if (sphere.side != EyeSide::in_plane) return sphere.side;
+    const auto sign = c(sphere).sign();
+    if (!sign) return std::nullopt;
+    return *sign > 0 ? EyeSide::outside : *sign < 0 ? EyeSide::inside : EyeSide::on_surface;
+}
+
+Approximate NearestHit::along(const ScaledSphere& sphere) const { return dot(center(sphere), ray_); }
+
+Approximate NearestHit::discriminant(const ScaledSphere& sphere, const Approximate& b) const { return b * b - square_ * c(sphere); }
 
 NearestHit::Best NearestHit::best_of(const ScaledSphere& sphere) const {
     Best best;
@@ -177,19 +227,25 @@ NearestHit::Best NearestHit::best_of(const ScaledSphere& sphere) const {
     const Approximate b = along(sphere);
     const Approximate root = sqrt(discriminant(sphere, b));
     // Without differences of what may be nearly equal.
-    const Approximate t = sphere.side == EyeSide::outside      ? sphere.c / (b + root)
-                          : sphere.side == EyeSide::on_surface ? b.twice() / square_
-                          : b.high >= 0.0                      ? (b + root) / square_
-                                                               : sphere.c / (b - root);
+    // A side that 106 bits cannot tell was told by integers.
+    const auto known_side = side(sphere);
+    const EyeSide of_origin = known_side ? *known_side : origin_side(*sphere.sphere, sphere.side, camera_, size_, pixel_);
+    const Approximate t = of_origin == EyeSide::outside      ? c(sphere) / (b + root)
+                          : of_origin == EyeSide::on_surface ? b.twice() / square_
+                          : b.high >= 0.0                    ? (b + root) / square_
+                                                             : c(sphere) / (b - root);
     best.square_t = square_ * t;
-    for (std::size_t i = 0; i < 3; ++i) best.point[i] = t * ray_[i];
+    const ApproximateVector origin = basis_.origin(size_, pixel_, sphere.exponent);
+    for (std::size_t i = 0; i < 3; ++i) best.point[i] = basis_.orthographic ? origin[i] + t * ray_[i] : t * ray_[i];
     return best;
 }
 
 std::optional<int> NearestHit::order_of_the_first(const ScaledSphere& sphere) const {
-    if (sphere.side == EyeSide::inside) return -1;
+    const auto of_origin = side(sphere);
+    if (!of_origin) return std::nullopt;
+    if (*of_origin == EyeSide::inside) return -1;
     const Approximate b = along(sphere);
-    if (sphere.side == EyeSide::outside) return order_before_all(sphere, b);
+    if (*of_origin == EyeSide::outside) return order_before_all(sphere, b);
     const auto before = b.sign();
     if (!before) return std::nullopt;
     return *before <= 0 ? 1 : -1;
@@ -243,12 +299,13 @@ std::optional<int> NearestHit::order(const ScaledSphere& sphere) const {
     // In the power of the best hit's point with respect to the sphere all that both spheres share cancels exactly.
     auto beyond = power_sign(sphere);
     if (!beyond) beyond = power_sign_by_differences(sphere);
-    if (!beyond) return std::nullopt;
-    if (sphere.side == EyeSide::inside) return -*beyond;
-    if (sphere.side == EyeSide::outside && *beyond < 0) return -1;
+    const auto of_origin = side(sphere);
+    if (!beyond || !of_origin) return std::nullopt;
+    if (*of_origin == EyeSide::inside) return -*beyond;
+    if (*of_origin == EyeSide::outside && *beyond < 0) return -1;
     const Approximate b = along(sphere);
     const auto before = b.sign();
-    if (sphere.side == EyeSide::on_surface) {
+    if (*of_origin == EyeSide::on_surface) {
         if (!before) return std::nullopt;
         return *before <= 0 ? 1 : -*beyond;
     }
@@ -266,8 +323,7 @@ void NearestHit::rescale(const SphereScale& scale) {
     if (shift == 0) return;
     // The hit itself is moved, and not found anew: of a sphere that is far too small for the scale nothing could be said.
     for (Approximate* value : {&best_->square_t, &best_->point[0], &best_->point[1], &best_->point[2]}) {
-        const double error = value->error > 0.0 ? std::max(std::ldexp(value->error, shift), least_scaled) : 0.0;
-        *value = times_power({value->high, value->low}, error, shift);
+        *value = moved(*value, shift);
     }
     best_->sphere = scale(*best_->sphere.sphere, best_->sphere.number, best_->sphere.side);
 }

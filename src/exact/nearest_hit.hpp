@@ -25,7 +25,7 @@ struct ScaledSphere {
     int exponent = 0;             // the scale's
     ApproximateVector center;     // relative to the eye: exact, but for what was too small for the scale
     Approximate radius;           // likewise
-    Approximate c;                // center . center - radius^2
+    Approximate c;                // center . center - radius^2, with the eye for the origin of rays
     glm::dvec3 position{0.0};     // of the centre in the scene, to take differences; infinite where it is beyond the scale
     double position_error = 0.0;  // of each component of it
 };
@@ -58,17 +58,21 @@ private:
 };
 
 // What the rays of a picture have in common: m D = m forward + across right + upward up, as for RayBasis (exact/rays.hpp), but
-// exactly.
+// exactly. Orthographic: D = forward, and the ray begins at (across right + upward up) / m from the eye.
 struct ExactBasis {
     ApproximateVector forward;
     glm::dvec3 right{0.0};
     glm::dvec3 up{0.0};
     double error = 0.0;  // of each component of each vector, where one was too small beside the largest
+    bool orthographic = false;
+    int edge_exponent = 0;  // right and up are the scene's times 2 to the minus this
 
     explicit ExactBasis(const Camera& camera);
 
-    // m D of a pixel.
+    // m D of a pixel; orthographic: D.
     ApproximateVector ray(PictureSize size, Pixel pixel) const;
+    // Where the ray begins, relative to the eye, times 2^exponent.
+    ApproximateVector origin(PictureSize size, Pixel pixel, int exponent) const;
 };
 
 class NearestHit {
@@ -92,6 +96,8 @@ public:
     const ScaledSphere* sphere() const { return best_ ? &best_->sphere : nullptr; }
     // Relative to the eye.
     const ApproximateVector& point() const { return best_->point; }
+    // The ray's direction; in perspective the point, which is one, too.
+    const ApproximateVector& ahead() const { return basis_.orthographic ? ray_ : best_->point; }
 
 private:
     struct Best {
@@ -101,6 +107,9 @@ private:
         std::optional<ExactRoot> exact;  // once it was asked for
     };
 
+    ApproximateVector center(const ScaledSphere& sphere) const;  // relative to the ray's origin
+    Approximate c(const ScaledSphere& sphere) const;             // likewise
+    std::optional<EyeSide> side(const ScaledSphere& sphere) const;
     Approximate along(const ScaledSphere& sphere) const;  // b
     Approximate discriminant(const ScaledSphere& sphere, const Approximate& b) const;
     // The sign of the power of the best hit's point with respect to the sphere, if 106 bits are enough.
@@ -115,6 +124,7 @@ private:
     Best best_of(const ScaledSphere& sphere) const;
 
     const Camera& camera_;
+    const ExactBasis& basis_;
     PictureSize size_;
     Pixel pixel_;
     ApproximateVector ray_;

@@ -31,16 +31,16 @@ LaneSet set_of(const Lane<std::int64_t>& flags, std::size_t count) {
 
 }  // namespace
 
-BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale)
+BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale, double reach)
     : center(sphere.center - eye), radius(sphere.radius) {
-    const auto size = [&] { return std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius; };
+    const auto size = [&] { return std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius + reach * scale; };
     const auto in_range = [](double s) { return s > smallest_double_size && s < largest_double_size; };
     if (!in_range(size())) {
         const bool overflows = !std::isfinite(largest_of(center));
         int exponent = 0;
         std::frexp(overflows ? std::max(largest_of(sphere.center), largest_of(eye)) : largest_of(center), &exponent);
         int of_radius = 0;
-        std::frexp(radius, &of_radius);
+        std::frexp(std::max(radius, reach), &of_radius);
         exponent = std::clamp(std::max(exponent, of_radius), -950, 1024);
         const auto scaled = [=](double value) { return std::ldexp(value, -exponent); };
         unit = std::ldexp(1.0 / distance_unit, exponent);
@@ -48,35 +48,44 @@ BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double
             center[axis] = overflows ? scaled(sphere.center[axis]) - scaled(eye[axis]) : scaled(center[axis]);
         }
         radius = scaled(radius);
+        scale = scaled(1.0);
     }
     w = in_range(size()) ? error_scale * size() : never;
 }
 
-BoundLanes::BoundLanes(std::span<const glm::dvec3> rays) : count_(full_lanes(rays.size())) {
-    assert(!rays.empty() && rays.size() <= most_lanes);
+BoundLanes::BoundLanes(std::span<const glm::dvec3> rays, std::span<const glm::dvec3> origins)
+    : count_(full_lanes(rays.size())), in_eye_(origins.empty()) {
+    assert(!rays.empty() && rays.size() <= most_lanes && (in_eye_ || origins.size() == rays.size()));
     for (std::size_t i = 0; i < count_; ++i) {
         const glm::dvec3& ray = rays[std::min(i, rays.size() - 1)];
         x_[i] = ray.x;
         y_[i] = ray.y;
         z_[i] = ray.z;
+        const glm::dvec3 origin = in_eye_ ? glm::dvec3(0.0) : origins[std::min(i, rays.size() - 1)];
+        origin_x_[i] = origin.x;
+        origin_y_[i] = origin.y;
+        origin_z_[i] = origin.z;
         smallest_high_[i] = low_[i] = second_low_[i] = never;
         sure_[i] = guess_[i] = -1;
     }
 }
 
-template <EyeSide side>
+template <EyeSide side, bool in_eye>
 LaneSet BoundLanes::add_on_side(std::int64_t index, const BoundedSphere& sphere) {
-    const auto [c, r, w, unit] = sphere;
+    const auto [c, r, scale, w, unit] = sphere;
     if constexpr (side == EyeSide::outside) {
         // Whether all rays surely miss: without square roots, by twice the bound.
         const double reach = r + 2.0 * w;
         const double reach_square = reach * reach;
         std::int64_t near = 0;
         for (std::size_t i = 0; i < count_; ++i) {
-            const double along = c.x * x_[i] + c.y * y_[i] + c.z * z_[i];
-            const double px = c.x - along * x_[i];
-            const double py = c.y - along * y_[i];
-            const double pz = c.z - along * z_[i];
+            const double cx = in_eye ? c.x : c.x - scale * origin_x_[i];
+            const double cy = in_eye ? c.y : c.y - scale * origin_y_[i];
+            const double cz = in_eye ? c.z : c.z - scale * origin_z_[i];
+            const double along = cx * x_[i] + cy * y_[i] + cz * z_[i];
+            const double px = cx - along * x_[i];
+            const double py = cy - along * y_[i];
+            const double pz = cz - along * z_[i];
             near |= static_cast<std::int64_t>(px * px + py * py + pz * pz <= reach_square);
         }
         if (near == 0) return 0;
@@ -84,7 +93,10 @@ LaneSet BoundLanes::add_on_side(std::int64_t index, const BoundedSphere& sphere)
     Lane<std::int64_t> contends;
     std::int64_t any = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-        const HitBounds<double> hit = hit_bounds<side>(c.x, c.y, c.z, r, w, x_[i], y_[i], z_[i]);
+        const double cx = in_eye ? c.x : c.x - scale * origin_x_[i];
+        const double cy = in_eye ? c.y : c.y - scale * origin_y_[i];
+        const double cz = in_eye ? c.z : c.z - scale * origin_z_[i];
+        const HitBounds<double> hit = hit_bounds<side>(cx, cy, cz, r, w, x_[i], y_[i], z_[i]);
         const double low = hit.low * unit - underflow;
         const double high = hit.high * unit + underflow;
         // All loads before all stores: a conditional one would keep this from becoming SIMD.
@@ -121,9 +133,12 @@ LaneSet BoundLanes::add(std::int64_t index, const BoundedSphere& sphere, EyeSide
         return ~LaneSet{0};
     }
     switch (side) {
-        case EyeSide::outside: return add_on_side<EyeSide::outside>(index, sphere);
-        case EyeSide::inside: return add_on_side<EyeSide::inside>(index, sphere);
-        case EyeSide::on_surface: return add_on_side<EyeSide::on_surface>(index, sphere);
+        case EyeSide::outside:
+            return in_eye_ ? add_on_side<EyeSide::outside, true>(index, sphere)
+                           : add_on_side<EyeSide::outside, false>(index, sphere);
+        case EyeSide::inside: return add_on_side<EyeSide::inside, true>(index, sphere);
+        case EyeSide::on_surface: return add_on_side<EyeSide::on_surface, true>(index, sphere);
+        case EyeSide::in_plane: return add_on_side<EyeSide::in_plane, false>(index, sphere);
     }
     return 0;
 }
@@ -144,10 +159,10 @@ double BoundLanes::farthest_sure_hit() const {
 }
 
 DifferenceLanes::DifferenceLanes(std::size_t count) : count_(full_lanes(count)) {
-    for (Lane<double>* lane : {&center_x_,   &center_y_, &center_z_,   &c_high_,  &c_low_,        &c_error_,
-                               &x_,          &y_,        &z_,          &square_,  &error_,        &length_,
-                               &inaccuracy_, &scene_x_,  &scene_y_,    &scene_z_, &scene_radius_, &sum_x_,
-                               &sum_y_,      &sum_z_,    &sum_length_, &radius_}) {
+    for (Lane<double>* lane :
+         {&center_x_, &center_y_,     &center_z_, &c_high_,  &c_low_,   &c_error_,    &x_,          &y_,       &z_,
+          &square_,   &error_,        &length_,   &ahead_x_, &ahead_y_, &ahead_z_,    &inaccuracy_, &scene_x_, &scene_y_,
+          &scene_z_,  &scene_radius_, &sum_x_,    &sum_y_,   &sum_z_,   &sum_length_, &radius_}) {
         lane->fill(std::numeric_limits<double>::quiet_NaN());
     }
 }
@@ -175,10 +190,15 @@ void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
     x_[lane] = known ? x.high : std::numeric_limits<double>::quiet_NaN();
     y_[lane] = y.high;
     z_[lane] = z.high;
-    square_[lane] = x.high * x.high + y.high * y.high + z.high * z.high;
+    const auto& [ahead_x, ahead_y, ahead_z] = nearest.ahead();
+    ahead_x_[lane] = ahead_x.high;
+    ahead_y_[lane] = ahead_y.high;
+    ahead_z_[lane] = ahead_z.high;
+    const double ahead_length = std::fabs(ahead_x.high) + std::fabs(ahead_y.high) + std::fabs(ahead_z.high);
+    square_[lane] = x.high * ahead_x.high + y.high * ahead_y.high + z.high * ahead_z.high;
     error_[lane] = error;
     length_[lane] = length;
-    inaccuracy_[lane] = 8.0 * u * length + 4.0 * error;
+    inaccuracy_[lane] = 8.0 * u * ahead_length + 4.0 * error * (ahead_length / length);
     scene_x_[lane] = sphere.sphere->center.x;
     scene_y_[lane] = sphere.sphere->center.y;
     scene_z_[lane] = sphere.sphere->center.z;
@@ -201,6 +221,7 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
     const double c_high = sphere.c.high;
     const double c_low = sphere.c.low;
     const double c_error = sphere.c.error + 4.0 * u * std::fabs(c_low);
+    if (sphere.side == EyeSide::in_plane) return set_of(takes_part_, count_);
     const bool outside = sphere.side == EyeSide::outside;
     Lane<std::int64_t> challenged;
     std::int64_t any = 0;
@@ -217,7 +238,7 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
         const double off = error_[i] * (std::fabs(apart_x) + std::fabs(apart_y) + std::fabs(apart_z));
         const double doubt = 1.0625 * (6.0 * u * terms + 2.0 * off + (c_error + c_error_[i])) + too_small;
         // V: is the hit before the middle between the sphere's roots?
-        const double before_middle = x_[i] * cx + y_[i] * cy + z_[i] * cz - square_[i];
+        const double before_middle = ahead_x_[i] * cx + ahead_y_[i] * cy + ahead_z_[i] * cz - square_[i];
         const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + too_small;
         const bool not_nearer_outside = (power > doubt) & (before_middle > middle_doubt);
         const bool not_nearer_else = power < -doubt;
@@ -247,7 +268,7 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
         const double off = inexact * (std::fabs(apart_x) + std::fabs(apart_y) + std::fabs(apart_z));
         const double off_radius = too_small * unit * std::fabs(radii_apart);
         const double doubt = 1.0625 * (7.0 * u * terms + off + off_radius) + smallest_doubt;
-        const double before_middle = x_[i] * cx + y_[i] * cy + z_[i] * cz - square_[i];
+        const double before_middle = ahead_x_[i] * cx + ahead_y_[i] * cy + ahead_z_[i] * cz - square_[i];
         const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + too_small;
         const bool not_nearer_outside = (power > doubt) & (before_middle > middle_doubt);
         const bool not_nearer_else = power < -doubt;

@@ -27,17 +27,19 @@ inline constexpr double distance_unit = 0x1p8;
 struct BoundedSphere {
     glm::dvec3 center{0.0};             // relative to the eye, times a power of two
     double radius = 0.0;                // likewise
+    double scale = 1.0;                 // that power
     double w = 0.0;                     // the bound (exact/filter.hpp); infinite when nothing is known of the sphere
     double unit = 1.0 / distance_unit;  // what turns lengths of these into distances in distance_unit
 
-    BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale);
+    // `reach`: of the rays' origins (RayBasis).
+    BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale, double reach);
 };
 
 // NearestHits (exact/filter.hpp) of some pixels.
 class BoundLanes {
 public:
-    // Their unit directions, of one to most_lanes of them.
-    explicit BoundLanes(std::span<const glm::dvec3> rays);
+    // Their unit directions, of one to most_lanes of them. `origins`: where they begin, relative to the eye; empty: in the eye.
+    explicit BoundLanes(std::span<const glm::dvec3> rays, std::span<const glm::dvec3> origins);
 
     // The pixels that may show the sphere, of those seen so far.
     LaneSet add(std::int64_t index, const BoundedSphere& sphere, EyeSide side);
@@ -48,13 +50,17 @@ public:
     double farthest_sure_hit() const;
 
 private:
-    template <EyeSide side>
+    template <EyeSide side, bool in_eye>
     LaneSet add_on_side(std::int64_t index, const BoundedSphere& sphere);
 
     std::size_t count_;  // of lanes; the last pixel is repeated to fill them up
     Lane<double> x_;     // unit directions
     Lane<double> y_;
     Lane<double> z_;
+    bool in_eye_;            // all begin there
+    Lane<double> origin_x_;  // else: where they begin
+    Lane<double> origin_y_;
+    Lane<double> origin_z_;
     Lane<double> smallest_high_;
     Lane<double> low_;
     Lane<double> second_low_;
@@ -88,10 +94,13 @@ private:
     Lane<double> x_;  // the hit, relative to the eye; not a number where nothing is known
     Lane<double> y_;
     Lane<double> z_;
-    Lane<double> square_;      // x . x
+    Lane<double> ahead_x_;  // the ray's direction; in perspective the hit, which is one
+    Lane<double> ahead_y_;
+    Lane<double> ahead_z_;
+    Lane<double> square_;      // x . ahead
     Lane<double> error_;       // of each of the hit's components
     Lane<double> length_;      // |x| + |y| + |z|
-    Lane<double> inaccuracy_;  // what bounds the error of V: docs/exactness.md
+    Lane<double> inaccuracy_;  // what bounds the error of V, by the sizes of C and x: docs/exactness.md
 
     // For the power as a sum of products with differences.
     double difference_unit_ = 0.0;

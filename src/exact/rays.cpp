@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "exact/filter.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -19,10 +20,28 @@ glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
     return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
 }
 
+// Where rays begin: the edges divided by the side.
+template <typename Real>
+void set_origins(RayBasis<Real>& frame, const Camera& camera, PictureSize size, int scale) {
+    const double side = size.shorter_side();
+    const glm::dvec3 right = times_two_to(camera.right, scale) / side;
+    const glm::dvec3 up = times_two_to(camera.up, scale) / side;
+    const auto sum = [](const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+    // 1 % covers the rounding here.
+    const double reach = 1.01 * (sum(right) * size.width + sum(up) * size.height);
+    constexpr double most = sizeof(Real) == sizeof(float) ? 0x1p55 : 0x1p900;
+    const bool fits = reach < most && std::min(largest_of(right), largest_of(up)) > 0x1p-900;
+    frame.orthographic = true;
+    frame.in_range = frame.in_range && fits;
+    frame.right = fits ? glm::vec<3, Real>(right) : glm::vec<3, Real>(Real(0));
+    frame.up = fits ? glm::vec<3, Real>(up) : glm::vec<3, Real>(Real(0));
+    frame.reach = fits ? static_cast<Real>(reach) : Real(0);
+}
+
 }  // namespace
 
 template <typename Real>
-RayBasis<Real> ray_basis(const Camera& camera, PictureSize size) {
+RayBasis<Real> ray_basis(const Camera& camera, PictureSize size, int scale) {
     // A quarter first: the difference of two doubles, or its product with the side's mantissa, may overflow. Only powers of
     // two besides that mantissa: for the default camera nothing is rounded.
     int side_exponent = 0;
@@ -36,17 +55,22 @@ RayBasis<Real> ray_basis(const Camera& camera, PictureSize size) {
     constexpr int limit = sizeof(Real) == sizeof(float) ? 60 : 500;
     const int longest_edge = exponent_of(std::max(largest_of(camera.right), largest_of(camera.up))) + edge_exponent + 32;
     RayBasis<Real> frame;
+    frame.forward = glm::vec<3, Real>(times_two_to(axis, -exponent));
+    if (camera.orthographic()) {
+        frame.in_range = longest_axis > 0x1p-900;
+        set_origins(frame, camera, size, scale);
+        return frame;
+    }
     // Below 2^-900 a quarter may have lost bits, or everything.
     frame.in_range = longest_edge < limit && longest_axis > 0x1p-900;
     const int edges = std::min(edge_exponent, edge_exponent - (longest_edge - limit));
-    frame.forward = glm::vec<3, Real>(times_two_to(axis, -exponent));
     frame.right = glm::vec<3, Real>(times_two_to(camera.right, edges));
     frame.up = glm::vec<3, Real>(times_two_to(camera.up, edges));
     return frame;
 }
 
-template RayBasis<float> ray_basis<float>(const Camera&, PictureSize);
-template RayBasis<double> ray_basis<double>(const Camera&, PictureSize);
+template RayBasis<float> ray_basis<float>(const Camera&, PictureSize, int);
+template RayBasis<double> ray_basis<double>(const Camera&, PictureSize, int);
 
 double ray_condition(const Camera& camera) {
     const glm::dvec3 axis = camera.center * 0.5 - camera.eye * 0.5;
@@ -59,5 +83,7 @@ double ray_condition(const Camera& camera) {
     // docs/exactness.md, "Rays"; 1 % covers the rounding here and right and up that are not quite perpendicular.
     return 1.01 * (std::sqrt(3.0) + (1.0 + std::sqrt(2.0)) * in_plane / off_plane);
 }
+
+double filter_condition(const Camera& camera) { return camera.orthographic() ? orthographic_condition : ray_condition(camera); }
 
 }  // namespace sphereview

@@ -9,31 +9,49 @@
 
 namespace sphereview {
 
-// Pixel (x, y) looks along forward + across right + upward up, with the whole numbers of ray_coefficients(). Scaled so that
-// the largest component of `forward` lies in [0.5, 1); each component is within 2 units in the last place of the exact one.
+// Perspective: pixel (x, y) looks from the eye along forward + across right + upward up, with the whole numbers of
+// ray_coefficients(). Scaled so that the largest component of `forward` lies in [0.5, 1). Orthographic: it looks along `forward`
+// from across right + upward up, relative to the eye, in scene units times 2^scale. Each component is within 2 units in the last
+// place of the exact one.
 template <typename Real>
 struct RayBasis {
     glm::vec<3, Real> forward;
     glm::vec<3, Real> right;
     glm::vec<3, Real> up;
+    bool orthographic = false;
+    // At least |x| + |y| + |z| of every pixel's |across right| + |upward up|, where rays begin. 0 in perspective.
+    Real reach = 0;
     // False when the camera's numbers are so large or small that what is above does not hold; they are finite all the same.
     bool in_range = true;
 };
 
+// `scale`: DrawnSpheres::scale for rays among those, 0 for rays in the scene.
 template <typename Real>
-RayBasis<Real> ray_basis(const Camera& camera, PictureSize size);
+RayBasis<Real> ray_basis(const Camera& camera, PictureSize size, int scale = 0);
 
-// The ray through a pixel's centre, of length 1.
+// The direction of the ray through a pixel's centre, of length 1.
 template <typename Real>
 glm::vec<3, Real> unit_ray(const RayBasis<Real>& frame, PictureSize size, Pixel pixel) {
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
-    const glm::vec<3, Real> d =
-        (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) + static_cast<Real>(coefficients.across) * frame.right;
+    const glm::vec<3, Real> d = frame.orthographic ? frame.forward
+                                                   : (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) +
+                                                         static_cast<Real>(coefficients.across) * frame.right;
     return d * (Real(1) / square_root(d.x * d.x + d.y * d.y + d.z * d.z));
+}
+
+// Where that ray begins, relative to the eye.
+template <typename Real>
+glm::vec<3, Real> ray_origin(const RayBasis<Real>& frame, PictureSize size, Pixel pixel) {
+    if (!frame.orthographic) return glm::vec<3, Real>(Real(0));
+    const RayCoefficients coefficients = ray_coefficients(size, pixel);
+    return static_cast<Real>(coefficients.upward) * frame.up + static_cast<Real>(coefficients.across) * frame.right;
 }
 
 // kappa of docs/exactness.md: no pixel's |forward| + |across right| + |upward up| exceeds kappa |ray|. At least sqrt(3);
 // large when the screen's centre lies far off the axis.
 double ray_condition(const Camera& camera);
+
+// What error_scale() takes for kappa.
+double filter_condition(const Camera& camera);
 
 }  // namespace sphereview

@@ -25,6 +25,7 @@ HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r,
         case EyeSide::outside: return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
         case EyeSide::inside: return hit_bounds<EyeSide::inside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
         case EyeSide::on_surface: return hit_bounds<EyeSide::on_surface>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
+        case EyeSide::in_plane: return hit_bounds<EyeSide::in_plane>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
     }
     return {};
 }
@@ -117,7 +118,7 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       lists_(lists),
       size_(size),
       frame_(ray_basis<double>(camera, size)),
-      error_scale_(error_scale(ray_condition(camera), double_unit)),
+      error_scale_(error_scale(filter_condition(camera), double_unit)),
       exact_basis_(camera),
       cell_shift_(largest_cell_shift) {
     // What that basis cannot hold, aim() takes from the exact one: then the rays are only rounded.
@@ -128,10 +129,12 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
     }
 }
 
-bool Resolver::aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays) const {
+bool Resolver::aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays, std::span<glm::dvec3> origins) const {
+    if (frame_.orthographic && !frame_.in_range) return false;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (frame_.in_range) {
             rays[i] = unit_ray(frame_, size_, pixels[i]);
+            origins[i] = ray_origin(frame_, size_, pixels[i]);
             continue;
         }
         const auto [x, y, z] = exact_basis_.ray(size_, pixels[i]);
@@ -153,14 +156,16 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
     };
     std::vector<Contest> contests;
     std::array<glm::dvec3, most_lanes> rays{};
-    const bool aimed = aim(pixels, rays);
+    std::array<glm::dvec3, most_lanes> origins{};
+    const bool aimed = aim(pixels, rays, origins);
     const double bound_scale = aimed ? error_scale_ : NearestHits<double>::never;  // else every sphere may be anywhere
-    BoundLanes lanes{std::span<const glm::dvec3>(rays).first(pixels.size())};
+    BoundLanes lanes(std::span<const glm::dvec3>(rays).first(pixels.size()),
+                     std::span<const glm::dvec3>(origins).first(frame_.orthographic ? pixels.size() : 0));
     double sure_hit = NearestHits<double>::never;  // in the units of the lists
     std::size_t tried = 0;
     for_each_candidate(drawn_, lists_, pixels.front(), [&](std::uint32_t i) {
         if (++tried % tried_between_checks == 0) check_cancelled();
-        const BoundedSphere bounded(sphere(i), camera_.eye, bound_scale);
+        const BoundedSphere bounded(sphere(i), camera_.eye, bound_scale, frame_.reach);
         const LaneSet contending = lanes.add(i, bounded, drawn_.side(i));
         if (contending != 0) {
             contests.push_back({i, contending});
@@ -230,14 +235,19 @@ std::int32_t Resolver::resolve(Pixel pixel, DecisionLevel& level) const {
 
 DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
                              const CandidateLists* lists) {
-    const FloatView view = float_view(camera, size, gpu_unit);
+    const FloatView view = float_view(camera, size, drawn.scale, gpu_unit);
     const glm::vec3 ray = unit_ray(view.rays, size, pixel);
+    const glm::vec3 origin = ray_origin(view.rays, size, pixel);
     NearestHits<float> nearest;
     for_each_candidate(drawn, lists, pixel, [&](std::uint32_t i) {
         const glm::vec4& s = drawn.center_radius[i];
-        const float w = view.error_scale * (std::fabs(s.x) + std::fabs(s.y) + std::fabs(s.z) + std::fabs(s.w));
-        const EyeSide side = s.w > 0.0F ? EyeSide::outside : s.w < 0.0F ? EyeSide::inside : EyeSide::on_surface;
-        nearest.add(static_cast<int>(i), bounds_of_side<float>(side, glm::vec3(s), std::fabs(s.w), w, ray));
+        if (drawn.beyond_float.contains(i)) {
+            nearest.add(static_cast<int>(i), {0.0F, NearestHits<float>::never});
+            return nearest.smallest_high;
+        }
+        const float size_of_sphere = std::fabs(s.x) + std::fabs(s.y) + std::fabs(s.z) + std::fabs(s.w) + view.rays.reach;
+        const float w = view.error_scale * size_of_sphere;
+        nearest.add(static_cast<int>(i), bounds_of_side<float>(drawn.side(i), glm::vec3(s) - origin, std::fabs(s.w), w, ray));
         return nearest.smallest_high;
     });
     if (!view.all_doubtful && nearest.decided()) return DecisionLevel::in_float;

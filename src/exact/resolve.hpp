@@ -51,8 +51,9 @@ public:
 private:
     // Resolves some pixels of one cell: at most 64, all in the same tiles. It writes the number for each, and counts.
     DecisionCounts resolve(std::span<const Pixel> pixels, std::span<std::int32_t> numbers) const;
-    // The pixels' unit directions. Returns whether they are as exact as error_scale_ takes them to be.
-    bool aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays) const;
+    // The pixels' unit directions, and where the rays begin, relative to the eye. Returns whether they are as exact as error_scale_
+    // takes them to be.
+    bool aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays, std::span<glm::dvec3> origins) const;
     // Certifies a part of the block that is no higher than a cell.
     DecisionCounts certify_piece(const Block& piece, const Block& block, std::span<std::int32_t> visible) const;
 

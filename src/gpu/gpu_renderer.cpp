@@ -44,7 +44,7 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& list
         trace_ = make_program("trace.frag", defines);
         defines_ = std::move(defines);
     }
-    frame_ = draw_block_of(lists, camera, size);
+    frame_ = draw_block_of(lists, camera, size, spheres.scale);
     covered_ = lists.covered;
     tables_.upload(spheres, lists);
 }

@@ -14,7 +14,7 @@ namespace sphereview {
 
 // std140 layout of the block `Frame`.
 struct DrawBlock {
-    glm::vec4 forward{0.0F};
+    glm::vec4 forward{0.0F};  // w: the reach of the rays' origins
     glm::vec4 right{0.0F};
     glm::vec4 up{0.0F};
     glm::vec4 background{0.0F};

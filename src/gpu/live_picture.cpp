@@ -113,21 +113,21 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     const bool anew = geometry || scene_.edited();
     if (anew) {
         drawn = drawn_spheres(scene, view.camera);
-    } else if (!(view.camera.eye == view_.camera.eye)) {
+    } else if (!same_eye(view.camera, view_.camera)) {
         drawn = drawn_again(scene, view.camera, scene_.drawn());
     }
     const DrawnSpheres& spheres = drawn ? *drawn : scene_.drawn();
     const PixelGrid grid{view.size, spheres.size() > most_for_all_pixels ? step : 1};
     CandidateLists built = build_lists(spheres, view.camera, grid, gpu_tile_costs, EditedLists::spare(grid));
-    EditedLists lists =
-        tables_.take_edits_of(spheres) ? EditedLists(std::move(built), view.camera, grid) : EditedLists(std::move(built));
+    EditedLists lists = tables_.take_edits_of(spheres) ? EditedLists(std::move(built), view.camera, grid, spheres.scale)
+                                                       : EditedLists(std::move(built));
     const std::vector<std::string> defines = tables_.defines_for(spheres, lists.lists());
     if (defines != defines_) compile(defines);
 
     ++builds_;
     forget_picture();
     tables_.upload(spheres, lists.lists());
-    frame_ = draw_block_of(lists.lists(), view.camera, view.size);
+    frame_ = draw_block_of(lists.lists(), view.camera, view.size, spheres.scale);
     lists_step_ = grid.step;
     view_ = view;
     if (drawn) {
@@ -143,7 +143,7 @@ bool LivePicture::follow(const Document& document, const ChangesSince& changes) 
     if (!scene_.follow(document.scene(), changes)) return false;
     forget_picture();
     tables_.update(scene_.drawn(), scene_.lists(), scene_.take_changed());
-    frame_ = draw_block_of(scene_.lists(), view_.camera, view_.size);
+    frame_ = draw_block_of(scene_.lists(), view_.camera, view_.size, scene_.drawn().scale);
     colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, changes.order);
     return true;
 }
@@ -191,7 +191,7 @@ void LivePicture::prepare_shading(const Document& document, Shading shading) {
     if ((shading == Shading::id) != (shading_ == Shading::id)) colors_.set(scene, scene_.drawn(), shading);
     shading_ = shading;
     if (!depends_on_hit(shading)) return;
-    if (!range_) range_ = depth_range(scene, view_.camera.eye);
+    if (!range_) range_ = depth_range(scene, view_.camera);
     // Distances as sphere_at() has them. A float holds none beyond 2^100: where the scene has such, all that it holds is as near.
     const auto scaled = [&](double distance) { return std::ldexp(distance / shading_scale, scene_.drawn().scale); };
     const double range = std::max(scaled(range_->farthest - range_->nearest), 0x1p-100);
@@ -256,7 +256,7 @@ void LivePicture::mark_selected(const Selection* selection) {
     if (!selected_range_known_ || !colors_.are_marked(numbers)) {
         const bool many = numbers.size() > most_single_ranges;
         selected_range_ = many ? scene_.lists().covered : PixelRange{};
-        const PixelPlanes planes(view_.camera, view_.size);
+        const PixelPlanes planes(view_.camera, view_.size, scene_.drawn().scale);
         for (std::size_t i = 0; i < numbers.size() && !many; ++i) {
             const auto index = scene_.drawn().index_of(numbers[i]);
             if (index) selected_range_ = united(selected_range_, planes.range(scene_.drawn().center_radius[*index]));
@@ -280,7 +280,8 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     DrawBlock frame = frame_;
     if (const auto index = highlights.hovered ? scene_.drawn().index_of(*highlights.hovered) : std::nullopt) {
         frame.hovered = static_cast<std::int32_t>(*index);
-        outlined = united(outlined, PixelPlanes(view_.camera, view_.size).range(scene_.drawn().center_radius[*index]));
+        const PixelPlanes planes(view_.camera, view_.size, scene_.drawn().scale);
+        outlined = united(outlined, planes.range(scene_.drawn().center_radius[*index]));
     }
     frame.background = shown_background(background);
     frame.checkerboard = checkerboard_shift;

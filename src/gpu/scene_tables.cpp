@@ -66,10 +66,10 @@ glm::vec4 shown_background(const Background& background) {
     return {channel(color.r), channel(color.g), channel(color.b), background.transparent ? 0.0F : 1.0F};
 }
 
-DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size) {
+DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size, int scale) {
     DrawBlock frame;
-    const FloatView view = float_view(camera, size, gpu_unit);
-    frame.forward = glm::vec4(view.rays.forward, 0.0F);
+    const FloatView view = float_view(camera, size, scale, gpu_unit);
+    frame.forward = glm::vec4(view.rays.forward, view.rays.reach);
     frame.right = glm::vec4(view.rays.right, 0.0F);
     frame.up = glm::vec4(view.rays.up, 0.0F);
     frame.error_scale = view.error_scale;
@@ -113,6 +113,7 @@ std::vector<std::string> SceneTables::defines_for(const DrawnSpheres& spheres, c
     const Storage storage = storage_for(spheres, lists);
     std::vector<std::string> defines = table_defines(storage.tables);
     if (storage.in_block) defines.push_back("SPHERE_CAPACITY " + std::to_string(uniform_capacity_));
+    if (spheres.orthographic) defines.emplace_back("ORTHOGRAPHIC 1");
     return defines;
 }
 

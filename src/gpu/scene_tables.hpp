@@ -39,8 +39,8 @@ ShownColor shown_color(const Scene& scene, std::int32_t number, Shading shading)
 // What a background is to shaders: 0..1, with alpha.
 glm::vec4 shown_background(const Background& background);
 
-// What trace.frag must know of a picture, but for the part that is drawn.
-DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size);
+// What trace.frag must know of a picture, but for the part that is drawn. `scale`: the drawn spheres'.
+DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size, int scale);
 
 // Uploads it and binds it for the next draw.
 void upload_draw_block(const Buffer& buffer, const DrawBlock& frame);

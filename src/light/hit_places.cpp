@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/square_root.hpp"
+#include "exact/exact_decision.hpp"
 #include "exact/exact_light.hpp"
 #include "scene/vectors.hpp"
 
@@ -24,6 +25,7 @@ HitBounds<double> bounds(const glm::dvec3& c, double r, double w, const glm::dve
         case EyeSide::outside: return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
         case EyeSide::inside: return hit_bounds<EyeSide::inside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
         case EyeSide::on_surface: return hit_bounds<EyeSide::on_surface>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
+        case EyeSide::in_plane: return hit_bounds<EyeSide::in_plane>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
     }
     return {};
 }
@@ -52,26 +54,32 @@ HitPlaces::HitPlaces(const Camera& camera, PictureSize size)
     : camera_(camera),
       size_(size),
       rays_(ray_basis<double>(camera, size)),
-      error_scale_(error_scale(ray_condition(camera), double_unit)) {
+      error_scale_(error_scale(filter_condition(camera), double_unit)) {
     if (!rays_.in_range || !(error_scale_ < 1.0)) error_scale_ = unknown;
 }
 
 HitPlace HitPlaces::at(Pixel pixel, const Sphere& sphere, EyeSide side) const {
     const glm::dvec3 center = sphere.center - camera_.eye;
-    const double size = size_of(center) + sphere.radius;
+    const double size = size_of(center) + sphere.radius + rays_.reach;
     if (!(size > smallest_double_size && size < largest_double_size) || error_scale_ == unknown) return {glm::dvec3(0.0), unknown};
     const glm::dvec3 ray = unit_ray(rays_, size_, pixel);
-    const auto [low, high] = bounds(center, sphere.radius, error_scale_ * size, ray, side);
+    const glm::dvec3 origin = ray_origin(rays_, size_, pixel);
+    const auto [low, high] = bounds(center - origin, sphere.radius, error_scale_ * size, ray, side);
     if (!std::isfinite(low) || !std::isfinite(high)) return {glm::dvec3(0.0), unknown};
     const double middle = 0.5 * low + 0.5 * high;
     const double half = 0.5 * high - 0.5 * low;
     // error_scale() is more than what the ray is off; twice that covers the roundings here as well.
-    return {middle * ray, 1.01 * (half + 2.0 * error_scale_ * (std::fabs(middle) + half))};
+    const double error = 1.01 * (half + 2.0 * error_scale_ * (std::fabs(middle) + half + rays_.reach));
+    return {rays_.orthographic ? origin + middle * ray : middle * ray, error};
+}
+
+bool HitPlaces::begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) const {
+    return origin_side(sphere, side, camera_, size_, pixel) == EyeSide::outside;
 }
 
 bool HitPlaces::faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm::dvec3& direction) const {
     const Offset o = offset(at(pixel, sphere, side), camera_.eye, sphere, direction);
-    if (std::fabs(o.along) > o.doubt) return (o.along > 0.0) == (side == EyeSide::outside);
+    if (std::fabs(o.along) > o.doubt) return (o.along > 0.0) == begins_outside(pixel, sphere, side);
     return ExactLitPoint(camera_, size_, pixel, sphere, side).facing(direction) > 0;
 }
 

@@ -21,8 +21,11 @@ public:
     // The camera must outlive it.
     HitPlaces(const Camera& camera, PictureSize size);
 
-    // Of the sphere that the pixel shows.
+    // Of the sphere that the pixel shows. `side`: the eye's, here and below.
     HitPlace at(Pixel pixel, const Sphere& sphere, EyeSide side) const;
+
+    // Whether the pixel's ray begins outside the sphere.
+    bool begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) const;
 
     // Whether the normal, turned to the eye, is less than a right angle from the light's direction.
     bool faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm::dvec3& direction) const;

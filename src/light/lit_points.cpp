@@ -137,7 +137,8 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
             const HitPlace& place = found[known[k]];
             const Sphere& sphere = scene.spheres[static_cast<std::size_t>(origin.number)];
             const glm::dvec3 p = (place.point - points.middle) * factor;
-            const bool outside = sides[static_cast<std::size_t>(origin.number)] == EyeSide::outside;
+            const EyeSide side_of_eye = sides[static_cast<std::size_t>(origin.number)];
+            const bool outside = places.begins_outside(pixel_of(origin), sphere, side_of_eye);
             const glm::dvec3 n = (place.point - (sphere.center - places.eye())) / (outside ? sphere.radius : -sphere.radius);
             points.x[k] = static_cast<float>(p.x);
             points.y[k] = static_cast<float>(p.y);

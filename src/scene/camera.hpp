@@ -27,14 +27,24 @@ struct Pixel {
     bool operator==(const Pixel&) const = default;
 };
 
-// The camera is these twelve doubles, in scene space. `right` and `up` lead from the screen's centre to the middle of its
-// edges; they are perpendicular and equally long. The default is the screen (-50, -50, 100) .. (50, 50, 100) seen from 0.
+// Where rays begin. Perspective: all in the eye, and each goes through its pixel's place on the screen. Orthographic: all go from
+// the eye to the screen's centre, and each begins in the plane through the eye that is parallel to the screen, at its pixel's
+// place.
+enum class Projection { perspective, orthographic };
+
+inline constexpr std::array<const char*, 2> projection_names = {"perspective", "orthographic"};
+
+// The camera is these twelve doubles, in scene space, and a projection. `right` and `up` lead from the screen's centre to the
+// middle of its edges; they are perpendicular and equally long. The default is the screen (-50, -50, 100) .. (50, 50, 100) seen
+// from 0.
 struct Camera {
     glm::dvec3 eye{0.0, 0.0, 0.0};
     glm::dvec3 center{0.0, 0.0, 100.0};
     glm::dvec3 right{50.0, 0.0, 0.0};
     glm::dvec3 up{0.0, 50.0, 0.0};
+    Projection projection = Projection::perspective;
 
+    bool orthographic() const { return projection == Projection::orthographic; }
     bool operator==(const Camera&) const = default;
 };
 
@@ -60,8 +70,9 @@ struct CameraFault {
 
 std::optional<CameraFault> camera_fault(const Camera& camera);
 
-// The coefficients of pixel (x, y)'s ray, times the shorter side m: m D = m (center - eye) + across right + upward up,
-// with D = (center - eye) + (2x + 1 - W) / m right + (H - 1 - 2y) / m up. Whole numbers, so that nothing is rounded.
+// The coefficients of pixel (x, y)'s ray O + t D, times the shorter side m: m D = m (center - eye) + across right + upward up, with
+// D = (center - eye) + (2x + 1 - W) / m right + (H - 1 - 2y) / m up, and O = eye. Orthographic: D = center - eye, and
+// m O = m eye + across right + upward up. Whole numbers, so that nothing is rounded.
 struct RayCoefficients {
     long long across = 0;
     long long upward = 0;

@@ -8,11 +8,11 @@
 #include <cstring>
 #include <limits>
 #include <mutex>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
 #include "base/square_root.hpp"
-#include "exact/exact_decision.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -45,15 +45,17 @@ struct ShadedSphere {
     glm::dvec3 center;  // relative to the eye
     double radius;
     double inverse_radius;
-    double side;  // 1: the eye is outside and sees the near root; -1: inside or on the surface, the far one
+    double side;  // 1: the ray begins outside and hits at the near root; -1: inside or on the surface, at the far one
 };
 
-ShadedSphere shaded_sphere(const Sphere& sphere, const glm::dvec3& eye) {
+double side_of(EyeSide side) { return side == EyeSide::outside ? 1.0 : -1.0; }
+
+ShadedSphere shaded_sphere(const Sphere& sphere, const glm::dvec3& eye, EyeSide side) {
     ShadedSphere shaded{};
     shaded.center = from_eye(sphere.center, eye);
     shaded.radius = std::max(shading_scale * sphere.radius, smallest_radius);
     shaded.inverse_radius = 1.0 / shaded.radius;
-    shaded.side = eye_side(sphere, eye) == EyeSide::outside ? 1.0 : -1.0;
+    shaded.side = side_of(side);
     return shaded;
 }
 
@@ -62,6 +64,8 @@ struct Span {
     ShadedSphere sphere;
     glm::dvec3 first;  // forward + upward up
     glm::dvec3 right;
+    bool orthographic = false;  // then: the direction, of length 1; and where the first ray of the row begins
+    glm::dvec3 direction;
     double across = 0;  // of the first pixel; 2 more for each next
     std::size_t count = 0;
 };
@@ -79,8 +83,10 @@ struct Hits {
 constexpr double between_0_and_1(double value) { return value > 0.0 ? (value < 1.0 ? value : 1.0) : 0.0; }
 
 // The closest approach first, as in exact/filter.hpp: q is where it lies, in radii from the centre.
-SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
-    const glm::dvec3 c = span.sphere.center;
+template <bool orthographic>
+void find_hits_in(const Span& span, Hits& hits) {
+    const glm::dvec3 center = span.sphere.center;
+    const glm::dvec3 direction = span.direction;
     const glm::dvec3 first = span.first;
     const glm::dvec3 right = span.right;
     const double radius = span.sphere.radius;
@@ -94,9 +100,10 @@ SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
         const double dy = first.y + across * right.y;
         const double dz = first.z + across * right.z;
         const double inverse_length = 1.0 / square_root(dx * dx + dy * dy + dz * dz);
-        const double nx = dx * inverse_length;
-        const double ny = dy * inverse_length;
-        const double nz = dz * inverse_length;
+        const double nx = orthographic ? direction.x : dx * inverse_length;
+        const double ny = orthographic ? direction.y : dy * inverse_length;
+        const double nz = orthographic ? direction.z : dz * inverse_length;
+        const glm::dvec3 c = orthographic ? glm::dvec3(center.x - dx, center.y - dy, center.z - dz) : center;
         const double along = c.x * nx + c.y * ny + c.z * nz;
         const double qx = (c.x - along * nx) * inverse_radius;
         const double qy = (c.y - along * ny) * inverse_radius;
@@ -109,6 +116,14 @@ SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
         hits.x[at] = -(side * qx) - facing * nx;
         hits.y[at] = -(side * qy) - facing * ny;
         hits.z[at] = -(side * qz) - facing * nz;
+    }
+}
+
+SPHEREVIEW_FOR_EACH_SIMD void find_hits(const Span& span, Hits& hits) {
+    if (span.orthographic) {
+        find_hits_in<true>(span, hits);
+    } else {
+        find_hits_in<false>(span, hits);
     }
 }
 
@@ -138,20 +153,49 @@ void fill(std::uint8_t* out, std::size_t count, const std::uint8_t* pixel, std::
 
 }  // namespace
 
-DepthRange depth_range(const Scene& scene, const glm::dvec3& eye) {
+namespace {
+
+// What the hits of a sphere lie between. From outside none is beyond the silhouette.
+DepthRange depths_in_perspective(const Sphere& sphere, const glm::dvec3& eye) {
+    const double distance = length(from_eye(sphere.center, eye));
+    const double radius = shading_scale * sphere.radius;
+    // The silhouette is nearer than the centre.
+    return {std::fabs(distance - radius), distance < radius ? distance + radius : distance};
+}
+
+// Of rays with the direction that begin in the plane with the normal `ahead`. A sphere behind the plane has none.
+std::optional<DepthRange> depths_of_parallels(const Sphere& sphere, const glm::dvec3& eye, const glm::dvec3& ahead,
+                                              const glm::dvec3& direction) {
+    const double depth = dot(from_eye(sphere.center, eye), ahead);
+    const double radius = shading_scale * sphere.radius;
+    if (depth < -radius) return std::nullopt;
+    const double steepness = dot(direction, ahead);
+    const double rest = 1.0 - steepness * steepness;
+    const double silhouette = depth + radius * square_root(rest > 0.0 ? rest : 0.0);
+    return DepthRange{std::max(depth - radius, 0.0) / steepness, (depth < radius ? depth + radius : silhouette) / steepness};
+}
+
+}  // namespace
+
+DepthRange depth_range(const Scene& scene, const Camera& camera) {
     constexpr double none = std::numeric_limits<double>::infinity();
     DepthRange range{none, 0.0};
+    const glm::dvec3 ahead = camera_axes(camera).ahead;
+    const glm::dvec3 direction = unit(0.5 * camera.center - 0.5 * camera.eye);
+    const auto depths = [&](const Sphere& sphere) {
+        return camera.orthographic() ? depths_of_parallels(sphere, camera.eye, ahead, direction)
+                                     : depths_in_perspective(sphere, camera.eye);
+    };
     std::mutex joining;
     parallel_pieces(scene.spheres.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
         DepthRange part{none, 0.0};
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[i];
             if (sphere.hidden) continue;
-            const double distance = length(from_eye(sphere.center, eye));
-            const double radius = shading_scale * sphere.radius;
-            // From outside no hit is beyond the silhouette, which is nearer than the centre.
-            part.nearest = std::min(part.nearest, std::fabs(distance - radius));
-            part.farthest = std::max(part.farthest, distance < radius ? distance + radius : distance);
+            if (const auto of_sphere = depths(sphere)) {
+                part.nearest = std::min(part.nearest, of_sphere->nearest);
+                part.farthest = std::max(part.farthest, of_sphere->farthest);
+            }
         }
         const std::lock_guard lock(joining);
         range = {std::min(range.nearest, part.nearest), std::max(range.farthest, part.farthest)};
@@ -167,12 +211,12 @@ Image make_picture(PictureSize size, const Background& background) {
 
 PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading,
                              const Background& background)
-    : scene_(scene), eye_(camera.eye), size_(size), shading_(shading), background_(background) {
+    : scene_(scene), camera_(camera), sides_(camera), size_(size), shading_(shading), background_(background) {
     if (!depends_on_hit(shading)) return;
     rays_ = ray_basis<double>(camera, size);
     axes_ = camera_axes(camera);
     if (shading == Shading::normal || shading == Shading::studio) return;
-    range_ = depth_range(scene, eye_);
+    range_ = depth_range(scene, camera);
     inverse_range_ = 1.0 / (range_.farthest - range_.nearest);
 }
 
@@ -202,6 +246,12 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
     span.first = {rays_.forward.x + upward * rays_.up.x, rays_.forward.y + upward * rays_.up.y,
                   rays_.forward.z + upward * rays_.up.z};
     span.right = rays_.right;
+    if (rays_.orthographic) {
+        span.orthographic = true;
+        span.direction = unit_ray(rays_, size_, {x, y});
+        span.first = shading_scale * upward * rays_.up;
+        span.right = shading_scale * rays_.right;
+    }
     Hits hits;
     // The sphere, the hit in `hits` and the pixel in the row.
     const auto color_of = [&](const Sphere& sphere, std::size_t k, std::size_t column) -> Color {
@@ -237,10 +287,14 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
             continue;
         }
         const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
-        span.sphere = shaded_sphere(sphere, eye_);
+        const EyeSide side = sides_(sphere);
+        span.sphere = shaded_sphere(sphere, camera_.eye, side);
+        const std::size_t at_once = side == EyeSide::in_plane ? 1 : most_at_once;
         for (; run != end; run += static_cast<std::ptrdiff_t>(span.count)) {
-            span.across = static_cast<double>(ray_coefficients(size_, {x + static_cast<int>(run - visible.begin()), y}).across);
-            span.count = std::min(static_cast<std::size_t>(end - run), most_at_once);
+            const Pixel pixel{x + static_cast<int>(run - visible.begin()), y};
+            span.across = static_cast<double>(ray_coefficients(size_, pixel).across);
+            span.count = std::min(static_cast<std::size_t>(end - run), at_once);
+            if (side == EyeSide::in_plane) span.sphere.side = side_of(origin_side(sphere, side, camera_, size_, pixel));
             find_hits(span, hits);
             for (std::size_t k = 0; k < span.count; ++k, out += channels) {
                 const Color color = color_of(sphere, k, static_cast<std::size_t>(run - visible.begin()) + k);

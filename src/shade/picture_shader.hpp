@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "exact/exact_decision.hpp"
 #include "exact/rays.hpp"
 #include "exact/visible.hpp"
 #include "image/image.hpp"
@@ -20,7 +21,8 @@ Image make_picture(PictureSize size, const Background& background);
 // Lengths of hits are eighths of the scene's, so that no sum or difference of its doubles overflows.
 inline constexpr double shading_scale = 0.125;
 
-// What the hits of a scene lie between, seen from an eye: the same in every direction that it may look.
+// What the hits of a scene lie between, as far from where their rays begin. In perspective it depends on the eye alone: it is the
+// same in every direction that it may look.
 struct DepthRange {
     double nearest = 0.0;
     double farthest = 1.0;
@@ -29,7 +31,7 @@ struct DepthRange {
 };
 
 // Of all spheres that are not hidden. At least 1/256 of `farthest` wide: narrower, float could not tell what lies where.
-DepthRange depth_range(const Scene& scene, const glm::dvec3& eye);
+DepthRange depth_range(const Scene& scene, const Camera& camera);
 
 // The bytes are the same on every machine and of every compiler: double precision, only
 // + - * / and square roots, never contracted or reordered; flat colours are what the scene says, byte for byte. What a colour is
@@ -53,7 +55,8 @@ private:
                    std::size_t channels) const;
 
     const Scene& scene_;
-    glm::dvec3 eye_;
+    Camera camera_;
+    EyeSides sides_;
     PictureSize size_;
     Shading shading_;
     Background background_;

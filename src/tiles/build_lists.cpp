@@ -132,7 +132,7 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, co
                            std::size_t spare) {
     CandidateLists lists;
     if (spheres.size() == 0) return lists;
-    const PixelPlanes planes(camera, grid.picture);
+    const PixelPlanes planes(camera, grid.picture, spheres.scale);
     const TilePlan plan = plan_by_sample(spheres, planes, grid, costs);
     const Bands bands(plan, grid.size());
 
@@ -176,7 +176,7 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, co
     parallel_pieces(ranges.size(), piece, [&](std::size_t begin, std::size_t end) {
         Share* const share = &shares[begin / piece * bands.size()];
         for (std::size_t i = begin; i < end; ++i) {
-            const Candidate candidate = {static_cast<std::uint32_t>(i), nearest_distance(spheres.center_radius[i])};
+            const Candidate candidate = {static_cast<std::uint32_t>(i), planes.nearest_distance(spheres.center_radius[i])};
             bands.for_each(ranges[i], [&](std::size_t band, const TileRange& tiles) {
                 entries[share[band].entries++] = {candidate, tiles};
             });

@@ -20,8 +20,8 @@ std::size_t tile_count(const PixelGrid& grid) {
 
 std::size_t EditedLists::spare(const PixelGrid& grid) { return tile_count(grid) * room_in_tile; }
 
-EditedLists::EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid)
-    : lists_(std::move(built)), planes_(camera, grid.picture), grid_(grid), built_levels_(lists_.levels.size()) {
+EditedLists::EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid, int scale)
+    : lists_(std::move(built)), planes_(camera, grid.picture, scale), grid_(grid), built_levels_(lists_.levels.size()) {
     editable_ = built_levels_ > 0 && built_levels_ < most_tile_levels;
     const int shift = shift_in_texels(grid);
     loose_level_ = {shift + grid.shift(), tiles_along(grid.size().width, shift),
@@ -64,7 +64,7 @@ bool EditedLists::take_out(std::uint32_t index, const glm::vec4& sphere) {
     const bool was_loose = loose_.erase(index) > 0;
     const PixelRange texels = grid_.texels(planes_.range(sphere));
     if (texels.empty()) return true;
-    const Candidate candidate{index, nearest_distance(sphere)};
+    const Candidate candidate{index, planes_.nearest_distance(sphere)};
     const bool found = for_each_tile(was_loose ? loose_listing(texels) : built_listing(texels), [&](std::size_t tile) {
         Candidate* const end = end_of(tile);
         Candidate* const place = std::ranges::lower_bound(begin_of(tile), end, place_in_list(candidate), {}, place_in_list);
@@ -86,7 +86,7 @@ bool EditedLists::put_in(std::uint32_t index, const glm::vec4& sphere) {
     if (lists_.levels.size() == built_levels_) lists_.levels.push_back(loose_level_);
     if (texels.empty()) return true;
     lists_.covered = united(lists_.covered, grid_.pixels(texels));
-    const Candidate candidate{index, nearest_distance(sphere)};
+    const Candidate candidate{index, planes_.nearest_distance(sphere)};
     return for_each_tile(loose_listing(texels), [&](std::size_t tile) {
         Candidate* const end = end_of(tile);
         Candidate* const place = std::ranges::lower_bound(begin_of(tile), end, place_in_list(candidate), {}, place_in_list);

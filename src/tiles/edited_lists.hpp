@@ -33,8 +33,8 @@ public:
     EditedLists() = default;
     // Lists that take no edits.
     explicit EditedLists(CandidateLists built) : lists_(std::move(built)) {}
-    // `built`: build_lists() of the camera and grid, with spare() candidates to spare.
-    EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid);
+    // `built`: build_lists() of the camera and grid, with spare() candidates to spare. `scale`: the drawn spheres'.
+    EditedLists(CandidateLists built, const Camera& camera, const PixelGrid& grid, int scale);
 
     // The candidates of all loose spheres of a picture.
     static std::size_t spare(const PixelGrid& grid);
@@ -72,7 +72,7 @@ private:
     std::span<const Candidate> as_near(const Listing& listing, float nearest) const;
 
     CandidateLists lists_;
-    PixelPlanes planes_{Camera(), PictureSize{1, 1}};
+    PixelPlanes planes_{Camera(), PictureSize{1, 1}, 0};
     PixelGrid grid_;
     bool editable_ = false;
     std::size_t built_levels_ = 0;
@@ -85,7 +85,7 @@ template <typename Visit>
 bool EditedLists::any_like(const glm::vec4& sphere, const Visit& visit) const {
     const PixelRange texels = grid_.texels(planes_.range(sphere));
     if (!editable_ || texels.empty()) return false;
-    const float nearest = nearest_distance(sphere);
+    const float nearest = planes_.nearest_distance(sphere);
     const auto any_in = [&](const Listing& listing) {
         return std::ranges::any_of(as_near(listing, nearest), [&](const Candidate& candidate) { return visit(candidate.index); });
     };

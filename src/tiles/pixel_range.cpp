@@ -13,9 +13,10 @@ namespace sphereview {
 
 namespace {
 
-constexpr double tolerance = 0x1p-22;       // of |x| + |y| + |z| + r: covers the rounding to float and of the planes
-constexpr double in_front_factor = 1.0625;  // of the reach, from the eye's plane: all of the ball is in front of it
-constexpr std::size_t lanes = 64;           // spheres at a time
+constexpr double tolerance = 0x1p-22;          // of |x| + |y| + |z| + r: covers the rounding to float and of the planes
+constexpr double in_front_factor = 1.0625;     // of the reach, from the eye's plane: all of the ball is in front of it
+constexpr double nearest_tolerance = 0x1p-21;  // of |x| + |y| + |z| + r, for the rounding to float of the input and of the result
+constexpr std::size_t lanes = 64;              // spheres at a time
 
 // A sphere and the planes of an axis: the product of its centre with the normal of plane i is base + a step; `reach` is
 // the radius and all errors.
@@ -51,13 +52,25 @@ PixelAxis make_axis(const glm::dvec3& forward, const glm::dvec3& along, const gl
     return axis;
 }
 
+// `edge`: from one origin to the next, a shift of 2.
+PixelAxis make_orthographic_axis(const glm::dvec3& forward, const glm::dvec3& edge, const glm::dvec3& across, int count) {
+    PixelAxis axis;
+    axis.base = glm::cross(forward, across);
+    if (glm::dot(edge, axis.base) < 0.0) axis.base = -axis.base;
+    axis.shift = -glm::dot(edge, axis.base);
+    axis.base_base = glm::dot(axis.base, axis.base);
+    axis.count = count;
+    return axis;
+}
+
 PixelRange range_of(const Interval& columns, const Interval& rows) {
     return {static_cast<int>(columns.first), static_cast<int>(rows.first), static_cast<int>(columns.last),
             static_cast<int>(rows.last)};
 }
 
 Product product(const PixelAxis& axis, double x, double y, double z, double reach) {
-    return {x * axis.base.x + y * axis.base.y + z * axis.base.z, x * axis.step.x + y * axis.step.y + z * axis.step.z, reach};
+    return {x * axis.base.x + y * axis.base.y + z * axis.base.z, x * axis.step.x + y * axis.step.y + z * axis.step.z + axis.shift,
+            reach};
 }
 
 Margins margins(const PixelAxis& axis, const Product& ball, double i) {
@@ -69,7 +82,7 @@ Margins margins(const PixelAxis& axis, const Product& ball, double i) {
     return {-square - reach_square, square - reach_square};
 }
 
-// For a ball wholly in front of the eye.
+// For a ball wholly in front of the eye, or any in an orthographic picture.
 Interval guess(const PixelAxis& axis, const Product& ball) {
     // Planes that touch: (base + x step)^2 = reach^2 (base_base + 2 x base_step + x^2 step_step). Rounding does not matter.
     const double reach_square = ball.reach * ball.reach;
@@ -144,20 +157,22 @@ void guess_lanes(const PixelAxis& axis, Lanes& balls, std::array<double, lanes>&
     }
 }
 
+// Balls deeper than `front` times their reach can be guessed; all sizes are larger by `further`.
 SPHEREVIEW_FOR_EACH_SIMD
-void guess_ranges(const PixelAxis& columns, const PixelAxis& rows, const glm::dvec3& view, const glm::vec4* spheres, Lanes& balls) {
+void guess_ranges(const PixelAxis& columns, const PixelAxis& rows, const glm::dvec3& view, double front, double further,
+                  const glm::vec4* spheres, Lanes& balls) {
     for (std::size_t i = 0; i < lanes; ++i) {
         const double x = spheres[i].x;
         const double y = spheres[i].y;
         const double z = spheres[i].z;
         const double radius = std::fabs(static_cast<double>(spheres[i].w));
-        const double reach = radius + tolerance * (std::fabs(x) + std::fabs(y) + std::fabs(z) + radius);
+        const double reach = radius + tolerance * (std::fabs(x) + std::fabs(y) + std::fabs(z) + radius + further);
         const double depth = x * view.x + y * view.y + z * view.z;
         balls.x[i] = x;
         balls.y[i] = y;
         balls.z[i] = z;
         balls.reach[i] = reach;
-        const double in_front = depth > in_front_factor * reach ? 1.0 : 0.0;
+        const double in_front = depth > front * reach ? 1.0 : 0.0;
         balls.known[i] = radius > 0.0 ? in_front : 0.0;
     }
     guess_lanes(columns, balls, balls.left, balls.right);
@@ -166,10 +181,13 @@ void guess_ranges(const PixelAxis& columns, const PixelAxis& rows, const glm::dv
 
 }  // namespace
 
-PixelPlanes::PixelPlanes(const Camera& camera, PictureSize size) {
-    const RayBasis<double> frame = ray_basis<double>(camera, size);
-    columns_ = make_axis(frame.forward, frame.right, frame.up, size.width);
-    rows_ = make_axis(frame.forward, -frame.up, frame.right, size.height);
+PixelPlanes::PixelPlanes(const Camera& camera, PictureSize size, int scale) {
+    const RayBasis<double> frame = ray_basis<double>(camera, size, scale);
+    orthographic_ = frame.orthographic;
+    reach_ = frame.reach;
+    const auto axis_of = orthographic_ ? make_orthographic_axis : make_axis;
+    columns_ = axis_of(frame.forward, frame.right, frame.up, size.width);
+    rows_ = axis_of(frame.forward, -frame.up, frame.right, size.height);
     const glm::dvec3 normal = glm::cross(frame.right, frame.up);
     const double length = glm::length(normal);
     view_ = normal * ((glm::dot(normal, frame.forward) < 0.0 ? -1.0 : 1.0) / length);
@@ -177,8 +195,11 @@ PixelPlanes::PixelPlanes(const Camera& camera, PictureSize size) {
     // Far from where products of four could over- or underflow. The float filter proves nothing beyond either.
     constexpr double most = 0x1p300;
     const auto comfortable = [](double square) { return square > 1.0 / most && square < most; };
-    usable_ = frame.in_range && comfortable(length) && comfortable(columns_.base_base) && comfortable(columns_.step_step) &&
-              comfortable(rows_.base_base) && comfortable(rows_.step_step) && ray_condition(camera) <= largest_float_condition;
+    const auto of_axis = [&](const PixelAxis& axis) {
+        return comfortable(axis.base_base) && comfortable(orthographic_ ? -axis.shift : axis.step_step);
+    };
+    usable_ = frame.in_range && comfortable(length) && of_axis(columns_) && of_axis(rows_) &&
+              ray_condition(camera) <= largest_float_condition;
 }
 
 PixelRange PixelPlanes::range(const glm::vec4& sphere) const {
@@ -189,10 +210,10 @@ PixelRange PixelPlanes::range(const glm::vec4& sphere) const {
     const double radius = sphere.w == 0.0F ? glm::length(center) : std::fabs(static_cast<double>(sphere.w));
     if (!usable_ || distance_sum + radius == 0.0) return everything;
 
-    const double reach = radius + tolerance * (distance_sum + radius);
+    const double reach = radius + tolerance * (distance_sum + radius + reach_);
     const double depth = glm::dot(center, view_);
     if (depth < -reach) return {};
-    const bool wholly_in_front = depth > in_front_factor * reach;
+    const bool wholly_in_front = orthographic_ || depth > in_front_factor * reach;
     const auto interval = [&](const PixelAxis& axis) {
         const Product ball = product(axis, center.x, center.y, center.z, reach);
         return wholly_in_front ? in_front(axis, ball) : anywhere(axis, ball);
@@ -201,11 +222,22 @@ PixelRange PixelPlanes::range(const glm::vec4& sphere) const {
     return columns.last < columns.first ? PixelRange() : range_of(columns, interval(rows_));
 }
 
+float PixelPlanes::nearest_distance(const glm::vec4& sphere) const {
+    const glm::dvec3 center(sphere);
+    const double radius = std::fabs(static_cast<double>(sphere.w));
+    const double all = std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius + reach_;
+    // The eye on the surface: the sphere may be hit right before it.
+    if (sphere.w == 0.0F) return 0.0F;
+    // A ray that begins in a plane is at least as long as what it hits is deep.
+    const double nearest = orthographic_ ? glm::dot(center, view_) - radius : std::fabs(glm::length(center) - radius);
+    return usable_ || !orthographic_ ? static_cast<float>(std::max(0.0, nearest - nearest_tolerance * all)) : 0.0F;
+}
+
 void PixelPlanes::ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const {
     std::size_t i = 0;
     while (usable_ && i + lanes <= spheres.size()) {
         Lanes balls;
-        guess_ranges(columns_, rows_, view_, &spheres[i], balls);
+        guess_ranges(columns_, rows_, view_, orthographic_ ? -1.0 : in_front_factor, reach_, &spheres[i], balls);
         for (std::size_t lane = 0; lane < lanes; ++lane, ++i) {
             ranges[i] = balls.known[lane] != 0.0
                             ? range_of({balls.left[lane], balls.right[lane]}, {balls.top[lane], balls.bottom[lane]})

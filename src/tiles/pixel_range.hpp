@@ -51,32 +51,40 @@ private:
 };
 
 // The rays of all pixels with number i on this axis lie in the plane through the eye with the normal base + a step,
-// a = 2i + 1 - count, which points towards greater i.
+// a = 2i + 1 - count, which points towards greater i. Orthographic: the normal is `base`, and a point's product with it must be
+// -a shift, which is above 0.
 struct PixelAxis {
     glm::dvec3 base{0.0};
     glm::dvec3 step{0.0};
+    double shift = 0.0;
     double base_base = 0.0;  // the scalar products, for the length of the normal
     double base_step = 0.0;
     double step_step = 0.0;
     int count = 0;
 };
 
-// The planes through the eye and the pixels' centres, column by column and row by row.
+// The planes through the rays of the pixels' centres, column by column and row by row.
 class PixelPlanes {
 public:
-    PixelPlanes(const Camera& camera, PictureSize size);
+    // `scale`: the drawn spheres'.
+    PixelPlanes(const Camera& camera, PictureSize size, int scale);
 
     // A range outside which no ray through a pixel's centre hits the sphere, a member of DrawnSpheres::center_radius.
     PixelRange range(const glm::vec4& sphere) const;
 
-    // The same for each of the spheres, many at a time. There must be as many places in `ranges`.
+    // No hit of the sphere is nearer to where its ray begins than this.
+    float nearest_distance(const glm::vec4& sphere) const;
+
+    // The same range for each of the spheres, many at a time. There must be as many places in `ranges`.
     void ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const;
 
 private:
     PixelAxis columns_;
     PixelAxis rows_;
     glm::dvec3 view_{0.0};  // of length 1; every ray has a positive product with it
-    bool usable_ = true;    // false: nothing is known, every range is the whole picture
+    bool orthographic_ = false;
+    double reach_ = 0.0;  // of the rays' origins (RayBasis)
+    bool usable_ = true;  // false: nothing is known, every range is the whole picture
 };
 
 }  // namespace sphereview

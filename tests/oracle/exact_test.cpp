@@ -32,7 +32,7 @@ int discriminant_sign_of(const Camera& camera, PictureSize size, Pixel at, const
     scale.include(camera);
     scale.include(sphere);
     const IntegerVector ray = exact_direction(camera, size, at, scale);
-    return ExactQuadratic(sphere, scale.whole(camera.eye), ray, dot(ray, ray), scale).d.sign();
+    return ExactQuadratic(sphere, exact_origin(camera, size, at, scale), ray, dot(ray, ray), scale).d.sign();
 }
 
 TEST(EyeSide, is_the_oracles) {
@@ -45,6 +45,20 @@ TEST(EyeSide, is_the_oracles) {
         }
     }
     EXPECT_GT(on_surfaces, 10);
+}
+
+TEST(EyeSide, is_the_oracles_for_a_plane) {
+    int in_plane = 0;
+    for (const Trial& trial : degenerate_trials()) {
+        const Camera camera = orthographic(trial).scene.camera;
+        const EyeSides sides(camera);
+        for (const Sphere& sphere : trial.scene.spheres) {
+            const EyeSide side = sides(sphere);
+            ASSERT_EQ(side, oracle::eye_is_outside(sphere, camera) ? EyeSide::outside : EyeSide::in_plane) << trial.name;
+            in_plane += side == EyeSide::in_plane ? 1 : 0;
+        }
+    }
+    EXPECT_GT(in_plane, 10);
 }
 
 TEST(ExactDecision, is_the_oracles) {
@@ -112,7 +126,7 @@ TEST(DrawnSpheres, stay_finite_whatever_the_numbers) {
             ASSERT_EQ(as_sign(drawn.side(k)), oracle::eye_side(sphere, trial.scene.camera.eye)) << trial.name;
         }
         for (const double unit : {float_unit, gpu_unit}) {
-            const FloatView view = float_view(trial.scene.camera, trial.size, unit);
+            const FloatView view = float_view(trial.scene.camera, trial.size, drawn.scale, unit);
             ASSERT_TRUE(std::isfinite(view.error_scale)) << trial.name;
             for (const glm::vec3& v : {view.rays.forward, view.rays.right, view.rays.up}) {
                 ASSERT_TRUE(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) << trial.name;
@@ -123,7 +137,9 @@ TEST(DrawnSpheres, stay_finite_whatever_the_numbers) {
 
 // Also when a renderer finds everything doubtful, the resolver alone has the right picture, and it counts all pixels.
 TEST(Resolver, decides_what_is_doubtful_and_counts_it) {
-    for (const Trial& trial : degenerate_trials()) {
+    Trials trials = degenerate_trials();
+    for (std::size_t i = trials.size(); i-- > 0;) trials.push_back(orthographic(trials[i]));
+    for (const Trial& trial : trials) {
         const DrawnSpheres drawn = drawn_spheres(trial.scene);
         const Resolver resolver(trial.scene, drawn, trial.size);
         std::vector<std::int32_t> visible(static_cast<std::size_t>(trial.size.width * trial.size.height), doubtful_background);

@@ -39,6 +39,10 @@ std::vector<bool> shines(const Scene& scene, PictureSize size, Pixel pixel, std:
     for (const glm::dvec3& v : {camera.eye, camera.center, camera.right, camera.up}) ray_grid.include(v);
     Grid grid;
     grid.include(camera.eye);
+    if (camera.orthographic()) {
+        grid.include(camera.right);
+        grid.include(camera.up);
+    }
     for (const Sphere& sphere : scene.spheres) {
         grid.include(sphere.center);
         grid.include(sphere.radius);
@@ -51,20 +55,31 @@ std::vector<bool> shines(const Scene& scene, PictureSize size, Pixel pixel, std:
     const Whole forward = Whole(ray_grid, camera.center) - Whole(ray_grid, camera.eye);
     const Whole right(ray_grid, camera.right);
     const Whole up(ray_grid, camera.up);
-    const Whole ray{m * forward.x + across * right.x + upward * up.x, m * forward.y + across * right.y + upward * up.y,
-                    m * forward.z + across * right.z + upward * up.z};
+    const auto at_pixel = [&](const Whole& v, const Whole& r, const Whole& u) {
+        return Whole{m * v.x + across * r.x + upward * u.x, m * v.y + across * r.y + upward * u.y,
+                     m * v.z + across * r.z + upward * u.z};
+    };
+    const bool parallel = camera.orthographic();
+    const Whole ray = parallel ? forward : at_pixel(forward, right, up);
+    // Where the ray begins; orthographic: m times as far, as are all places and sizes.
     const Whole eye(grid, camera.eye);
-    const Whole to_center = Whole(grid, seen.center) - eye;
-    const auto radius = grid.steps<Unlimited>(seen.radius);
+    const Whole origin = parallel ? at_pixel(eye, Whole(grid, camera.right), Whole(grid, camera.up)) : eye;
+    const Unlimited larger = parallel ? m : 1;
+    const auto place = [&](const glm::dvec3& point) {
+        const Whole whole(grid, point);
+        return Whole{larger * whole.x, larger * whole.y, larger * whole.z};
+    };
+    const Whole to_center = place(seen.center) - origin;
+    const Unlimited radius = larger * grid.steps<Unlimited>(seen.radius);
     const Unlimited a = dot(ray, ray);
     const Unlimited b = dot(to_center, ray);
     const Unlimited d = b * b - a * (dot(to_center, to_center) - radius * radius);
-    const bool outside = eye_side(seen, camera.eye) > 0;
+    const bool outside = dot(to_center, to_center) - radius * radius > 0;
     const Surd t{b, outside ? -1 : 1};  // times A
 
     // From a point to where the ray hits, times A.
     const auto from = [&](const glm::dvec3& point) {
-        const Whole offset = eye - Whole(grid, point);
+        const Whole offset = origin - place(point);
         return std::array<Surd, 3>{Surd{a * offset.x, 0} + ray.x * t, Surd{a * offset.y, 0} + ray.y * t,
                                    Surd{a * offset.z, 0} + ray.z * t};
     };
@@ -82,10 +97,10 @@ std::vector<bool> shines(const Scene& scene, PictureSize size, Pixel pixel, std:
         if (static_cast<std::int32_t>(i) == number || (sphere.hidden && !rules.hidden_blocks)) continue;
         // One that is the seen sphere once more is that sphere.
         if (same_geometry(sphere, seen) || (sphere.center == seen.center && sphere.radius == seen.radius)) continue;
-        if (eye_side(sphere, camera.eye) <= 0 && !rules.spheres_of_eye_block) continue;
+        if (!eye_is_outside(sphere, camera) && !rules.spheres_of_eye_block) continue;
         Other other{from(sphere.center), {0, 0}};
         for (const Surd& component : other.offset) other.c = other.c + product(component, component, d);
-        const Unlimited scaled = a * grid.steps<Unlimited>(sphere.radius);
+        const Unlimited scaled = a * larger * grid.steps<Unlimited>(sphere.radius);
         other.c = other.c - Surd{scaled * scaled, 0};
         others.push_back(other);
     }

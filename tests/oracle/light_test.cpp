@@ -237,6 +237,16 @@ TEST(Light, touching) { expect_the_oracles_light(touching_trials()); }
 TEST(Light, range) { expect_the_oracles_light(range_trials()); }
 TEST(Light, tiles) { expect_the_oracles_light(tile_trials()); }
 
+TEST(Light, orthographic) {
+    Trials trials;
+    for (std::uint64_t i = 0; i < 40; ++i) {
+        trials.push_back(orthographic(i % 2 == 0 ? random_trial(seed() + i) : lattice_trial(seed() + i)));
+        if (i % 4 == 0) trials.push_back(parallel_near_miss_trial(seed() + i));
+    }
+    for (const LitTrial& edge : edges()) trials.push_back(orthographic(edge.trial));
+    expect_the_oracles_light(trials);
+}
+
 TEST(Light, samples_have_sets_of_their_own) {
     for (const int side : {2, 4}) {
         LitTrial lit = with_light(lattice_trial(seed()), seed());

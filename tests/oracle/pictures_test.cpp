@@ -65,6 +65,23 @@ TEST_P(Pictures, touching) { expect_the_oracles_pictures(made_by_hand(touching_t
 TEST_P(Pictures, range) { expect_the_oracles_pictures(made_by_hand(range_trials())); }
 TEST_P(Pictures, tiles) { expect_the_oracles_pictures(made_by_hand(tile_trials())); }
 
+// Orthographic: the same scenes, some of each kind, and some that are made for parallel rays.
+Trial parallel_random_trial(std::uint64_t seed) { return orthographic(random_trial(seed)); }
+Trial parallel_lattice_trial(std::uint64_t seed) { return orthographic(lattice_trial(seed)); }
+Trial parallel_bit_pattern_trial(std::uint64_t seed) { return orthographic(bit_pattern_trial(seed)); }
+
+TEST_P(Pictures, orthographic_random) { expect_the_oracles_pictures(random(parallel_random_trial, 200)); }
+TEST_P(Pictures, orthographic_lattices) { expect_the_oracles_pictures(random(parallel_lattice_trial, 300)); }
+TEST_P(Pictures, orthographic_near_misses) { expect_the_oracles_pictures(random(parallel_near_miss_trial, 300)); }
+TEST_P(Pictures, orthographic_bit_patterns) { expect_the_oracles_pictures(random(parallel_bit_pattern_trial, 200)); }
+TEST_P(Pictures, orthographic_made_by_hand) {
+    Trials all;
+    for (const Trials& kind : {touching_trials(), range_trials(), tile_trials(), stress_trials(8, {25, 25})}) {
+        for (std::size_t i = 0; i < kind.size(); i += 2) all.push_back(orthographic(kind[i]));
+    }
+    expect_the_oracles_pictures(made_by_hand(all));
+}
+
 INSTANTIATE_TEST_SUITE_P(part, Pictures, testing::Range(std::size_t{0}, std::size_t{4}));
 
 }  // namespace

@@ -186,6 +186,42 @@ Trial near_miss_trial(std::uint64_t seed) {
     return trial;
 }
 
+Trial orthographic(Trial trial) {
+    trial.name += ", orthographic";
+    trial.scene.camera.projection = Projection::orthographic;
+    return trial;
+}
+
+Trial parallel_near_miss_trial(std::uint64_t seed) {
+    Random random = random_of("parallel", seed);
+    Trial trial{named("parallel near misses", seed), {}, {random.whole(1, 24), random.whole(1, 24)}};
+    const double scale = random.chance(0.6) ? 100.0 : random.of_size(1e-15, 1e15);
+    Camera& camera = trial.scene.camera;
+    if (!random.chance(0.3)) camera = random_camera(random, scale);
+    const glm::dvec3 along = glm::normalize(camera.center - camera.eye);
+    for (int count = random.whole(4, 40); count > 0; --count) {
+        const RayCoefficients ray =
+            ray_coefficients(trial.size, {random.whole(0, trial.size.width - 1), random.whole(0, trial.size.height - 1)});
+        const double m = trial.size.shorter_side();
+        const glm::dvec3 origin =
+            camera.eye + static_cast<double>(ray.across) / m * camera.right + static_cast<double>(ray.upward) / m * camera.up;
+        const double edge = glm::length(camera.right);
+        const double radius = edge * random.of_size(0.01, 3.0);
+        const glm::dvec3 beside = glm::normalize(glm::cross(along, unit_vector(random)));
+        const double nearly = 1.0 + random.whole(-2, 2) * random.of_size(1e-17, 1e-4);
+        Sphere sphere;
+        sphere.radius = radius;
+        switch (random.whole(0, 2)) {
+            case 0: sphere.center = origin + edge * random.between(-1.0, 6.0) * along + nearly * radius * beside; break;
+            case 1: sphere.center = origin + nearly * radius * unit_vector(random); break;
+            default: sphere.center = origin + edge * random.between(-1.0, 6.0) * along; break;
+        }
+        sphere.color = random_color(random);
+        trial.scene.spheres.push_back(sphere);
+    }
+    return orthographic(std::move(trial));
+}
+
 Trial bit_pattern_trial(std::uint64_t seed) {
     Random random = random_of("bits", seed);
     Trial trial{named("bit patterns", seed), {}, {random.whole(1, 5), random.whole(1, 5)}};

@@ -39,6 +39,11 @@ Trial near_miss_trial(std::uint64_t seed);
 // Any bit pattern for any number.
 Trial bit_pattern_trial(std::uint64_t seed);
 
+// The scenes of any maker, and of one of their own, seen by an orthographic camera: silhouettes and surfaces that miss a parallel
+// ray or where it begins by next to nothing.
+Trial orthographic(Trial trial);
+Trial parallel_near_miss_trial(std::uint64_t seed);
+
 // Made by hand: touching (tangent rays, ties, the eye on surfaces) and range (tiny, huge, hidden, odd sizes).
 Trials touching_trials();
 Trials range_trials();

@@ -142,7 +142,7 @@ void leave(CandidateLists& lists, const Keep& keep) {
 // As if the pixels that a sphere can cover ended so many too early, or late, on each side.
 void shrink(CandidateLists& lists, const Trial& trial, const PixelRange& by) {
     const DrawnSpheres drawn = drawn_spheres(trial.scene);
-    const PixelPlanes planes(trial.scene.camera, trial.size);
+    const PixelPlanes planes(trial.scene.camera, trial.size, drawn.scale);
     leave(lists, [&](const Listed& listed) {
         const PixelRange& tile = listed.tile;
         const PixelRange range = planes.range(drawn.center_radius[listed.candidate.index]);
@@ -189,6 +189,31 @@ TEST(Teeth, hits_at_the_eye) {
 
 TEST(Teeth, the_near_root_from_inside) {
     expect_caught("near root", [](const Trial& t) { return picture(t.scene, t.size, {.near_root_from_inside = true}); });
+}
+
+// The orthographic trials, by the oracle.
+const Proven& parallel_trials() {
+    static const Proven some = [] {
+        Proven trials;
+        for (std::uint64_t i = 0; i < 60; ++i) {
+            trials.trials.push_back(i % 2 == 0 ? orthographic(lattice_trial(seed() + i)) : parallel_near_miss_trial(seed() + i));
+        }
+        for (const Trial& trial : trials.trials) trials.pictures.push_back(picture(trial.scene, trial.size));
+        return trials;
+    }();
+    return some;
+}
+
+void expect_rules_caught(const std::string& mistake, const Rules& rules) {
+    const auto by_rules = [&](const Trial& trial) { return picture(trial.scene, trial.size, rules); };
+    expect_caught(mistake, by_rules, parallel_trials());
+}
+
+TEST(Teeth, orthographic_mistakes) {
+    expect_rules_caught("parallel rays that begin in the eye", {.origins_in_plane = false});
+    expect_rules_caught("the root that counts for the eye", {.side_of_eye = true});
+    expect_rules_caught("parallel rays, tangents miss", {.tangent_hits = false});
+    expect_rules_caught("parallel rays, a hit at t = 0", {.zero_is_positive = true});
 }
 
 TEST(Teeth, the_textbook_formula_in_float) { expect_caught("b^2 - 4ac in float", textbook); }

@@ -164,6 +164,9 @@ void add_eyes_on_surfaces(Trials& trials) {
             trials.push_back({"the eye on surfaces " + std::to_string(variant), scene, {25, 25}});
         }
     }
+    // At the left the larger is hit right before the eye, and the smaller behind that.
+    trials.push_back(
+        {"the eye on a surface before a nearer centre", scene_of({sphere(8, 0, 6, 10), sphere(-2.6, 0, 5.37, 0.5)}), {25, 25}});
 }
 
 void add_insides(Trials& trials) {

@@ -31,7 +31,7 @@ Bounds bounds_in_float(const Trial& trial, EyeSide side, double factor) {
     scene.camera = trial.camera;
     scene.spheres = {trial.sphere};
     const DrawnSpheres drawn = drawn_spheres(scene);
-    const FloatView view = float_view(trial.camera, trial.size, float_unit);
+    const FloatView view = float_view(trial.camera, trial.size, drawn.scale, float_unit);
     EXPECT_FALSE(view.all_doubtful);
     EXPECT_EQ(drawn.side(0), side);
     const RayCoefficients k = ray_coefficients(trial.size, trial.pixel);

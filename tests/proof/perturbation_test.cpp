@@ -30,7 +30,8 @@ double excess(const Truth& truth, const HitBounds<Perturbed>& hit, const Roundin
         case EyeSide::inside: return std::max(above_low, below_high);
         case EyeSide::on_surface:
             return truth.hit ? std::max({above_low, below_high, surely_behind}) : compared.greater_from_last(1);
-        case EyeSide::outside: break;
+        case EyeSide::outside:
+        case EyeSide::in_plane: break;
     }
     // The last three: h - r - w, the claim to miss; then r - h - w and along - w, both needed for the claim to hit.
     if (truth.hit) return std::max({above_low, below_high, surely_behind, compared.greater_from_last(3)});

@@ -27,10 +27,13 @@ Truth true_hit(const Trial& trial) {
     const WideVector forward = times(sum(wide(trial.camera.center), minus_eye), trial.size.shorter_side());
     const WideVector right = times(wide(trial.camera.right), k.across);
     const WideVector up = times(wide(trial.camera.up), k.upward);
-    const WideVector ray = sum(forward, sum(right, up));
+    const bool parallel = trial.camera.orthographic();
+    const WideVector ray = parallel ? forward : sum(forward, sum(right, up));
     const Wide ray_length = length(ray);
 
-    const WideVector center = sum(wide(trial.sphere.center), minus_eye);
+    const WideVector from_eye = sum(wide(trial.sphere.center), minus_eye);
+    const WideVector to_origin = times(sum(right, up), Wide(1) / trial.size.shorter_side());
+    const WideVector center = parallel ? sum(from_eye, times(to_origin, -1)) : from_eye;
     const Wide radius = trial.sphere.radius;
     const Wide b = dot(center, ray) / ray_length;
     const Wide c = dot(center, center) - radius * radius;
@@ -52,6 +55,7 @@ Truth true_hit(const Trial& trial) {
             truth.hit = b > 0;
             if (truth.hit) truth.distance = static_cast<double>(2 * b);
             break;
+        case EyeSide::in_plane: break;
     }
     return truth;
 }

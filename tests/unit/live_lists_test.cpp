@@ -147,7 +147,8 @@ struct Uploaded {
 LiveLists built_from(const Scene& scene, const PixelGrid& grid) {
     DrawnSpheres drawn = drawn_spheres(scene);
     CandidateLists lists = build_lists(drawn, scene.camera, grid, costs, EditedLists::spare(grid));
-    return {std::move(drawn), EditedLists(std::move(lists), scene.camera, grid), scene.camera};
+    EditedLists edited(std::move(lists), scene.camera, grid, drawn.scale);
+    return {std::move(drawn), std::move(edited), scene.camera};
 }
 
 void expect_the_same_hits(const PixelExplanation& expected, const PixelExplanation& found) {

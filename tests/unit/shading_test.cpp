@@ -212,10 +212,10 @@ TEST(IdColor, TellsNeighboursApart) {
 
 TEST(DepthRange, IsOfAllThatIsNotHidden) {
     Scene scene;
-    EXPECT_EQ(depth_range(scene, {0, 0, 0}), DepthRange{});
+    EXPECT_EQ(depth_range(scene, {}), DepthRange{});
     scene.spheres = {{{0, 0, 80}, 8, {}, false}, {{0, 0, 800}, 8, {}, false}, {{0, 0, 8000}, 8, {}, true}};
-    EXPECT_EQ(depth_range(scene, {0, 0, 0}), (DepthRange{9, 100}));
-    EXPECT_EQ(depth_range(scene, {0, 0, 76}), (DepthRange{0.5, 90.5}));
+    EXPECT_EQ(depth_range(scene, {}), (DepthRange{9, 100}));
+    EXPECT_EQ(depth_range(scene, {.eye = {0, 0, 76}}), (DepthRange{0.5, 90.5}));
 }
 
 // FNV-1a: these sums must come out on every machine, of every compiler at every level of optimisation.

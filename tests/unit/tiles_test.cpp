@@ -23,7 +23,7 @@ PixelRange range_of(const Sphere& sphere, PictureSize size, const Camera& camera
     Scene scene;
     scene.camera = camera;
     scene.spheres = {sphere};
-    return PixelPlanes(camera, size).range(drawn_spheres(scene).center_radius[0]);
+    return PixelPlanes(camera, size, 0).range(drawn_spheres(scene, camera).center_radius[0]);
 }
 
 // Whether the ray of a pixel hits the sphere, or nearly, in the textbook's doubles.
@@ -65,7 +65,7 @@ TEST(PixelRange, HoldsASphereThatCrossesTheEyesPlane) {
 }
 
 TEST(PixelRange, IsTheWholePictureWhereNothingIsKnown) {
-    EXPECT_EQ(PixelPlanes({}, {7, 5}).range(glm::vec4(0.0F)), (PixelRange{0, 0, 6, 4}));
+    EXPECT_EQ(PixelPlanes({}, {7, 5}, 0).range(glm::vec4(0.0F)), (PixelRange{0, 0, 6, 4}));
     Camera oblique;
     oblique.center = {1e6, 0, 100};
     EXPECT_EQ(range_of(ball({0, 0, 100}, 1), {7, 5}, oblique), (PixelRange{0, 0, 6, 4}));
@@ -114,7 +114,7 @@ TEST(PixelRange, IsTheSameForManySpheresAtATime) {
     Random random(20262);
     for (int trial = 0; trial < 300; ++trial) {
         SCOPED_TRACE(trial);
-        const PixelPlanes planes(trial == 0 ? Camera() : random_camera(random), {trial % 7 == 0 ? 1 : 97 + trial, 31});
+        const PixelPlanes planes(trial == 0 ? Camera() : random_camera(random), {trial % 7 == 0 ? 1 : 97 + trial, 31}, 0);
         std::vector<glm::vec4> spheres(200);
         for (glm::vec4& s : spheres) {
             const Sphere sphere = random_sphere(random, {});
