@@ -44,13 +44,8 @@ Image render_beside(const Scene& scene, const PictureOptions& options, WorkContr
 
 // What `render` would be asked for the picture in the window, or for one of another size.
 PictureOptions picture_options(const ViewerState& state, PictureSize size) {
-    return {state.camera,
-            size,
-            state.shown_background(),
-            true,
-            state.settings.samples,
-            state.settings.shading,
-            state.document.scene().light};
+    return {state.camera,       size, state.shown_background(), true, state.settings.samples, state.settings.shading,
+            state.shown_light()};
 }
 
 // Begins to write a file; none may be on its way. `fail` is called with what went wrong, now or later.

@@ -230,7 +230,9 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
 }
 
 void Viewer::update_picture(int step) {
-    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading)) return;
+    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading,
+                         state_.shown_light()))
+        return;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
 }
 
@@ -261,10 +263,19 @@ void Viewer::redraw() {
 
     if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
     const std::vector<CommandInfo> commands = commands_of(state_);
-    const PanelContext context{state_.document, state_.selection, state_.bounds,
-                               commands,        imgui_.scale(),   state_.gesture,
-                               state_.hovered,  actions,          log_.wanted() ? &widgets_ : nullptr,
-                               state_.frame,    state_.frames};
+    const PanelContext context{state_.document,
+                               state_.selection,
+                               state_.bounds,
+                               commands,
+                               imgui_.scale(),
+                               state_.gesture,
+                               state_.hovered,
+                               actions,
+                               log_.wanted() ? &widgets_ : nullptr,
+                               state_.frame,
+                               state_.frames,
+                               state_.shown_light(),
+                               camera_axes(state_.camera)};
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs
