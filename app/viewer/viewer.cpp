@@ -144,7 +144,7 @@ void Viewer::follow_work() {
     }
     if (rest_picture_works_ && state_.rest_picture && state_.rest_picture->preview->image() != previewed_) {
         previewed_ = state_.rest_picture->preview->image();
-        if (previewed_) pacing_.touch();
+        if (previewed_) pacing_.show_once();
     }
     if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
@@ -315,13 +315,18 @@ void Viewer::redraw() {
         const bool resting =
             pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
         log_.add(state_, facts_,
-                 {++redraw_number_, picture_.builds(), explanations_, exact, resting, area_, seconds_between(begin, Clock::now()),
-                  title_for(state_)},
+                 {++redraw_number_, picture_.builds(), explanations_, exact, draft_seconds(exact), resting, area_,
+                  seconds_between(begin, Clock::now()), title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
     constexpr std::chrono::milliseconds most_counted{50};
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
+}
+
+std::optional<double> Viewer::draft_seconds(bool exact) const {
+    if (exact || !state_.rest_picture || !uploaded_ || uploaded_ != previewed_) return std::nullopt;
+    return seconds_between(state_.rest_picture->begun, Clock::now());
 }
 
 void Viewer::note_facts() {
