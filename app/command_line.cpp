@@ -211,13 +211,18 @@ void add_light(CLI::App& command, LightOptions& light) {
             const auto number = whole_number(text, fewest_lights);
             return number && *number <= most_lights ? number : std::nullopt;
         });
+    const auto part = [](double most) {
+        return [most](const std::string& text) -> std::optional<double> {
+            double number = 0.0;
+            const bool good = parse_double(text, number) == NumberFault::none && number >= 0.0 && number <= most;
+            return good ? std::optional(number) : std::nullopt;
+        };
+    };
     add_option(command, light.sky,
-               {"--sky", "S", "Strength of the sky and the key light in it, 0 to 1 [1]", "a number from 0 to 1"},
-               [](const std::string& text) -> std::optional<double> {
-                   double sky = 0.0;
-                   const bool good = parse_double(text, sky) == NumberFault::none && sky >= 0.0 && sky <= most_sky;
-                   return good ? std::optional(sky) : std::nullopt;
-               });
+               {"--sky", "S", "Strength of the sky and the key light in it, 0 to 1 [1]", "a number from 0 to 1"}, part(most_sky));
+    add_option(command, light.key,
+               {"--key", "S", "How much brighter the sky is around the key light, 0 to 1 [1]", "a number from 0 to 1"},
+               part(most_key));
     const std::string directions(sun_syntax);
     add_option(command, light.sun, {"--sun", "DIR", "A sun: " + directions, directions},
                [](const std::string& text) { return parse_sun(text); });
@@ -232,7 +237,11 @@ void add_light(CLI::App& command, LightOptions& light) {
 
 void check_light(const LightOptions& light, Shading shading) {
     if (shading == Shading::studio || !light.any()) return;
-    const std::string option = light.lights ? "--lights" : light.sky ? "--sky" : light.sun ? "--sun" : "--sun-strength";
+    const std::string option = light.lights ? "--lights"
+                               : light.sky  ? "--sky"
+                               : light.key  ? "--key"
+                               : light.sun  ? "--sun"
+                                            : "--sun-strength";
     wrong("--shade", in_quotes(name_of(shading)), "studio with " + option);
 }
 
@@ -246,8 +255,9 @@ void declare(CLI::App& command, ViewOptions& options) {
     add_scene_options(command, options.data, options.fit);
     add_size(command, options.size, "Width and height of exports in pixels [as last time, at first 1000x1000]");
     add_samples(command, options.samples,
-                "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 1]");
-    add_colors(command, options.background, options.shading, "as last time, at first flat");
+                "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 16]");
+    add_colors(command, options.background, options.shading, "as last time, at first studio");
+    add_light(command, options.light);
     add_option(command, options.shader_folder,
                {"--shader-dir", "FOLDER", "Use the shaders in this folder, and each that is saved there at once", a_folder},
                [](const std::string& text) {
@@ -257,6 +267,8 @@ void declare(CLI::App& command, ViewOptions& options) {
     add_file(command, options.redraw_log, "--redraw-log", "FILE", "")->group("");  // hidden: for tests
     command.footer(std::string(view_examples) + exit_codes);
 }
+
+void check(const CLI::App&, const ViewOptions& options) { check_light(options.light, options.shading.value_or(Shading::studio)); }
 
 void declare(CLI::App& command, RenderOptions& options) {
     add_files(command, options.scenes, "SCENE", scene_files());

@@ -11,6 +11,7 @@ namespace sphereview {
 Light with_options(Light light, const LightOptions& options) {
     if (options.lights) light.lights = options.lights;
     if (options.sky) light.sky = *options.sky;
+    if (options.key) light.key = *options.key;
     if (options.sun) {
         if (!light.sun) light.sun.emplace();
         light.sun->direction = *options.sun;

@@ -12,10 +12,11 @@ namespace sphereview {
 struct LightOptions {
     std::optional<int> lights;
     std::optional<double> sky;
+    std::optional<double> key;
     std::optional<glm::dvec3> sun;  // its direction
     std::optional<double> sun_strength;
 
-    bool any() const { return lights || sky || sun || sun_strength; }
+    bool any() const { return lights || sky || key || sun || sun_strength; }
 };
 
 // The scene's light with the options instead. Throws InputError for the strength of a sun that is not there.

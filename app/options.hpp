@@ -90,6 +90,7 @@ struct ViewOptions {
     FitOptions fit;                    // of the scene; of later ones, if nobody has chosen their camera
     std::optional<Background> background;
     std::optional<Shading> shading;   // instead of the last one
+    LightOptions light;               // instead of the scene's own
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those

@@ -22,16 +22,18 @@ namespace {
 class PictureInProgress {
 public:
     PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
-                      Timings& timings, DecisionCounts& counts, const std::function<void(double)>& progress)
+                      Timings& timings, DecisionCounts& counts, const std::function<void(double)>& progress, const Drafts* drafts)
         : options_(options),
           side_(sample_side(options.samples)),
           size_(sampled_size(options.size, side_)),
           resolver_(scene, drawn, options.camera, size_, &lists),
           shader_(scene, options.camera, size_, options.shading, options.background),
-          picture_(make_picture(options.size, options.background)),
+          picture_(drafts != nullptr && drafts->under.width() > 0 ? drafts->under.copy()
+                                                                  : make_picture(options.size, options.background)),
           timings_(timings),
           counts_(counts),
-          progress_(progress) {
+          progress_(progress),
+          drafts_(drafts) {
         if (options.shading == Shading::studio) lighting_.emplace(scene, drawn, options.camera, size_, side_, options.light);
     }
 
@@ -64,11 +66,23 @@ private:
         std::vector<LightVector> light;
         {
             const PhaseTimer timer(timings_, Phase::light);
-            light = lighting_->light(block, visible,
-                                     [&](double done) { report(block, part_of_visibility + (1.0 - part_of_visibility) * done); });
+            const LightPreviews previews{.show = [&](std::span<const LightVector> some) {
+                color(block, visible, some);
+                drafts_->show(picture_.copy());
+            }};
+            light = lighting_->light(
+                block, visible, [&](double done) { report(block, part_of_visibility + (1.0 - part_of_visibility) * done); },
+                is_shown(block) ? &previews : nullptr);
         }
         const PhaseTimer timer(timings_, Phase::resolve);
         color(block, visible, light);
+        if (is_shown(block)) drafts_->show(picture_.copy());
+    }
+
+    // Whether there is something to see also where nothing is finished.
+    bool is_shown(const Block& block) const {
+        const bool last = block.x + block.width == size_.width && block.y + block.height == size_.height;
+        return drafts_ != nullptr && (last || drafts_->under.width() > 0);
     }
 
     void report(const Block& block, double block_part) const {
@@ -147,6 +161,7 @@ private:
     Timings& timings_;
     DecisionCounts& counts_;
     const std::function<void(double)>& progress_;
+    const Drafts* drafts_;
 };
 
 // Columns of a CPU block: all of any usual picture. Its 8 rows at least may take so much memory.
@@ -187,11 +202,11 @@ void describe(const CandidateLists& lists, PictureFacts& facts) {
 }  // namespace
 
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress) {
+                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress, const Drafts* drafts) {
     const PictureSize size = sampled_size(options.size, sample_side(options.samples));
     const CandidateLists lists =
         timed(timings, Phase::lists, [&] { return build_lists(drawn, options.camera, size, backend.tile_costs); });
-    PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress);
+    PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress, drafts);
     describe(lists, facts);
     const bool lit = options.shading == Shading::studio;
     if (!backend.gpu) {

@@ -39,11 +39,18 @@ struct PictureFacts {
     std::size_t longest_list = 0;
 };
 
+// What a picture looks like on the way, for whoever shows it.
+struct Drafts {
+    Image under;                      // an earlier picture of the same size, in place of what is not finished; or empty
+    std::function<void(Image)> show;  // is called now and then
+};
+
 // Traces block by block, certifies, colours and averages on the CPU. An OpenBackend without a GPU renderer stands for the CPU's.
-// `drawn` is as the options' camera sees it. Calls progress() with how much is done, 0..1. Throws TooLarge when the GPU renderer
-// cannot hold the scene.
+// `drawn` is as the options' camera sees it. Calls progress() with how much is done, 0..1, and shows drafts in the shading
+// `studio`. Throws TooLarge when the GPU renderer cannot hold the scene.
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress);
+                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress,
+                     const Drafts* drafts = nullptr);
 
 // Calls render(opened); where the GPU renderer of `opened` cannot hold the scene and nobody asked for that one by name, calls
 // render() again with the CPU's, whose passed_over then says why. Throws RenderError where one that was asked for cannot hold the

@@ -21,6 +21,6 @@ layout(std140) uniform Draw {
     vec4 axis_up;
     vec4 axis_toward;
     vec4 key_light;      // the direction to the key light, of length 1 (xyz); the strength of sky and key (w)
-    vec4 sun_light;      // the direction to the sun, as long as the sun is strong (xyz)
+    vec4 sun_light;      // the direction to the sun, as long as the sun is strong (xyz); the part of the key (w)
     ivec4 levels[8];     // x: a tile's side is 2^x pixels; y: tiles in a row; z: the number of the first
 };

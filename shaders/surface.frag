@@ -57,7 +57,7 @@ void main() {
         // What moves has no shadows: the sky and the key light of a free surface, and the sun. docs/shading.md.
         vec3 normal = -(side * q) - facing * ray;
         float toward_key = 0.5 + 0.5 * dot(normal, key_light.xyz);
-        float sky = 0.62 + 0.45 * toward_key * toward_key * (0.5 + 0.5 * toward_key);
+        float sky = 0.62 + 0.45 * sun_light.w * toward_key * toward_key * (0.5 + 0.5 * toward_key);
         float brightness = key_light.w * sky + max(dot(normal, sun_light.xyz), 0.0);
         shaded = color_at(index).rgb * min(1.8 * brightness / (0.8 + brightness), 1.0);
     } else {

@@ -69,6 +69,8 @@ struct PanelContext {
     WidgetRectangles* rectangles = nullptr;  // collected when not null
     std::int64_t frame = 0;                  // of the scene's file, which has several where `frames` is not 1
     std::int64_t frames = 1;
+    Light light{};      // as the picture shows it: the scene's, or what the command line asks for instead
+    CameraAxes view{};  // of the view
 };
 
 // Notes a rectangle, or that of ImGui's last widget, where `rectangles` are collected.

@@ -152,6 +152,9 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     const float below = ImGui::GetCursorPosY();
     ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
     if (ImGui::CollapsingHeader("Sphere", ImGuiTreeNodeFlags_DefaultOpen)) draw_sphere_editor(context, state);
+    const bool light = ImGui::CollapsingHeader("Light");
+    note_widget(context, "light");
+    if (light) draw_light_panel(context, state);
     if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_scene_panel(context);
     state.below_list = ImGui::GetCursorPosY() - below + ImGui::GetStyle().ItemSpacing.y;
 }

@@ -44,7 +44,8 @@ struct SidePanelState {
     std::uint64_t shared_selection = 0;
     std::string name;
     bool name_active = false;
-    float below_list = 0.0F;  // how high what comes below the list was
+    std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
+    float below_list = 0.0F;      // how high what comes below the list was
 };
 
 // Draws into the current ImGui window.
@@ -61,6 +62,9 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
 // the primary sphere's. A drag moves all by the same difference or scales all by the same factor; a typed number is set for all.
 // Each is one step.
 void draw_sphere_editor(const PanelContext& context, SidePanelState& state);
+
+// The scene's light, and the sun as a handle on a ball, which is lit as the view sees it.
+void draw_light_panel(const PanelContext& context, SidePanelState& state);
 
 // What the selected spheres have in common; nothing while the selection is not of the scene. Kept until either changes.
 const SharedValues& shared_of_selection(const PanelContext& context, SidePanelState& state);

@@ -69,10 +69,10 @@ double part_of(const SliderRange& range, double value) {
     return std::clamp(part, 0.0, 1.0);
 }
 
-// The last digit that a drag gives: some 10,000 steps or more for the whole range.
+// The last digit that a drag gives.
 int digit_of(const SliderRange& range, double value) {
     if (range.logarithmic) return last_digit(value, radius_digits);
-    return last_digit(0.5 * range.high - 0.5 * range.low, 5);
+    return last_digit(0.5 * range.high - 0.5 * range.low, range.digits);
 }
 
 double value_at(const SliderRange& range, double part) {
@@ -151,7 +151,8 @@ void begin_field(const PanelContext& context, const char* label) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
-    ImGui::SameLine(left + column);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + column);  // not SameLine()'s: that counts from the group
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x));
 }
 

@@ -69,6 +69,7 @@ struct SliderRange {
     double high = 1.0;         // more than low
     bool logarithmic = false;  // low > 0
     bool above_zero = false;   // what may be typed
+    int digits = 5;            // of half the range, that a drag gives: 5 make some 10,000 steps or more for all
 };
 
 enum class SliderChange { none, dragged, typed };

@@ -24,6 +24,8 @@ public:
 
     // Something happened: some frames must be drawn, until the panels have settled.
     void touch() { frames_ = settling_frames; }
+    // There is another picture to show, which changes nothing of the panels.
+    void show_once() { frames_ = frames_ > 0 ? frames_ : 1; }
     // A frame was drawn.
     void drew(int step) {
         if (frames_ > 0) --frames_;

@@ -101,6 +101,7 @@ void apply(ViewerState& state, EditScene action) {
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
     const bool reorders = std::holds_alternative<ReorderSphere>(action.edit);
     if (std::holds_alternative<ChangeBackground>(action.edit)) state.background.reset();
+    if (std::holds_alternative<ChangeLight>(action.edit)) state.light = {};
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);

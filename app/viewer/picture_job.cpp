@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "base/user_folders.hpp"
 #include "image/png.hpp"
+#include "light/light_set.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -31,27 +32,42 @@ bool same_spheres(const Document& document, std::uint64_t& revision) {
 }
 
 // The very function that `render` calls.
-Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control) {
+Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts = nullptr) {
     constexpr double parts = 1000.0;
     control.total = static_cast<std::uint64_t>(parts);
     OpenBackend cpu;
     Timings timings;
     PictureFacts facts;
-    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, [&](double done) {
+    const auto progress = [&](double done) {
         control.check();
         control.done = static_cast<std::uint64_t>(parts * done);
-    });
+    };
+    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts);
+}
+
+// Coarse, then fine: where light takes time, the picture grows under the eyes of whoever waits for it.
+Image render_growing(const Scene& scene, const PictureOptions& options, WorkControl& control, Preview& preview) {
+    if (options.shading != Shading::studio) return render_beside(scene, options, control);
+    // What is lit at once grows light by light. A larger picture is lit part by part, over one with few lights.
+    constexpr std::int64_t lit_at_once = 1 << 20;
+    Drafts drafts{.under = {}, .show = [&](Image image) { preview.set(std::move(image)); }};
+    PictureOptions coarse = options;
+    coarse.samples = 1;
+    if (std::int64_t{options.size.width} * options.size.height > lit_at_once) {
+        coarse.light.lights = fewest_lights;
+        drafts.under = render_beside(scene, coarse, control, &drafts);
+    }
+    if (options.samples > 1) {
+        coarse.light.lights = sky_lights(options.light, scene.spheres.size(), options.samples);
+        drafts.under = render_beside(scene, coarse, control, &drafts);
+    }
+    return render_beside(scene, options, control, &drafts);
 }
 
 // What `render` would be asked for the picture in the window, or for one of another size.
 PictureOptions picture_options(const ViewerState& state, PictureSize size) {
-    return {state.camera,
-            size,
-            state.shown_background(),
-            true,
-            state.settings.samples,
-            state.settings.shading,
-            state.document.scene().light};
+    return {state.camera,       size, state.shown_background(), true, state.settings.samples, state.settings.shading,
+            state.shown_light()};
 }
 
 // NAME.png beside the scene, or in the Pictures folder.
@@ -160,13 +176,7 @@ void make_rest_picture(ViewerState& state) {
     auto image = std::make_shared<Image>();
     auto preview = std::make_shared<Preview>();
     BackgroundJob job([image, preview, options, scene](WorkControl& control) {
-        if (options.shading == Shading::studio) {
-            PictureOptions few = options;
-            few.samples = 1;
-            few.light.lights = fewest_lights;
-            preview->set(render_beside(*scene, few, control));
-        }
-        *image = render_beside(*scene, options, control);
+        *image = render_growing(*scene, options, control, *preview);
     });
     state.rest_picture.emplace(
         RestPicture{state.document.revision(), options, std::move(image), std::move(preview), std::move(job)});

@@ -3,6 +3,7 @@
 // whatever is promised of exports holds for the window at rest. The next input cancels its job.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -25,8 +26,7 @@ struct SceneSnapshot {
 // A copy of the spheres, unless there is one: 40 MB and some 10 ms a million.
 std::shared_ptr<const Scene> scene_snapshot(ViewerState& state);
 
-// The picture that the window shows at rest.
-// A picture with few lights, shown until that with all of them is made. Both threads use it.
+// The best that there is yet of a picture: shown until all of it is made. Both threads use it.
 class Preview {
 public:
     std::shared_ptr<const Image> image() const {
@@ -44,12 +44,14 @@ private:
     std::shared_ptr<const Image> image_;  // null until it is made
 };
 
+// The picture that the window shows at rest.
 struct RestPicture {
     std::uint64_t revision;  // of the document that it is of
     PictureOptions options;
     std::shared_ptr<Image> image;  // empty until the job has ended, and if it failed
     std::shared_ptr<Preview> preview;
     BackgroundJob job;
+    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
 
     bool is_made() const { return job.ended() && image->width() > 0; }
 };

@@ -41,6 +41,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"builds", frame.builds},
         {"explanations", frame.explanations},
         {"exact", frame.exact},
+        {"draft", frame.draft},
         {"samples", frame.exact ? state.settings.samples : 1},
         {"shading", name_of(state.settings.shading)},
         {"making", frame.making},

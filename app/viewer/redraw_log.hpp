@@ -16,6 +16,7 @@ struct LoggedRedraw {
     std::uint64_t explanations = 0;  // how often a pixel's arithmetic was made for the inspector
     bool exact = false;              // the picture is what `render` writes
     bool making = false;             // that picture is being made
+    std::optional<double> draft;     // seconds from when the picture was begun of which a draft is shown
     bool resting = false;            // nothing waits to be done: the next frame comes with the next event
     Rectangle picture;
     double seconds = 0.0;  // from the first of its events to the swap

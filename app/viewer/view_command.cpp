@@ -94,6 +94,7 @@ void offer_recovery(ViewerState& state) {
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
     const bool fits_view = loaded.has_camera() && state.options.fit.wanted.value_or(false);
+    with_options(loaded.scene.light, state.light);  // what does not fit the scene is said now
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
     if (fits_view) {
@@ -110,8 +111,14 @@ void load_first_scene(ViewerState& state) {
     const LoadOptions options = load_options(state, state.options.data.frame);
     if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
     adopt(state, {.format = SceneFormat::toml}, "");
-    const auto accept = unless_edited(state, [&state](LoadedScene loaded) { adopt_first_scene(state, std::move(loaded)); });
     const auto fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };
+    const auto accept = unless_edited(state, [&state, fail](LoadedScene loaded) {
+        try {
+            adopt_first_scene(state, std::move(loaded));
+        } catch (const InputError& error) {
+            fail(error.what());
+        }
+    });
     start_loading(state, {.path = path, .options = options, .accept = accept, .fail = fail});
     if (!state.loading->job.wait_for(patience_without_window)) return;
     state.loading->job.rethrow();
@@ -126,7 +133,9 @@ ExitCode run_view(const ViewOptions& options) {
     ViewerState state(options, load_settings(&unreadable));
     if (!unreadable.empty()) say(unreadable + "; the settings begin anew");
     state.background = options.background;
+    state.light = options.light;
     if (options.shading) state.settings.shading = *options.shading;
+    if (options.light.any()) state.settings.shading = Shading::studio;
     if (options.size) {
         state.settings.export_width = options.size->width;
         state.settings.export_height = options.size->height;

@@ -148,7 +148,7 @@ void Viewer::follow_work() {
     }
     if (rest_picture_works_ && state_.rest_picture && state_.rest_picture->preview->image() != previewed_) {
         previewed_ = state_.rest_picture->preview->image();
-        if (previewed_) pacing_.touch();
+        if (previewed_) pacing_.show_once();
     }
     if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
@@ -234,7 +234,9 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
 }
 
 void Viewer::update_picture(int step) {
-    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading)) return;
+    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading,
+                         state_.shown_light()))
+        return;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
 }
 
@@ -265,10 +267,19 @@ void Viewer::redraw() {
 
     if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
     const std::vector<CommandInfo> commands = commands_of(state_);
-    const PanelContext context{state_.document, state_.selection, state_.bounds,
-                               commands,        imgui_.scale(),   state_.gesture,
-                               state_.hovered,  actions,          log_.wanted() ? &widgets_ : nullptr,
-                               state_.frame,    state_.frames};
+    const PanelContext context{state_.document,
+                               state_.selection,
+                               state_.bounds,
+                               commands,
+                               imgui_.scale(),
+                               state_.gesture,
+                               state_.hovered,
+                               actions,
+                               log_.wanted() ? &widgets_ : nullptr,
+                               state_.frame,
+                               state_.frames,
+                               state_.shown_light(),
+                               camera_axes(state_.camera)};
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs
@@ -308,13 +319,18 @@ void Viewer::redraw() {
         const bool resting =
             pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
         log_.add(state_, facts_,
-                 {++redraw_number_, picture_.builds(), explanations_, exact, rest_picture_works_, resting, area_,
-                  seconds_between(begin, Clock::now()), title_for(state_)},
+                 {++redraw_number_, picture_.builds(), explanations_, exact, rest_picture_works_, draft_seconds(exact), resting,
+                  area_, seconds_between(begin, Clock::now()), title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
     constexpr std::chrono::milliseconds most_counted{50};
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
+}
+
+std::optional<double> Viewer::draft_seconds(bool exact) const {
+    if (exact || !state_.rest_picture || !uploaded_ || uploaded_ != previewed_) return std::nullopt;
+    return seconds_between(state_.rest_picture->begun, Clock::now());
 }
 
 void Viewer::note_facts() {

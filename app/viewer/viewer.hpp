@@ -39,6 +39,8 @@ private:
     // `finished`: the rest picture, which is there.
     void show(const Rectangle& area, bool finished);
     void note_facts();
+    // When a draft of the rest picture has come to be shown, since that was begun; nothing while none is shown.
+    std::optional<double> draft_seconds(bool exact) const;
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;

@@ -14,6 +14,12 @@ constexpr auto announcement_time = std::chrono::seconds(5);
 
 std::string ViewerState::name() const { return path.empty() ? "untitled" : text_from(path_from(path).filename()); }
 
+Light ViewerState::shown_light() const {
+    LightOptions asked = light;
+    if (!scene().light.sun && !asked.sun) asked.sun_strength.reset();  // another scene than the one that this was asked for
+    return with_options(scene().light, asked);
+}
+
 void announce(ViewerState& state, const std::string& text) {
     state.messages.announcement = text;
     state.announcement_ends = Clock::now() + announcement_time;

@@ -63,6 +63,7 @@ struct ViewerState {
     std::optional<CameraFlight> flight;    // where the view moves by itself
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
+    LightOptions light;                    // instead of the scene's, as --sun and its like ask
     SceneSnapshot snapshot;
     std::optional<RestPicture> rest_picture;    // of that, being made or there
     std::optional<BoxSelection> box_selection;  // under way
@@ -80,6 +81,8 @@ struct ViewerState {
 
     const Scene& scene() const { return document.scene(); }
     Background shown_background() const { return background.value_or(scene().background); }
+    // The scene's light with what the command line says instead.
+    Light shown_light() const;
     // How the window's title and questions call the scene: the file's name, or "untitled".
     std::string name() const;
 };

@@ -69,9 +69,12 @@ LoggedChange change_undone_by(const Edit& inverse, const Scene& scene) {
         change.camera = camera->camera;
     } else if (const auto* background = std::get_if<ChangeBackground>(&inverse)) {
         change.background = background->background;
+    } else if (const auto* light = std::get_if<ChangeLight>(&inverse)) {
+        change.light = light->light;
     } else if (const auto* replace = std::get_if<ReplaceScene>(&inverse)) {
         change.camera = replace->scene.camera;
         change.background = replace->scene.background;
+        change.light = replace->scene.light;
         change.order = replace->scene.spheres.size() != scene.spheres.size();
         if (!change.order) note_spheres(differing(replace->scene.spheres, scene.spheres), scene, change);
     } else {
@@ -100,11 +103,14 @@ void ChangeLog::add(std::uint64_t revision, LoggedChange change) {
 ChangesSince ChangeLog::since(std::uint64_t revision, const Scene& scene) const {
     const auto first = std::ranges::lower_bound(entries_, revision, {}, &Entry::revision);
     if (first == entries_.end() || first->revision != revision) {
-        return {.order = true, .came = {}, .went = {}, .spheres = {}, .geometry = true, .camera = true, .background = true};
+        ChangesSince everything;
+        everything.order = everything.geometry = everything.camera = everything.background = everything.light = true;
+        return everything;
     }
     ChangesSince result;
     const Camera* old_camera = &scene.camera;
     const Background* old_background = &scene.background;
+    const Light* old_light = &scene.light;
     bool many = false;
     bool many_geometry = false;
     std::vector<const ChangeSpheres*> sphere_changes;
@@ -118,6 +124,7 @@ ChangesSince ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
         }
         if (change.camera) old_camera = &*change.camera;
         if (change.background) old_background = &*change.background;
+        if (change.light) old_light = &*change.light;
         many = many || change.many;
         many_geometry = many_geometry || change.many_geometry;
         if (change.spheres.numbers.empty()) continue;
@@ -132,6 +139,7 @@ ChangesSince ChangeLog::since(std::uint64_t revision, const Scene& scene) const 
     }
     result.camera = !same_bits(*old_camera, scene.camera);
     result.background = *old_background != scene.background;
+    result.light = !same_bits(*old_light, scene.light);
     result.geometry = result.order;
     std::ranges::reverse(sphere_changes);
     if (!result.order && !sphere_changes.empty()) compare_spheres(sphere_changes, scene, result);

@@ -24,8 +24,9 @@ struct ChangesSince {
     bool geometry = false;  // of `spheres`: a centre, a radius or whether it is hidden; else only colours. With `order` true
     bool camera = false;
     bool background = false;
+    bool light = false;
 
-    bool none() const { return !order && spheres.empty() && !camera && !background; }
+    bool none() const { return !order && spheres.empty() && !camera && !background && !light; }
 };
 
 // What one edit changed: the old values.
@@ -40,6 +41,7 @@ struct LoggedChange {
     bool many_geometry = false;
     std::optional<Camera> camera;
     std::optional<Background> background;
+    std::optional<Light> light;
 };
 
 // Of the edit that led to `scene` and that `inverse` takes back.

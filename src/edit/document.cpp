@@ -22,7 +22,7 @@ const std::string& name_of(const HistoryStep* step) {
 
 bool changes_names(const Edit& edit) {
     return !std::holds_alternative<ChangeSpheres>(edit) && !std::holds_alternative<ChangeCamera>(edit) &&
-           !std::holds_alternative<ChangeBackground>(edit);
+           !std::holds_alternative<ChangeBackground>(edit) && !std::holds_alternative<ChangeLight>(edit);
 }
 
 }  // namespace

@@ -156,6 +156,7 @@ struct Apply {
 
     Edit operator()(ChangeCamera& edit) const { return std::swap(scene.camera, edit.camera), edit; }
     Edit operator()(ChangeBackground& edit) const { return std::swap(scene.background, edit.background), edit; }
+    Edit operator()(ChangeLight& edit) const { return std::swap(scene.light, edit.light), edit; }
     Edit operator()(ReplaceScene& edit) const { return std::swap(scene, edit.scene), std::move(edit); }
 };
 
@@ -177,10 +178,12 @@ struct ChangesNothing {
     }
     bool operator()(const ChangeCamera& edit) const { return same_bits(edit.camera, scene.camera); }
     bool operator()(const ChangeBackground& edit) const { return edit.background == scene.background; }
+    bool operator()(const ChangeLight& edit) const { return same_bits(edit.light, scene.light); }
     bool operator()(const ReplaceScene& edit) const {
         const auto same = [](const Sphere& a, const Sphere& b) { return same_bits(a, b); };
         return std::ranges::equal(edit.scene.spheres, scene.spheres, same) && edit.scene.names == scene.names &&
-               edit.scene.background == scene.background && same_bits(edit.scene.camera, scene.camera);
+               edit.scene.background == scene.background && same_bits(edit.scene.camera, scene.camera) &&
+               same_bits(edit.scene.light, scene.light);
     }
 };
 

@@ -54,13 +54,17 @@ struct ChangeBackground {
     Background background;
 };
 
+struct ChangeLight {
+    Light light;
+};
+
 // Everything becomes another scene, as when a file is read anew.
 struct ReplaceScene {
     Scene scene;
 };
 
 using Edit = std::variant<ChangeSpheres, InsertSpheres, RemoveSpheres, ReorderSphere, RenameSphere, ChangeCamera, ChangeBackground,
-                          ReplaceScene>;
+                          ChangeLight, ReplaceScene>;
 
 // Applies an edit, whose numbers must fit the scene, and returns its inverse: applied next, it gives the same scene back,
 // and its own inverse is the edit. Moves what it can; copies nothing that the edit does not touch.

@@ -13,7 +13,8 @@ bool says_more(const Edit& older, const Edit& newer) {
     if (older.index() != newer.index()) return false;
     if (const auto* change = std::get_if<ChangeSpheres>(&older)) return change->numbers == std::get<ChangeSpheres>(newer).numbers;
     if (const auto* rename = std::get_if<RenameSphere>(&older)) return rename->number == std::get<RenameSphere>(newer).number;
-    return std::holds_alternative<ChangeCamera>(older) || std::holds_alternative<ChangeBackground>(older);
+    return std::holds_alternative<ChangeCamera>(older) || std::holds_alternative<ChangeBackground>(older) ||
+           std::holds_alternative<ChangeLight>(older);
 }
 
 bool keeps_numbers(const Edit& edit) {

@@ -113,6 +113,7 @@ std::string lost_in(const Scene& scene, const SceneFormat& format) {
     std::vector<std::string> lost;
     if (scene.background != Background{}) lost.emplace_back("the background");
     if (scene.camera != Camera{}) lost.emplace_back("the camera");
+    if (scene.light != Light{}) lost.emplace_back("the light");
     if (!scene.names.empty()) lost.push_back("the names (" + std::to_string(scene.names.size()) + ")");
     const auto hidden = std::count_if(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
     if (hidden != 0) lost.push_back("the hidden spheres (" + std::to_string(hidden) + ")");

@@ -171,7 +171,7 @@ Camera read_camera(const TomlText& document, const toml::table& table) {
 }
 
 Light read_light(const TomlText& document, const toml::table& table) {
-    static const std::vector<std::string> keys = {"lights", "sky", "sun", "sun_strength"};
+    static const std::vector<std::string> keys = {"lights", "sky", "key", "sun", "sun_strength"};
     const TableReader reader(document, table, "[light]", keys);
     Light light;
     if (const auto* node = reader.find("lights")) {
@@ -181,11 +181,15 @@ Light read_light(const TomlText& document, const toml::table& table) {
         if (lights < fewest_lights || lights > most_lights) wrong(document, *node, expected);
         light.lights = static_cast<int>(lights);
     }
-    if (const auto* node = reader.find("sky")) {
-        const std::string expected = "'sky' as a number from 0 to 1";
-        light.sky = reader.number(*node, expected);
-        if (!(light.sky >= 0.0 && light.sky <= most_sky)) wrong(document, *node, expected);
-    }
+    const auto read_part = [&](const char* key, double most, double& part) {
+        const auto* node = reader.find(key);
+        if (node == nullptr) return;
+        const std::string expected = std::string("'") + key + "' as a number from 0 to " + shortest(most);
+        part = reader.number(*node, expected);
+        if (!(part >= 0.0 && part <= most)) wrong(document, *node, expected);
+    };
+    read_part("sky", most_sky, light.sky);
+    read_part("key", most_key, light.key);
     if (const auto* node = reader.find("sun")) {
         light.sun = Sun{reader.vector(*node, "sun")};
         if (light.sun->direction == glm::dvec3(0.0))

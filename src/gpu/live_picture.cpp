@@ -186,7 +186,7 @@ void LivePicture::trace(int step) {
 }
 
 // For show(), which is not given the scene.
-void LivePicture::prepare_shading(const Document& document, Shading shading) {
+void LivePicture::prepare_shading(const Document& document, Shading shading, const Light& light) {
     const Scene& scene = document.scene();
     if ((shading == Shading::id) != (shading_ == Shading::id)) colors_.set(scene, scene_.drawn(), shading);
     shading_ = shading;
@@ -202,13 +202,12 @@ void LivePicture::prepare_shading(const Document& document, Shading shading) {
     frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
     frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
     frame_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
-    const Light& light = scene.light;
     frame_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(light.sky));
-    frame_.sun_light = glm::vec4(0.0F);
-    if (light.sun) frame_.sun_light = glm::vec4(glm::vec3(light.sun->strength * unit(light.sun->direction)), 0.0F);
+    const glm::dvec3 sun = light.sun ? light.sun->strength * unit(light.sun->direction) : glm::dvec3(0.0);
+    frame_.sun_light = glm::vec4(glm::vec3(sun), static_cast<float>(light.key));
 }
 
-bool LivePicture::update(const Document& document, const View& view, int step, Shading shading) {
+bool LivePicture::update(const Document& document, const View& view, int step, Shading shading, const std::optional<Light>& light) {
     assert(std::has_single_bit(static_cast<unsigned>(step)) && view.size.width >= 1 && view.size.height >= 1);
     const auto begin = std::chrono::steady_clock::now();
     if (view.size.width > visible_.largest_side() || view.size.height > visible_.largest_side()) {
@@ -222,7 +221,7 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
     if (!followed && (geometry || view != view_ || other_grid)) rebuild(document, view, geometry, step);
     if (!geometry) colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, false);
     revision_ = document.revision();
-    prepare_shading(document, shading);
+    prepare_shading(document, shading, light.value_or(document.scene().light));
     if (traced_ && step >= step_) return false;
 
     const KeptFramebuffers kept;

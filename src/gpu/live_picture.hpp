@@ -50,8 +50,9 @@ public:
     // Brings the picture up to date: traces every step-th pixel of each row and column (each for the step x step pixels around
     // it; a power of two), if what is there is coarser than that or of another scene or view. With step 1 all pixels. Returns
     // whether it traced. Throws TooLarge, RenderError; the picture is then what it was. `shading` is what show() will colour it by;
-    // another one needs no tracing.
-    bool update(const Document& document, const View& view, int step, Shading shading = Shading::flat);
+    // another one needs no tracing. `light` is instead of the scene's.
+    bool update(const Document& document, const View& view, int step, Shading shading = Shading::flat,
+                const std::optional<Light>& light = {});
 
     // Uploads a picture that another renderer has finished, for show(). No larger than the context's textures.
     void upload(const Image& finished);
@@ -104,7 +105,7 @@ private:
     bool follow(const Document& document, const ChangesSince& changes);
     void forget_picture();
     void trace(int step);
-    void prepare_shading(const Document& document, Shading shading);
+    void prepare_shading(const Document& document, Shading shading, const Light& light);
     void mark_selected(const Selection* selection);
     std::optional<std::int32_t> traced_number(Pixel pixel) const;
     bool is_of(const Document& document) const;

@@ -1,6 +1,7 @@
 // A picture of 8-bit pixels.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,6 +19,13 @@ public:
           height_(height),
           channels_(channels),
           bytes_(std::make_unique_for_overwrite<std::uint8_t[]>(size_of(width, height, channels))) {}
+
+    // Another one with the same bytes.
+    Image copy() const {
+        Image other(width_, height_, channels_);
+        std::copy_n(bytes_.get(), bytes().size(), other.bytes_.get());
+        return other;
+    }
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -2,27 +2,26 @@
 
 #include <algorithm>
 #include <atomic>
-#include <mutex>
+#include <chrono>
 #include <thread>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/square_root.hpp"
 #include "exact/exact_decision.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
 namespace {
 
-// What one thread needs to add lights: its own sums, because whole numbers may be added in any order.
-struct Worker {
-    LightTiles tiles;
-    std::vector<LightVector> sums;  // by point
-};
-
 // More threads would take more memory than they save time.
 constexpr std::size_t most_workers = 16;
 
 constexpr std::size_t points_at_once = 16384;
+
+// So many lights of the sky show what will become of it.
+constexpr std::size_t enough_for_first_preview = 16;
 
 struct Job {
     std::size_t set;
@@ -41,11 +40,127 @@ bool shines(const LitScene& lit_scene, const PointOrigin& origin, const glm::dve
     return std::ranges::none_of(lit_scene.blockers.numbers, blocks) && std::ranges::none_of(lit_scene.blockers.far, blocks);
 }
 
+double strength(const LightVector& share) {
+    const glm::dvec3 vector{static_cast<double>(share.x), static_cast<double>(share.y), static_cast<double>(share.z)};
+    return square_root(dot(vector, vector));
+}
+
+// Light by light: each thread takes the next one, and adds to sums of its own, because whole numbers may be added in any order.
+class LightSums {
+public:
+    LightSums(const LitScene& lit_scene, std::vector<Job> jobs, const std::function<void(double)>& progress)
+        : lit_scene_(lit_scene),
+          jobs_(std::move(jobs)),
+          progress_(progress),
+          workers_(std::min({jobs_.size(), most_workers, static_cast<std::size_t>(worker_count())})) {}
+
+    std::size_t size() const { return jobs_.size(); }
+    std::size_t added() const { return added_; }
+    std::size_t threads() const { return workers_.size(); }
+    const DirectedLight& light(std::size_t i) const { return *jobs_[i].light; }
+
+    // The next lights.
+    void add(std::size_t count) {
+        const std::size_t end = added_ + count;
+        std::atomic<std::size_t> next = added_;
+        const auto caller = std::this_thread::get_id();
+        parallel_for(workers_.size(), [&](std::size_t which) {
+            Worker& worker = workers_[which];
+            for (std::size_t i = next++; i < end; i = next++) {
+                check_cancelled();
+                worker.sums.resize(lit_scene_.points.size());
+                const auto& [set, light] = jobs_[i];
+                const std::size_t first = lit_scene_.points.begins.at(set);
+                const std::size_t last = lit_scene_.points.begins.at(set + 1);
+                for (const std::uint32_t point : worker.tiles.lit(lit_scene_, first, last, light->direction)) {
+                    worker.sums[point] += light->share;
+                }
+                if (progress_ && std::this_thread::get_id() == caller) {
+                    progress_(static_cast<double>(i) / static_cast<double>(jobs_.size()));
+                }
+            }
+        });
+        added_ = end;
+    }
+
+    // use(origin, sum), on all cores.
+    template <typename Use>
+    void for_each_point(const Use& use) const {
+        parallel_pieces(lit_scene_.points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                LightVector sum;
+                for (const Worker& worker : workers_) {
+                    if (!worker.sums.empty()) sum += worker.sums[i];
+                }
+                use(lit_scene_.points.origins[i], sum);
+            }
+        });
+    }
+
+private:
+    struct Worker {
+        LightTiles tiles;
+        std::vector<LightVector> sums;  // by point
+    };
+
+    const LitScene& lit_scene_;
+    std::vector<Job> jobs_;
+    const std::function<void(double)>& progress_;
+    std::vector<Worker> workers_;
+    std::size_t added_ = 0;
+};
+
+// Adds all lights, the first of which is the sun if there is one, and shows how they grow.
+void add_shown(LightSums& sums, bool sun, const LightPreviews& previews, std::size_t pixels) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
+    std::vector<LightVector> of_sun(pixels);
+    const std::size_t suns = sun ? 1 : 0;
+    if (sun) {
+        sums.add(1);
+        sums.for_each_point(
+            [&](const PointOrigin& origin, const LightVector& sum) { of_sun[static_cast<std::size_t>(origin.place)] = sum; });
+    }
+    double all = 0.0;
+    for (std::size_t i = suns; i < sums.size(); ++i) all += strength(sums.light(i).share);
+    bool any = false;
+    double so_far = 0.0;
+    while (sums.added() < sums.size()) {
+        // As many as there is time for.
+        const std::size_t known = sums.added() - suns;
+        const double for_each = seconds() / static_cast<double>(known + suns);
+        const double many = known == 0 ? 0.0 : (any ? previews.every : previews.first_after) / for_each;
+        const std::size_t rest = sums.size() - sums.added();
+        const std::size_t next = std::min(std::max(static_cast<std::size_t>(std::min(many, 1e6)), sums.threads()), rest);
+        for (std::size_t i = 0; i < next; ++i) so_far += strength(sums.light(sums.added() + i).share);
+        sums.add(next);
+        if (sums.added() == sums.size()) return;
+        if (!any && sums.added() < enough_for_first_preview && seconds() < previews.first_after) continue;
+        any = true;
+        const double factor = all / so_far;
+        std::vector<LightVector> lit(pixels);
+        sums.for_each_point([&](const PointOrigin& origin, const LightVector& sum) {
+            const LightVector& from_sun = of_sun[static_cast<std::size_t>(origin.place)];
+            const auto scaled = [&](std::int32_t of_all, std::int32_t part) {
+                return static_cast<std::int32_t>(static_cast<double>(part) + factor * static_cast<double>(of_all - part));
+            };
+            lit[static_cast<std::size_t>(origin.place)] = {scaled(sum.x, from_sun.x), scaled(sum.y, from_sun.y),
+                                                           scaled(sum.z, from_sun.z)};
+        });
+        previews.show(lit);
+    }
+}
+
 }  // namespace
 
 Lighting::Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, int side,
                    const Light& light)
-    : scene_(scene), drawn_(drawn), side_(side), places_(camera, size), sides_(scene.spheres.size(), EyeSide::outside) {
+    : scene_(scene),
+      drawn_(drawn),
+      sun_(light.sun.has_value()),
+      side_(side),
+      places_(camera, size),
+      sides_(scene.spheres.size(), EyeSide::outside) {
     auto gap = drawn.gone.begin();
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         if (gap != drawn.gone.end() && *gap == i) {
@@ -59,7 +174,7 @@ Lighting::Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
 }
 
 std::vector<LightVector> Lighting::light(const Block& block, std::span<const std::int32_t> visible,
-                                         const std::function<void(double)>& progress) const {
+                                         const std::function<void(double)>& progress, const LightPreviews* previews) const {
     const LitPoints points = lit_points(scene_, places_, sides_, block, visible, side_);
     const Blockers all_blockers = blockers(scene_, drawn_, places_.eye(), points);
     const LitScene lit_scene{scene_, places_, sides_, block, points, all_blockers};
@@ -70,36 +185,16 @@ std::vector<LightVector> Lighting::light(const Block& block, std::span<const std
         for (const DirectedLight& light : sets_[set]) jobs.push_back({set, &light});
     }
 
-    // Light by light: each thread takes the next one, and adds to sums of its own.
-    std::vector<Worker> workers;
-    std::mutex joining;
-    std::atomic<std::size_t> next = 0;
-    const auto caller = std::this_thread::get_id();
-    parallel_for(std::min({jobs.size(), most_workers, static_cast<std::size_t>(worker_count())}), [&](std::size_t) {
-        Worker worker;
-        worker.sums.resize(points.size());
-        for (std::size_t i = next++; i < jobs.size(); i = next++) {
-            check_cancelled();
-            const auto& [set, light] = jobs[i];
-            const std::size_t begin = points.begins.at(set);
-            const std::size_t end = points.begins.at(set + 1);
-            for (const std::uint32_t point : worker.tiles.lit(lit_scene, begin, end, light->direction)) {
-                worker.sums[point] += light->share;
-            }
-            if (progress && std::this_thread::get_id() == caller) {
-                progress(static_cast<double>(i) / static_cast<double>(jobs.size()));
-            }
-        }
-        const std::lock_guard lock(joining);
-        workers.push_back(std::move(worker));
-    });
-
+    LightSums sums(lit_scene, std::move(jobs), progress);
+    // Points of which float knows too little get their light at the end.
+    if (previews != nullptr && side_ == 1 && points.unknown.empty()) {
+        add_shown(sums, sun_, *previews, visible.size());
+    } else {
+        sums.add(sums.size());
+    }
     std::vector<LightVector> lit(visible.size());
-    parallel_pieces(points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
-        for (const Worker& worker : workers) {
-            for (std::size_t i = begin; i < end; ++i) lit[static_cast<std::size_t>(points.origins[i].place)] += worker.sums[i];
-        }
-    });
+    sums.for_each_point(
+        [&](const PointOrigin& origin, const LightVector& sum) { lit[static_cast<std::size_t>(origin.place)] += sum; });
     parallel_for(points.unknown.size(), [&](std::size_t i) {
         const PointOrigin& origin = points.unknown[i];
         for (const DirectedLight& light : lights(side_ == 1 ? 0 : set_of(lit_scene.pixel(origin), side_))) {

@@ -15,6 +15,14 @@
 
 namespace sphereview {
 
+// For whoever shows a light while it is being added. Each preview has the light of the first lights, with the sky as strong as it
+// will be with all: it gets finer and no brighter.
+struct LightPreviews {
+    std::function<void(std::span<const LightVector>)> show;  // is given the light of each point, as light() returns it
+    double first_after = 0.08;                               // seconds of adding lights
+    double every = 0.2;                                      // seconds, from one to the next
+};
+
 // The light of one picture, or of the points of its pixels.
 class Lighting {
 public:
@@ -24,9 +32,11 @@ public:
 
     // The light of each point of a block, row by row, from its visible spheres (scene numbers or visible_background); zero where
     // there is none. The sum of the shares of the lights that shine there; its product with the normal is the brightness. Calls
-    // progress() now and then, from this thread, with the part that is done, 0..1.
+    // progress() now and then, from this thread, with the part that is done, 0..1. Previews are of pictures with one point a pixel
+    // only.
     std::vector<LightVector> light(const Block& block, std::span<const std::int32_t> visible,
-                                   const std::function<void(double)>& progress = nullptr) const;
+                                   const std::function<void(double)>& progress = nullptr,
+                                   const LightPreviews* previews = nullptr) const;
 
     // The lights of a set, in their order.
     const std::vector<DirectedLight>& lights(int set) const { return sets_[static_cast<std::size_t>(set)]; }
@@ -34,6 +44,7 @@ public:
 private:
     const Scene& scene_;
     const DrawnSpheres& drawn_;
+    bool sun_;
     int side_;
     HitPlaces places_;
     std::vector<EyeSide> sides_;  // the eye's, by number

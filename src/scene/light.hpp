@@ -9,6 +9,7 @@ namespace sphereview {
 inline constexpr int fewest_lights = 16;
 inline constexpr int most_lights = 1024;
 inline constexpr double most_sky = 1.0;
+inline constexpr double most_key = 1.0;
 // At least so strong that the sun's share of the light is more than what its rounding takes away.
 inline constexpr double weakest_sun = 0.001;
 inline constexpr double strongest_sun = 4.0;
@@ -23,7 +24,8 @@ struct Sun {
 
 struct Light {
     std::optional<int> lights{};  // directions of the sky, fewest_lights .. most_lights; none: as many as suit the scene
-    double sky = 1.0;           // 0 .. most_sky: the strength of sky and key light
+    double sky = 1.0;             // 0 .. most_sky: the strength of the sky, and of the key light in it
+    double key = 1.0;             // 0 .. most_key: how much brighter the sky is around the key light
     std::optional<Sun> sun{};
 
     bool operator==(const Light&) const = default;

@@ -78,4 +78,9 @@ inline bool same_bits(const Camera& a, const Camera& b) {
     return same_bits(a.eye, b.eye) && same_bits(a.center, b.center) && same_bits(a.right, b.right) && same_bits(a.up, b.up);
 }
 
+inline bool same_bits(const Light& a, const Light& b) {
+    return a == b && same_bits(a.sky, b.sky) && same_bits(a.key, b.key) &&
+           (!a.sun || same_bits(a.sun->direction, b.sun->direction));
+}
+
 }  // namespace sphereview

@@ -131,6 +131,7 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
         {"--shade", "flat, headlight, normal, depth, id or studio", {"Flat", "lambert", ""}},
         {"--lights", "a whole number from 16 to 1024", {"15", "1025", "64.5", "many", ""}},
         {"--sky", "a number from 0 to 1", {"-0.1", "1.1", "nan", "blue", ""}},
+        {"--key", "a number from 0 to 1", {"-0.1", "1.1", "nan", "high", ""}},
         {"--sun-strength", "a number from 0.001 to 4", {"0", "0.0001", "4.1", "inf", ""}},
         {"--sun",
          "X,Y,Z, not all 0, from the scene to the sun, or AZIMUTH,ELEVATION in degrees, from where the sun shines as --view looks",
@@ -157,7 +158,7 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
         }
     }
     // Options of a light that nothing would show.
-    for (const char* option : {"--lights=64", "--sky=0.5", "--sun=1,2,3", "--sun-strength=1"}) {
+    for (const char* option : {"--lights=64", "--sky=0.5", "--key=0.5", "--sun=1,2,3", "--sun-strength=1"}) {
         const std::string name = std::string(option).substr(0, std::string(option).find('='));
         EXPECT_EQ(run({"render", "missing.txt", option}).errors,
                   "sphereview: --shade: found 'flat', expected studio with " + name + " (see 'sphereview render --help')\n");

@@ -66,7 +66,8 @@ void PanelHarness::frame(double seconds) {
     std::vector<Action> actions;
     ImGui::NewFrame();
     if (logging_) ImGui::LogToClipboard(0);
-    draw_({document, selection, bounds_, commands, scale, gesture, hovered, actions, &rectangles, frame_of_file, frames_of_file});
+    draw_({document, selection, bounds_, commands, scale, gesture, hovered, actions, &rectangles, frame_of_file, frames_of_file,
+           document.scene().light, camera_axes(document.scene().camera)});
     ImGui::Render();
     if (applies) {
         for (const Action& action : actions) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::chrono::seconds patience{60};  // generous: a sanitized program on a busy machine
 constexpr const char* log_name = "frames.log";
+constexpr const char* settings_file = "home/config/sphereview/viewer.json";
 
 std::string number(double value) { return std::to_string(static_cast<int>(value + 0.5)); }
 
@@ -34,6 +35,8 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
                            const std::string& input)
     : folder_(folder), server_(screen) {
     std::filesystem::create_directories(folder.path("home"));
+    // Colours that tests can name and pictures that are soon finished, unless a test, or a window before, has settings there.
+    if (!folder.has(settings_file)) folder.write(settings_file, R"({"shading": "flat", "samples": 1})");
     std::filesystem::remove(folder.path(log_name));
     Command command{.arguments = arguments,
                     .folder = folder.path(),

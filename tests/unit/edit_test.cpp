@@ -86,7 +86,8 @@ TEST(Edit, ConcernsWhatThereIsToSelectAfterwards) {
     EXPECT_EQ(numbers_concerned(InsertSpheres{{2}, {{at(0), ""}}}), (Numbers{2}));
     EXPECT_EQ(numbers_concerned(ReorderSphere{3, 1}), (Numbers{1}));
     EXPECT_EQ(numbers_concerned(RenameSphere{3, "a"}), (Numbers{3}));
-    for (const Edit& edit : {Edit(RemoveSpheres{{1}}), Edit(ChangeCamera{}), Edit(ChangeBackground{}), Edit(ReplaceScene{})}) {
+    for (const Edit& edit :
+         {Edit(RemoveSpheres{{1}}), Edit(ChangeCamera{}), Edit(ChangeBackground{}), Edit(ChangeLight{}), Edit(ReplaceScene{})}) {
         EXPECT_EQ(numbers_concerned(edit), Numbers{});
     }
 }
@@ -197,9 +198,12 @@ public:
         const Remembered& old = remembered_[which % remembered_.size()];
         const ChangesSince changes = document.changes_since(old.revision);
         const Scene& now = document.scene();
-        if (changes.order && changes.camera && changes.background && may_be_forgotten(document.revision() - old.revision)) return;
+        if (changes.order && changes.camera && changes.background && changes.light &&
+            may_be_forgotten(document.revision() - old.revision))
+            return;
         ASSERT_EQ(changes.camera, !same_bits(old.scene.camera, now.camera));
         ASSERT_EQ(changes.background, old.scene.background != now.background);
+        ASSERT_EQ(changes.light, !same_bits(old.scene.light, now.light));
         if (changes.order) {
             ASSERT_TRUE(old.order_changed_since);
             if (!changes.came.empty() || !changes.went.empty()) expect_others_kept(changes, old.scene, now);
@@ -218,7 +222,7 @@ public:
         }
         ASSERT_EQ(changes.spheres, differing);
         ASSERT_EQ(changes.geometry, geometry);
-        ASSERT_EQ(changes.none(), differing.empty() && !changes.camera && !changes.background);
+        ASSERT_EQ(changes.none(), differing.empty() && !changes.camera && !changes.background && !changes.light);
     }
     std::size_t remembered() const { return remembered_.size(); }
 

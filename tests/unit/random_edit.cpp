@@ -67,6 +67,15 @@ InsertSpheres random_insertion(Random& random, const Scene& scene) {
     return edit;
 }
 
+Light random_light(Random& random) {
+    Light light;
+    if (one_in(random, 2)) light.lights = static_cast<int>(16 + below(random, 3));
+    if (one_in(random, 2)) light.sky = one_in(random, 2) ? 0.0 : 0.5;
+    if (one_in(random, 2)) light.key = one_in(random, 2) ? -0.0 : 0.25;
+    if (one_in(random, 2)) light.sun = Sun{{1.0, one_in(random, 2) ? 0.0 : -0.0, 0.0}, one_in(random, 2) ? 1.0 : 2.0};
+    return light;
+}
+
 struct Edited {
     Scene scene;
 
@@ -112,6 +121,7 @@ struct Edited {
     }
     void operator()(const ChangeCamera& edit) { scene.camera = edit.camera; }
     void operator()(const ChangeBackground& edit) { scene.background = edit.background; }
+    void operator()(const ChangeLight& edit) { scene.light = edit.light; }
     void operator()(const ReplaceScene& edit) { scene = edit.scene; }
 };
 
@@ -137,7 +147,7 @@ std::vector<std::uint32_t> random_numbers(std::mt19937_64& random, std::size_t c
 
 Edit random_edit(std::mt19937_64& random, const Scene& scene) {
     const std::size_t count = scene.spheres.size();
-    switch (below(random, 16)) {
+    switch (below(random, 17)) {
         case 0:
         case 1: return random_insertion(random, scene);
         case 2:
@@ -158,8 +168,10 @@ Edit random_edit(std::mt19937_64& random, const Scene& scene) {
             // As an editor leaves a file: much is as it was.
             Scene other = edited(random_changes(random, scene), scene);
             if (one_in(random, 2)) other.names.clear();
+            if (one_in(random, 2)) other.light = random_light(random);
             return ReplaceScene{std::move(other)};
         }
+        case 10: return ChangeLight{one_in(random, 4) ? scene.light : random_light(random)};
         default: return random_changes(random, scene);
     }
 }

@@ -39,6 +39,7 @@ std::string difference(const std::string& what, const Sphere& actual, const Sphe
 
 std::string difference(const Scene& actual, const Scene& expected) {
     if (actual.background != expected.background) return "another background";
+    if (!same_bits(actual.light, expected.light)) return "another light";
     for (const auto& [name, member] : {std::pair{"eye", &Camera::eye}, std::pair{"center", &Camera::center},
                                        std::pair{"right", &Camera::right}, std::pair{"up", &Camera::up}}) {
         const std::string text = difference(std::string("camera.") + name, actual.camera.*member, expected.camera.*member);

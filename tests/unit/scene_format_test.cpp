@@ -131,10 +131,11 @@ TEST(LostIn, NamesWhatTheTextFormatCannotHold) {
     EXPECT_EQ(lost_in(scene, SceneFormat::text), "");
     scene.background = {{255, 255, 255}, false};
     scene.camera.eye.z = -1;
+    scene.light.sky = 0.5;
     scene.names[1] = "sun";
     scene.names[2] = "moon";
     scene.spheres[0].hidden = true;
-    EXPECT_EQ(lost_in(scene, SceneFormat::text), "the background, the camera, the names (2), the hidden spheres (1)");
+    EXPECT_EQ(lost_in(scene, SceneFormat::text), "the background, the camera, the light, the names (2), the hidden spheres (1)");
     EXPECT_EQ(lost_in(scene, SceneFormat::toml), "");
 }
 

@@ -144,7 +144,7 @@ TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
          "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, sphere, spheres, hidden, "
          "names; did you mean 'light'?"},
         {"[light]\nsunn = 1",
-         "2:1: found the unknown key 'sunn' in [light], expected one of lights, sky, sun, sun_strength; did you mean 'sun'?"},
+         "2:1: found the unknown key 'sunn' in [light], expected one of lights, sky, key, sun, sun_strength; did you mean 'sun'?"},
     });
 }
 
@@ -156,6 +156,7 @@ TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
         {"[light]\nlights = 64.0", "2:10: found 64.0, expected 'lights' as a whole number from 16 to 1024"},
         {"[light]\nsky = -0.1", "2:7: found -0.10000000000000001, expected 'sky' as a number from 0 to 1"},
         {"[light]\nsky = nan", "2:7: found nan, expected 'sky' as a number from 0 to 1"},
+        {"[light]\nkey = 1.5", "2:7: found 1.5, expected 'key' as a number from 0 to 1"},
         {"[light]\nsun = [0, 0, -0.0]", "2:7: found a sun in no direction, expected 'sun' other than [0, 0, 0]"},
         {"[light]\nsun = [0, 1]", "2:7: found 2 values, expected 'sun' as three finite numbers [x, y, z]"},
         {"[light]\nsun = [0, 1, 0]\nsun_strength = 0",
@@ -166,7 +167,7 @@ TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
 
 TEST(TomlFormat, KeepsTheLight) {
     for (const Light& light :
-         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.lights = {}, .sky = 0.0, .sun = Sun{}},
+         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.key = 0.5}, Light{.lights = {}, .sky = 0.0, .sun = Sun{}},
           Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
         Scene scene;
         scene.light = light;

@@ -1,0 +1,150 @@
+// The panel of the scene's light: what its ball, sliders and switches ask for, in steps that can be undone.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "panels/harness.hpp"
+#include "scene/vectors.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Its ball is drawn once the header is open.
+struct OpenLightPanel : SidePanelHarness {
+    explicit OpenLightPanel(const Light& light = {}) : SidePanelHarness(scene_with(light)) {
+        click("light");
+        frames(2);
+        take_actions();
+    }
+
+    static Scene scene_with(const Light& light) {
+        Scene scene = line_of_spheres(3);
+        scene.light = light;
+        return scene;
+    }
+    const Light& light() const { return document.scene().light; }
+    // On the ball, in radii from its middle.
+    ImVec2 ball(float x, float y) const {
+        constexpr float in_widget = 0.5F / 1.45F;
+        return place("sun ball", 0.5F + in_widget * x, 0.5F - in_widget * y);
+    }
+};
+
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::acos(std::clamp(dot(unit(a), unit(b)), -1.0, 1.0)) * 180.0 / std::numbers::pi;
+}
+
+}  // namespace
+
+TEST(LightPanel, TheSunIsWhereItIsDraggedInOneStep) {
+    OpenLightPanel panel({.lights = 64, .sky = 0.5, .key = 0.25, .sun = Sun{{1.0, 0.0, 0.0}, 2.0}});
+    const Light before = panel.light();
+    // The camera looks along z, with x to the right: toward the eye is -z.
+    panel.drag(panel.ball(0.0F, 0.0F), panel.ball(0.6F, 0.5F));
+    const auto edits = panel.taken<EditScene>();
+    ASSERT_GE(edits.size(), 5U);
+    for (const EditScene& edit : edits) EXPECT_TRUE(edit.gesture != 0 && edit.gesture == edits.front().gesture);
+    const glm::dvec3 expected{0.6, 0.5, -std::sqrt(1.0 - 0.36 - 0.25)};
+    EXPECT_LT(angle_between(panel.light().sun->direction, expected), 4.0);
+    EXPECT_EQ(panel.light().sun->strength, 2.0);
+    EXPECT_EQ(panel.light().lights, 64);
+    EXPECT_EQ(panel.document.undo_name(), "Move the sun");
+    panel.undo();
+    EXPECT_EQ(panel.light(), before);
+    EXPECT_FALSE(panel.document.can_undo());
+
+    // In the ring it shines from behind, and beyond it from straight behind.
+    panel.drag(panel.ball(0.0F, 0.0F), panel.ball(-1.225F, 0.0F));
+    EXPECT_LT(angle_between(panel.light().sun->direction, {-1.0, 0.0, 1.0}), 6.0);
+    panel.drag(panel.ball(0.0F, 0.0F), panel.ball(0.0F, 3.0F));
+    EXPECT_LT(angle_between(panel.light().sun->direction, {0.0, 0.0, 1.0}), 0.1);
+}
+
+// Whoever holds the sun where it is changes nothing.
+TEST(LightPanel, NothingIsAskedForWhileTheHeldSunRests) {
+    OpenLightPanel panel({.sun = Sun{}});
+    panel.move(panel.ball(0.3F, 0.3F));
+    panel.press();
+    panel.frames(2);
+    panel.take_actions();
+    panel.frames(5);
+    EXPECT_TRUE(panel.take_actions().empty());
+    panel.release();
+    panel.frames(2);
+    EXPECT_TRUE(panel.take_actions().empty());
+}
+
+TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
+    OpenLightPanel panel;
+    panel.click("sun");
+    ASSERT_TRUE(panel.light().sun);
+    EXPECT_EQ(panel.document.undo_name(), "Switch the sun on");
+    panel.drag(panel.place("slider strength", 0.2F), panel.place("slider strength", 0.75F));
+    EXPECT_NEAR(panel.light().sun->strength, 3.0, 0.3);
+    const Light with_sun = panel.light();
+    panel.click("sun");
+    EXPECT_FALSE(panel.light().sun);
+    panel.click("sun");
+    EXPECT_EQ(panel.light(), with_sun);
+    for (int i = 0; i < 4; ++i) panel.undo();
+    EXPECT_EQ(panel.light(), Light{});
+    EXPECT_FALSE(panel.document.can_undo());
+    // A click on the ball puts one there.
+    panel.click(panel.ball(0.0F, 0.0F));
+    ASSERT_TRUE(panel.light().sun);
+    EXPECT_LT(angle_between(panel.light().sun->direction, {0.0, 0.0, -1.0}), 3.0);
+}
+
+TEST(LightPanel, AzimuthAndElevationTurnTheSun) {
+    OpenLightPanel panel({.sun = Sun{{0.0, 0.0, -1.0}, 1.0}});
+    const auto type = [&](const std::string& slider, const std::string& text) {
+        panel.modifiers(true);
+        panel.click(panel.place(slider));
+        panel.modifiers(false);
+        panel.type(text);
+        panel.tap(ImGuiKey_Enter);
+    };
+    type("slider azimuth", "90");
+    EXPECT_LT(angle_between(panel.light().sun->direction, {1.0, 0.0, 0.0}), 1e-6);
+    type("slider elevation", "45");
+    EXPECT_LT(angle_between(panel.light().sun->direction, {1.0, 1.0, 0.0}), 1e-6);
+    type("slider elevation", "1000");  // brought into the range
+    EXPECT_LT(angle_between(panel.light().sun->direction, {0.0, 1.0, 0.0}), 1e-6);
+}
+
+TEST(LightPanel, SkyKeyAndLightsAreEdits) {
+    OpenLightPanel panel;
+    panel.drag(panel.place("slider sky", 0.9F), panel.place("slider sky", 0.5F));
+    EXPECT_NEAR(panel.light().sky, 0.5, 0.03);
+    panel.drag(panel.place("slider key", 0.9F), panel.place("slider key", 0.02F));
+    EXPECT_NEAR(panel.light().key, 0.0, 0.01);
+    EXPECT_EQ(panel.document.undo_name(), "Change the key light");
+    panel.click("lights");
+    panel.frames(3);
+    panel.click("lights 128");
+    EXPECT_EQ(panel.light().lights, 128);
+    panel.click("lights");
+    panel.frames(3);
+    panel.click("lights automatic");
+    EXPECT_EQ(panel.light().lights, std::nullopt);
+    for (int i = 0; i < 4; ++i) panel.undo();
+    EXPECT_EQ(panel.light(), Light{});
+    EXPECT_FALSE(panel.document.can_undo());
+}
+
+// Only the shading Studio shows light: the panel offers it where another one is chosen.
+TEST(LightPanel, OffersTheShadingThatShowsLight) {
+    OpenLightPanel panel;
+    panel.click("studio");
+    const auto commands = panel.taken<RunCommand>();
+    ASSERT_EQ(commands.size(), 1U);
+    for (CommandInfo& info : panel.commands) info.checked = info.id == commands[0].command;
+    panel.frames(2);
+    EXPECT_EQ(info_of(panel.commands, commands[0].command).label, "Studio");
+    EXPECT_FALSE(panel.has("studio"));
+}
+
+}  // namespace sphereview
