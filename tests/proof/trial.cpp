@@ -132,6 +132,17 @@ Trial random_trial(Random& random, double unit) {
     return trial;
 }
 
+Trial with_parallel_rays(Trial trial) {
+    const glm::dvec3 n = approximate_ray(trial);
+    const RayCoefficients k = ray_coefficients(trial.size, trial.pixel);
+    const double m = trial.size.shorter_side();
+    Camera& camera = trial.camera;
+    camera.projection = Projection::orthographic;
+    camera.center = camera.eye + glm::length(camera.center - camera.eye) * n;
+    trial.sphere.center += static_cast<double>(k.across) / m * camera.right + static_cast<double>(k.upward) / m * camera.up;
+    return trial;
+}
+
 std::string to_string(const Trial& trial) {
     std::ostringstream text;
     text << std::hexfloat;

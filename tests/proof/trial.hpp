@@ -26,6 +26,9 @@ struct Trial {
 // for the bound of an arithmetic with this unit.
 Trial random_trial(Random& random, double unit);
 
+// The trial with an orthographic camera that looks along the pixel's ray, and the sphere before where that begins.
+Trial with_parallel_rays(Trial trial);
+
 // All numbers, to repeat a trial by hand.
 std::string to_string(const Trial& trial);
 

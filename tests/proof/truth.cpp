@@ -14,7 +14,7 @@ using Wide = multiprecision::number<multiprecision::cpp_bin_float<256, multiprec
 using WideVector = std::array<Wide, 3>;
 
 WideVector wide(const glm::dvec3& v) { return {Wide(v.x), Wide(v.y), Wide(v.z)}; }
-WideVector times(const WideVector& v, long long factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
+WideVector times(const WideVector& v, const Wide& factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
 WideVector sum(const WideVector& a, const WideVector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
 Wide dot(const WideVector& a, const WideVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 Wide length(const WideVector& v) { return sqrt(dot(v, v)); }
@@ -32,7 +32,7 @@ Truth true_hit(const Trial& trial) {
     const Wide ray_length = length(ray);
 
     const WideVector from_eye = sum(wide(trial.sphere.center), minus_eye);
-    const WideVector to_origin = times(sum(right, up), Wide(1) / trial.size.shorter_side());
+    const WideVector to_origin = times(sum(right, up), 1 / Wide(trial.size.shorter_side()));
     const WideVector center = parallel ? sum(from_eye, times(to_origin, -1)) : from_eye;
     const Wide radius = trial.sphere.radius;
     const Wide b = dot(center, ray) / ray_length;
