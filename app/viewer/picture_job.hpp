@@ -25,7 +25,6 @@ struct SceneSnapshot {
 // A copy of the spheres, unless there is one: 40 MB and some 10 ms a million.
 std::shared_ptr<const Scene> scene_snapshot(ViewerState& state);
 
-// The picture that the window shows at rest.
 // A picture with few lights, shown until that with all of them is made. Both threads use it.
 class Preview {
 public:
@@ -44,6 +43,7 @@ private:
     std::shared_ptr<const Image> image_;  // null until it is made
 };
 
+// The picture that the window shows at rest.
 struct RestPicture {
     std::uint64_t revision;  // of the document that it is of
     PictureOptions options;
