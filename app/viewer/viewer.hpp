@@ -27,7 +27,7 @@ public:
     void run(const std::function<bool()>& interrupted);
 
 private:
-    bool autosaves() const;
+    bool autosaves() const;  // whether unsaved edits are to be kept now
     void wait_for_work();
     void redraw();
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.

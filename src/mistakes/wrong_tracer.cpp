@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <tuple>
@@ -30,12 +31,16 @@ Camera seen_wrongly(Camera camera, const WrongTracer& tracer, PictureSize size) 
 
     const glm::dvec3 half_column = camera.right / static_cast<double>(size.shorter_side());
     const glm::dvec3 half_row = camera.up / static_cast<double>(size.shorter_side());
+    const auto move = [&camera](const glm::dvec3& way) {
+        camera.center += way;
+        if (camera.orthographic()) camera.eye += way;  // the direction stays
+    };
     switch (tracer.place) {
         case RayPlace::center: break;
-        case RayPlace::top_left: camera.center += half_row - half_column; break;
-        case RayPlace::top_right: camera.center += half_row + half_column; break;
-        case RayPlace::bottom_left: camera.center -= half_row + half_column; break;
-        case RayPlace::bottom_right: camera.center -= half_row - half_column; break;
+        case RayPlace::top_left: move(half_row - half_column); break;
+        case RayPlace::top_right: move(half_row + half_column); break;
+        case RayPlace::bottom_left: move(-half_row - half_column); break;
+        case RayPlace::bottom_right: move(half_column - half_row); break;
         case RayPlace::edges:
             camera.right *= size.width / std::max(size.width - 1.0, 1.0);
             camera.up *= size.height / std::max(size.height - 1.0, 1.0);
@@ -51,6 +56,7 @@ Camera seen_wrongly(Camera camera, const WrongTracer& tracer, PictureSize size) 
 // The camera whose rays go the other way.
 Camera turned_about(Camera camera) {
     camera.center = camera.eye + (camera.eye - camera.center);
+    if (camera.orthographic()) return camera;  // its rays begin where they did
     camera.right = -camera.right;
     camera.up = -camera.up;
     return camera;
@@ -72,7 +78,13 @@ struct LineHit {
     bool as_near_as_last;
 };
 
-// A ray and a sphere in double.
+// origin + t direction, for t above and below 0.
+struct Line {
+    glm::dvec3 origin;
+    glm::dvec3 direction;
+};
+
+// A line and a sphere in double.
 struct Meeting {
     double along;         // t of the point nearest to the centre
     double discriminant;  // r^2 less the square of the distance from the centre: of the sign of the quadratic's
@@ -80,10 +92,10 @@ struct Meeting {
     double c;             // (O - C).(O - C) - r^2
 };
 
-Meeting meet(const Sphere& sphere, const glm::dvec3& eye, const glm::dvec3& direction, double square) {
-    const glm::dvec3 v = sphere.center - eye;
-    const double along = glm::dot(v, direction) / square;
-    const glm::dvec3 p = v - along * direction;
+Meeting meet(const Sphere& sphere, const Line& line) {
+    const glm::dvec3 v = sphere.center - line.origin;
+    const double along = glm::dot(v, line.direction) / glm::dot(line.direction, line.direction);
+    const glm::dvec3 p = v - along * line.direction;
     const double v_square = glm::dot(v, v);
     const double r_square = sphere.radius * sphere.radius;
     return {along, r_square - glm::dot(p, p), v_square + r_square, v_square - r_square};
@@ -136,27 +148,26 @@ public:
         }
     }
 
-    glm::dvec3 direction(Pixel pixel) const {
+    Line ray(Pixel pixel) const {
         const RayCoefficients coefficients = ray_coefficients(size_, pixel);
         const double m = size_.shorter_side();
-        return (camera_.center - camera_.eye) + static_cast<double>(coefficients.across) / m * camera_.right +
-               static_cast<double>(coefficients.upward) / m * camera_.up;
+        const glm::dvec3 across = static_cast<double>(coefficients.across) / m * camera_.right;
+        const glm::dvec3 upward = static_cast<double>(coefficients.upward) / m * camera_.up;
+        const glm::dvec3 ahead = camera_.center - camera_.eye;
+        return camera_.orthographic() ? Line{camera_.eye + across + upward, ahead} : Line{camera_.eye, ahead + across + upward};
     }
-
-    const glm::dvec3& eye() const { return camera_.eye; }
 
     // The hits of a pixel in front of the eye, nearest first, of equal ones the first in the file first.
     void find(Pixel pixel, std::vector<LineHit>& hits) const {
         hits.clear();
-        const glm::dvec3 d = direction(pixel);
-        const double square = glm::dot(d, d);
+        const Line line = ray(pixel);
         bool sure = true;
         for_candidates(pixel, [&](std::int32_t number, const Sphere& sphere) {
-            const Meeting meeting = meet(sphere, camera_.eye, d, square);
+            const Meeting meeting = meet(sphere, line);
             const double doubt = double_tells * meeting.scale;
             sure = sure && std::fabs(meeting.discriminant) > doubt && std::fabs(meeting.c) > doubt;
             if (!(meeting.discriminant > 0.0)) return;
-            const double half = square_root(meeting.discriminant / square);
+            const double half = square_root(meeting.discriminant / glm::dot(line.direction, line.direction));
             const double t1 = meeting.along - half;
             const double t2 = meeting.along + half;
             const bool inside = meeting.c < 0.0;
@@ -237,7 +248,7 @@ Numbers wrong_numbers(const Scene& scene, const Camera& camera, PictureSize size
 Scene grown(const Scene& scene) {
     Scene larger = scene;
     for (Sphere& sphere : larger.spheres) {
-        const glm::dvec3 v = sphere.center - scene.camera.eye;
+        const glm::dvec3 v = glm::abs(sphere.center - scene.camera.eye) + glm::abs(scene.camera.right) + glm::abs(scene.camera.up);
         const double r_square = sphere.radius * sphere.radius;
         const double radius = square_root(r_square + 2.0 * float_tells * (glm::dot(v, v) + r_square));
         if (std::isfinite(radius)) sphere.radius = radius;
@@ -299,8 +310,8 @@ const std::vector<std::int32_t>& WrongPictures::numbers(const WrongTracer& trace
 std::vector<std::int32_t> WrongPictures::numbers_in_float(Pixel pixel) {
     if (float_view_ == nullptr) float_view_ = std::make_unique<FloatView>(scene_, size_);
     const View& view = float_view_->view;
-    const glm::dvec3 d = view.direction(pixel);
-    const double square = glm::dot(d, d);
+    const Line line = view.ray(pixel);
+    const double square = glm::dot(line.direction, line.direction);
 
     // Of each sphere that float may take to be hit: between which t.
     struct Span {
@@ -311,7 +322,7 @@ std::vector<std::int32_t> WrongPictures::numbers_in_float(Pixel pixel) {
     std::vector<Span> spans;
     double nearest_sure = std::numeric_limits<double>::infinity();
     view.for_candidates(pixel, [&](std::int32_t number, const Sphere&) {
-        const Meeting meeting = meet(scene_.spheres[static_cast<std::size_t>(number)], view.eye(), d, square);
+        const Meeting meeting = meet(scene_.spheres[static_cast<std::size_t>(number)], line);
         const double doubt = float_tells * meeting.scale;
         if (meeting.discriminant < -doubt) return;
         const double most = square_root((meeting.discriminant + doubt) / square);
