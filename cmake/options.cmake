@@ -14,6 +14,9 @@ else()
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
         # Part of -Wconversion for Clang alone.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
+        # Where one source of a unity build follows another, a local name may be that of the other's helper, and what is included is
+        # no header, as GCC has it.
+        $<$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>:-Wno-shadow> $<$<AND:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
         # One set of objects for the program and for the Python module, which is a shared library that shows nothing but its entry.
         "$<$<NOT:$<PLATFORM_ID:Windows>>:-fPIC;-fvisibility=hidden>"
         # Exact pictures: no multiplication and addition may be fused behind our back, and a square root is the processor's
@@ -90,7 +93,7 @@ function(add_room name)
         target_link_libraries(${name} PRIVATE optimised_${room_LEVEL})
         use_precompiled(${name} precompiled_${room_LEVEL})
     endif()
-    if(room_FAST AND NOT MSVC)
-        set_source_files_properties(${room_FAST} PROPERTIES COMPILE_OPTIONS "$<$<CONFIG:Release>:-O3>" SKIP_PRECOMPILE_HEADERS ON)
+    if(room_FAST AND CMAKE_BUILD_TYPE STREQUAL Release AND NOT MSVC)
+        set_source_files_properties(${room_FAST} PROPERTIES COMPILE_OPTIONS -O3 SKIP_PRECOMPILE_HEADERS ON)
     endif()
 endfunction()

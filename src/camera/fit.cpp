@@ -18,7 +18,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::size_t spheres_at_once = 16384;
+constexpr std::size_t centers_at_once = 16384;
 
 // Of the default camera: its screen's distance and half its side.
 constexpr double distance = 100.0;
@@ -96,7 +96,7 @@ Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& fram
     const double reach = square_root(1.0 + slope * slope);
     Planes all{least, least, least, least};
     std::mutex mutex;
-    parallel_pieces(scene.spheres.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(scene.spheres.size(), centers_at_once, [&](std::size_t begin, std::size_t end) {
         Planes part{least, least, least, least};
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[i];

@@ -10,10 +10,6 @@ namespace sphereview {
 
 namespace {
 
-glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
-    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
-
 // The sign of |c|^2 - r^2; 0 where double cannot tell.
 inline int side_in_double(const glm::dvec3& c, double r) {
     const double distance = c.x * c.x + c.y * c.y + c.z * c.z;

@@ -16,19 +16,14 @@ int exponent_of(double value) {
     return exponent;
 }
 
-glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
-    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
-}
-
 // Where rays begin: the edges divided by the side.
 template <typename Real>
 void set_origins(RayBasis<Real>& frame, const Camera& camera, PictureSize size, int scale) {
     const double side = size.shorter_side();
     const glm::dvec3 right = times_two_to(camera.right, scale) / side;
     const glm::dvec3 up = times_two_to(camera.up, scale) / side;
-    const auto sum = [](const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
     // 1 % covers the rounding here.
-    const double reach = 1.01 * (sum(right) * size.width + sum(up) * size.height);
+    const double reach = 1.01 * (taxicab_length(right) * size.width + taxicab_length(up) * size.height);
     constexpr double most = sizeof(Real) == sizeof(float) ? 0x1p55 : 0x1p900;
     const bool fits = reach < most && std::min(largest_of(right), largest_of(up)) > 0x1p-900;
     frame.orthographic = true;

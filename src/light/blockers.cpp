@@ -12,8 +12,6 @@ namespace {
 constexpr double float_roundings = 24.0 * float_unit;
 constexpr double most_size = 0x1p40;  // squares, and their sums, are finite
 
-double size_of(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
-
 }  // namespace
 
 Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec3& eye, const LitPoints& points) {
@@ -21,7 +19,7 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec
     for (auto* field : {&all.x, &all.y, &all.z, &all.radius, &all.doubt}) field->reserve(drawn.size());
     all.numbers.reserve(drawn.size());
     const double factor = std::ldexp(1.0, -points.exponent);
-    const double middle = size_of(points.middle) * factor;
+    const double middle = taxicab_length(points.middle) * factor;
     const auto farthest = static_cast<double>(points.farthest);
     auto gap = drawn.gone.begin();
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -35,7 +33,7 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec
         const glm::dvec3 from_eye = sphere.center - eye;
         const glm::dvec3 c = (from_eye - points.middle) * factor;
         const double radius = sphere.radius * factor;
-        const double size = size_of(c) + radius;
+        const double size = taxicab_length(c) + radius;
         if (!(size < most_size && middle < most_size)) {
             all.far.push_back(number);
             continue;

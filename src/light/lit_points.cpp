@@ -13,7 +13,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::size_t points_at_once = 8192;
+constexpr std::size_t origins_at_once = 8192;
 
 // A point may be off by so much of the half side of all points' box, beyond that nothing useful is known of it.
 constexpr double most_error = 0x1p-16;
@@ -82,7 +82,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     std::vector<HitPlace> found(origins.size());
     Box box;
     std::mutex joining;
-    parallel_pieces(origins.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(origins.size(), origins_at_once, [&](std::size_t begin, std::size_t end) {
         Box part;
         for (std::size_t i = begin; i < end; ++i) {
             found[i] = place_of(origins[i]);
@@ -129,7 +129,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     const double factor = std::ldexp(1.0, -points.exponent);
     double error = 0.0;
     double farthest = 0.0;
-    parallel_pieces(known.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(known.size(), origins_at_once, [&](std::size_t begin, std::size_t end) {
         double part_error = 0.0;
         double part_farthest = 0.0;
         for (std::size_t k = begin; k < end; ++k) {

@@ -105,9 +105,9 @@ TEST(Oracle, pictures_that_are_known) {
     scene.spheres.push_back({{0, 0, -60}, 60});  // the same behind: its roots are 0 and -120
     scene.spheres.push_back({{0, 0, 10}, 100});  // the eye is inside; seen at 110
     EXPECT_EQ(picture(scene, {1, 1}), (std::vector<std::int32_t>{5}));
-    EXPECT_EQ(eye_side(scene.spheres[3], scene.camera.eye), 0);
-    EXPECT_EQ(eye_side(scene.spheres[5], scene.camera.eye), -1);
-    EXPECT_EQ(eye_side(scene.spheres[0], scene.camera.eye), 1);
+    EXPECT_EQ(oracle::eye_side(scene.spheres[3], scene.camera.eye), 0);
+    EXPECT_EQ(oracle::eye_side(scene.spheres[5], scene.camera.eye), -1);
+    EXPECT_EQ(oracle::eye_side(scene.spheres[0], scene.camera.eye), 1);
     // A wide picture shows more to the sides: pixel (4, 0) of 5 x 1 looks along (200, 0, 100).
     scene.spheres = {{{200, 0, 100}, 1}};
     EXPECT_EQ(picture(scene, {5, 1}), (std::vector<std::int32_t>{-1, -1, -1, -1, 0}));

@@ -13,9 +13,7 @@ namespace sphereview {
 namespace {
 
 // Sums and products of the operands below are exact in it.
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<2600, boost::multiprecision::digit_base_2>>;
-
-double random_unit(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+using Unrounded = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<2600, boost::multiprecision::digit_base_2>>;
 
 double random_double(Random& random, int largest_exponent) {
     const int exponent = static_cast<int>(random() % static_cast<unsigned>(2 * largest_exponent + 1)) - largest_exponent;
@@ -41,24 +39,24 @@ Approximate random_operand(Random& random, int largest_exponent, const Approxima
     return a;
 }
 
-Wide wide(const Approximate& a) { return Wide(a.high) + Wide(a.low); }
+Unrounded unrounded(const Approximate& a) { return Unrounded(a.high) + Unrounded(a.low); }
 
 // A value that `a` may stand for.
-Wide possible_value(const Approximate& a, Random& random) {
+Unrounded possible_value(const Approximate& a, Random& random) {
     const int end = static_cast<int>(random() % 3) - 1;
-    return wide(a) + Wide(a.error) * (random() % 2 == 0 ? Wide(end) : Wide(2.0 * random_unit(random) - 1.0));
+    return unrounded(a) + Unrounded(a.error) * (random() % 2 == 0 ? Unrounded(end) : Unrounded(2.0 * random_unit(random) - 1.0));
 }
 
 struct Widest {
     double part = 0.0;  // of the bound that was needed where the operands were exact
 };
 
-void expect_within(const Wide& value, const Approximate& a, bool exact_operands, Widest& widest, const char* what) {
-    const Wide off = abs(value - wide(a));
-    ASSERT_LE(off, Wide(a.error)) << what;
+void expect_within(const Unrounded& value, const Approximate& a, bool exact_operands, Widest& widest, const char* what) {
+    const Unrounded off = abs(value - unrounded(a));
+    ASSERT_LE(off, Unrounded(a.error)) << what;
     ASSERT_LE(std::fabs(a.low), 0x1p-53 * std::fabs(a.high)) << what;
     ASSERT_EQ(a.sign().value_or(value.sign()), value.sign()) << what;
-    if (exact_operands && a.error > 0.0) widest.part = std::max(widest.part, static_cast<double>(Wide(off / a.error)));
+    if (exact_operands && a.error > 0.0) widest.part = std::max(widest.part, static_cast<double>(Unrounded(off / a.error)));
 }
 
 TEST(Approximate, holds_the_exact_value) {
@@ -72,8 +70,8 @@ TEST(Approximate, holds_the_exact_value) {
         const int largest_exponent = i % 2 == 0 ? 3 : 400;
         const Approximate a = random_operand(random, largest_exponent, nullptr);
         const Approximate b = random_operand(random, largest_exponent, &a);
-        const Wide x = possible_value(a, random);
-        const Wide y = possible_value(b, random);
+        const Unrounded x = possible_value(a, random);
+        const Unrounded y = possible_value(b, random);
         const bool exact = a.error == 0.0 && b.error == 0.0;
         expect_within(x + y, a + b, exact, sums, "sum");
         expect_within(x - y, a - b, exact, sums, "difference");

@@ -15,8 +15,6 @@ namespace sphereview {
 
 namespace {
 
-double random_unit(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
-
 // `value`, off by up to some units in its last place.
 double nearly(double value, int units, Random& random) {
     return value * (1.0 + 0x1p-52 * std::floor((2.0 * random_unit(random) - 1.0) * units));

@@ -11,6 +11,9 @@ namespace sphereview {
 
 using Random = std::mt19937_64;
 
+// From 0 up to but not 1.
+inline double random_unit(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
 // Each is a place where the filter might claim too much.
 enum class Awkwardness { nothing, silhouette, beside_eye, inside, near_surface, through_center, on_surface, count };
 

@@ -14,21 +14,21 @@ namespace sphereview {
 
 namespace {
 
-using Numbers = std::vector<std::int32_t>;
+using Indices = std::vector<std::int32_t>;
 
 // What the renderer writes for a block.
-Numbers traced(const Scene& scene, PictureSize size, const Block& block) {
+Indices traced(const Scene& scene, PictureSize size, const Block& block) {
     const DrawnSpheres drawn = drawn_spheres(scene);
-    Numbers visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height), -7);
+    Indices visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height), -7);
     const CandidateLists lists = build_lists(drawn, scene.camera, size, cpu_tile_costs);
     CpuRenderer(drawn, lists, scene.camera, size).trace(block, visible);
     return visible;
 }
 
 // The numbers in the scene of what the whole picture shows, doubtful pixels decided.
-Numbers seen(const Scene& scene, PictureSize size) {
+Indices seen(const Scene& scene, PictureSize size) {
     const Block whole{0, 0, size.width, size.height};
-    Numbers visible = traced(scene, size, whole);
+    Indices visible = traced(scene, size, whole);
     const DrawnSpheres drawn = drawn_spheres(scene);
     Resolver(scene, drawn, size).certify(whole, visible);
     return visible;
@@ -53,35 +53,35 @@ Scene of(std::vector<Sphere> spheres) {
 }  // namespace
 
 TEST(CpuRenderer, SeesTheNearestHitAheadOfTheEye) {
-    EXPECT_EQ(seen({}, {2, 1}), (Numbers{-1, -1}));
-    EXPECT_EQ(seen(of({{{0, 0, 200}, 5, {}, true}}), {1, 1}), (Numbers{-1}));
-    EXPECT_EQ(seen(of({{{0, 0, 200}, 5}, {{0, 0, 150}, 5}}), {1, 1}), (Numbers{1}));
-    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 5}}), {1, 1}), (Numbers{0}));
+    EXPECT_EQ(seen({}, {2, 1}), (Indices{-1, -1}));
+    EXPECT_EQ(seen(of({{{0, 0, 200}, 5, {}, true}}), {1, 1}), (Indices{-1}));
+    EXPECT_EQ(seen(of({{{0, 0, 200}, 5}, {{0, 0, 150}, 5}}), {1, 1}), (Indices{1}));
+    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 5}}), {1, 1}), (Indices{0}));
     // A hit counts, not a centre.
-    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 90}}), {1, 1}), (Numbers{1}));
+    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 90}}), {1, 1}), (Indices{1}));
     // The first of equal spheres.
-    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 150}, 5}}), {3, 1}), (Numbers{-1, 0, -1}));
+    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 150}, 5}}), {3, 1}), (Indices{-1, 0, -1}));
     // What lies behind the eye, and the inside of a sphere around the eye.
-    EXPECT_EQ(seen(of({{{0, 0, -50}, 49}}), {1, 1}), (Numbers{-1}));
-    EXPECT_EQ(seen(of({{{0, 0, -50}, 51}}), {3, 3}), Numbers(9, 0));
-    EXPECT_EQ(seen(of({{{0, 0, 0}, 500}, {{0, 0, 150}, 5}}), {1, 1}), (Numbers{1}));
+    EXPECT_EQ(seen(of({{{0, 0, -50}, 49}}), {1, 1}), (Indices{-1}));
+    EXPECT_EQ(seen(of({{{0, 0, -50}, 51}}), {3, 3}), Indices(9, 0));
+    EXPECT_EQ(seen(of({{{0, 0, 0}, 500}, {{0, 0, 150}, 5}}), {1, 1}), (Indices{1}));
     // A ray that touches.
-    EXPECT_EQ(seen(of({{{8, 0, 200}, 8}}), {1, 1}), (Numbers{0}));
-    EXPECT_EQ(seen(of({{{8.0625, 0, 200}, 8}}), {1, 1}), (Numbers{-1}));
+    EXPECT_EQ(seen(of({{{8, 0, 200}, 8}}), {1, 1}), (Indices{0}));
+    EXPECT_EQ(seen(of({{{8.0625, 0, 200}, 8}}), {1, 1}), (Indices{-1}));
 }
 
 TEST(CpuRenderer, SeesABallBetweenHiddenOnesUnderItsDrawnIndex) {
     const Scene scene = of({{{0, 0, 110}, 9, {}, true}, {{0, 0, 200}, 9}, {{0, 0, 120}, 9, {}, true}, {{0, 0, 180}, 9}});
-    EXPECT_EQ(traced(scene, {1, 1}, {0, 0, 1, 1}), (Numbers{1}));
-    EXPECT_EQ(seen(scene, {1, 1}), (Numbers{3}));
+    EXPECT_EQ(traced(scene, {1, 1}, {0, 0, 1, 1}), (Indices{1}));
+    EXPECT_EQ(seen(scene, {1, 1}), (Indices{3}));
 }
 
 TEST(CpuRenderer, TracesABlockAsItTracesThePicture) {
     const PictureSize size{301, 23};
     const Scene scene = scattered(3);
-    const Numbers whole = traced(scene, size, {0, 0, size.width, size.height});
+    const Indices whole = traced(scene, size, {0, 0, size.width, size.height});
     for (const Block block : {Block{0, 0, 1, 1}, {300, 22, 1, 1}, {5, 3, 129, 7}, {127, 0, 128, 23}, {40, 22, 261, 1}}) {
-        const Numbers part = traced(scene, size, block);
+        const Indices part = traced(scene, size, block);
         for (int y = 0; y < block.height; ++y) {
             for (int x = 0; x < block.width; ++x) {
                 ASSERT_EQ(part[static_cast<std::size_t>(y * block.width + x)],

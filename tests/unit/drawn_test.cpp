@@ -25,14 +25,14 @@ std::vector<std::int32_t> numbers(const Scene& scene) {
     return numbers;
 }
 
-using Numbers = std::vector<std::int32_t>;
+using Indices = std::vector<std::int32_t>;
 
 }  // namespace
 
 TEST(DrawnSpheres, KeepTheirNumbersInTheScene) {
-    EXPECT_EQ(numbers(five_spheres({})), (Numbers{0, 1, 2, 3, 4}));
-    EXPECT_EQ(numbers(five_spheres({0, 3})), (Numbers{1, 2, 4}));
-    EXPECT_EQ(numbers(five_spheres({0, 1, 2, 3, 4})), Numbers{});
+    EXPECT_EQ(numbers(five_spheres({})), (Indices{0, 1, 2, 3, 4}));
+    EXPECT_EQ(numbers(five_spheres({0, 3})), (Indices{1, 2, 4}));
+    EXPECT_EQ(numbers(five_spheres({0, 1, 2, 3, 4})), Indices{});
     EXPECT_EQ(drawn_spheres(five_spheres({0, 3})).center_radius[1].w, 3.0F);
 }
 
@@ -44,7 +44,7 @@ TEST(DrawnSpheres, LeaveOutEachThatEqualsAnEarlierOne) {
     scene.spheres[4].radius = 1.0;       // as the first,
     scene.spheres[4].center.y = -0.0;    // -0 is 0
     scene.spheres[4].color = {1, 2, 3};  // and colours do not count
-    EXPECT_EQ(numbers(scene), (Numbers{0, 2, 3}));
+    EXPECT_EQ(numbers(scene), (Indices{0, 2, 3}));
 }
 
 TEST(DrawnSpheres, AreRelativeToTheEyeBeforeTheyAreRounded) {

@@ -11,9 +11,6 @@ namespace {
 
 using Random = std::mt19937_64;
 
-std::size_t below(Random& random, std::size_t count) { return static_cast<std::size_t>(random() % count); }
-bool one_in(Random& random, std::size_t count) { return below(random, count) == 0; }
-
 std::uint32_t random_number(Random& random, std::size_t count) {
     switch (below(random, 4)) {
         case 0: return 0;

@@ -9,10 +9,7 @@ namespace sphereview {
 
 namespace {
 
-using Random = std::mt19937_64;  // without std's distributions, which differ between standard libraries
-
-std::size_t below(Random& random, std::size_t count) { return static_cast<std::size_t>(random() % count); }
-bool one_in(Random& random, std::size_t count) { return below(random, count) == 0; }
+using Random = std::mt19937_64;
 
 double any_double(Random& random) {
     using Limits = std::numeric_limits<double>;

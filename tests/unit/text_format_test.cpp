@@ -17,8 +17,8 @@ Sphere sphere(Color color, glm::dvec3 center, double radius) { return {center, r
 
 const std::vector<Sphere> two = {sphere({255, 0, 7}, {1.5, -2.0, 300.0}, 4.0), sphere({1, 2, 3}, {0.0, 0.25, 6.0}, 0.5)};
 
-void expect_messages(const std::vector<WrongText>& cases) {
-    sphereview::expect_messages(
+void expect_text_messages(const std::vector<WrongText>& cases) {
+    expect_messages(
         "s.txt",
         [](const std::string& text) {
             parse_text_spheres({"s.txt", text});
@@ -76,7 +76,7 @@ TEST(TextFormat, IsWrittenAsItIsDescribed) {
 }
 
 TEST(TextFormatErrors, SaysWhereTheTextEndsTooEarlyOrGoesOnTooLong) {
-    expect_messages({
+    expect_text_messages({
         {"", "1:1: the text is empty, expected the number of spheres"},
         {"\xEF\xBB\xBF", "1:1: the text is empty, expected the number of spheres"},
         {" \r\n\t\n", "3:1: the text is empty, expected the number of spheres"},
@@ -92,7 +92,7 @@ TEST(TextFormatErrors, SaysWhereTheTextEndsTooEarlyOrGoesOnTooLong) {
 }
 
 TEST(TextFormatErrors, SaysWhichCountColourRadiusOrNumberCannotBe) {
-    expect_messages({
+    expect_text_messages({
         {"-1", "1:1: found '-1', expected the number of spheres from 0 to 2000000000"},
         {" 2000000001 1", "1:2: found '2000000001', expected the number of spheres from 0 to 2000000000"},
         {"99999999999999999999", "1:1: found '99999999999999999999', expected the number of spheres from 0 to 2000000000"},
@@ -121,7 +121,7 @@ TEST(TextFormatErrors, SaysWhichCountColourRadiusOrNumberCannotBe) {
 }
 
 TEST(TextFormatErrors, ShowsWordsAndBinaryBytesHarmlessly) {
-    expect_messages({
+    expect_text_messages({
         {"hello world", "1:1: found 'hello', expected the number of spheres, a whole number"},
         {"\xEF\xBB\xBFhello", "1:1: found 'hello', expected the number of spheres, a whole number"},
         {std::string("\x89PNG\r\n\x1a\n\0", 9), "1:1: found '\\x89PNG', expected the number of spheres, a whole number"},

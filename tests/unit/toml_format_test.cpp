@@ -16,8 +16,8 @@ std::string message(const std::string& text) {
     return message_of<InputError>([&] { read_toml(text, "s.toml", {}); });
 }
 
-void expect_messages(const std::vector<WrongText>& cases) {
-    sphereview::expect_messages(
+void expect_toml_messages(const std::vector<WrongText>& cases) {
+    expect_messages(
         "s.toml", [](const std::string& text) { read_toml(text, "s.toml", {}); }, cases);
 }
 
@@ -131,7 +131,7 @@ TEST(TomlFormat, HoldsManySpheresAsTextWithWhatIsSaidOfSingleOnes) {
 }
 
 TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
-    expect_messages({
+    expect_toml_messages({
         {"backgroud = 'white'",
          "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, sphere, spheres, "
          "hidden, names; did you mean 'background'?"},
@@ -149,7 +149,7 @@ TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
 }
 
 TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
-    expect_messages({
+    expect_toml_messages({
         {"light = 1", "1:9: found 1, expected the table [light]"},
         {"[light]\nlights = 15", "2:10: found 15, expected 'lights' as a whole number from 16 to 1024"},
         {"[light]\nlights = 1025", "2:10: found 1025, expected 'lights' as a whole number from 16 to 1024"},
@@ -159,8 +159,7 @@ TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
         {"[light]\nkey = 1.5", "2:7: found 1.5, expected 'key' as a number from 0 to 1"},
         {"[light]\nsun = [0, 0, -0.0]", "2:7: found a sun in no direction, expected 'sun' other than [0, 0, 0]"},
         {"[light]\nsun = [0, 1]", "2:7: found 2 values, expected 'sun' as three finite numbers [x, y, z]"},
-        {"[light]\nsun = [0, 1, 0]\nsun_strength = 0",
-         "3:16: found 0, expected 'sun_strength' as a number from 0.001 to 4"},
+        {"[light]\nsun = [0, 1, 0]\nsun_strength = 0", "3:16: found 0, expected 'sun_strength' as a number from 0.001 to 4"},
         {"[light]\nsun_strength = 1", "2:16: found 'sun_strength' without 'sun', expected 'sun = [x, y, z]' as well"},
     });
 }
@@ -178,7 +177,7 @@ TEST(TomlFormat, KeepsTheLight) {
 
 TEST(TomlErrors, NameWhatIsMissingOrThereTwice) {
     const std::string empty = "1:1: the file is empty, expected a scene in TOML";
-    expect_messages({
+    expect_toml_messages({
         {"", empty},
         {" \r\n", empty},
         {"\xEF\xBB\xBF\n", empty},
@@ -192,7 +191,7 @@ TEST(TomlErrors, NameWhatIsMissingOrThereTwice) {
 TEST(TomlErrors, SayWhichTypeWasExpected) {
     const std::string color = "'color' as three whole numbers [R, G, B] from 0 to 255";
     const std::string center = "'center' as three finite numbers [x, y, z]";
-    expect_messages({
+    expect_toml_messages({
         {sphere_with("color", "color = 'red'"), "2:9: found 'red', expected " + color},
         {sphere_with("color", "color = [1, 2]"), "2:9: found 2 values, expected " + color},
         {sphere_with("color", "color = [1, 256, 3]"), "2:13: found 256, expected " + color},
@@ -243,7 +242,7 @@ TEST(TomlErrors, SayWhyACameraCannotBeUsed) {
 
 TEST(TomlErrors, StandWhereTheyAreInsideTheSpheresText) {
     const std::string red = "found 'x', expected the red of sphere 1 of 1, a whole number";
-    expect_messages({
+    expect_toml_messages({
         {"# one\nspheres = \"\"\"\n1\n  x 2 3\n\"\"\"", "4:3: " + red},
         {"# one\r\nspheres = \"\"\"\r\n1\r\n  x 2 3\r\n\"\"\"", "4:3: " + red},
         {"spheres = '''1\n x'''", "2:2: " + red},
@@ -262,7 +261,7 @@ TEST(TomlErrors, StandWhereTheyAreInsideTheSpheresText) {
 TEST(TomlErrors, SayWhatIsWrongWithWhatIsSaidOfSingleSpheres) {
     const std::string two = "spheres = '2 1 2 3 4 5 6 7 1 2 3 4 5 6 7'\n";
     const std::string number = ", expected the number of one of 2 spheres, from 0";
-    expect_messages({
+    expect_toml_messages({
         {two + "[names]\n2 = 'x'", "3:1: found '2'" + number},
         {two + "[names]\n01 = 'x'", "3:1: found '01'" + number},
         {two + "[names]\nsun = 'x'", "3:1: found 'sun'" + number},
