@@ -23,14 +23,18 @@ struct PixelLight {
     LightVector sum;
     std::optional<Sun> sun;
     LightExplanation of_sun;
+    std::optional<SkyExplanation> of_sky;  // unless there is none
 };
 
 PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std::int32_t visible) {
     const Light light = with_options(scene.light, options.light);
     const DrawnSpheres drawn = drawn_spheres(scene);
     const Lighting lighting(scene, drawn, scene.camera, options.size, 1, light);
-    PixelLight found{lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), light.sun, {}};
-    if (light.sun) found.of_sun = explain_light(scene, drawn, options.size, options.pixel, visible, light.sun->direction);
+    PixelLight found{lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), light.sun, {}, {}};
+    const LitPixel pixel{scene, drawn, scene.camera, options.size, options.pixel, visible};
+    if (light.sun) found.of_sun = explain_light(pixel, light.sun->direction);
+    const std::span sky = std::span(lighting.lights(0)).subspan(light.sun ? 1 : 0);
+    if (!sky.empty()) found.of_sky = explain_sky(pixel, sky);
     return found;
 }
 
@@ -90,6 +94,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
             text += "light: B = (" + std::to_string(light->sum.x) + ", " + std::to_string(light->sum.y) + ", " +
                     std::to_string(light->sum.z) + ") / 2^28, the sum of the lights that shine\n";
         }
+        if (light && light->of_sky) text += "sky: " + in_words(*light->of_sky) + "\n";
         if (light && light->sun) {
             text += "sun: L = " + vector_in_words(light->sun->direction) + " " + in_words(light->of_sun) + "\n";
         }
@@ -150,6 +155,15 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
                  {"decided_in", level}};
     if (!light) return json;
     json.set("light", {light->sum.x, light->sum.y, light->sum.z});
+    if (light->of_sky) {
+        Json blockers = Json::array();
+        for (const auto& [sphere, lights] : light->of_sky->blockers) blockers.push_back({{"sphere", sphere}, {"lights", lights}});
+        json.set("sky", {{"lights", light->of_sky->lights},
+                         {"shine", light->of_sky->shining},
+                         {"behind", light->of_sky->behind},
+                         {"in_shadow", light->of_sky->blocked},
+                         {"blockers", blockers}});
+    }
     if (!light->sun) return json;
     const LightExplanation& sun = light->of_sun;
     json.set("sun", {{"direction", vector(light->sun->direction)},

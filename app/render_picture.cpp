@@ -66,10 +66,12 @@ private:
         std::vector<LightVector> light;
         {
             const PhaseTimer timer(timings_, Phase::light);
-            const LightPreviews previews{.show = [&](std::span<const LightVector> some) {
-                color(block, visible, some);
-                drafts_->show(picture_.copy());
-            }};
+            const LightPreviews previews{.show =
+                                             [&](std::span<const LightVector> some) {
+                                                 color(block, visible, some);
+                                                 drafts_->show(picture_.copy());
+                                             },
+                                         .fewest = fewest_lights};
             light = lighting_->light(
                 block, visible, [&](double done) { report(block, part_of_visibility + (1.0 - part_of_visibility) * done); },
                 is_shown(block) ? &previews : nullptr);

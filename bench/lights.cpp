@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,18 +19,44 @@ using namespace sphereview;
 constexpr PictureSize size{1000, 1000};
 constexpr Block whole_picture{0, 0, size.width, size.height};
 
+// Spheres that each cover the whole plane of any light: no tile is without them.
+Scene huge_spheres(std::size_t count) {
+    Scene scene = random_scene(SceneSet::volume, 1000);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double turn = static_cast<double>(i) / static_cast<double>(count);
+        scene.spheres.push_back({{900.0 * turn, 4000.0 - 500.0 * turn, 4000.0 + 700.0 * turn}, 3000.0 + turn, {}, false});
+    }
+    return scene;
+}
+
+// Spheres nearly in one place, which hide and shadow each other.
+Scene equal_spheres(std::size_t count) {
+    Scene scene;
+    for (std::size_t i = 0; i < count; ++i) {
+        scene.spheres.push_back({{1e-9 * static_cast<double>(i % 97), 1e-9 * static_cast<double>(i % 89), 300.0}, 60.0, {}, false});
+    }
+    return scene;
+}
+
+std::optional<Scene> scene_named(const std::string& name, std::size_t count) {
+    if (name == "huge") return huge_spheres(count);
+    if (name == "equal") return equal_spheres(count);
+    const auto set = scene_set_named(name);
+    return set ? std::optional(random_scene(*set, count)) : std::nullopt;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-    const auto set = argc == 5 ? scene_set_named(argv[1]) : std::nullopt;
-    if (!set) {
-        std::fprintf(stderr, "usage: lights volume|half COUNT LIGHTS RUNS: one JSON line on standard output\n");
+    const std::size_t count = argc == 5 ? std::strtoul(argv[2], nullptr, 10) : 0;
+    const std::optional<Scene> made = argc == 5 ? scene_named(argv[1], count) : std::nullopt;
+    if (!made) {
+        std::fprintf(stderr, "usage: lights volume|half|huge|equal COUNT LIGHTS RUNS: one JSON line on standard output\n");
         return 2;
     }
-    const std::size_t count = std::strtoul(argv[2], nullptr, 10);
+    const Scene& scene = *made;
     const int lights = std::clamp(std::atoi(argv[3]), fewest_lights, most_lights);
     const int runs = std::max(1, std::atoi(argv[4]));
-    const Scene scene = random_scene(*set, count);
     const DrawnSpheres drawn = drawn_spheres(scene);
     std::vector<std::int32_t> visible(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height));
     const CandidateLists lists = build_lists(drawn, scene.camera, size, cpu_tile_costs);
@@ -38,9 +65,9 @@ int main(int argc, char** argv) {
 
     std::printf("{\"set\": \"%s\", \"count\": %zu, \"lights\": %d, ", argv[1], count, lights);
     print("light", median_cost(runs, [&] {
-        const Lighting lighting(scene, drawn, scene.camera, size, 1, {.lights = lights, .sky = 1.0, .sun = {}});
-        lighting.light(whole_picture, visible);
-    }));
+              const Lighting lighting(scene, drawn, scene.camera, size, 1, {.lights = lights, .sky = 1.0, .sun = {}});
+              lighting.light(whole_picture, visible);
+          }));
     std::printf("\"unit\": \"ms\"}\n");
     return 0;
 }

@@ -235,8 +235,36 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
+def lights(bench: Bench) -> tuple[list[Row], dict]:
+    """The light of pictures of 1000 x 1000 pixels, a light at a time; see lights.cpp. Also of spheres that cover everything, and of
+    spheres nearly in one place. The memory is that of a whole run beside the same run without light."""
+    rows, data = [], {}
+    many = 64
+    limits = {("volume", 1000): 6, ("half", 1000): 6, ("volume", 100_000): 22, ("half", 100_000): 22, ("volume", MILLION): 60,
+              ("half", MILLION): 60, ("huge", 1000): 60, ("equal", 100_000): 60}
+    for (scene_set, count), limit in limits.items():
+        case = Case(f"lights-{scene_set}-{count}", [bench.program("lights"), scene_set, str(count), str(many), str(min(bench.runs, 5))])
+        result = data[case.name] = json.loads(bench.run(case)["stdout"])
+        wall = result["light"]["wall_ms"]
+        rows.append(Row(f"{scene_set}, {count:,} spheres, {many} lights", f"{wall:.0f} ms"))
+        rows.append(at_most("  a light", wall / many, limit, " ms"))
+    for count in [1000, MILLION]:
+        scene = bench.scene("volume", count)
+        flat, lit = (bench.render(f"{scene.stem}-{name}", scene, "--backend", "cpu", *options)
+                     for name, options in [("flat", []), ("lit", ["--shade", "studio", "--lights", str(many)])])
+        taken = bench.interleaved([flat, lit], 5)
+        data |= taken
+        seconds = median(taken[lit.name], "wall_s")
+        rows.append(Row(f"volume, {count:,} spheres, {many} lights, a whole run", f"{seconds:.2f} s"))
+        if count == 1000:
+            rows.append(at_most("  all of it", seconds, 0.5, " s"))
+        more = median(taken[lit.name], "peak_bytes") - median(taken[flat.name], "peak_bytes")
+        rows.append(at_most("  memory beside the flat picture's", more / 1e6, 60, " MB"))
+    return rows, data
+
+
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "stress": stress, "frames": frames, "live": live,
-            "samples": samples, "window": window, "large": large, "micro": micro}
+            "samples": samples, "lights": lights, "window": window, "large": large, "micro": micro}
 
 
 def numbers(text: str) -> list[int]:

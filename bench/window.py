@@ -13,7 +13,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
-from harness import Bench, CannotRun, Row, at_most
+from harness import MILLION, Bench, CannotRun, Row, at_most
 
 WINDOW = (1366, 1098)  # leaves the picture about 1000 x 1000
 PATIENCE_S = 60.0
@@ -82,7 +82,9 @@ class Viewer:
 
 
 @contextmanager
-def viewer(bench: Bench, scene: Path):
+def viewer(bench: Bench, scene: Path, *options: str):
+    """With flat colours and one sample a pixel, unless the options say otherwise."""
+    options = options or ("--shade", "flat", "--samples", "1")
     with tempfile.TemporaryDirectory() as home:
         xvfb = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", f"{WINDOW[0]}x{WINDOW[1]}x24"], stdout=subprocess.PIPE,
                                 stderr=subprocess.DEVNULL, text=True)
@@ -92,7 +94,7 @@ def viewer(bench: Bench, scene: Path):
             log = Path(home) / "frames.log"
             environment = {**os.environ, "DISPLAY": display, "HOME": home, "XDG_CONFIG_HOME": home, "XDG_STATE_HOME": home,
                            "LIBGL_ALWAYS_SOFTWARE": "1"}
-            process = subprocess.Popen([bench.program("sphereview"), str(scene), "--redraw-log", str(log)], env=environment,
+            process = subprocess.Popen([bench.program("sphereview"), str(scene), "--redraw-log", str(log), *options], env=environment,
                                        stderr=subprocess.PIPE, text=True)
             yield Viewer(process, log, Mouse(display))
         finally:
@@ -133,6 +135,23 @@ def drag(shown: Viewer, runs: int) -> dict:
             "step": statistics.median(steps)}
 
 
+def first_light(bench: Bench, scene: Path, runs: int) -> dict:
+    """From when the window rests to the first picture with shadows, and from a movement to the picture that shows it instead."""
+    firsts, answers = [], []
+    with viewer(bench, scene, "--shade", "studio", "--samples", "1") as shown:
+        left, top, width, height = shown.rest()["picture"]
+        for number in range(runs):
+            shown.mouse.move(left + width / 2, top + height / 2)
+            shown.mouse.button(True)
+            begin = time.perf_counter()
+            shown.mouse.move(left + width / 2 + (20 if number % 2 == 0 else -20), top + height / 2)
+            shown.wait("a movement", lambda frame: frame["draft"] is None and not frame["exact"])
+            answers.append((time.perf_counter() - begin) * 1e3)
+            shown.mouse.button(False)
+            firsts.append(shown.wait("light", lambda frame: frame["draft"] is not None)["draft"] * 1e3)
+    return {"first_light_ms": statistics.median(firsts), "answer_ms": statistics.median(answers), "worst_answer_ms": max(answers)}
+
+
 def opening(bench: Bench, scene: Path, count: int) -> dict:
     """From the start of the program to its first frame, and to the first picture of the whole scene."""
     with viewer(bench, scene) as shown:
@@ -151,6 +170,11 @@ def window(bench: Bench) -> tuple[list[Row], dict]:
     if shutil.which("Xvfb") is None:
         return [Row("window", "needs Xvfb")], {}
     rows, data = [], {}
+    for count, limit in [(1000, 100), (MILLION, 300)]:
+        result = data[f"light-{count}"] = first_light(bench, bench.scene("volume", count), max(10, bench.runs))
+        rows.append(Row(f"window, studio, {count:,} spheres", f"a movement is shown instead of growing light in {result['answer_ms']:.0f} "
+                        f"ms (worst {result['worst_answer_ms']:.0f})"))
+        rows.append(at_most("  the first light, from rest", result["first_light_ms"], limit, " ms"))
     for count in [4, 1000]:
         with viewer(bench, bench.scene("volume", count)) as shown:
             size = shown.rest()["picture_size"]

@@ -66,6 +66,14 @@ void draw_hit(const PanelContext& context, const ExplainedHit& hit, bool seen) {
     if (hit.as_near_as_last) colored_line("exactly as near as the sphere before it, which comes first in the file", zero);
 }
 
+// The ray from the point to the sun.
+void draw_sun(const PanelContext& context, const InspectedPixel& pixel) {
+    if (pixel.sun.empty() || !pixel.place.sun) return;
+    wrapped_text("sun: L = " + vector_in_words(pixel.place.sun->direction));
+    note_widget(context, "sun ray");
+    colored_line("The sun " + pixel.sun + ".", pixel.sun_shines ? above_zero : below_zero);
+}
+
 void draw_rest(const PixelExplanation& e) {
     if (e.missed > 0) colored_line(in_groups(static_cast<std::uint64_t>(e.missed)) + " missed: discriminant < 0", below_zero);
     if (e.elsewhere > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.elsewhere)) + " elsewhere or behind the eye: not hit");
@@ -82,7 +90,7 @@ void draw_inspector(const PanelContext& context, const std::optional<InspectedPi
     }
     const Scene& scene = context.document.scene();
     const PixelExplanation& e = pixel->explanation;
-    const auto& [place, size, camera, revision] = pixel->place;
+    const auto& [place, size, camera, revision, sun] = pixel->place;
     wrapped_text("pixel " + std::to_string(place.x) + ", " + std::to_string(place.y) + " of " + std::to_string(size.width) + " x " +
                  std::to_string(size.height));
     draw_ray(e);
@@ -94,6 +102,7 @@ void draw_inspector(const PanelContext& context, const std::optional<InspectedPi
         if (static_cast<std::size_t>(hit.number) >= scene.spheres.size()) continue;
         if (shown == most_hits_shown) break;
         draw_hit(context, hit, shown == 0);
+        if (shown == 0) draw_sun(context, *pixel);
         ++shown;
     }
     const std::uint64_t all_hits = e.hits.size() + static_cast<std::uint64_t>(e.farther);

@@ -14,7 +14,7 @@
 #include "base/text.hpp"
 #include "base/user_folders.hpp"
 #include "image/png.hpp"
-#include "light/light_set.hpp"
+#include "viewer/lit_draft.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -45,22 +45,13 @@ Image render_beside(const Scene& scene, const PictureOptions& options, WorkContr
     return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts);
 }
 
-// Coarse, then fine: where light takes time, the picture grows under the eyes of whoever waits for it.
-Image render_growing(const Scene& scene, const PictureOptions& options, WorkControl& control, Preview& preview) {
+// Coarse, then fine: where light takes time, the picture grows under the eyes of whoever waits for it. `seen` is what the window
+// shows.
+Image render_growing(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen, WorkControl& control,
+                     Preview& preview) {
     if (options.shading != Shading::studio) return render_beside(scene, options, control);
-    // What is lit at once grows light by light. A larger picture is lit part by part, over one with few lights.
-    constexpr std::int64_t lit_at_once = 1 << 20;
     Drafts drafts{.under = {}, .show = [&](Image image) { preview.set(std::move(image)); }};
-    PictureOptions coarse = options;
-    coarse.samples = 1;
-    if (std::int64_t{options.size.width} * options.size.height > lit_at_once) {
-        coarse.light.lights = fewest_lights;
-        drafts.under = render_beside(scene, coarse, control, &drafts);
-    }
-    if (options.samples > 1) {
-        coarse.light.lights = sky_lights(options.light, scene.spheres.size(), options.samples);
-        drafts.under = render_beside(scene, coarse, control, &drafts);
-    }
+    if (!seen.empty()) drafts.under = lit_draft(scene, options, seen, drafts.show);
     return render_beside(scene, options, control, &drafts);
 }
 
@@ -163,7 +154,7 @@ bool rest_picture_is_shown(ViewerState& state) {
     return state.rest_picture && picture.is_made();
 }
 
-void make_rest_picture(ViewerState& state) {
+void make_rest_picture(ViewerState& state, const std::function<std::vector<std::int32_t>()>& seen) {
     // Shaders of a folder are there to be looked at; and one picture at a time is made.
     if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
     const PictureOptions options = picture_options(state, state.picture_size);
@@ -175,8 +166,9 @@ void make_rest_picture(ViewerState& state) {
     }
     auto image = std::make_shared<Image>();
     auto preview = std::make_shared<Preview>();
-    BackgroundJob job([image, preview, options, scene](WorkControl& control) {
-        *image = render_growing(*scene, options, control, *preview);
+    auto numbers = options.shading == Shading::studio ? seen() : std::vector<std::int32_t>{};
+    BackgroundJob job([image, preview, options, numbers = std::move(numbers), scene](WorkControl& control) {
+        *image = render_growing(*scene, options, numbers, control, *preview);
     });
     state.rest_picture.emplace(
         RestPicture{state.document.revision(), options, std::move(image), std::move(preview), std::move(job)});

@@ -5,9 +5,11 @@
 
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "app/render_picture.hpp"
 #include "base/background_job.hpp"
@@ -60,8 +62,9 @@ struct RestPicture {
 // left is finished: then the window shows that.
 bool rest_picture_is_shown(ViewerState& state);
 
-// Begins to make it, if it is not there, nor any other picture being made. To be called when the window rests.
-void make_rest_picture(ViewerState& state);
+// Begins to make it, if it is not there, nor any other picture being made. To be called when the window rests. `seen` returns what
+// the window's pixels show, as LivePicture::seen_numbers() does.
+void make_rest_picture(ViewerState& state, const std::function<std::vector<std::int32_t>()>& seen);
 
 // F12: writes a PNG to the next free name beside the scene, or in the Pictures folder. Does nothing while another export is on its
 // way.

@@ -313,7 +313,7 @@ void Viewer::redraw() {
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
-    if (pacing_.rests() && input_.empty()) make_rest_picture(state_);
+    if (pacing_.rests() && input_.empty()) make_rest_picture(state_, [&] { return picture_.seen_numbers(); });
     rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
     if (log_.wanted()) {
         const bool resting =
@@ -351,9 +351,17 @@ void Viewer::note_facts() {
         facts_.inspected.reset();
         return;
     }
-    const InspectedPlace place{*pixel, state_.picture_size, state_.camera, state_.document.revision()};
+    const std::optional<Sun> sun = state_.settings.shading == Shading::studio ? state_.shown_light().sun : std::nullopt;
+    const InspectedPlace place{*pixel, state_.picture_size, state_.camera, state_.document.revision(), sun};
     if (facts_.inspected && facts_.inspected->place == place) return;
-    facts_.inspected = InspectedPixel{place, picture_.explain(state_.document, *pixel)};
+    InspectedPixel inspected{place, picture_.explain(state_.document, *pixel)};
+    if (sun && inspected.explanation.visible() >= 0) {
+        const LightExplanation light =
+            picture_.explain_light(state_.document, *pixel, inspected.explanation.visible(), sun->direction);
+        inspected.sun_shines = light.shines();
+        inspected.sun = in_words(light);
+    }
+    facts_.inspected = std::move(inspected);
     ++explanations_;
 }
 

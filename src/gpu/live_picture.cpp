@@ -316,10 +316,31 @@ std::optional<std::int32_t> LivePicture::traced_number(Pixel pixel) const {
     return visible[0] < 0 ? visible[0] : scene_.drawn().number(static_cast<std::size_t>(visible[0]));
 }
 
+std::vector<std::int32_t> LivePicture::seen_numbers() const {
+    if (!traced_ || step_ != 1) return {};
+    const KeptFramebuffers kept;
+    std::vector<std::int32_t> seen(static_cast<std::size_t>(view_.size.width) * static_cast<std::size_t>(view_.size.height));
+    visible_.read({0, 0, view_.size.width, view_.size.height}, seen);
+    const auto number = [&](std::int32_t index) {
+        return index < 0 ? index : scene_.drawn().number(static_cast<std::size_t>(index));
+    };
+    for (std::int32_t& one : seen) one = is_doubtful(one) ? doubtful(number(doubtful(one))) : number(one);
+    return seen;
+}
+
 // Whether the drawn spheres and the lists are the document's.
 bool LivePicture::is_of(const Document& document) const {
     const ChangesSince changes = document.changes_since(revision_);
     return revision_ != 0 && !changes.order && !changes.geometry;
+}
+
+LightExplanation LivePicture::explain_light(const Document& document, Pixel pixel, std::int32_t visible,
+                                            const glm::dvec3& direction) const {
+    const Scene& scene = document.scene();
+    const auto of = [&](const DrawnSpheres& drawn) {
+        return sphereview::explain_light({scene, drawn, view_.camera, view_.size, pixel, visible}, direction);
+    };
+    return is_of(document) ? of(scene_.drawn()) : of(drawn_spheres(scene, view_.camera));
 }
 
 PixelExplanation LivePicture::explain(const Document& document, Pixel pixel) const {

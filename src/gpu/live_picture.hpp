@@ -17,6 +17,7 @@
 #include "gpu/scene_tables.hpp"
 #include "gpu/shown_colors.hpp"
 #include "image/image.hpp"
+#include "light/explain_light.hpp"
 #include "shade/picture_shader.hpp"
 #include "shade/shading.hpp"
 #include "tiles/live_lists.hpp"
@@ -75,9 +76,16 @@ public:
     // Of the document as it is now, seen as in the last update().
     std::int32_t pick(const Document& document, Pixel pixel);
 
+    // What every pixel of a fine picture shows, row by row: numbers of the document's spheres, or visible_background; guesses are
+    // marked. Nothing while the picture is coarse.
+    std::vector<std::int32_t> seen_numbers() const;
+
     // The arithmetic of a pixel in the picture, of the document as it is now, seen as in the last update(). Of a fine picture it
     // tries only the spheres in the pixel's lists.
     PixelExplanation explain(const Document& document, Pixel pixel) const;
+
+    // Whether a light shines on a pixel in the picture, which shows that sphere; of the same document and view.
+    LightExplanation explain_light(const Document& document, Pixel pixel, std::int32_t visible, const glm::dvec3& direction) const;
 
     // Reads the shaders in the folder again; the next update() traces with them. What does not compile leaves the last good
     // ones running. Returns the log, naming file and line, or "" when all is well.

@@ -14,19 +14,15 @@ constexpr double most_size = 0x1p40;  // squares, and their sums, are finite
 
 }  // namespace
 
-Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec3& eye, const LitPoints& points) {
+Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, std::span<const std::uint32_t> order, const glm::dvec3& eye,
+                  const LitPoints& points) {
     Blockers all;
-    for (auto* field : {&all.x, &all.y, &all.z, &all.radius, &all.doubt}) field->reserve(drawn.size());
-    all.numbers.reserve(drawn.size());
+    for (auto* field : {&all.x, &all.y, &all.z, &all.radius, &all.doubt}) field->reserve(order.size());
+    all.numbers.reserve(order.size());
     const double factor = std::ldexp(1.0, -points.exponent);
     const double middle = taxicab_length(points.middle) * factor;
     const auto farthest = static_cast<double>(points.farthest);
-    auto gap = drawn.gone.begin();
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        if (gap != drawn.gone.end() && *gap == i) {
-            ++gap;
-            continue;
-        }
+    for (const std::uint32_t i : order) {
         if (drawn.side(i) != EyeSide::outside) continue;
         const std::int32_t number = drawn.number(i);
         const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];

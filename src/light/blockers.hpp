@@ -27,6 +27,8 @@ struct Blockers {
     std::size_t size() const { return x.size(); }
 };
 
-Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec3& eye, const LitPoints& points);
+// In the given order of the drawn spheres' indices.
+Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, std::span<const std::uint32_t> order, const glm::dvec3& eye,
+                  const LitPoints& points);
 
 }  // namespace sphereview

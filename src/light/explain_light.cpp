@@ -1,29 +1,110 @@
 #include "light/explain_light.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <mutex>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "light/hit_places.hpp"
 
 namespace sphereview {
 
-LightExplanation explain_light(const Scene& scene, const DrawnSpheres& drawn, PictureSize size, Pixel pixel, std::int32_t visible,
-                               const glm::dvec3& direction) {
-    const Sphere& sphere = scene.spheres[static_cast<std::size_t>(visible)];
-    const std::optional<std::size_t> index = drawn.index_of(static_cast<std::uint32_t>(visible));
-    const EyeSide side = drawn.side(*index);
-    const ExactLitPoint point(scene.camera, size, pixel, sphere, side);
-    LightExplanation explanation;
-    explanation.facing = point.facing(direction);
-    if (explanation.facing <= 0) return explanation;
-    const HitPlaces places(scene.camera, size);
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        const std::int32_t number = drawn.number(i);
-        if (number == visible || drawn.side(i) != EyeSide::outside) continue;
-        const Sphere& other = scene.spheres[static_cast<std::size_t>(number)];
-        if (!places.blocked(pixel, sphere, side, other, direction)) continue;
-        explanation.blocker = number;
-        explanation.signs = point.blocking(other, direction);
-        break;
+namespace {
+
+constexpr std::size_t spheres_at_once = 16384;
+constexpr std::size_t most_blockers = 3;
+
+// What is asked of one pixel again and again.
+class Shadows {
+public:
+    explicit Shadows(const LitPixel& pixel)
+        : pixel_(pixel),
+          sphere_(sphere(pixel.visible)),
+          side_(pixel.drawn.side(*pixel.drawn.index_of(static_cast<std::uint32_t>(pixel.visible)))),
+          point_(pixel.camera, pixel.size, pixel.pixel, sphere_, side_),
+          places_(pixel.camera, pixel.size),
+          place_(places_.at(pixel.pixel, sphere_, side_)) {}
+
+    const ExactLitPoint& point() const { return point_; }
+    const Sphere& sphere(std::int32_t number) const { return pixel_.scene.spheres[static_cast<std::size_t>(number)]; }
+
+    // The spheres that keep a light away, ascending.
+    std::vector<std::int32_t> blockers(const glm::dvec3& direction) const {
+        const DrawnSpheres& drawn = pixel_.drawn;
+        std::vector<std::int32_t> found;
+        std::mutex joining;
+        parallel_pieces(drawn.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+            std::vector<std::int32_t> part;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (std::ranges::binary_search(drawn.gone, static_cast<std::uint32_t>(i))) continue;
+                const std::int32_t number = drawn.number(i);
+                if (number == pixel_.visible || drawn.side(i) != EyeSide::outside) continue;
+                if (places_.blocked(place_, pixel_.pixel, sphere_, side_, sphere(number), direction)) part.push_back(number);
+            }
+            const std::lock_guard lock(joining);
+            found.insert(found.end(), part.begin(), part.end());
+        });
+        std::ranges::sort(found);
+        return found;
     }
+
+private:
+    const LitPixel& pixel_;
+    const Sphere& sphere_;
+    EyeSide side_;
+    ExactLitPoint point_;
+    HitPlaces places_;
+    HitPlace place_;
+};
+
+std::string counted(int count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }
+
+}  // namespace
+
+LightExplanation explain_light(const LitPixel& pixel, const glm::dvec3& direction) {
+    const Shadows shadows(pixel);
+    LightExplanation explanation;
+    explanation.facing = shadows.point().facing(direction);
+    if (explanation.facing <= 0) return explanation;
+    const std::vector<std::int32_t> blockers = shadows.blockers(direction);
+    if (blockers.empty()) return explanation;
+    explanation.blocker = blockers.front();
+    explanation.signs = shadows.point().blocking(shadows.sphere(blockers.front()), direction);
     return explanation;
+}
+
+SkyExplanation explain_sky(const LitPixel& pixel, std::span<const DirectedLight> lights) {
+    const Shadows shadows(pixel);
+    SkyExplanation explanation;
+    explanation.lights = static_cast<int>(lights.size());
+    std::map<std::int32_t, int> kept_away;
+    for (const DirectedLight& light : lights) {
+        if (shadows.point().facing(light.direction) <= 0) {
+            ++explanation.behind;
+            continue;
+        }
+        const std::vector<std::int32_t> blockers = shadows.blockers(light.direction);
+        ++(blockers.empty() ? explanation.shining : explanation.blocked);
+        for (const std::int32_t number : blockers) ++kept_away[number];
+    }
+    for (const auto& [number, count] : kept_away) explanation.blockers.push_back({number, count});
+    std::ranges::stable_sort(explanation.blockers, std::ranges::greater{}, &SkyExplanation::Blocker::lights);
+    if (explanation.blockers.size() > most_blockers) explanation.blockers.resize(most_blockers);
+    return explanation;
+}
+
+std::string in_words(const SkyExplanation& explanation) {
+    std::string text = std::to_string(explanation.shining) + " of " + counted(explanation.lights, "light") +
+                       (explanation.shining == 1 ? " shines; " : " shine; ") + std::to_string(explanation.behind) +
+                       " behind the surface (n.L <= 0), " + std::to_string(explanation.blocked) + " in shadow";
+    std::vector<std::string> blockers;
+    for (const SkyExplanation::Blocker& blocker : explanation.blockers) {
+        blockers.push_back("sphere " + std::to_string(blocker.number) + " (of " + counted(blocker.lights, "light") + ")");
+    }
+    if (!blockers.empty()) text += ", most of all of " + joined(blockers, ", ");
+    return text;
 }
 
 std::string in_words(const LightExplanation& explanation) {

@@ -81,8 +81,9 @@ bool HitPlaces::faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm
     return ExactLitPoint(camera_, size_, pixel, sphere, side).facing(direction) > 0;
 }
 
-bool HitPlaces::blocked(Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other, const glm::dvec3& direction) const {
-    const Offset o = offset(at(pixel, sphere, side), camera_.eye, other, direction);
+bool HitPlaces::blocked(const HitPlace& place, Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other,
+                        const glm::dvec3& direction) const {
+    const Offset o = offset(place, camera_.eye, other, direction);
     if (o.along > o.doubt || o.across - other.radius > o.doubt) return false;
     if (o.along < -o.doubt && other.radius - o.across > o.doubt) return true;
     return ExactLitPoint(camera_, size_, pixel, sphere, side).blocking(other, direction).blocks();

@@ -31,7 +31,12 @@ public:
     bool faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm::dvec3& direction) const;
 
     // Whether another sphere, outside of which the eye lies, keeps the light from the point.
-    bool blocked(Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other, const glm::dvec3& direction) const;
+    bool blocked(Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other, const glm::dvec3& direction) const {
+        return blocked(at(pixel, sphere, side), pixel, sphere, side, other, direction);
+    }
+    // The same; `place` is what at() said of the point.
+    bool blocked(const HitPlace& place, Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other,
+                 const glm::dvec3& direction) const;
 
     const glm::dvec3& eye() const { return camera_.eye; }
 

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
 #include <thread>
 #include <utility>
 
 #include "base/parallel.hpp"
 #include "base/square_root.hpp"
-#include "exact/exact_decision.hpp"
+#include "light/spatial_order.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -40,9 +43,13 @@ bool shines(const LitScene& lit_scene, const PointOrigin& origin, const glm::dve
     return std::ranges::none_of(lit_scene.blockers.numbers, blocks) && std::ranges::none_of(lit_scene.blockers.far, blocks);
 }
 
-double strength(const LightVector& share) {
-    const glm::dvec3 vector{static_cast<double>(share.x), static_cast<double>(share.y), static_cast<double>(share.z)};
-    return square_root(dot(vector, vector));
+// How bright a light makes a sphere, as the eye sees it in the middle of the picture: the mean of max(n.L, 0) over the disc that is
+// seen, times a constant, which is Lambert's law of the moon's phases.
+double brightness(const LightVector& share, const glm::dvec3& toward_eye) {
+    const glm::dvec3 light{static_cast<double>(share.x), static_cast<double>(share.y), static_cast<double>(share.z)};
+    const double strength = square_root(dot(light, light));
+    const double phase = std::acos(std::clamp(dot(light, toward_eye) / strength, -1.0, 1.0));
+    return strength * (std::sin(phase) + (std::numbers::pi - phase) * std::cos(phase));
 }
 
 // Light by light: each thread takes the next one, and adds to sums of its own, because whole numbers may be added in any order.
@@ -111,7 +118,7 @@ private:
 };
 
 // Adds all lights, the first of which is the sun if there is one, and shows how they grow.
-void add_shown(LightSums& sums, bool sun, const LightPreviews& previews, std::size_t pixels) {
+void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const LightPreviews& previews, std::size_t pixels) {
     const auto begin = std::chrono::steady_clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
     std::vector<LightVector> of_sun(pixels);
@@ -122,7 +129,7 @@ void add_shown(LightSums& sums, bool sun, const LightPreviews& previews, std::si
             [&](const PointOrigin& origin, const LightVector& sum) { of_sun[static_cast<std::size_t>(origin.place)] = sum; });
     }
     double all = 0.0;
-    for (std::size_t i = suns; i < sums.size(); ++i) all += strength(sums.light(i).share);
+    for (std::size_t i = suns; i < sums.size(); ++i) all += brightness(sums.light(i).share, toward_eye);
     bool any = false;
     double so_far = 0.0;
     while (sums.added() < sums.size()) {
@@ -132,17 +139,21 @@ void add_shown(LightSums& sums, bool sun, const LightPreviews& previews, std::si
         const double many = known == 0 ? 0.0 : (any ? previews.every : previews.first_after) / for_each;
         const std::size_t rest = sums.size() - sums.added();
         const std::size_t next = std::min(std::max(static_cast<std::size_t>(std::min(many, 1e6)), sums.threads()), rest);
-        for (std::size_t i = 0; i < next; ++i) so_far += strength(sums.light(sums.added() + i).share);
+        for (std::size_t i = 0; i < next; ++i) so_far += brightness(sums.light(sums.added() + i).share, toward_eye);
         sums.add(next);
         if (sums.added() == sums.size()) return;
+        if (sums.added() < previews.fewest) continue;
         if (!any && sums.added() < enough_for_first_preview && seconds() < previews.first_after) continue;
+        if (so_far == 0.0) continue;
         any = true;
         const double factor = all / so_far;
         std::vector<LightVector> lit(pixels);
         sums.for_each_point([&](const PointOrigin& origin, const LightVector& sum) {
             const LightVector& from_sun = of_sun[static_cast<std::size_t>(origin.place)];
             const auto scaled = [&](std::int32_t of_all, std::int32_t part) {
-                return static_cast<std::int32_t>(static_cast<double>(part) + factor * static_cast<double>(of_all - part));
+                constexpr double most = std::numeric_limits<std::int32_t>::max();
+                const double value = static_cast<double>(part) + factor * static_cast<double>(of_all - part);
+                return static_cast<std::int32_t>(std::clamp(value, -most, most));
             };
             lit[static_cast<std::size_t>(origin.place)] = {scaled(sum.x, from_sun.x), scaled(sum.y, from_sun.y),
                                                            scaled(sum.z, from_sun.z)};
@@ -158,16 +169,16 @@ Lighting::Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
     : scene_(scene),
       drawn_(drawn),
       sun_(light.sun.has_value()),
+      toward_eye_(-camera_axes(camera).ahead),
       side_(side),
       places_(camera, size),
-      sides_(scene.spheres.size(), EyeSide::outside) {
-    auto gap = drawn.gone.begin();
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-        if (gap != drawn.gone.end() && *gap == i) {
-            ++gap;
-        } else {
-            sides_[static_cast<std::size_t>(drawn.number(i))] = drawn.side(i);
-        }
+      order_(spatial_order(scene, drawn)),
+      sides_(scene.spheres.size(), EyeSide::outside),
+      ranks_(scene.spheres.size()) {
+    for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
+        const auto number = static_cast<std::size_t>(drawn.number(order_[rank]));
+        sides_[number] = drawn.side(order_[rank]);
+        ranks_[number] = rank;
     }
     const int lights = sky_lights(light, scene.spheres.size(), side * side);
     for (int set = 0; set < side * side; ++set) sets_.push_back(light_set(light, lights, camera, set));
@@ -175,8 +186,8 @@ Lighting::Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
 
 std::vector<LightVector> Lighting::light(const Block& block, std::span<const std::int32_t> visible,
                                          const std::function<void(double)>& progress, const LightPreviews* previews) const {
-    const LitPoints points = lit_points(scene_, places_, sides_, block, visible, side_);
-    const Blockers all_blockers = blockers(scene_, drawn_, places_.eye(), points);
+    const LitPoints points = lit_points(scene_, places_, sides_, ranks_, block, visible, side_);
+    const Blockers all_blockers = blockers(scene_, drawn_, order_, places_.eye(), points);
     const LitScene lit_scene{scene_, places_, sides_, block, points, all_blockers};
 
     std::vector<Job> jobs;
@@ -188,7 +199,7 @@ std::vector<LightVector> Lighting::light(const Block& block, std::span<const std
     LightSums sums(lit_scene, std::move(jobs), progress);
     // Points of which float knows too little get their light at the end.
     if (previews != nullptr && side_ == 1 && points.unknown.empty()) {
-        add_shown(sums, sun_, *previews, visible.size());
+        add_shown(sums, sun_, toward_eye_, *previews, visible.size());
     } else {
         sums.add(sums.size());
     }

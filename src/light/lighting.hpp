@@ -19,6 +19,7 @@ namespace sphereview {
 // will be with all: it gets finer and no brighter.
 struct LightPreviews {
     std::function<void(std::span<const LightVector>)> show;  // is given the light of each point, as light() returns it
+    std::size_t fewest = 0;                                  // lights before the first
     double first_after = 0.08;                               // seconds of adding lights
     double every = 0.2;                                      // seconds, from one to the next
 };
@@ -44,10 +45,14 @@ public:
 private:
     const Scene& scene_;
     const DrawnSpheres& drawn_;
-    bool sun_;
+    bool sun_;               // the first light of each set
+    glm::dvec3 toward_eye_;  // of length 1
     int side_;
     HitPlaces places_;
-    std::vector<EyeSide> sides_;  // the eye's, by number
+    std::vector<std::uint32_t> order_;  // of the drawn spheres' indices, in space
+    // By number.
+    std::vector<EyeSide> sides_;        // the eye's
+    std::vector<std::uint32_t> ranks_;  // in that order
     std::vector<std::vector<DirectedLight>> sets_;
 };
 

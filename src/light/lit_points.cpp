@@ -33,43 +33,44 @@ struct Box {
     }
 };
 
-// The points of all pixels that show a sphere, by sets and then by numbers: two counting sorts in one.
-std::vector<PointOrigin> sorted_origins(const Block& block, std::span<const std::int32_t> visible, int side, std::size_t spheres,
-                                        std::array<std::size_t, turned_sets + 1>& begins) {
-    std::vector<std::uint32_t> places(spheres + 1, 0);
+// The points of all pixels that show a sphere, by sets and then by ranks: two counting sorts in one.
+std::vector<PointOrigin> sorted_origins(const Block& block, std::span<const std::int32_t> visible, int side,
+                                        std::span<const std::uint32_t> ranks, std::array<std::size_t, turned_sets + 1>& begins) {
+    std::vector<std::uint32_t> places(ranks.size() + 1, 0);
+    const auto rank = [&](std::int32_t number) { return static_cast<std::size_t>(ranks[static_cast<std::size_t>(number)]); };
     std::size_t count = 0;
     for (const std::int32_t number : visible) {
         if (number < 0) continue;
-        ++places[static_cast<std::size_t>(number) + 1];
+        ++places[rank(number) + 1];
         ++count;
     }
     for (std::size_t i = 1; i < places.size(); ++i) places[i] += places[i - 1];
-    std::vector<PointOrigin> by_number(count);
+    std::vector<PointOrigin> by_rank(count);
     for (std::size_t i = 0; i < visible.size(); ++i) {
         if (visible[i] < 0) continue;
-        by_number[places[static_cast<std::size_t>(visible[i])]++] = {static_cast<std::int32_t>(i), visible[i]};
+        by_rank[places[rank(visible[i])]++] = {static_cast<std::int32_t>(i), visible[i]};
     }
     if (side == 1) {
         std::fill(begins.begin() + 1, begins.end(), count);
-        return by_number;
+        return by_rank;
     }
     const auto set = [&](const PointOrigin& origin) {
         return static_cast<std::size_t>(set_of({block.x + origin.place % block.width, block.y + origin.place / block.width}, side));
     };
-    for (const PointOrigin& origin : by_number) ++begins.at(set(origin) + 1);
+    for (const PointOrigin& origin : by_rank) ++begins.at(set(origin) + 1);
     for (std::size_t i = 1; i < begins.size(); ++i) begins.at(i) += begins.at(i - 1);
     std::array<std::size_t, turned_sets + 1> next = begins;
     std::vector<PointOrigin> sorted(count);
-    for (const PointOrigin& origin : by_number) sorted[next.at(set(origin))++] = origin;
+    for (const PointOrigin& origin : by_rank) sorted[next.at(set(origin))++] = origin;
     return sorted;
 }
 
 }  // namespace
 
-LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides, const Block& block,
-                     std::span<const std::int32_t> visible, int side) {
+LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides,
+                     std::span<const std::uint32_t> ranks, const Block& block, std::span<const std::int32_t> visible, int side) {
     LitPoints points;
-    const std::vector<PointOrigin> origins = sorted_origins(block, visible, side, scene.spheres.size(), points.begins);
+    const std::vector<PointOrigin> origins = sorted_origins(block, visible, side, ranks, points.begins);
     const auto pixel_of = [&](const PointOrigin& origin) {
         return Pixel{block.x + origin.place % block.width, block.y + origin.place / block.width};
     };

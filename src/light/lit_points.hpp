@@ -22,7 +22,7 @@ struct PointOrigin {
 };
 
 // Points relative to the middle of them all, times a power of two, so that all lie within a cube from -1 to 1. Sorted by their sets
-// of lights and then by spheres: neighbours are near each other, as any light sees them.
+// of lights and then by spheres, those in the order of space: neighbours are near each other, as any light sees them.
 struct LitPoints {
     std::vector<float> x;
     std::vector<float> y;
@@ -48,8 +48,9 @@ struct LitPoints {
 // Which set of lights a point belongs to, with so many points along the side of a pixel.
 constexpr int set_of(Pixel point, int side) { return point.y % side * side + point.x % side; }
 
-// Of a block of points whose visible spheres are known. `sides`: the eye's, by the spheres' numbers.
-LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides, const Block& block,
-                     std::span<const std::int32_t> visible, int side);
+// Of a block of points whose visible spheres are known. By the spheres' numbers: `sides`, the eye's, and `ranks`, the places in the
+// order of space.
+LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides,
+                     std::span<const std::uint32_t> ranks, const Block& block, std::span<const std::int32_t> visible, int side);
 
 }  // namespace sphereview

@@ -109,7 +109,26 @@ TEST(Explain, TellsWhyTheSunDoesNotShine) {
     const Outcome outcome = explain(scene, {"--shade", "studio", "--sun", "1,0,-1"});
     EXPECT_TRUE(contains(outcome.output, "sphere 1 is in the way")) << outcome;
     EXPECT_TRUE(contains(outcome.output, "the line to the light touches the sphere")) << outcome;
+    EXPECT_TRUE(contains(outcome.output, "sky: ")) << outcome;
     EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--sun-strength", "2"}), 2, "--sun-strength: the scene has no sun"));
+}
+
+// A plate over the sphere keeps all lights away but those from the sides; a small sphere few of them.
+TEST(Explain, CountsTheLightsOfTheSky) {
+    const std::string scene = "3 200 30 40 0 0 200 20 9 9 9 0 1060 180 1000 9 9 9 0 -15 165 8";
+    const Outcome outcome = explain(scene, {"--json", "--shade", "studio", "--lights", "64"});
+    ASSERT_EQ(outcome.status, 0) << outcome;
+    const Json sky = Json::parse(outcome.output).at("sky");
+    EXPECT_EQ(sky.at("lights"), 64);
+    EXPECT_EQ(sky.at("behind"), 33) << "two of them along the surface";
+    EXPECT_EQ(sky.at("shine").get<int>() + sky.at("in_shadow").get<int>(), 31);
+    ASSERT_EQ(sky.at("blockers").size(), 2U) << sky.dump();
+    EXPECT_EQ(sky.at("blockers")[0].at("sphere"), 1);
+    EXPECT_EQ(sky.at("blockers")[1].at("sphere"), 2);
+    EXPECT_EQ(sky.at("blockers")[0].at("lights").get<int>() + sky.at("blockers")[1].at("lights").get<int>(), sky.at("in_shadow"))
+        << "no light goes through both";
+    EXPECT_TRUE(contains(explain(scene, {"--shade", "studio", "--lights", "64"}).output,
+                         "of 64 lights shine; 33 behind the surface (n.L <= 0), "));
 }
 
 TEST(Explain, TellsWhatANothingPixelShows) {

@@ -11,6 +11,7 @@
 #include "oracle/oracle.hpp"
 #include "oracle/random.hpp"
 #include "oracle/scenes.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview::oracle {
 
@@ -253,6 +254,49 @@ TEST(Light, samples_have_sets_of_their_own) {
         lit.trial.size = sampled_size({7, 5}, side);
         lit.side = side;
         expect_the_oracles_light(lit);
+    }
+}
+
+// Whoever looks on sees the light get finer, about as bright from the beginning; and it ends as without anyone.
+TEST(Light, previews_are_as_bright_as_all) {
+    Scene scene;
+    scene.spheres = {{{0.0, 0.0, 200.0}, 60.0, {}, false}, {{-20.0, 30.0, 120.0}, 8.0, {}, false}};
+    constexpr PictureSize size{40, 30};
+    constexpr Block whole{0, 0, size.width, size.height};
+    const std::vector<std::int32_t> visible = picture(scene, size);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    // The sum of n.B. Rays through pixels in double, which is enough for a mean.
+    const auto brightness = [&](std::span<const LightVector> light) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < visible.size(); ++i) {
+            if (visible[i] < 0) continue;
+            const Sphere& sphere = scene.spheres[static_cast<std::size_t>(visible[i])];
+            const Pixel pixel{static_cast<int>(i) % size.width, static_cast<int>(i) / size.width};
+            const auto [across, upward] = ray_coefficients(size, pixel);
+            const double shorter = size.shorter_side();
+            const glm::dvec3 ray =
+                unit({50.0 * static_cast<double>(across) / shorter, 50.0 * static_cast<double>(upward) / shorter, 100.0});
+            const double along = dot(sphere.center, ray);
+            const double t =
+                along - std::sqrt(std::max(along * along - dot(sphere.center, sphere.center) + sphere.radius * sphere.radius, 0.0));
+            const glm::dvec3 normal = (t * ray - sphere.center) / sphere.radius;
+            sum += std::max(
+                dot(normal, {static_cast<double>(light[i].x), static_cast<double>(light[i].y), static_cast<double>(light[i].z)}),
+                0.0);
+        }
+        return sum;
+    };
+    for (const std::optional<Sun>& sun : {std::optional<Sun>(), std::optional(Sun{{1.0, 2.0, -2.0}, 2.0})}) {
+        const Lighting lighting(scene, drawn, scene.camera, size, 1, {.lights = 128, .sky = 1.0, .sun = sun});
+        const std::vector<LightVector> all = lighting.light(whole, visible);
+        std::vector<double> previews;
+        const LightPreviews shown{.show = [&](std::span<const LightVector> light) { previews.push_back(brightness(light)); },
+                                  .fewest = 8,
+                                  .first_after = 0.0,
+                                  .every = 0.0};
+        EXPECT_EQ(lighting.light(whole, visible, nullptr, &shown), all);
+        EXPECT_GE(previews.size(), 2U);
+        for (const double preview : previews) EXPECT_NEAR(preview / brightness(all), 1.0, 0.1);
     }
 }
 

@@ -116,6 +116,14 @@ TEST(Inspector, LeavesOutSpheresThatAreGone) {
     EXPECT_EQ(panel.text().find("sphere 1"), std::string::npos);
 }
 
+TEST(Inspector, FollowsTheRayToTheSun) {
+    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
+    EXPECT_EQ(panel.text().find("sun"), std::string::npos);
+    panel.pixel->place.sun = Sun{{1.0, 2.0, -3.0}, 1.0};
+    panel.pixel->sun = "does not shine: so it is";
+    expect_in_order(panel.text(), {"normal = ", "sun: L = (1, 2, -3)", "The sun does not shine: so it is."});
+}
+
 }  // namespace
 
 }  // namespace sphereview

@@ -1,0 +1,78 @@
+// The window's light: lit and fine without being asked, edited in its panel, and at rest the very bytes of `render`.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/text_match.hpp"
+#include "ui/editing.hpp"
+
+namespace sphereview::test {
+
+namespace {
+
+// Whether a draft was shown of a picture that was then finished.
+bool grew(const TemporaryFolder& folder) {
+    std::istringstream log(folder.read("frames.log"));
+    bool draft = false;
+    for (std::string line; std::getline(log, line);) {
+        const Json frame = Json::parse(line);
+        if (draft && frame.at("exact") == true) return true;
+        draft = draft || !frame.at("draft").is_null();
+    }
+    return false;
+}
+
+}  // namespace
+
+// Nobody has chosen anything yet; the command line has a sun.
+TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
+    const TemporaryFolder folder;
+    folder.write("home/config/sphereview/viewer.json", "{}");
+    const std::string scene = folder.write("scene.txt", two_spheres);
+    ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5"});
+    window.key("m");
+    window.wait_until("the default",
+                      [](const Json& f) { return f.at("shading") == "studio" && f.at("samples") == 16 && f.at("exact") == true; });
+    expect_rendered(window, folder, scene, {"--sun", "1,2,-3", "--sky", "0.5"});
+    EXPECT_TRUE(grew(folder));
+    window.step("F12 shows what the window shows");
+    window.key("F12");
+    announced(window, "scene.png (1000 x 1000, 16 samples a pixel)");
+    EXPECT_EQ(folder.read("scene.png"),
+              render_bytes(folder, scene, {"--shade", "studio", "--samples", "16", "--sun", "1,2,-3", "--sky", "0.5"}));
+    window.step("the sun's ray in the inspector");
+    window.key("i");
+    window.move_to(window.on_screen(30, -30));
+    window.move_to(window.on_screen(0, 0));
+    window.wait_until("the ray", [](const Json& f) { return f.at("widgets").contains("sun ray"); });
+}
+
+class LightPanel : public Editing {
+protected:
+    LightPanel() : Editing("scene.toml") {}
+};
+
+TEST_F(LightPanel, MovesTheSunInOneStepThatIsSaved) {
+    window_.key("ctrl+6");
+    window_.wait_for("shading", "studio");
+    window_.click_widget("light");
+    window_.click_widget("sun");
+    window_.wait_for("undo", "Switch the sun on");
+    const Place middle = window_.widget("sun ball");
+    window_.drag(middle, {middle.x - 20, middle.y + 10});
+    window_.wait_for("undo", "Move the sun");
+    window_.click_widget("lights");
+    window_.click_widget("lights 16");
+    window_.wait_for("undo", "Change the number of lights");
+    expect_rendered();
+    const std::string saved = folder_.read(name_);
+    EXPECT_TRUE(contains(saved, "[light]\nlights = 16\nsun = [")) << saved;
+    for (const char* step : {"Move the sun", "Switch the sun on", ""}) {
+        window_.key("ctrl+z");
+        window_.wait_for("undo", step);
+    }
+    expect_rendered();
+    EXPECT_FALSE(contains(folder_.read(name_), "[light]"));
+}
+
+}  // namespace sphereview::test
