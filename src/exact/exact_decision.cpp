@@ -10,6 +10,10 @@ namespace sphereview {
 
 namespace {
 
+glm::dvec3 divided_by_two_to(const glm::dvec3& v, int exponent) {
+    return {std::ldexp(v.x, -exponent), std::ldexp(v.y, -exponent), std::ldexp(v.z, -exponent)};
+}
+
 // The sign of |c|^2 - r^2; 0 where double cannot tell.
 inline int side_in_double(const glm::dvec3& c, double r) {
     const double distance = c.x * c.x + c.y * c.y + c.z * c.z;
@@ -24,8 +28,8 @@ EyeSide side_of_hard_sphere(const Sphere& sphere, const glm::dvec3& eye) {
     // The same with the largest number brought to [1/2, 1).
     int exponent = 0;
     std::frexp(std::max({largest_of(sphere.center), largest_of(eye), sphere.radius}), &exponent);
-    const int side =
-        side_in_double(times_two_to(sphere.center, -exponent) - times_two_to(eye, -exponent), std::ldexp(sphere.radius, -exponent));
+    const int side = side_in_double(divided_by_two_to(sphere.center, exponent) - divided_by_two_to(eye, exponent),
+                                    std::ldexp(sphere.radius, -exponent));
     if (side != 0) return side > 0 ? EyeSide::outside : EyeSide::inside;
 
     CommonScale scale;

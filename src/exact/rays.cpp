@@ -15,6 +15,10 @@ int exponent_of(double value) {
     return exponent;
 }
 
+glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
+    return {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent), std::ldexp(v.z, exponent)};
+}
+
 }  // namespace
 
 template <typename Real>

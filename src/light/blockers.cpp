@@ -12,6 +12,8 @@ namespace {
 constexpr double float_roundings = 24.0 * float_unit;
 constexpr double most_size = 0x1p40;  // squares, and their sums, are finite
 
+double sum_of_sizes(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+
 }  // namespace
 
 Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec3& eye, const LitPoints& points) {
@@ -19,7 +21,7 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec
     for (auto* field : {&all.x, &all.y, &all.z, &all.radius, &all.doubt}) field->reserve(drawn.size());
     all.numbers.reserve(drawn.size());
     const double factor = std::ldexp(1.0, -points.exponent);
-    const double middle = taxicab_length(points.middle) * factor;
+    const double middle = sum_of_sizes(points.middle) * factor;
     const auto farthest = static_cast<double>(points.farthest);
     auto gap = drawn.gone.begin();
     for (std::size_t i = 0; i < drawn.size(); ++i) {
@@ -33,7 +35,7 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, const glm::dvec
         const glm::dvec3 from_eye = sphere.center - eye;
         const glm::dvec3 c = (from_eye - points.middle) * factor;
         const double radius = sphere.radius * factor;
-        const double size = taxicab_length(c) + radius;
+        const double size = sum_of_sizes(c) + radius;
         if (!(size < most_size && middle < most_size)) {
             all.far.push_back(number);
             continue;

@@ -17,6 +17,8 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 // The roundings of the few operations below, together, relative to the sizes of their operands: 64 units.
 constexpr double few_roundings = 64.0 * double_unit;
 
+double size_of(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
+
 HitBounds<double> bounds(const glm::dvec3& c, double r, double w, const glm::dvec3& ray, EyeSide side) {
     switch (side) {
         case EyeSide::outside: return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
@@ -35,7 +37,7 @@ struct Offset {
 
 Offset offset(const HitPlace& place, const glm::dvec3& eye, const Sphere& sphere, const glm::dvec3& direction) {
     const glm::dvec3 center = sphere.center - eye;
-    const double size = taxicab_length(place.point) + taxicab_length(center) + sphere.radius;
+    const double size = size_of(place.point) + size_of(center) + sphere.radius;
     if (!(size > smallest_double_size && size < largest_double_size)) return {0.0, 0.0, unknown};
     const glm::dvec3 l = unit(direction);
     const glm::dvec3 m = place.point - center;
@@ -56,7 +58,7 @@ HitPlaces::HitPlaces(const Camera& camera, PictureSize size)
 
 HitPlace HitPlaces::at(Pixel pixel, const Sphere& sphere, EyeSide side) const {
     const glm::dvec3 center = sphere.center - camera_.eye;
-    const double size = taxicab_length(center) + sphere.radius;
+    const double size = size_of(center) + sphere.radius;
     if (!(size > smallest_double_size && size < largest_double_size) || error_scale_ == unknown) return {glm::dvec3(0.0), unknown};
     const glm::dvec3 ray = unit_ray(rays_, size_, pixel);
     const auto [low, high] = bounds(center, sphere.radius, error_scale_ * size, ray, side);
