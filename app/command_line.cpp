@@ -160,11 +160,15 @@ void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& fit) {
     CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);
     const std::string sides(view_syntax);
     CLI::Option* side = add_option(command, fit, {"--view", "SIDE", "Fit, from another side: " + sides, sides},
-                                   [](const std::string& text) -> std::optional<FitOptions> {
+                                   [&fit](const std::string& text) -> std::optional<FitOptions> {
                                        const std::optional<ViewAxes> view = parse_view(text);
                                        if (!view) return std::nullopt;
-                                       return FitOptions{true, view};
+                                       return FitOptions{true, view, fit.projection};
                                    });
+    add_option(
+        command, fit.projection,
+        {"--projection", "NAME", "perspective or orthographic, instead of the scene's camera's", "perspective or orthographic"},
+        [](const std::string& text) { return projection_named(text); });
     forbidden->excludes(wanted)->excludes(side);
 }
 

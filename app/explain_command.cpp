@@ -73,8 +73,8 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
     std::string text = "pixel " + std::to_string(options.pixel.x) + "," + std::to_string(options.pixel.y) + " of " +
                        on_one_line(name) + " at " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                        " (0,0 is the top left)\n\n";
-    text += "ray P = O + t D\n  O = " + vector_in_words(e.origin) + "  the eye\n  D = " + vector_in_words(e.direction) +
-            "  through the pixel's centre, where t = 1\n\n";
+    text += "ray P = O + t D\n  " + origin_in_words(e) + "\n  " + direction_in_words(e) +
+            (e.projection == Projection::perspective ? ", where t = 1\n\n" : "\n\n");
     for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);
     text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) +
             " spheres: " + std::to_string(e.missed) + " missed (discriminant < 0), " + std::to_string(e.behind) +
@@ -143,6 +143,7 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
     Json json = {{"scene", name},
                  {"pixel", {options.pixel.x, options.pixel.y}},
                  {"size", {options.size.width, options.size.height}},
+                 {"projection", name_of(e.projection)},
                  {"origin", vector(e.origin)},
                  {"direction", vector(e.direction)},
                  {"hits", hits},

@@ -50,10 +50,11 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
     const FitOptions& fit = options.fit;
+    if (fit.projection) loaded.scene.camera.projection = *fit.projection;
     if (!fit.wanted.value_or(!loaded.has_camera())) return loaded;
     Camera& camera = loaded.scene.camera;
     const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
-    camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present))).value_or(camera);
+    camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present)), camera.projection).value_or(camera);
     return loaded;
 }
 

@@ -28,8 +28,9 @@ struct LoadedScene {
 
 // From where a scene is seen, if not by its own camera.
 struct FitOptions {
-    std::optional<bool> wanted{};    // to everything; none: only if nobody has chosen the scene's camera
-    std::optional<ViewAxes> view{};  // none: the way that the scene's camera looks
+    std::optional<bool> wanted{};            // to everything; none: only if nobody has chosen the scene's camera
+    std::optional<ViewAxes> view{};          // none: the way that the scene's camera looks
+    std::optional<Projection> projection{};  // instead of the camera's
 };
 
 struct LoadOptions {

@@ -98,7 +98,7 @@ py::array render(const SphereArrays& arrays, const std::optional<CameraNumbers>&
     if (camera) options.camera = camera_from(*camera);
     const Backend asked_for = backend_from(backend);
     auto draw = [scene = scene_from(arrays), options, fit, asked_for](WorkControl& control) mutable {
-        if (fit) options.camera = fitted(scene, axes_of(options.camera)).value_or(options.camera);
+        if (fit) options.camera = fitted(scene, axes_of(options.camera), options.camera.projection).value_or(options.camera);
         const DrawnSpheres drawn = drawn_spheres(scene, options.camera);
         Timings timings;
         PictureFacts facts;
@@ -140,7 +140,7 @@ CameraNumbers fit(const SphereArrays& arrays, const CameraNumbers& camera, bool 
     const ViewAxes axes = with_hand_of(present, view_from(view).value_or(present));
     const Scene scene = scene_from(arrays);
     const py::gil_scoped_release others_may_run;
-    return numbers_of(fitted(scene, axes).value_or(given));
+    return numbers_of(fitted(scene, axes, given.projection).value_or(given));
 }
 
 py::dict read(const std::string& path, std::int64_t frame, std::optional<double> radius, std::optional<bool> wanted,

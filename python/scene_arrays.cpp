@@ -112,7 +112,8 @@ void require_shapes(const SphereArrays& arrays) {
 }  // namespace
 
 Camera camera_from(const CameraNumbers& n) {
-    const Camera camera{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, {n[9], n[10], n[11]}};
+    const Projection projection = n[12] == 0.0 ? Projection::perspective : Projection::orthographic;
+    const Camera camera{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}, {n[9], n[10], n[11]}, projection};
     if (const auto fault = camera_fault(camera)) {
         throw InputError("found a camera that cannot be used: " + fault->what +
                          "; expected perpendicular, equally long 'right' and 'up' (within 1e-6) and an eye off the screen's plane");
@@ -126,6 +127,7 @@ CameraNumbers numbers_of(const Camera& camera) {
     for (const glm::dvec3& v : {camera.eye, camera.center, camera.right, camera.up}) {
         for (int axis = 0; axis < 3; ++axis) *next++ = v[axis];
     }
+    *next = camera.orthographic() ? 1.0 : 0.0;
     return numbers;
 }
 

@@ -13,7 +13,7 @@
 namespace sphereview {
 
 // A camera as Python passes it: eye, center, right, up.
-using CameraNumbers = std::array<double, 12>;
+using CameraNumbers = std::array<double, 13>;
 
 // Throws InputError for a camera that nothing can be seen with.
 Camera camera_from(const CameraNumbers& numbers);

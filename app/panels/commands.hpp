@@ -40,6 +40,7 @@ enum class CommandId {
     view_right,
     view_top,
     view_iso,
+    orthographic,  // or perspective again
     use_view_as_camera,
     next_frame,  // of a file of several
     previous_frame,

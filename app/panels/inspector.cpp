@@ -23,8 +23,8 @@ void colored_line(const std::string& text, const ImVec4& color) {
 
 void draw_ray(const PixelExplanation& e) {
     wrapped_text("P = O + t D");
-    wrapped_text("O = " + vector_in_words(e.origin) + "  the eye");
-    wrapped_text("D = " + vector_in_words(e.direction) + "  through the pixel's centre");
+    wrapped_text(origin_in_words(e));
+    wrapped_text(direction_in_words(e));
     ImGui::Spacing();
     dim_text("||P - C||^2 = r^2, with P = O + t D:");
     wrapped_text("D.D t^2 + 2 D.(O - C) t + (O - C).(O - C) - r^2 = 0");

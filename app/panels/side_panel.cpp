@@ -83,6 +83,8 @@ void draw_scene_panel(const PanelContext& context) {
     draw_vector(context, "centre", scene.camera.center);
     draw_vector(context, "right", scene.camera.right);
     draw_vector(context, "up", scene.camera.up);
+    begin_field(context, "projection");
+    ImGui::TextDisabled("%s", std::string(name_of(scene.camera.projection)).c_str());
 }
 
 constexpr float fewest_rows = 5.0F;

@@ -41,8 +41,10 @@ Camera CameraFlight::at(double part) const {
     const glm::dquat turn = glm::slerp(glm::quat_cast(from.directions * flip), glm::quat_cast(to.directions * flip), part);
     const glm::dmat3 directions = glm::mat3_cast(turn) * flip;
     const glm::dvec3 eye = pivot_ + directions * glm::mix(from.eye, to.eye, part);
-    const glm::dvec3 axis = directions * (to.size * glm::mix(from.axis, to.axis, part));
-    const Camera camera = camera_with(eye, axis, to.size * directions[0], to.size * directions[1]);
+    // In perspective only the directions matter.
+    const double size = to_.orthographic() ? glm::mix(from.size, to.size, part) : to.size;
+    const glm::dvec3 axis = directions * (size * glm::mix(from.axis, to.axis, part));
+    const Camera camera = camera_with(eye, axis, size * directions[0], size * directions[1], to_.projection);
     return camera_fault(camera) ? to_ : camera;
 }
 

@@ -20,14 +20,15 @@ constexpr double radius_per_click = 1.06;  // of the wheel
 
 // Where the ray through a place first meets the sphere; its centre where, for rounding, it does not.
 glm::dvec3 hit_point(const Camera& camera, PictureSize size, const glm::dvec2& place, const Sphere& sphere) {
-    const glm::dvec3 ray = glm::normalize(point_at(camera, size, place, 1.0) - camera.eye);
-    const glm::dvec3 center = sphere.center - camera.eye;
+    const glm::dvec3 origin = point_at(camera, size, place, 0.0);
+    const glm::dvec3 ray = glm::normalize(point_at(camera, size, place, 1.0) - origin);
+    const glm::dvec3 center = sphere.center - origin;
     const double along = glm::dot(center, ray);
     const double square = sphere.radius * sphere.radius - (glm::dot(center, center) - along * along);
     if (!(square >= 0.0)) return sphere.center;
     const double near = along - std::sqrt(square);
     const double t = near > 0.0 ? near : along + std::sqrt(square);
-    return t > 0.0 ? camera.eye + t * ray : sphere.center;
+    return t > 0.0 ? origin + t * ray : sphere.center;
 }
 
 // The point in the scene under the pointer: on the sphere there, else as deep as the pivot.
@@ -170,7 +171,10 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
     const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())];
     glm::dvec3 by{0.0};
     if (base_in_depth_) {
-        by = (std::exp(zoom_per_pixel * (base_place_.y - mouse.place.y)) - 1.0) * (from - state.camera.eye);
+        // Along its ray.
+        const Camera& camera = state.camera;
+        const glm::dvec3 away = camera.orthographic() ? depth_of(camera, from) * (camera.center - camera.eye) : from - camera.eye;
+        by = (std::exp(zoom_per_pixel * (base_place_.y - mouse.place.y)) - 1.0) * away;
     } else {
         const double depth = depth_of(state.camera, grabbed_point_);
         by = point_at(state.camera, state.size, mouse.place, depth) - point_at(state.camera, state.size, base_place_, depth);

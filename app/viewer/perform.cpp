@@ -96,6 +96,13 @@ void center_on_selection(ViewerState& state) {
     state.camera = centered_on(state.camera, state.pivot);
 }
 
+void change_projection(ViewerState& state) {
+    const double depth = depth_of(state.camera, state.pivot);
+    const Projection other = state.camera.orthographic() ? Projection::perspective : Projection::orthographic;
+    state.flight.reset();
+    state.camera = with_projection(state.camera, other, depth > 0.0 ? depth : 1.0);
+}
+
 void apply(ViewerState& state, EditScene action) {
     const bool adds_or_removes =
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
@@ -215,6 +222,11 @@ std::vector<Command> make_commands() {
          [](ViewerState& s) { fly_to_fit(s, axes_from(0.0, 90.0)); }},
         {{Id::view_iso, "View", "From a corner", "4", "Fits everything, seen isometrically: all three axes equally long."},
          [](ViewerState& s) { fly_to_fit(s, isometric_axes()); }},
+        {{Id::orthographic, "View", "Orthographic", "O",
+          "Parallel rays: how large a sphere looks does not depend on how far it is.", true},
+         change_projection,
+         {},
+         [](const ViewerState& s) { return s.camera.orthographic(); }},
         {{Id::use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home",
           "An edit like any other: Home returns here then.", true},
          edits(use_view_as_camera),

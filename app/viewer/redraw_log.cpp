@@ -61,6 +61,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"picture", {p.x, p.y, p.width, p.height}},
         {"picture_size", {state.picture_size.width, state.picture_size.height}},
         {"camera", {vector(camera.eye), vector(camera.center), vector(camera.right), vector(camera.up)}},
+        {"projection", name_of(camera.projection)},
         {"dialogs", dialogs},
         {"shown",
          {{"panel", state.panel_shown},

@@ -201,6 +201,7 @@ LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
     options.data = {frame, state.options.data.radius};
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
+    options.fit.projection.reset();  // of the first view, not of scenes
     return options;
 }
 

@@ -93,14 +93,17 @@ void offer_recovery(ViewerState& state) {
 }
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
-    const bool fits_view = loaded.has_camera() && state.options.fit.wanted.value_or(false);
     with_options(loaded.scene.light, state.light);  // what does not fit the scene is said now
+    const FitOptions& fit = state.options.fit;
+    // Data is fitted already, in perspective.
+    const bool fits_view = loaded.has_camera() ? fit.wanted.value_or(false) : fit.projection && fit.wanted.value_or(true);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
+    state.camera.projection = fit.projection.value_or(state.camera.projection);
     if (fits_view) {
         const ViewAxes present = axes_of(state.camera);
-        const ViewAxes axes = with_hand_of(present, state.options.fit.view.value_or(present));
-        state.camera = fitted(state.scene(), axes).value_or(state.camera);
+        const ViewAxes axes = with_hand_of(present, fit.view.value_or(present));
+        state.camera = fitted(state.scene(), axes, state.camera.projection).value_or(state.camera);
     }
 }
 

@@ -36,7 +36,7 @@ void go_home(ViewerState& state) {
 }
 
 void fly_to_fit(ViewerState& state, const ViewAxes& axes) {
-    const std::optional<Camera> camera = fitted(state.scene(), with_hand_of(axes_of(state.camera), axes));
+    const std::optional<Camera> camera = fitted(state.scene(), with_hand_of(axes_of(state.camera), axes), state.camera.projection);
     if (!camera) return;
     update_bounds(state);
     state.pivot = state.bounds.middle();

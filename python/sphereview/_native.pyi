@@ -3,7 +3,7 @@ from typing import Any
 import numpy
 from numpy.typing import NDArray
 
-# Eye, center, right and up of a camera, one behind the other.
+# Eye, center, right and up of a camera, one behind the other, and 0 for perspective or 1 for orthographic.
 _Camera = tuple[float, ...]
 
 class SphereArrays:

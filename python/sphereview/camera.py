@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from numpy.typing import ArrayLike
 
@@ -10,6 +11,8 @@ from . import _native
 from .arrays import sphere_arrays
 
 Vector = tuple[float, float, float]
+
+Projection = Literal["perspective", "orthographic"]
 
 # "front", "back", "left", "right", "top", "bottom", "iso", or azimuth and elevation in degrees.
 View = str | tuple[float, float]
@@ -24,12 +27,16 @@ class Camera:
     pixel (i, j) of a W x H picture, (0, 0) at the top left, is eye + t D with m = min(W, H) and
 
         D = (center - eye) + (2i + 1 - W) / m right + (H - 1 - 2j) / m up
+
+    With projection="orthographic" all rays are parallel: D = center - eye, from the point eye + (2i + 1 - W) / m right +
+    (H - 1 - 2j) / m up.
     """
 
     eye: Vector = (0.0, 0.0, 0.0)
     center: Vector = (0.0, 0.0, 100.0)
     right: Vector = (50.0, 0.0, 0.0)
     up: Vector = (0.0, 50.0, 0.0)
+    projection: Projection = "perspective"
 
     def __post_init__(self) -> None:
         for name in ("eye", "center", "right", "up"):
@@ -37,17 +44,20 @@ class Camera:
             if len(vector) != 3:
                 raise ValueError(f"{name}: found {len(vector)} numbers, expected 3")
             object.__setattr__(self, name, vector)
+        if self.projection not in ("perspective", "orthographic"):
+            raise ValueError(f"projection: found {self.projection!r}, expected 'perspective' or 'orthographic'")
         _native.check_camera(self.numbers())
 
     def numbers(self) -> tuple[float, ...]:
-        """The twelve numbers: eye, center, right, up."""
-        return (*self.eye, *self.center, *self.right, *self.up)
+        """Eye, center, right and up, and 0 for perspective or 1 for orthographic."""
+        return (*self.eye, *self.center, *self.right, *self.up, float(self.projection == "orthographic"))
 
     @classmethod
     def from_numbers(cls, numbers: tuple[float, ...]) -> Camera:
-        """The camera with these twelve numbers."""
+        """The camera with the numbers that numbers() gives."""
         x = tuple(numbers)
-        return cls(x[0:3], x[3:6], x[6:9], x[9:12])  # type: ignore[arg-type]
+        projection: Projection = "orthographic" if x[12] else "perspective"
+        return cls(x[0:3], x[3:6], x[6:9], x[9:12], projection)  # type: ignore[arg-type]
 
 
 def view_text(view: View | None) -> str | None:
@@ -72,7 +82,7 @@ def fit(
     centers: (N, 3), radii: (N,) or one for all, in the scene's unit.
     view: from where: "front", "back", "left", "right", "top", "bottom", "iso", or (azimuth, elevation) in degrees; (0, 0) is the front,
         azimuth goes round towards +x, elevation up. None: the way that `camera` looks.
-    camera: what `view` and the hand are relative to; None is the default camera.
+    camera: what `view` and the hand are relative to, and whose projection is kept; None is the default camera.
     right_handed: with camera=None: the coordinates are right-handed, as those of molecules usually are; the camera is mirrored, so that
         the picture is not.
 

@@ -62,7 +62,7 @@ ViewAxes axes_from(const SineCosine& azimuth, const SineCosine& elevation) {
             without_negative_zero({-sa * ce, -se, ca * ce})};
 }
 
-// The planes of slope `slope` that bound the spheres: to the right, the left, up and down. With X, Y and Z along the view's axes,
+// The planes of a slope that bound the spheres: to the right, the left, up and down. With X, Y and Z along the view's axes,
 // a plane's number is the greatest X - slope Z of a point of a sphere, and so for the others.
 using Planes = std::array<double, 4>;
 
@@ -91,9 +91,9 @@ struct Frame {
     double scale = 1.0;
 };
 
-Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& frame) {
+Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& frame, double steepness) {
     // A plane at a sphere's side is this much of its radius beyond its centre.
-    const double reach = square_root(1.0 + slope * slope);
+    const double reach = square_root(1.0 + steepness * steepness);
     Planes all{least, least, least, least};
     std::mutex mutex;
     parallel_pieces(scene.spheres.size(), centers_at_once, [&](std::size_t begin, std::size_t end) {
@@ -104,13 +104,33 @@ Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& fram
             const glm::dvec3 place = frame.place(sphere.center);
             const double x = dot(place, axes.right);
             const double y = dot(place, axes.up);
-            const double size = reach * (std::max(sphere.radius, frame.smallest) * frame.scale) - slope * dot(place, axes.ahead);
+            const double size =
+                reach * (std::max(sphere.radius, frame.smallest) * frame.scale) - steepness * dot(place, axes.ahead);
             include(part, {size + x, size - x, size + y, size - y});
         }
         const std::lock_guard lock(mutex);
         include(all, part);
     });
     return all;
+}
+
+// The screen's half is as large as what it shows. The eye is so far from the middle of everything that no turn about the middle
+// brings a sphere into the plane that rays begin in.
+Camera fitted_orthographic(const Scene& scene, const ViewAxes& axes, const Frame& frame, const SceneBounds& bounds) {
+    const auto [right, left, up, down] = planes_around(scene, axes, frame, 0.0);
+    const double x = 0.5 * (right - left);
+    const double y = 0.5 * (up - down);
+    const double half = std::max(0.5 * (right + left), 0.5 * (up + down)) * (32.0 / 31.0);
+    const glm::dvec3 corner = frame.place(bounds.high);
+    const double z = -(square_root(dot(corner, corner)) + half);
+    glm::dvec3 eye{0.0};
+    for (int i = 0; i < 3; ++i) {
+        const double scaled = frame.origin[i] * frame.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
+        eye[i] = std::clamp(std::ldexp(scaled, frame.exponent), -farthest, farthest);
+    }
+    const double edge = std::min(std::ldexp(half, frame.exponent), 0.25 * farthest);
+    return camera_with(without_negative_zero(eye), distance / half_side * edge * axes.ahead, edge * axes.right, edge * axes.up,
+                       Projection::orthographic);
 }
 
 }  // namespace
@@ -169,10 +189,12 @@ std::optional<ViewAxes> parse_view(std::string_view text) {
     return axes_from(azimuth, elevation);
 }
 
-std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes) {
+std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes, Projection projection) {
     if (std::ranges::all_of(scene.spheres, &Sphere::hidden)) return std::nullopt;
-    const Frame frame(bounds_of(scene));
-    const auto [right, left, up, down] = planes_around(scene, axes, frame);
+    const SceneBounds bounds = bounds_of(scene);
+    const Frame frame(bounds);
+    if (projection == Projection::orthographic) return fitted_orthographic(scene, axes, frame, bounds);
+    const auto [right, left, up, down] = planes_around(scene, axes, frame, slope);
     // Everything is before an eye at (X, Y, Z) if its own planes lie outside: X - slope Z >= right, -X - slope Z >= left, and so
     // for Y. So Z is at most what the two sums leave; X and Y then leave the same margin on either side.
     const double x = 0.5 * (right - left);

@@ -52,7 +52,8 @@ std::optional<ViewAxes> parse_view(std::string_view text);
 // The nearest eye that looks this way, with the default camera's angle of view, and has every sphere that is not hidden wholly
 // within 31/32 of the screen's square: at two opposite sides something touches that. It does not depend on a picture's size, since
 // every picture shows the whole screen. Nothing if there is nothing to see. Never a faulty camera: radii so small that doubles
-// cannot place an eye accordingly count as larger, and an eye beyond the largest double stays there.
-std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes);
+// cannot place an eye accordingly count as larger, and an eye beyond the largest double stays there. Orthographic: the smallest
+// screen that shows all that, and an eye before everything, also when it turns about the middle.
+std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes, Projection projection = Projection::perspective);
 
 }  // namespace sphereview

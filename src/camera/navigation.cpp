@@ -30,7 +30,7 @@ glm::dvec2 middle_of(PictureSize size) { return {0.5 * size.width, 0.5 * size.he
 
 // The camera with these vectors; the one before where they are none.
 Camera settled(const Camera& before, const glm::dvec3& eye, const glm::dvec3& axis, const glm::dvec3& right, const glm::dvec3& up) {
-    const Camera camera = camera_with(eye, axis, right, up);
+    const Camera camera = camera_with(eye, axis, right, up, before.projection);
     return camera_fault(camera) ? before : camera;
 }
 
@@ -73,16 +73,31 @@ double allowed_tilt(const Attitude& attitude, double tilt) {
 
 }  // namespace
 
-Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up) {
+Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up, Projection projection) {
     // The same picture, with a larger screen: added to the eye's numbers, a small one would be rounded away. A power of two: exact.
-    const double ratio = largest_of(eye) / std::min(largest_of(axis), largest_of(right)) / farthest_screen;
+    // An orthographic screen's size is the picture's, and only its distance is free.
+    const bool perspective = projection == Projection::perspective;
+    const double smallest = perspective ? std::min(largest_of(axis), largest_of(right)) : largest_of(axis);
+    const double ratio = largest_of(eye) / smallest / farthest_screen;
     if (ratio > 1.0 && std::isfinite(ratio)) {
         const double scale = std::ldexp(1.0, std::ilogb(ratio) + 1);
         axis *= scale;
-        right *= scale;
-        up *= scale;
+        if (perspective) {
+            right *= scale;
+            up *= scale;
+        }
     }
-    return {eye, eye + axis, right, up};
+    return {eye, eye + axis, right, up, projection};
+}
+
+Camera with_projection(const Camera& camera, Projection projection, double depth) {
+    if (projection == camera.projection) return camera;
+    const glm::dvec3 axis = camera.center - camera.eye;
+    const bool perspective = projection == Projection::perspective;
+    const glm::dvec3 eye = camera.eye + (depth - 1.0) * axis;
+    const Camera turned = perspective ? camera_with(eye, axis, camera.right, camera.up)
+                                      : camera_with(camera.eye, depth * axis, depth * camera.right, depth * camera.up, projection);
+    return camera_fault(turned) ? camera : turned;
 }
 
 double depth_of(const Camera& camera, const glm::dvec3& point) {
@@ -92,6 +107,9 @@ double depth_of(const Camera& camera, const glm::dvec3& point) {
 
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth) {
     const glm::dvec2 screen = on_screen(size, place - middle_of(size));
+    if (camera.orthographic()) {
+        return camera.eye + depth * (camera.center - camera.eye) + screen.x * camera.right + screen.y * camera.up;
+    }
     return camera.eye + depth * ((camera.center - camera.eye) + screen.x * camera.right + screen.y * camera.up);
 }
 
@@ -107,10 +125,19 @@ Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, doubl
 
 Camera panned(const Camera& camera, PictureSize size, const glm::dvec2& pixels, double depth) {
     const glm::dvec2 screen = on_screen(size, pixels);
+    if (camera.orthographic()) return moved_to(camera, camera.eye - (screen.x * camera.right + screen.y * camera.up));
     return moved_to(camera, camera.eye - depth * (screen.x * camera.right + screen.y * camera.up));
 }
 
 Camera zoomed(const Camera& camera, const glm::dvec3& point, double factor) {
+    if (camera.orthographic()) {
+        const glm::dvec3 axis = camera.center - camera.eye;
+        const glm::dvec3 aside = (point - camera.eye) - depth_of(camera, point) * axis;
+        const bool too_small = factor < 1.0 && factor * largest_of(camera.right) < nearest_zoom * largest_of(point);
+        if (!(factor > 0.0) || too_small) return camera;
+        // The axis, too: so the angle of view stays for a perspective picture.
+        return settled(camera, camera.eye + (1.0 - factor) * aside, factor * axis, factor * camera.right, factor * camera.up);
+    }
     const glm::dvec3 eye = point + factor * (camera.eye - point);
     const bool too_near = factor < 1.0 && largest_of(eye - point) < nearest_zoom * largest_of(point);
     return factor > 0.0 && !too_near ? moved_to(camera, eye) : camera;

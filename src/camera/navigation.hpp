@@ -10,9 +10,14 @@
 
 namespace sphereview {
 
-// The camera of these vectors, `axis` from the eye to the screen's centre; far from the origin with a larger screen, as above.
-// Unlike the results of the other functions this camera may have a fault.
-Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up);
+// The camera of these vectors, `axis` from the eye to the screen's centre; far from the origin with a larger screen, as above, or
+// an orthographic one farther away. Unlike the results of the other functions this camera may have a fault.
+Camera camera_with(const glm::dvec3& eye, glm::dvec3 axis, glm::dvec3 right, glm::dvec3 up,
+                   Projection projection = Projection::perspective);
+
+// The camera with the other projection, if it is another: what lies at the depth keeps its size, and the angle of view is kept for
+// the way back.
+Camera with_projection(const Camera& camera, Projection projection, double depth);
 
 // How deep a point lies, in multiples of the distance from the eye to the screen along the view's axis (1: in the screen's plane).
 double depth_of(const Camera& camera, const glm::dvec3& point);
@@ -30,7 +35,8 @@ Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, doubl
 Camera panned(const Camera& camera, PictureSize size, const glm::dvec2& pixels, double depth);
 
 // Moved towards the point (factor < 1) or away from it (> 1) so that it keeps its pixel and its distance is times the factor.
-// The factor is more than 0. Not nearer than a billionth of the point's numbers, where directions begin to be rounded.
+// Orthographic: the screen is times the factor, and moved along itself. The factor is more than 0. Not nearer than a billionth of
+// the point's numbers, where directions begin to be rounded.
 Camera zoomed(const Camera& camera, const glm::dvec3& point, double factor);
 
 // Moved parallel to itself so that the point is in the picture's middle, as deep as before; as far before the eye as it was

@@ -181,6 +181,7 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
         numbers, [&](std::int32_t number) { return filter.surely_missed(scene.spheres[static_cast<std::size_t>(number)]); }));
 
     const Ray ray(scene, numbers, camera, size, pixel);
+    out.projection = camera.projection;
     out.origin = camera.eye;
     for (int axis = 0; axis < 3; ++axis) {
         const auto i = static_cast<std::size_t>(axis);
@@ -209,6 +210,7 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
     out.farther = static_cast<std::int64_t>(hits.size() - explained);
     for (std::size_t i = 0; i < explained; ++i) {
         out.hits.push_back(explain(*nearest[i], ray));
+        out.hits.back().projection = camera.projection;
         out.hits.back().as_near_as_last = i > 0 && compare(nearest[i - 1]->root, nearest[i]->root) == 0;
     }
     out.level = decision_level(scene, drawn, camera, size, pixel, lists);
@@ -222,8 +224,27 @@ std::string vector_in_words(const glm::dvec3& v) {
     return "(" + part(v.x) + ", " + part(v.y) + ", " + part(v.z) + ")";
 }
 
+std::string origin_in_words(const PixelExplanation& explanation) {
+    const bool parallel = explanation.projection == Projection::orthographic;
+    return "O = " + vector_in_words(explanation.origin) + (parallel ? "  the pixel's place in the plane of the eye" : "  the eye");
+}
+
+std::string direction_in_words(const PixelExplanation& explanation) {
+    const bool parallel = explanation.projection == Projection::orthographic;
+    return "D = " + vector_in_words(explanation.direction) +
+           (parallel ? "  the same for all pixels" : "  through the pixel's centre");
+}
+
 const char* why(const ExplainedHit& hit) {
     const bool tangent = hit.discriminant_sign == 0;
+    if (hit.projection == Projection::orthographic && !tangent) {
+        switch (hit.counts) {
+            case CountingRoot::t1:
+                return "both roots are positive (c > 0: the ray begins outside, and b < 0): the smaller, t1, counts";
+            case CountingRoot::t2_inside: return "c < 0: the ray begins inside the sphere, so t1 < 0 < t2, and t2 counts";
+            case CountingRoot::t2_surface: return "c = 0: the ray begins on the surface; t1 = 0 is not positive, and t2 counts";
+        }
+    }
     switch (hit.counts) {
         case CountingRoot::t1:
             return tangent ? "one root, positive: the ray is tangent, and t1 = t2 counts"

@@ -28,7 +28,8 @@ enum class CountingRoot {
 // a = D.D, b = 2 D.(O - C), c = (O - C).(O - C) - r^2, discriminant = b^2 - 4 a c.
 struct ExplainedHit {
     std::int32_t number = 0;         // in the scene
-    EyeSide eye = EyeSide::outside;  // where the ray's origin is
+    EyeSide eye = EyeSide::outside;  // where the ray begins
+    Projection projection = Projection::perspective;
     double a = 0.0;
     double b = 0.0;
     double c = 0.0;
@@ -44,6 +45,7 @@ struct ExplainedHit {
 };
 
 struct PixelExplanation {
+    Projection projection = Projection::perspective;
     glm::dvec3 origin{0.0};          // O, rounded once
     glm::dvec3 direction{0.0};       // D, likewise
     std::vector<ExplainedHit> hits;  // nearest first; of equal ones the first in the file first
@@ -67,6 +69,10 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
 
 // What an explanation says in words, for whoever shows it.
 std::string vector_in_words(const glm::dvec3& v);
+
+// O and D, with what they are.
+std::string origin_in_words(const PixelExplanation& explanation);
+std::string direction_in_words(const PixelExplanation& explanation);
 
 // Which root counts, and why.
 const char* why(const ExplainedHit& hit);

@@ -151,13 +151,19 @@ void read_sphere(const TomlText& document, const toml::table& table, std::size_t
 }
 
 Camera read_camera(const TomlText& document, const toml::table& table) {
-    static const std::vector<std::string> keys = {"eye", "center", "right", "up"};
+    static const std::vector<std::string> keys = {"eye", "center", "right", "up", "projection"};
     const TableReader reader(document, table, "[camera]", keys);
     Camera camera;
     if (const auto* node = reader.find("eye")) camera.eye = reader.vector(*node, "eye");
     if (const auto* node = reader.find("center")) camera.center = reader.vector(*node, "center");
     if (const auto* node = reader.find("right")) camera.right = reader.vector(*node, "right");
     if (const auto* node = reader.find("up")) camera.up = reader.vector(*node, "up");
+    if (const auto* node = reader.find("projection")) {
+        const std::string expected = R"('projection' as "perspective" or "orthographic")";
+        const auto projection = projection_named(reader.value<std::string>(*node, expected));
+        if (!projection) wrong(document, *node, expected);
+        camera.projection = *projection;
+    }
     if (const auto fault = camera_fault(camera)) {
         const toml::node* culprit = &table;
         for (auto key = fault->vectors.rbegin(); key != fault->vectors.rend(); ++key) {

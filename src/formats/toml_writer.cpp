@@ -106,6 +106,7 @@ std::string write_toml(const Scene& scene) {
         append_vector(text, "center", scene.camera.center);
         append_vector(text, "right", scene.camera.right);
         append_vector(text, "up", scene.camera.up);
+        if (scene.camera.orthographic()) text += "projection = \"" + std::string(name_of(scene.camera.projection)) + "\"\n";
     }
     if (scene.light != Light{}) append_light(text, scene.light);
     if (as_text && !scene.names.empty()) {

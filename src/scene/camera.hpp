@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
@@ -32,7 +33,17 @@ struct Pixel {
 // place.
 enum class Projection { perspective, orthographic };
 
-inline constexpr std::array<const char*, 2> projection_names = {"perspective", "orthographic"};
+// By their values.
+inline constexpr std::array<std::string_view, 2> projection_names = {"perspective", "orthographic"};
+
+constexpr std::string_view name_of(Projection projection) { return projection_names[static_cast<std::size_t>(projection)]; }
+
+// Nothing for any other text.
+constexpr std::optional<Projection> projection_named(std::string_view name) {
+    if (name == projection_names[0]) return Projection::perspective;
+    if (name == projection_names[1]) return Projection::orthographic;
+    return std::nullopt;
+}
 
 // The camera is these twelve doubles, in scene space, and a projection. `right` and `up` lead from the screen's centre to the
 // middle of its edges; they are perpendicular and equally long. The default is the screen (-50, -50, 100) .. (50, 50, 100) seen

@@ -75,7 +75,8 @@ inline bool same_geometry(const Sphere& a, const Sphere& b) {
 inline bool same_bits(const Sphere& a, const Sphere& b) { return same_geometry(a, b) && a.color == b.color; }
 
 inline bool same_bits(const Camera& a, const Camera& b) {
-    return same_bits(a.eye, b.eye) && same_bits(a.center, b.center) && same_bits(a.right, b.right) && same_bits(a.up, b.up);
+    return same_bits(a.eye, b.eye) && same_bits(a.center, b.center) && same_bits(a.right, b.right) && same_bits(a.up, b.up) &&
+           a.projection == b.projection;
 }
 
 inline bool same_bits(const Light& a, const Light& b) {

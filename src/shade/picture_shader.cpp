@@ -291,10 +291,10 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
         span.sphere = shaded_sphere(sphere, camera_.eye, side);
         const std::size_t at_once = side == EyeSide::in_plane ? 1 : most_at_once;
         for (; run != end; run += static_cast<std::ptrdiff_t>(span.count)) {
-            const Pixel pixel{x + static_cast<int>(run - visible.begin()), y};
-            span.across = static_cast<double>(ray_coefficients(size_, pixel).across);
+            const Pixel first{x + static_cast<int>(run - visible.begin()), y};
+            span.across = static_cast<double>(ray_coefficients(size_, first).across);
             span.count = std::min(static_cast<std::size_t>(end - run), at_once);
-            if (side == EyeSide::in_plane) span.sphere.side = side_of(origin_side(sphere, side, camera_, size_, pixel));
+            if (side == EyeSide::in_plane) span.sphere.side = side_of(origin_side(sphere, side, camera_, size_, first));
             find_hits(span, hits);
             for (std::size_t k = 0; k < span.count; ++k, out += channels) {
                 const Color color = color_of(sphere, k, static_cast<std::size_t>(run - visible.begin()) + k);

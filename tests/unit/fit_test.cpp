@@ -1,4 +1,5 @@
 #include "camera/fit.hpp"
+#include "camera/navigation.hpp"
 
 #include <gtest/gtest.h>
 
@@ -101,6 +102,43 @@ TEST(ViewAxes, KeepToTheHandOfThePresentOnes) {
     for (const char* name : {"right", "top", "iso", "20,30"}) {
         const ViewAxes of_data = with_hand_of(data_axes, view(name));
         EXPECT_LT(glm::dot(glm::cross(of_data.right, of_data.up), of_data.ahead), -0.999) << name;
+    }
+}
+
+// Inside the margin, two opposite sides touched, and nothing in the plane of the eye, also from elsewhere.
+TEST(Fit, AnOrthographicScreenIsAsLargeAsWhatItShows) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(9000 + seed);
+        const double scale = random.of_size(1e-6, 1e6);
+        Scene scene;
+        for (int count = random.whole(1, 12); count > 0; --count) {
+            scene.spheres.push_back({scale * random.in_cube(5.0), scale * random.of_size(0.01, 3.0)});
+        }
+        const ViewAxes axes = view(views[seed % views.size()]);
+        const Camera camera = *fitted(scene, axes, Projection::orthographic);
+        ASSERT_FALSE(camera_fault(camera));
+        EXPECT_EQ(camera.projection, Projection::orthographic);
+        Reach reach{};
+        for (const Sphere& sphere : scene.spheres) {
+            const glm::dvec3 place = sphere.center - camera.eye;
+            const double x = glm::dot(place, axes.right);
+            const double y = glm::dot(place, axes.up);
+            const double towards[] = {x, -x, y, -y};
+            const double half = glm::length(camera.right);
+            for (std::size_t i = 0; i < 4; ++i) reach[i] = std::max(reach[i], (towards[i] + sphere.radius) / half);
+        }
+        const auto touched = [&](std::size_t side) { return std::fabs(reach[side] - 31.0 / 32.0) < 1e-9; };
+        EXPECT_LE(std::ranges::max(reach), 31.0 / 32.0 + 1e-9);
+        EXPECT_TRUE((touched(0) && touched(1)) || (touched(2) && touched(3))) << testing::PrintToString(reach);
+        const glm::dvec3 pivot = bounds_of(scene).middle();
+        for (const double turn : {0.0, 1.0, 2.0, 3.0}) {
+            const Camera turned = orbited(camera, pivot, turn, 0.3 * turn);
+            const glm::dvec3 ahead = glm::normalize(turned.center - turned.eye);
+            for (const Sphere& sphere : scene.spheres) {
+                EXPECT_GT(glm::dot(sphere.center - turned.eye, ahead), sphere.radius);
+            }
+        }
     }
 }
 

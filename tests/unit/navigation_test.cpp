@@ -246,6 +246,58 @@ TEST(Zoomed, GoesAsNearAndAsFarAsDoublesAllowAndBackAgain) {
     EXPECT_LT(glm::length(camera.eye - point), 1e-3);
 }
 
+// All moves of an orthographic camera: what is under the pointer stays there, and nothing but a turn moves the picture's plane.
+TEST(Orthographic, MovesAndZoomsAlongItsPlane) {
+    expect_in_trials(9, 3000, [](const Trial& t) {
+        Camera camera = t.camera;
+        camera.projection = Projection::orthographic;
+        const double depth = t.random.of_size(0.1, 10.0);
+        const glm::dvec3 point = point_at(camera, t.size, t.place, depth);
+        EXPECT_NEAR(depth_of(camera, point) / depth, 1.0, 1e-9);
+        expect_shown(camera, t.size, point, t.place);
+        const glm::dvec3 ahead = ahead_of(camera);
+        const auto expect_same_plane = [&](const Camera& moved) {
+            EXPECT_EQ(moved.projection, Projection::orthographic);
+            EXPECT_NEAR(glm::dot(ahead, moved.eye - camera.eye) / t.scale, 0.0, 1e-7);
+        };
+
+        const glm::dvec2 to = any_place(t.random, t.size);
+        const Camera moved = panned(camera, t.size, to - t.place, t.random.of_size(0.1, 10.0));
+        expect_shown(moved, t.size, point, to);
+        expect_same_plane(moved);
+
+        const double factor = t.random.of_size(0.01, 100.0);
+        const Camera near = zoomed(camera, point, factor);
+        expect_shown(near, t.size, point, t.place);
+        expect_same_plane(near);
+        EXPECT_NEAR(glm::length(near.right) / glm::length(camera.right) / factor, 1.0, 1e-9);
+
+        const Camera orbiting = orbited(camera, point, 0.3, 0.2);
+        EXPECT_EQ(orbiting.projection, Projection::orthographic);
+        EXPECT_NEAR(glm::length(orbiting.eye - point) / glm::length(camera.eye - point), 1.0, 1e-9);
+    });
+}
+
+TEST(WithProjection, KeepsWhatLiesAtTheDepthAndComesBack) {
+    expect_in_trials(10, 3000, [](const Trial& t) {
+        const double depth = t.random.of_size(0.1, 10.0);
+        const glm::dvec3 point = point_at(t.camera, t.size, t.place, depth);
+        const Camera parallel = with_projection(t.camera, Projection::orthographic, depth);
+        expect_shown(parallel, t.size, point, t.place);
+        EXPECT_EQ(parallel.eye, t.camera.eye);
+        const Camera back = with_projection(parallel, Projection::perspective, depth_of(parallel, point));
+        expect_shown(back, t.size, point, t.place);
+        EXPECT_LE(glm::length(back.eye - t.camera.eye) / t.scale, 1e-6);
+        // After a zoom the angle of view is the old one, too.
+        const Camera near = zoomed(parallel, point, 0.25);
+        const Camera from_near = with_projection(near, Projection::perspective, depth_of(near, point));
+        expect_shown(from_near, t.size, point, t.place);
+        const auto angle = [](const Camera& camera) { return glm::length(camera.right) / glm::length(camera.center - camera.eye); };
+        EXPECT_NEAR(angle(from_near) / angle(t.camera), 1.0, 1e-6);
+    });
+    EXPECT_EQ(with_projection({}, Projection::perspective, 3.0), Camera());
+}
+
 TEST(CenteredOn, PutsThePointInTheMiddleAsDeepAsBefore) {
     expect_in_trials(8, 5000, [](const Trial& t) {
         const glm::dvec3 point = t.random.in_cube(100.0 * t.scale);

@@ -79,6 +79,21 @@ TEST_F(Commands, WhatIsShownIsMarked) {
     }
 }
 
+TEST_F(Commands, TheOtherProjectionIsAViewAndComesBack) {
+    EXPECT_FALSE(is_checked(CommandId::orthographic));
+    run_command(state, CommandId::orthographic);
+    EXPECT_TRUE(is_checked(CommandId::orthographic));
+    // The screen is where the pivot is.
+    EXPECT_EQ(state.camera, (Camera{{0, 0, 0}, {0, 0, 300}, {150, 0, 0}, {0, 150, 0}, Projection::orthographic}));
+    EXPECT_FALSE(state.document.can_undo());
+    EXPECT_EQ(state.scene().camera, before.camera);
+    run_command(state, CommandId::fit_all);
+    ASSERT_TRUE(state.flight);
+    EXPECT_TRUE(state.flight->last().orthographic());
+    run_command(state, CommandId::orthographic);
+    EXPECT_EQ(state.camera, (Camera{{0, 0, 0}, {0, 0, 300}, {150, 0, 0}, {0, 150, 0}}));
+}
+
 TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
     const auto marked = [&] {
         std::vector<CommandId> found;

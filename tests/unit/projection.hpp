@@ -15,7 +15,8 @@ inline std::optional<glm::dvec2> project(const Camera& camera, PictureSize size,
     const double depth = depth_of(camera, point);
     if (!(depth > 0.0)) return std::nullopt;
     // On the screen, from its centre; with the dual vectors, because right and up may be not quite perpendicular.
-    const glm::dvec3 there = (point - camera.eye) / depth - (camera.center - camera.eye);
+    const glm::dvec3 axis = camera.center - camera.eye;
+    const glm::dvec3 there = camera.orthographic() ? (point - camera.eye) - depth * axis : (point - camera.eye) / depth - axis;
     const glm::dvec3 dual_right = glm::cross(directions.up, directions.ahead);
     const glm::dvec3 dual_up = glm::cross(directions.right, directions.ahead);
     const double across = glm::dot(there, dual_right) / glm::dot(camera.right, dual_right);

@@ -74,6 +74,10 @@ TEST(TomlFormat, HasADefaultForEverything) {
     Scene moved;
     moved.camera.eye = {0, 0, -5};
     EXPECT_EQ(read_toml("camera.eye = [0, 0, -5]", "s.toml", {}).scene, moved);
+    EXPECT_EQ(read_toml("[camera]\neye = [0, 0, -5]\nprojection = 'perspective'", "s.toml", {}).scene, moved);
+    moved.camera.projection = Projection::orthographic;
+    EXPECT_EQ(read_toml("[camera]\neye = [0, 0, -5]\nprojection = 'orthographic'", "s.toml", {}).scene, moved);
+    EXPECT_EQ(read_toml(write_toml(moved), "s.toml", {}).scene, moved);
 }
 
 TEST(TomlFormat, TakesLineEndsAndAByteOrderMark) {
@@ -136,7 +140,7 @@ TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
          "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, sphere, spheres, "
          "hidden, names; did you mean 'background'?"},
         {"[camera]\n  Eye = [0, 0, 0]",
-         "2:3: found the unknown key 'Eye' in [camera], expected one of eye, center, right, up; did you mean 'eye'?"},
+         "2:3: found the unknown key 'Eye' in [camera], expected one of eye, center, right, up, projection; did you mean 'eye'?"},
         {"[[sphere]]\ncolour = [1, 2, 3]",
          "2:1: found the unknown key 'colour' in [[sphere]] 1, expected one of name, color, center, radius, hidden; did you mean "
          "'color'?"},
@@ -219,6 +223,8 @@ TEST(TomlErrors, SayWhichTypeWasExpected) {
         {"spheres = 1", "1:11: found 1, expected 'spheres' as a string in the text format"},
         {"background = 0", "1:14: found 0, expected 'background' as a string: black, white, transparent or #rrggbb"},
         {"background = 'grey'", "1:14: found 'grey', expected 'background' as a string: black, white, transparent or #rrggbb"},
+        {"[camera]\nprojection = 'parallel'",
+         "2:14: found 'parallel', expected 'projection' as \"perspective\" or \"orthographic\""},
         {"[camera]\neye = [0, 0, inf]", "2:14: found inf, expected 'eye' as three finite numbers [x, y, z]"},
     });
 }
