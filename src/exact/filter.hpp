@@ -79,8 +79,12 @@ inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Rea
             const Real high = near_low > Real(0) ? near_high : far_low > Real(0) ? far_high : never;
             return {missed ? never : low, both ? high : never};
         } else {
-            const bool missed = (h - r > w) | (along < -w);
-            const bool sure = (r - h > w) & (along > w);
+            const bool beside = h - r > w;
+            const bool behind = along < -w;
+            const bool within = r - h > w;
+            const bool ahead = along > w;
+            const bool missed = beside | behind;  // without branches
+            const bool sure = within & ahead;
             return {missed ? never : along - longest - w, sure ? along - shortest + w : never};
         }
     }
