@@ -90,7 +90,9 @@ std::span<const std::uint32_t> LightTiles::lit(const LitScene& lit_scene, std::s
     do {
         choose_tiles(lit_scene.blockers, lit_scene.points.farthest);
         find_facing(lit_scene, begin, end, direction);
+        check_cancelled();
         find_discs(lit_scene);
+        check_cancelled();
         cut();
         drop_what_is_cut();
     } while (!list_discs());
