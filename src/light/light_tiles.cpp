@@ -18,6 +18,7 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::size_t at_once = 256;  // points or spheres: what the loops below turn into SIMD stays in the nearest cache
 constexpr std::size_t fewest_tiles = 8;
 constexpr int coarse_shift = 3;
+constexpr std::size_t most_asked = 16;   // tiles that a disc asks one by one whether it is needed
 constexpr double most_touched = 0x1p25;  // tiles that all discs of a light touch: many huge spheres get larger tiles
 constexpr std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere
 
@@ -90,7 +91,9 @@ std::span<const std::uint32_t> LightTiles::lit(const LitScene& lit_scene, std::s
     do {
         choose_tiles(lit_scene.blockers, lit_scene.points.farthest);
         find_facing(lit_scene, begin, end, direction);
+        check_cancelled();
         find_discs(lit_scene);
+        check_cancelled();
         cut();
         drop_what_is_cut();
     } while (!list_discs());
@@ -160,7 +163,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, std::size_t begin, std::
     }
 }
 
-// The discs that may lie above a point of the 8 x 8 tiles that they touch.
+// The discs that may lie above a point of the tiles that they touch.
 void LightTiles::find_discs(const LitScene& lit_scene) {
     const Blockers& blockers = lit_scene.blockers;
     const Axes axes{frame_.across, frame_.upward, frame_.height};
@@ -178,14 +181,19 @@ void LightTiles::find_discs(const LitScene& lit_scene) {
             const float y = projected.y[i];
             if (std::fabs(x) - reach > half_ || std::fabs(y) - reach > half_) continue;
             const float high = projected.height[i] + doubt;
-            const std::size_t left = tile(x - reach) >> coarse_shift;
-            const std::size_t right = tile(x + reach) >> coarse_shift;
-            const std::size_t bottom = tile(y - reach) >> coarse_shift;
-            const std::size_t top = tile(y + reach) >> coarse_shift;
+            const std::size_t left = tile(x - reach);
+            const std::size_t right = tile(x + reach);
+            const std::size_t bottom = tile(y - reach);
+            const std::size_t top = tile(y + reach);
+            // A large disc asks of 8 x 8 tiles at once.
+            const bool large = (right - left + 1) * (top - bottom + 1) > most_asked;
+            const float* all_lowest = large ? coarse_.data() : lowest_.data();
+            const std::size_t side = large ? coarse_side : side_;
+            const int shift = large ? coarse_shift : 0;
             bool needed = false;
-            for (std::size_t row = bottom; row <= top && !needed; ++row) {
-                const float* lowest = &coarse_[row * coarse_side];
-                for (std::size_t column = left; column <= right; ++column) needed |= lowest[column] < high;
+            for (std::size_t row = bottom >> shift; row <= top >> shift && !needed; ++row) {
+                const float* lowest = all_lowest + row * side;
+                for (std::size_t column = left >> shift; column <= right >> shift; ++column) needed |= lowest[column] < high;
             }
             if (!needed) continue;
             discs_.push_back({x, y, radius > doubt ? square(radius - doubt) : -1.0F, square(radius + doubt),

@@ -42,7 +42,7 @@ struct LightCounts {
 // Decides one light after the other; it keeps its memory between them. One thread's.
 class LightTiles {
 public:
-    // The points [begin, end) on which a light shines.
+    // The points [begin, end) on which a light shines, ascending.
     std::span<const std::uint32_t> lit(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
 
     const LightCounts& counts() const { return counts_; }

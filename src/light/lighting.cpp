@@ -1,10 +1,12 @@
 #include "light/lighting.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 #include <thread>
 #include <utility>
@@ -52,14 +54,16 @@ double brightness(const LightVector& share, const glm::dvec3& toward_eye) {
     return strength * (std::sin(phase) + (std::numbers::pi - phase) * std::cos(phase));
 }
 
-// Light by light: each thread takes the next one, and adds to sums of its own, because whole numbers may be added in any order.
+// Light by light: each thread takes the next one, and adds to the sums when the light is decided: whole numbers may be added in any
+// order.
 class LightSums {
 public:
     LightSums(const LitScene& lit_scene, std::vector<Job> jobs, const std::function<void(double)>& progress)
         : lit_scene_(lit_scene),
           jobs_(std::move(jobs)),
           progress_(progress),
-          workers_(std::min({jobs_.size(), most_workers, static_cast<std::size_t>(worker_count())})) {}
+          workers_(std::min({jobs_.size(), most_workers, static_cast<std::size_t>(worker_count())})),
+          sums_(lit_scene.points.size()) {}
 
     std::size_t size() const { return jobs_.size(); }
     std::size_t added() const { return added_; }
@@ -72,16 +76,13 @@ public:
         std::atomic<std::size_t> next = added_;
         const auto caller = std::this_thread::get_id();
         parallel_for(workers_.size(), [&](std::size_t which) {
-            Worker& worker = workers_[which];
+            LightTiles& tiles = workers_[which];
             for (std::size_t i = next++; i < end; i = next++) {
                 check_cancelled();
-                worker.sums.resize(lit_scene_.points.size());
                 const auto& [set, light] = jobs_[i];
                 const std::size_t first = lit_scene_.points.begins.at(set);
                 const std::size_t last = lit_scene_.points.begins.at(set + 1);
-                for (const std::uint32_t point : worker.tiles.lit(lit_scene_, first, last, light->direction)) {
-                    worker.sums[point] += light->share;
-                }
+                add_share(tiles.lit(lit_scene_, first, last, light->direction), light->share);
                 if (progress_ && std::this_thread::get_id() == caller) {
                     progress_(static_cast<double>(i) / static_cast<double>(jobs_.size()));
                 }
@@ -94,26 +95,29 @@ public:
     template <typename Use>
     void for_each_point(const Use& use) const {
         parallel_pieces(lit_scene_.points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) {
-                LightVector sum;
-                for (const Worker& worker : workers_) {
-                    if (!worker.sums.empty()) sum += worker.sums[i];
-                }
-                use(lit_scene_.points.origins[i], sum);
-            }
+            for (std::size_t i = begin; i < end; ++i) use(lit_scene_.points.origins[i], sums_[i]);
         });
     }
 
 private:
-    struct Worker {
-        LightTiles tiles;
-        std::vector<LightVector> sums;  // by point
-    };
+    // To points in ascending order. Threads that add at the same time are mostly in different parts.
+    void add_share(std::span<const std::uint32_t> points, const LightVector& share) {
+        const std::size_t part_size = sums_.size() / joining_.size() + 1;
+        for (auto point = points.begin(); point != points.end();) {
+            const std::size_t part = *point / part_size;
+            const std::lock_guard lock(joining_[part]);
+            for (const std::size_t end = (part + 1) * part_size; point != points.end() && *point < end; ++point) {
+                sums_[*point] += share;
+            }
+        }
+    }
 
     const LitScene& lit_scene_;
     std::vector<Job> jobs_;
     const std::function<void(double)>& progress_;
-    std::vector<Worker> workers_;
+    std::vector<LightTiles> workers_;
+    std::vector<LightVector> sums_;       // by point
+    std::array<std::mutex, 64> joining_;  // of parts of them
     std::size_t added_ = 0;
 };
 

@@ -20,7 +20,7 @@ namespace sphereview {
 struct LightPreviews {
     std::function<void(std::span<const LightVector>)> show;  // is given the light of each point, as light() returns it
     std::size_t fewest = 0;                                  // lights before the first
-    double first_after = 0.08;                               // seconds of adding lights
+    double first_after = 0.04;                               // seconds of adding lights
     double every = 0.2;                                      // seconds, from one to the next
 };
 

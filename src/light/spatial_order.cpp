@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "base/parallel.hpp"
+
 namespace sphereview {
 
 namespace {
 
+constexpr std::size_t spheres_at_once = 16384;
 constexpr int cell_bits = 6;  // an axis
 constexpr double cells_across = 64.0;
 
@@ -54,11 +57,15 @@ std::vector<std::uint32_t> spatial_order(const Scene& scene, const DrawnSpheres&
         return spread(cell_along(low.x, high.x, c.x)) | spread(cell_along(low.y, high.y, c.y)) << 1 |
                spread(cell_along(low.z, high.z, c.z)) << 2;
     };
+    std::vector<std::uint32_t> cells(indices.size());
+    parallel_pieces(indices.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) cells[i] = cell(indices[i]);
+    });
     std::vector<std::uint32_t> places((std::size_t{1} << (3 * cell_bits)) + 1, 0);
-    for (const std::uint32_t index : indices) ++places[cell(index) + std::size_t{1}];
+    for (const std::uint32_t its_cell : cells) ++places[its_cell + std::size_t{1}];
     for (std::size_t i = 1; i < places.size(); ++i) places[i] += places[i - 1];
     std::vector<std::uint32_t> order(indices.size());
-    for (const std::uint32_t index : indices) order[places[cell(index)]++] = index;
+    for (std::size_t i = 0; i < indices.size(); ++i) order[places[cells[i]]++] = indices[i];
     return order;
 }
 

@@ -29,7 +29,7 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     const TemporaryFolder folder;
     folder.write("home/config/sphereview/viewer.json", "{}");
     const std::string scene = folder.write("scene.txt", two_spheres);
-    ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5"});
+    ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5", "--size", "200x200"});
     window.key("m");
     window.wait_until("the default",
                       [](const Json& f) { return f.at("shading") == "studio" && f.at("samples") == 16 && f.at("exact") == true; });
@@ -37,13 +37,13 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     EXPECT_TRUE(grew(folder));
     window.step("F12 shows what the window shows");
     window.key("F12");
-    announced(window, "scene.png (1000 x 1000, 16 samples a pixel)");
-    EXPECT_EQ(folder.read("scene.png"),
-              render_bytes(folder, scene, {"--shade", "studio", "--samples", "16", "--sun", "1,2,-3", "--sky", "0.5"}));
+    announced(window, "scene.png (200 x 200, 16 samples a pixel)");
+    EXPECT_EQ(
+        folder.read("scene.png"),
+        render_bytes(folder, scene, {"-s", "200x200", "--shade", "studio", "--samples", "16", "--sun", "1,2,-3", "--sky", "0.5"}));
     window.step("the sun's ray in the inspector");
     window.key("i");
-    window.move_to(window.on_screen(30, -30));
-    window.move_to(window.on_screen(0, 0));
+    window.move_to(window.on_screen(33, 0));  // the green sphere, beside the inspector
     window.wait_until("the ray", [](const Json& f) { return f.at("widgets").contains("sun ray"); });
 }
 

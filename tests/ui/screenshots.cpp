@@ -23,6 +23,7 @@ Place at(ViewerWindow& window, double x, double y) {
 
 void take(const std::string& folder) {
     const TemporaryFolder files;
+    files.write("home/config/sphereview/viewer.json", "{}");  // as who opens it for the first time sees it
     const ScreenOptions screen{1280, 800, 96};
     {
         ViewerWindow window(files, {source_file("scenes/planets.toml")}, screen);
