@@ -14,7 +14,7 @@ namespace {
 constexpr double float_roundings = 24.0 * float_unit;
 constexpr double most_size = 0x1p40;  // squares, and their sums, are finite
 
-constexpr std::size_t spheres_at_once = 16384;
+constexpr std::size_t blockers_at_once = 16384;
 
 // The others keep their order. The places ascend.
 template <typename T>
@@ -44,7 +44,7 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, std::span<const
     const auto farthest = static_cast<double>(points.farthest);
     std::vector<std::size_t> left_out;
     std::mutex joining;
-    parallel_pieces(order.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(order.size(), blockers_at_once, [&](std::size_t begin, std::size_t end) {
         double covered = 0.0;
         std::vector<std::size_t> part_left_out;
         for (std::size_t k = begin; k < end; ++k) {

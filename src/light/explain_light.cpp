@@ -13,7 +13,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::size_t spheres_at_once = 16384;
+constexpr std::size_t tried_at_once = 16384;
 constexpr std::size_t most_blockers = 3;
 
 // What is asked of one pixel again and again.
@@ -35,7 +35,7 @@ public:
         const DrawnSpheres& drawn = pixel_.drawn;
         std::vector<std::int32_t> found;
         std::mutex joining;
-        parallel_pieces(drawn.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+        parallel_pieces(drawn.size(), tried_at_once, [&](std::size_t begin, std::size_t end) {
             std::vector<std::int32_t> part;
             for (std::size_t i = begin; i < end; ++i) {
                 if (std::ranges::binary_search(drawn.gone, static_cast<std::uint32_t>(i))) continue;

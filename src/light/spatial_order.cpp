@@ -9,7 +9,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::size_t spheres_at_once = 16384;
+constexpr std::size_t indices_at_once = 16384;
 constexpr int cell_bits = 6;  // an axis
 constexpr double cells_across = 64.0;
 
@@ -58,7 +58,7 @@ std::vector<std::uint32_t> spatial_order(const Scene& scene, const DrawnSpheres&
                spread(cell_along(low.z, high.z, c.z)) << 2;
     };
     std::vector<std::uint32_t> cells(indices.size());
-    parallel_pieces(indices.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(indices.size(), indices_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) cells[i] = cell(indices[i]);
     });
     std::vector<std::uint32_t> places((std::size_t{1} << (3 * cell_bits)) + 1, 0);

@@ -13,10 +13,9 @@ namespace sphereview {
 
 namespace {
 
-constexpr double tolerance = 0x1p-22;          // of |x| + |y| + |z| + r: covers the rounding to float and of the planes
-constexpr double in_front_factor = 1.0625;     // of the reach, from the eye's plane: all of the ball is in front of it
-constexpr double nearest_tolerance = 0x1p-21;  // of |x| + |y| + |z| + r, for the rounding to float of the input and of the result
-constexpr std::size_t lanes = 64;              // spheres at a time
+constexpr double tolerance = 0x1p-22;       // of |x| + |y| + |z| + r: covers the rounding to float and of the planes
+constexpr double in_front_factor = 1.0625;  // of the reach, from the eye's plane: all of the ball is in front of it
+constexpr std::size_t lanes = 64;           // spheres at a time
 
 // A sphere and the planes of an axis: the product of its centre with the normal of plane i is base + a step; `reach` is
 // the radius and all errors.
@@ -222,15 +221,9 @@ PixelRange PixelPlanes::range(const glm::vec4& sphere) const {
     return columns.last < columns.first ? PixelRange() : range_of(columns, interval(rows_));
 }
 
-float PixelPlanes::nearest_distance(const glm::vec4& sphere) const {
-    const glm::dvec3 center(sphere);
-    const double radius = std::fabs(static_cast<double>(sphere.w));
-    const double all = std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius + reach_;
-    // The eye on the surface: the sphere may be hit right before it.
-    if (sphere.w == 0.0F) return 0.0F;
-    // A ray that begins in a plane is at least as long as what it hits is deep.
-    const double nearest = orthographic_ ? glm::dot(center, view_) - radius : std::fabs(glm::length(center) - radius);
-    return usable_ || !orthographic_ ? static_cast<float>(std::max(0.0, nearest - nearest_tolerance * all)) : 0.0F;
+// A ray that begins in a plane is at least as long as what it hits is deep.
+double PixelPlanes::nearest_depth(const glm::vec4& sphere) const {
+    return usable_ ? glm::dot(glm::dvec3(sphere), view_) - std::fabs(static_cast<double>(sphere.w)) : 0.0;
 }
 
 void PixelPlanes::ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <span>
@@ -73,12 +75,22 @@ public:
     PixelRange range(const glm::vec4& sphere) const;
 
     // No hit of the sphere is nearer to where its ray begins than this.
-    float nearest_distance(const glm::vec4& sphere) const;
+    float nearest_distance(const glm::vec4& sphere) const {
+        constexpr double tolerance = 0x1p-21;  // of |x| + |y| + |z| + r, for the rounding to float of the input and of the result
+        if (sphere.w == 0.0F) return 0.0F;     // the eye on the surface: the sphere may be hit right before it
+        const glm::dvec3 center(sphere);
+        const double radius = std::fabs(static_cast<double>(sphere.w));
+        const double all = std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius + reach_;
+        const double nearest = orthographic_ ? nearest_depth(sphere) : std::fabs(glm::length(center) - radius);
+        return static_cast<float>(std::max(0.0, nearest - tolerance * all));
+    }
 
     // The same range for each of the spheres, many at a time. There must be as many places in `ranges`.
     void ranges(std::span<const glm::vec4> spheres, std::span<PixelRange> ranges) const;
 
 private:
+    double nearest_depth(const glm::vec4& sphere) const;  // of an orthographic picture
+
     PixelAxis columns_;
     PixelAxis rows_;
     glm::dvec3 view_{0.0};  // of length 1; every ray has a positive product with it

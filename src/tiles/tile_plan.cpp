@@ -1,6 +1,8 @@
 #include "tiles/tile_plan.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace sphereview {
 

@@ -29,6 +29,10 @@ std::vector<Scene> scenes() {
         sphere.center = sphere.center * 1e-30;
         sphere.radius *= 1e-30;
     }
+    for (const double z : {0.0, 200.0}) {  // parallel rays from before all spheres, and from a plane that meets some
+        all.push_back(shaded_scene(40, 7));
+        all.back().camera = {{0, 0, z}, {15, -10, z + 100}, {120, 0, 0}, {0, 120, 0}, Projection::orthographic};
+    }
     return all;
 }
 
