@@ -46,6 +46,20 @@ TEST_F(Commands, EachIsOneStepThatUndoes) {
     }
 }
 
+// What the command line says of the light holds until the light is edited.
+TEST_F(Commands, AnEditOfTheLightReplacesTheCommandLines) {
+    state.light.sky = 0.5;
+    state.light.sun_strength = 2.0;  // of a sun that this scene does not have
+    EXPECT_EQ(state.shown_light(), (Light{.lights = {}, .sky = 0.5}));
+    Light edited = state.shown_light();
+    edited.key = 0.25;
+    perform(state, {EditScene{ChangeLight{edited}, "Change the key light"}});
+    EXPECT_EQ(state.scene().light, edited);
+    EXPECT_EQ(state.shown_light(), edited);
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.shown_light(), Light{});
+}
+
 TEST_F(Commands, WithoutASelectionThereIsNothingToDo) {
     for (const CommandId id : {CommandId::duplicate, CommandId::remove, CommandId::hide, CommandId::move_up, CommandId::move_down,
                                CommandId::rename, CommandId::undo, CommandId::redo, CommandId::use_view_as_camera}) {
