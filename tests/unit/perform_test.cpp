@@ -103,6 +103,9 @@ TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
         }
         return found;
     };
+    EXPECT_EQ(marked(), std::vector{CommandId::anti_aliasing_16});
+    run_command(state, CommandId::no_anti_aliasing);
+    EXPECT_EQ(state.settings.samples, 1);
     EXPECT_EQ(marked(), std::vector{CommandId::no_anti_aliasing});
     run_command(state, CommandId::anti_aliasing_16);
     EXPECT_EQ(state.settings.samples, 16);
@@ -110,8 +113,6 @@ TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
     run_command(state, CommandId::anti_aliasing_4);
     EXPECT_EQ(state.settings.samples, 4);
     EXPECT_EQ(marked(), std::vector{CommandId::anti_aliasing_4});
-    run_command(state, CommandId::no_anti_aliasing);
-    EXPECT_EQ(state.settings.samples, 1);
 }
 
 TEST_F(Commands, AHiddenOneAmongOthersIsHiddenWithThem) {
@@ -129,11 +130,11 @@ TEST_F(Commands, AShadingIsChosenAndChecked) {
     const auto shade = [](Shading mode) {
         return static_cast<CommandId>(static_cast<int>(CommandId::first_shading) + static_cast<int>(mode));
     };
-    EXPECT_TRUE(is_checked(shade(Shading::flat)));
+    EXPECT_TRUE(is_checked(shade(Shading::studio)));
     run_command(state, shade(Shading::depth));
     EXPECT_EQ(state.settings.shading, Shading::depth);
     EXPECT_TRUE(is_checked(shade(Shading::depth)));
-    EXPECT_FALSE(is_checked(shade(Shading::flat)));
+    EXPECT_FALSE(is_checked(shade(Shading::studio)));
     EXPECT_FALSE(is_checked(CommandId::help));
     EXPECT_FALSE(state.document.is_changed());
 }
