@@ -159,16 +159,15 @@ TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
         {"[light]\nkey = 1.5", "2:7: found 1.5, expected 'key' as a number from 0 to 1"},
         {"[light]\nsun = [0, 0, -0.0]", "2:7: found a sun in no direction, expected 'sun' other than [0, 0, 0]"},
         {"[light]\nsun = [0, 1]", "2:7: found 2 values, expected 'sun' as three finite numbers [x, y, z]"},
-        {"[light]\nsun = [0, 1, 0]\nsun_strength = 0",
-         "3:16: found 0, expected 'sun_strength' as a number from 0.001 to 4"},
+        {"[light]\nsun = [0, 1, 0]\nsun_strength = 0", "3:16: found 0, expected 'sun_strength' as a number from 0.001 to 4"},
         {"[light]\nsun_strength = 1", "2:16: found 'sun_strength' without 'sun', expected 'sun = [x, y, z]' as well"},
     });
 }
 
 TEST(TomlFormat, KeepsTheLight) {
-    for (const Light& light :
-         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.key = 0.5}, Light{.lights = {}, .sky = 0.0, .sun = Sun{}},
-          Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
+    for (const Light& light : {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.key = 0.5},
+                               Light{.lights = {}, .sky = 0.0, .sun = Sun{}},
+                               Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
         Scene scene;
         scene.light = light;
         scene.camera.eye.x = 3.0;
