@@ -196,19 +196,19 @@ void LightTiles::find_discs(const LitScene& lit_scene) {
                 for (std::size_t column = left >> shift; column <= right >> shift; ++column) needed |= lowest[column] < high;
             }
             if (!needed) continue;
-            discs_.push_back({x, y, radius > doubt ? square(radius - doubt) : -1.0F, square(radius + doubt),
-                              projected.height[i] - doubt, high, reach, blockers.numbers[from + i]});
+            discs_.push_back({x, y, projected.height[i], radius, doubt, blockers.numbers[from + i]});
         }
     }
 }
 
 template <typename Each>
 void LightTiles::for_each_row(const Disc& disc, const Each& each) const {
-    const std::size_t bottom = tile(disc.y - disc.radius);
-    const std::size_t top = tile(disc.y + disc.radius);
+    const float disc_reach = disc.reach();
+    const std::size_t bottom = tile(disc.y - disc_reach);
+    const std::size_t top = tile(disc.y + disc_reach);
     if (top - bottom < 2) {
-        const std::size_t left = tile(disc.x - disc.radius);
-        const std::size_t right = tile(disc.x + disc.radius);
+        const std::size_t left = tile(disc.x - disc_reach);
+        const std::size_t right = tile(disc.x + disc_reach);
         for (std::size_t row = bottom; row <= top; ++row) each(row, left, right);
         return;
     }
@@ -219,9 +219,9 @@ void LightTiles::for_each_row(const Disc& disc, const Each& each) const {
         const float low = static_cast<float>(row) * width - half_ - room;
         const float high = static_cast<float>(row + 1) * width - half_ + room;
         const float nearest = disc.y < low ? low - disc.y : disc.y > high ? disc.y - high : 0.0F;
-        const float rest = square(disc.radius) - square(nearest);
-        const float reach = 1.0001F * square_root(std::max(rest, 0.0F)) + 0x1p-10F * disc.radius;
-        const float across = std::min(reach, disc.radius);
+        const float rest = square(disc_reach) - square(nearest);
+        const float reach = 1.0001F * square_root(std::max(rest, 0.0F)) + 0x1p-10F * disc_reach;
+        const float across = std::min(reach, disc_reach);
         each(row, tile(disc.x - across), tile(disc.x + across));
     }
 }
@@ -230,7 +230,7 @@ void LightTiles::for_each_row(const Disc& disc, const Each& each) const {
 void LightTiles::cut() {
     const float width = 2.0F * half_ / static_cast<float>(side_);
     for (const Disc& disc : discs_) {
-        const float inner = disc.surely_in > 0.0F ? square_root(disc.surely_in) * 0.9999F - 0x1p-18F * half_ : 0.0F;
+        const float inner = disc.surely_in() > 0.0F ? square_root(disc.surely_in()) * 0.9999F - 0x1p-18F * half_ : 0.0F;
         if (inner < 0.7F * width) continue;
         const float first = std::max(0.0F, std::ceil((disc.y - inner + half_) * to_tiles_));
         const float last = std::min(static_cast<float>(side_), std::floor((disc.y + inner + half_) * to_tiles_));
@@ -245,7 +245,7 @@ void LightTiles::cut() {
             float* cuts = &cut_[static_cast<std::size_t>(row) * side_];
             for (float column = left; column < right; column += 1.0F) {
                 float& cut = cuts[static_cast<std::size_t>(column)];
-                cut = std::max(cut, disc.low);
+                cut = std::max(cut, disc.low());
             }
         }
     }
@@ -274,7 +274,7 @@ bool LightTiles::list_discs() {
         for_each_row(disc, [&](std::size_t row, std::size_t left, std::size_t right) {
             const float* lowest = &lowest_[row * side_];
             for (std::size_t column = left; column <= right; ++column) {
-                if (lowest[column] < disc.high) use(row * side_ + column);
+                if (lowest[column] < disc.high()) use(row * side_ + column);
             }
         });
     };
@@ -301,7 +301,7 @@ bool LightTiles::list_discs() {
     for (std::size_t at = 0; at < tiles; ++at) {
         if (begins_[at + 1] - begins_[at] < 2) continue;
         const auto list = std::span(lists_).subspan(begins_[at], begins_[at + 1] - begins_[at]);
-        std::ranges::sort(list, [&](std::uint32_t a, std::uint32_t b) { return discs_[a].high > discs_[b].high; });
+        std::ranges::sort(list, [&](std::uint32_t a, std::uint32_t b) { return discs_[a].high() > discs_[b].high(); });
     }
     return true;
 }
@@ -327,10 +327,10 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, 
     bool doubt = false;
     for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
         const Disc& disc = discs_[lists_[i]];
-        if (facing.height >= disc.high) break;
+        if (facing.height >= disc.high()) break;
         const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
-        if (distance > disc.surely_out) continue;
-        if (distance < disc.surely_in && facing.height < disc.low) {
+        if (distance > disc.surely_out()) continue;
+        if (distance < disc.surely_in() && facing.height < disc.low()) {
             // The own sphere's centre is lower than a point that faces the light, or as near as rounding; the sphere holds no
             // shadow.
             if (disc.number != origin.number) return false;
@@ -341,9 +341,9 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, 
     if (doubt) {
         for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
             const Disc& disc = discs_[lists_[i]];
-            if (facing.height >= disc.high) break;
+            if (facing.height >= disc.high()) break;
             const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
-            if (distance > disc.surely_out || (distance < disc.surely_in && facing.height < disc.low)) continue;
+            if (distance > disc.surely_out() || (distance < disc.surely_in() && facing.height < disc.low())) continue;
             if (blocked(disc.number)) return false;
         }
     }

@@ -61,16 +61,23 @@ private:
         float height;
         std::uint32_t point;
     };
-    // A sphere's disc. From `low` down the sphere's centre is surely higher, from `high` up surely not.
+    // A sphere's disc. Small: there are as many as spheres, for each thread.
     struct Disc {
         float x;
         float y;
-        float surely_in;   // the square of a distance; -1: none is
-        float surely_out;  // likewise
-        float low;
-        float high;
-        float radius;  // with room for all doubts
+        float height;
+        float radius;
+        float doubt;
         std::int32_t number;
+
+        // From `low` down the sphere's centre is surely higher, from `high` up surely not.
+        float low() const { return height - doubt; }
+        float high() const { return height + doubt; }
+        // The squares of distances; -1: none is.
+        float surely_in() const { return radius > doubt ? (radius - doubt) * (radius - doubt) : -1.0F; }
+        float surely_out() const { return (radius + doubt) * (radius + doubt); }
+        // With room for all doubts.
+        float reach() const { return radius + 2.0F * doubt; }
     };
 
     void choose_tiles(const Blockers& blockers, float farthest);

@@ -163,6 +163,9 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
         EXPECT_EQ(run({"render", "missing.txt", option}).errors,
                   "sphereview: --shade: found 'flat', expected studio with " + name + " (see 'sphereview render --help')\n");
     }
+    // A window shows what is asked for.
+    EXPECT_EQ(run({"view", "missing.txt", "--shade", "flat", "--sun", "1,2,3"}).errors,
+              "sphereview: --shade: found 'flat', expected studio with --sun (see 'sphereview view --help')\n");
     EXPECT_TRUE(run({"render", "missing.txt", "--size", "429496729x1"}).errors.starts_with("missing.txt: "));
 }
 

@@ -29,6 +29,16 @@ TEST(Pacing, RestsAfterAFewFrames) {
     EXPECT_EQ(pacing.patience(), 0.0);
 }
 
+TEST(Pacing, AnotherPictureTakesOneFrame) {
+    Pacing pacing;
+    frames_until_rest(pacing, 1);
+    pacing.show_once();
+    EXPECT_EQ(frames_until_rest(pacing, 1), 1);
+    pacing.touch();
+    pacing.show_once();
+    EXPECT_GT(frames_until_rest(pacing, 1), 1) << "the panels settle all the same";
+}
+
 TEST(Pacing, ACoarsePictureIsRefinedBeforeItRests) {
     Pacing pacing;
     pacing.touch();

@@ -46,6 +46,20 @@ TEST_F(Commands, EachIsOneStepThatUndoes) {
     }
 }
 
+// What the command line says of the light holds until the light is edited.
+TEST_F(Commands, AnEditOfTheLightReplacesTheCommandLines) {
+    state.light.sky = 0.5;
+    state.light.sun_strength = 2.0;  // of a sun that this scene does not have
+    EXPECT_EQ(state.shown_light(), (Light{.lights = {}, .sky = 0.5}));
+    Light edited = state.shown_light();
+    edited.key = 0.25;
+    perform(state, {EditScene{ChangeLight{edited}, "Change the key light"}});
+    EXPECT_EQ(state.scene().light, edited);
+    EXPECT_EQ(state.shown_light(), edited);
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.shown_light(), Light{});
+}
+
 TEST_F(Commands, WithoutASelectionThereIsNothingToDo) {
     for (const CommandId id : {CommandId::duplicate, CommandId::remove, CommandId::hide, CommandId::move_up, CommandId::move_down,
                                CommandId::rename, CommandId::undo, CommandId::redo, CommandId::use_view_as_camera}) {
@@ -104,6 +118,9 @@ TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
         }
         return found;
     };
+    EXPECT_EQ(marked(), std::vector{CommandId::anti_aliasing_16});
+    run_command(state, CommandId::no_anti_aliasing);
+    EXPECT_EQ(state.settings.samples, 1);
     EXPECT_EQ(marked(), std::vector{CommandId::no_anti_aliasing});
     run_command(state, CommandId::anti_aliasing_16);
     EXPECT_EQ(state.settings.samples, 16);
@@ -111,8 +128,6 @@ TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
     run_command(state, CommandId::anti_aliasing_4);
     EXPECT_EQ(state.settings.samples, 4);
     EXPECT_EQ(marked(), std::vector{CommandId::anti_aliasing_4});
-    run_command(state, CommandId::no_anti_aliasing);
-    EXPECT_EQ(state.settings.samples, 1);
 }
 
 TEST_F(Commands, AHiddenOneAmongOthersIsHiddenWithThem) {
@@ -130,11 +145,11 @@ TEST_F(Commands, AShadingIsChosenAndChecked) {
     const auto shade = [](Shading mode) {
         return static_cast<CommandId>(static_cast<int>(CommandId::first_shading) + static_cast<int>(mode));
     };
-    EXPECT_TRUE(is_checked(shade(Shading::flat)));
+    EXPECT_TRUE(is_checked(shade(Shading::studio)));
     run_command(state, shade(Shading::depth));
     EXPECT_EQ(state.settings.shading, Shading::depth);
     EXPECT_TRUE(is_checked(shade(Shading::depth)));
-    EXPECT_FALSE(is_checked(shade(Shading::flat)));
+    EXPECT_FALSE(is_checked(shade(Shading::studio)));
     EXPECT_FALSE(is_checked(CommandId::help));
     EXPECT_FALSE(state.document.is_changed());
 }

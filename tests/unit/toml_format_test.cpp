@@ -169,9 +169,9 @@ TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
 }
 
 TEST(TomlFormat, KeepsTheLight) {
-    for (const Light& light :
-         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.key = 0.5}, Light{.lights = {}, .sky = 0.0, .sun = Sun{}},
-          Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
+    for (const Light& light : {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.key = 0.5},
+                               Light{.lights = {}, .sky = 0.0, .sun = Sun{}},
+                               Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
         Scene scene;
         scene.light = light;
         scene.camera.eye.x = 3.0;
