@@ -64,9 +64,12 @@ public:
     template <typename Integer>
     Integer steps(double value) const {
         const Dyadic parts = dyadic(value);
-        if (parts.mantissa == 0) return 0;
-        const Integer power = Integer(1) << static_cast<unsigned>(parts.exponent - lowest_);
-        return parts.mantissa * power;
+        Integer whole = 0;
+        if (parts.mantissa == 0) return whole;
+        whole = 1;
+        whole <<= static_cast<unsigned>(parts.exponent - lowest_);
+        whole *= parts.mantissa;
+        return whole;
     }
 
 private:
