@@ -51,7 +51,9 @@ protected:
 };
 
 TEST_P(ShaderFolderTest, WithAFrameThatTheProgramDoesNotShareIsRefused) {
-    replace("draw.glsl", "    vec4 right;\n    vec4 up;\n", "    vec4 up;\n    vec4 right;\n");
+    replace("draw.glsl", "vec4 right;", "vec4 other;");
+    replace("draw.glsl", "vec4 up;", "vec4 right;");
+    replace("draw.glsl", "vec4 other;", "vec4 up;");
     EXPECT_EQ(fault(), "trace.frag: GL has Frame.right at byte 32, the program at 16");
 }
 
