@@ -2,24 +2,23 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 
+#include "app/add_option.hpp"
 #include "app/command_line_texts.hpp"
 #include "app/licenses.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
+#include "app/shared_options.hpp"
 #include "app/usage_error.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
-#include "base/number.hpp"
 #include "base/output_file.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
-#include "image/image.hpp"
 #include "scene/camera.hpp"
 
 namespace sphereview {
@@ -69,184 +68,11 @@ constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
-// How an option is called, what --help says of it and its value, and what a message says that its value should have been.
-struct Words {
-    std::string names;
-    std::string type;
-    std::string help;
-    std::string expected;
-};
-
-// Declares an option. `read` gives the field's value for a text, or nothing for a text that makes no sense.
-template <typename Field, typename Read>
-CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Read read) {
-    const std::string name = words.names.substr(words.names.find(',') + 1);
-    const auto take = [&command, &field, read, name, expected = words.expected](const CLI::results_t& found) {
-        if (found.size() > 1) wrong(name, in_quotes(found[0]) + " and " + in_quotes(found[1]), "only one value");
-        if (found[0].empty()) wrong(name, "no value", expected);  // perhaps a script's variable that was never set
-        const bool option = found[0].starts_with('-') && find_option(command, found[0]) != nullptr;
-        if (option) wrong(name, "the option " + in_quotes(found[0]), expected);
-        auto value = read(found[0]);
-        if (!value) wrong(name, in_quotes(found[0]), expected);
-        field = *std::move(value);
-        return true;
-    };
-    return command.add_option(words.names, CLI::callback_t(take), words.help)
-        ->type_name(words.type)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-// Declares an option without a value, which sets the field to `value`.
-template <typename Field, typename Value = bool>
-CLI::Option* add_flag(CLI::App& command, Field& field, const std::string& name, const std::string& help, Value value = true) {
-    const auto set = [&field, value] { field = value; };
-    return command.add_flag_callback(name, set, help);
-}
-
-// The whole text as a number from `least` to the type's largest.
-template <typename Number>
-std::optional<Number> whole_number(std::string_view text, Number least) {
-    Number number{};
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool is_one = read.ec == std::errc{} && read.ptr == text.data() + text.size() && number >= least;
-    return is_one ? std::optional(number) : std::nullopt;
-}
-
-std::optional<double> number_above_0(std::string_view text, double most = std::numeric_limits<double>::max()) {
-    double number = 0.0;
-    const bool is_one = parse_double(text, number) == NumberFault::none && number > 0.0 && number <= most;
-    return is_one ? std::optional(number) : std::nullopt;
-}
-
-// Two numbers with one of the separators between them.
-std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const char* separators, int least) {
-    const std::size_t middle = std::min(text.find_first_of(separators), text.size());
-    const auto first = whole_number(text.substr(0, middle), least);
-    const auto second = whole_number(text.substr(std::min(middle + 1, text.size())), least);
-    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
-}
-
 std::string backends_listed() { return listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or"); }
-std::string scene_files() { return "Scene file: " + listed(format_names(), "or") + "; - is standard input"; }
 
 std::optional<Backend> backend_named(const std::string& name) {
     const auto found = std::ranges::find(backend_names, name);
     return found == backend_names.end() ? std::nullopt : std::optional(static_cast<Backend>(found - backend_names.begin()));
-}
-
-template <typename Field>
-CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, const std::string& type, const std::string& help) {
-    return add_option(command, field, {name, type, help, a_file}, [](const std::string& text) { return std::optional(text); });
-}
-
-// One file or more.
-CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files, const std::string& name, const std::string& help) {
-    return command.add_option(name, files, help)->required()->type_name("")->check([](const std::string& file) {
-        return file.empty() ? std::string("found no value, expected ") + a_file : "";
-    });
-}
-
-// How a scene is read and from where it is seen: options of every command with scenes.
-void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& fit) {
-    add_option(command, data.frame,
-               {"--frame", "N", "Which frame of several, from 0 [0]: " + listed(format_names(has_frames), "and") + " have them",
-                "the number of a frame, from 0"},
-               [](const std::string& text) { return whole_number<std::int64_t>(text, 0); });
-    add_option(command, data.radius,
-               {"--radius", "R", "Of spheres for which the file says none [the element's, in CSV 1]", "a number above 0"},
-               [](const std::string& text) { return number_above_0(text); });
-    CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
-                                   "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
-    CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);
-    const std::string sides(view_syntax);
-    CLI::Option* side = add_option(command, fit, {"--view", "SIDE", "Fit, from another side: " + sides, sides},
-                                   [&fit](const std::string& text) -> std::optional<FitOptions> {
-                                       const std::optional<ViewAxes> view = parse_view(text);
-                                       if (!view) return std::nullopt;
-                                       return FitOptions{true, view, fit.projection};
-                                   });
-    add_option(
-        command, fit.projection,
-        {"--projection", "NAME", "perspective or orthographic, instead of the scene's camera's", "perspective or orthographic"},
-        [](const std::string& text) { return projection_named(text); });
-    forbidden->excludes(wanted)->excludes(side);
-}
-
-template <typename Size>
-void add_size(CLI::App& command, Size& size, const std::string& help) {
-    const std::string expected =
-        "WIDTHxHEIGHT, such as 1000x1000: sides of at least 1 pixel, at most " + std::to_string(most_pixels) + " pixels";
-    add_option(command, size, {"-s,--size", "WxH", help, expected}, [](const std::string& text) -> std::optional<PictureSize> {
-        const auto sides = whole_numbers(text, "xX,", 1);
-        if (!sides || sides->first > most_pixels / sides->second) return std::nullopt;
-        return PictureSize{sides->first, sides->second};
-    });
-}
-
-template <typename Samples>
-void add_samples(CLI::App& command, Samples& samples, const std::string& help) {
-    add_option(command, samples, {"--samples", "N", help, sample_counts_text}, [](const std::string& text) -> std::optional<int> {
-        const auto count = whole_number(text, 1);
-        return count && std::ranges::find(sample_counts, *count) != sample_counts.end() ? count : std::nullopt;
-    });
-}
-
-std::optional<Background> background_named(const std::string& text) {
-    Background found;
-    return parse_background(text, found) ? std::optional(found) : std::nullopt;
-}
-
-template <typename Mode>
-void add_colors(CLI::App& command, std::optional<Background>& background, Mode& shading, const std::string& otherwise) {
-    const std::string colors(background_syntax);
-    add_option(command, background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors}, background_named);
-    const std::string modes = shading_syntax();
-    add_option(command, shading, {"--shade", "MODE", modes + " [" + otherwise + "]", modes},
-               [](const std::string& text) { return shading_named(text); });
-}
-
-// Of the shading `studio`.
-void add_light(CLI::App& command, LightOptions& light) {
-    const std::string count = "a whole number from " + std::to_string(fewest_lights) + " to " + std::to_string(most_lights);
-    add_option(
-        command, light.lights,
-        {"--lights", "K", "With --shade studio: directions of the sky's light [256; 64 with --samples or many spheres]", count},
-        [](const std::string& text) {
-            const auto number = whole_number(text, fewest_lights);
-            return number && *number <= most_lights ? number : std::nullopt;
-        });
-    const auto part = [](double most) {
-        return [most](const std::string& text) -> std::optional<double> {
-            double number = 0.0;
-            const bool good = parse_double(text, number) == NumberFault::none && number >= 0.0 && number <= most;
-            return good ? std::optional(number) : std::nullopt;
-        };
-    };
-    add_option(command, light.sky,
-               {"--sky", "S", "Strength of the sky and the key light in it, 0 to 1 [1]", "a number from 0 to 1"}, part(most_sky));
-    add_option(command, light.key,
-               {"--key", "S", "How much brighter the sky is around the key light, 0 to 1 [1]", "a number from 0 to 1"},
-               part(most_key));
-    const std::string directions(sun_syntax);
-    add_option(command, light.sun, {"--sun", "DIR", "A sun: " + directions, directions},
-               [](const std::string& text) { return parse_sun(text); });
-    add_option(command, light.sun_strength,
-               {"--sun-strength", "S", "Strength of the sun, " + shortest(weakest_sun) + " to " + shortest(strongest_sun) + " [1]",
-                "a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun)},
-               [](const std::string& text) {
-                   const auto strength = number_above_0(text, strongest_sun);
-                   return strength && *strength >= weakest_sun ? strength : std::nullopt;
-               });
-}
-
-void check_light(const LightOptions& light, Shading shading) {
-    if (shading == Shading::studio || !light.any()) return;
-    const std::string option = light.lights ? "--lights"
-                               : light.sky  ? "--sky"
-                               : light.key  ? "--key"
-                               : light.sun  ? "--sun"
-                                            : "--sun-strength";
-    wrong("--shade", in_quotes(name_of(shading)), "studio with " + option);
 }
 
 // Of each command: its options, and a check of what they are together, which throws CLI::ParseError.

@@ -1,0 +1,91 @@
+// Declaring options to CLI11: each in one place, with what --help says and what a message says that its value should have been.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/command_line_texts.hpp"
+#include "app/usage_error.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+// How an option is called, what --help says of it and its value, and what a message says that its value should have been.
+struct Words {
+    std::string names;
+    std::string type;
+    std::string help;
+    std::string expected;
+};
+
+// Declares an option. `read` gives the field's value for a text, or nothing for a text that makes no sense.
+template <typename Field, typename Read>
+CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Read read) {
+    const std::string name = words.names.substr(words.names.find(',') + 1);
+    const auto take = [&command, &field, read, name, expected = words.expected](const CLI::results_t& found) {
+        if (found.size() > 1) wrong(name, in_quotes(found[0]) + " and " + in_quotes(found[1]), "only one value");
+        if (found[0].empty()) wrong(name, "no value", expected);  // perhaps a script's variable that was never set
+        const bool option = found[0].starts_with('-') && find_option(command, found[0]) != nullptr;
+        if (option) wrong(name, "the option " + in_quotes(found[0]), expected);
+        auto value = read(found[0]);
+        if (!value) wrong(name, in_quotes(found[0]), expected);
+        field = *std::move(value);
+        return true;
+    };
+    return command.add_option(words.names, CLI::callback_t(take), words.help)
+        ->type_name(words.type)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+// Declares an option without a value, which sets the field to `value`.
+template <typename Field, typename Value = bool>
+CLI::Option* add_flag(CLI::App& command, Field& field, const std::string& name, const std::string& help, Value value = true) {
+    const auto set = [&field, value] { field = value; };
+    return command.add_flag_callback(name, set, help);
+}
+
+// The whole text as a number from `least` to the type's largest.
+template <typename Number>
+std::optional<Number> whole_number(std::string_view text, Number least) {
+    Number number{};
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool is_one = read.ec == std::errc{} && read.ptr == text.data() + text.size() && number >= least;
+    return is_one ? std::optional(number) : std::nullopt;
+}
+
+inline std::optional<double> number_above_0(std::string_view text, double most = std::numeric_limits<double>::max()) {
+    double number = 0.0;
+    const bool is_one = parse_double(text, number) == NumberFault::none && number > 0.0 && number <= most;
+    return is_one ? std::optional(number) : std::nullopt;
+}
+
+// Two numbers with one of the separators between them.
+inline std::optional<std::pair<int, int>> whole_numbers(std::string_view text, const char* separators, int least) {
+    const std::size_t middle = std::min(text.find_first_of(separators), text.size());
+    const auto first = whole_number(text.substr(0, middle), least);
+    const auto second = whole_number(text.substr(std::min(middle + 1, text.size())), least);
+    return first && second ? std::optional(std::pair(*first, *second)) : std::nullopt;
+}
+
+template <typename Field>
+CLI::Option* add_file(CLI::App& command, Field& field, const std::string& name, const std::string& type, const std::string& help) {
+    return add_option(command, field, {name, type, help, a_file}, [](const std::string& text) { return std::optional(text); });
+}
+
+// One file or more.
+inline CLI::Option* add_files(CLI::App& command, std::vector<std::string>& files, const std::string& name,
+                              const std::string& help) {
+    return command.add_option(name, files, help)->required()->type_name("")->check([](const std::string& file) {
+        return file.empty() ? std::string("found no value, expected ") + a_file : "";
+    });
+}
+
+}  // namespace sphereview

@@ -1,0 +1,126 @@
+// Options that several commands have.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "app/add_option.hpp"
+#include "app/light_options.hpp"
+#include "app/load_scene.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "image/image.hpp"
+#include "scene/camera.hpp"
+#include "scene/scene.hpp"
+#include "shade/shading.hpp"
+
+namespace sphereview {
+
+inline std::string scene_files() { return "Scene file: " + listed(format_names(), "or") + "; - is standard input"; }
+
+// How a scene is read and from where it is seen: options of every command with scenes.
+inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& fit) {
+    add_option(command, data.frame,
+               {"--frame", "N", "Which frame of several, from 0 [0]: " + listed(format_names(has_frames), "and") + " have them",
+                "the number of a frame, from 0"},
+               [](const std::string& text) { return whole_number<std::int64_t>(text, 0); });
+    add_option(command, data.radius,
+               {"--radius", "R", "Of spheres for which the file says none [the element's, in CSV 1]", "a number above 0"},
+               [](const std::string& text) { return number_above_0(text); });
+    CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
+                                   "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
+    CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);
+    const std::string sides(view_syntax);
+    CLI::Option* side = add_option(command, fit, {"--view", "SIDE", "Fit, from another side: " + sides, sides},
+                                   [&fit](const std::string& text) -> std::optional<FitOptions> {
+                                       const std::optional<ViewAxes> view = parse_view(text);
+                                       if (!view) return std::nullopt;
+                                       return FitOptions{true, view, fit.projection};
+                                   });
+    add_option(
+        command, fit.projection,
+        {"--projection", "NAME", "perspective or orthographic, instead of the scene's camera's", "perspective or orthographic"},
+        [](const std::string& text) { return projection_named(text); });
+    forbidden->excludes(wanted)->excludes(side);
+}
+
+template <typename Size>
+void add_size(CLI::App& command, Size& size, const std::string& help) {
+    const std::string expected =
+        "WIDTHxHEIGHT, such as 1000x1000: sides of at least 1 pixel, at most " + std::to_string(most_pixels) + " pixels";
+    add_option(command, size, {"-s,--size", "WxH", help, expected}, [](const std::string& text) -> std::optional<PictureSize> {
+        const auto sides = whole_numbers(text, "xX,", 1);
+        if (!sides || sides->first > most_pixels / sides->second) return std::nullopt;
+        return PictureSize{sides->first, sides->second};
+    });
+}
+
+template <typename Samples>
+void add_samples(CLI::App& command, Samples& samples, const std::string& help) {
+    add_option(command, samples, {"--samples", "N", help, sample_counts_text}, [](const std::string& text) -> std::optional<int> {
+        const auto count = whole_number(text, 1);
+        return count && std::ranges::find(sample_counts, *count) != sample_counts.end() ? count : std::nullopt;
+    });
+}
+
+inline std::optional<Background> background_named(const std::string& text) {
+    Background found;
+    return parse_background(text, found) ? std::optional(found) : std::nullopt;
+}
+
+template <typename Mode>
+void add_colors(CLI::App& command, std::optional<Background>& background, Mode& shading, const std::string& otherwise) {
+    const std::string colors(background_syntax);
+    add_option(command, background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors}, background_named);
+    const std::string modes = shading_syntax();
+    add_option(command, shading, {"--shade", "MODE", modes + " [" + otherwise + "]", modes},
+               [](const std::string& text) { return shading_named(text); });
+}
+
+// Of the shading `studio`.
+inline void add_light(CLI::App& command, LightOptions& light) {
+    const std::string count = "a whole number from " + std::to_string(fewest_lights) + " to " + std::to_string(most_lights);
+    add_option(
+        command, light.lights,
+        {"--lights", "K", "With --shade studio: directions of the sky's light [256; 64 with --samples or many spheres]", count},
+        [](const std::string& text) {
+            const auto number = whole_number(text, fewest_lights);
+            return number && *number <= most_lights ? number : std::nullopt;
+        });
+    const auto part = [](double most) {
+        return [most](const std::string& text) -> std::optional<double> {
+            double number = 0.0;
+            const bool good = parse_double(text, number) == NumberFault::none && number >= 0.0 && number <= most;
+            return good ? std::optional(number) : std::nullopt;
+        };
+    };
+    add_option(command, light.sky,
+               {"--sky", "S", "Strength of the sky and the key light in it, 0 to 1 [1]", "a number from 0 to 1"}, part(most_sky));
+    add_option(command, light.key,
+               {"--key", "S", "How much brighter the sky is around the key light, 0 to 1 [1]", "a number from 0 to 1"},
+               part(most_key));
+    const std::string directions(sun_syntax);
+    add_option(command, light.sun, {"--sun", "DIR", "A sun: " + directions, directions},
+               [](const std::string& text) { return parse_sun(text); });
+    add_option(command, light.sun_strength,
+               {"--sun-strength", "S", "Strength of the sun, " + shortest(weakest_sun) + " to " + shortest(strongest_sun) + " [1]",
+                "a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun)},
+               [](const std::string& text) {
+                   const auto strength = number_above_0(text, strongest_sun);
+                   return strength && *strength >= weakest_sun ? strength : std::nullopt;
+               });
+}
+
+inline void check_light(const LightOptions& light, Shading shading) {
+    if (shading == Shading::studio || !light.any()) return;
+    const std::string option = light.lights ? "--lights"
+                               : light.sky  ? "--sky"
+                               : light.key  ? "--key"
+                               : light.sun  ? "--sun"
+                                            : "--sun-strength";
+    wrong("--shade", in_quotes(name_of(shading)), "studio with " + option);
+}
+
+}  // namespace sphereview
