@@ -1,5 +1,6 @@
 // sphereview compare: what is wrong in the pictures of somebody's own ray tracer.
 #include <algorithm>
+#include <cctype>
 #include <memory>
 #include <set>
 #include <string>
@@ -52,10 +53,6 @@ std::vector<CompareJob> plan(const CompareOptions& options) {
     return jobs;
 }
 
-std::string in_words(const Color& color) {
-    return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
-}
-
 std::string called(const Scene& scene, std::int32_t number) {
     if (number == visible_background) return "the background";
     const auto name = scene.names.find(static_cast<std::uint32_t>(number));
@@ -75,7 +72,9 @@ std::string roots_in_words(const Scene& scene, const PixelExplanation& explanati
 }
 
 // A line for each thing that a person should know of the pictures, in the order in which it helps.
-std::string in_words(const Diagnosis& diagnosis, const CompareJob& job, const LoadedScene& loaded, PictureSize size) {
+// `explain`: the beginning of a command that says more of a pixel; "" where none would explain the same picture.
+std::string in_words(const Diagnosis& diagnosis, const CompareJob& job, const LoadedScene& loaded, PictureSize size,
+                     const std::string& explain) {
     const std::string name = on_one_line(job.picture);
     const std::string scene_name = on_one_line(loaded.name);
     const auto count = [](std::int64_t pixels) { return in_groups(static_cast<std::uint64_t>(pixels)); };
@@ -90,10 +89,12 @@ std::string in_words(const Diagnosis& diagnosis, const CompareJob& job, const Lo
         text += diagnosis.contradicting == 0 ? ", and contradicts none that is right\n"
                                              : "; " + count(diagnosis.contradicting) + " right ones speak against it\n";
         if (!diagnosis.as_likely.empty()) {
-            text += "    this picture cannot tell it from " + listed(diagnosis.as_likely, "or") + "\n";
+            text += "    this picture cannot tell it from " + diagnosis.as_likely_words + "\n";
         }
     }
-    for (const MistakeShare& share : diagnosis.shares) text += "  " + count(share.pixels) + ": " + share.words + "\n";
+    const bool said = diagnosis.shares.size() == 1 && !diagnosis.likeliest.empty();
+    for (const MistakeShare& share : said ? std::vector<MistakeShare>{} : diagnosis.shares)
+        text += "  " + count(share.pixels) + ": " + share.words + "\n";
     const DrawnSpheres drawn = drawn_spheres(loaded.scene);
     for (const DifferingPixel& example : diagnosis.examples) {
         const std::string found =
@@ -104,14 +105,14 @@ std::string in_words(const Diagnosis& diagnosis, const CompareJob& job, const Lo
         for (const std::int32_t number : {example.expected_number, example.found_number.value_or(visible_background)}) {
             if (number != visible_background) text += "    " + roots_in_words(loaded.scene, explanation, number) + "\n";
         }
-        text += "    more: sphereview explain " + scene_name + " --pixel " + coordinates(example.pixel) + " --size " +
-                std::to_string(size.width) + "x" + std::to_string(size.height) + "\n";
+        if (explain.empty()) continue;
+        text += "    more: " + explain + " --pixel " + coordinates(example.pixel) + " --size " + std::to_string(size.width) + "x" +
+                std::to_string(size.height) + "\n";
     }
     if (!job.difference.empty()) text += "  picture of the difference: " + on_one_line(job.difference) + "\n";
     return text;
 }
 
-Json rgb(const Color& color) { return {color.r, color.g, color.b}; }
 Json number_or_null(std::int32_t number) { return number == visible_background ? Json(nullptr) : Json(number); }
 
 Json to_json(const Diagnosis& diagnosis, const CompareJob& job, const LoadedScene& loaded, PictureSize size) {
@@ -160,13 +161,15 @@ public:
                 wrong_.reset();
                 wrong_ = std::make_unique<WrongPictures>(loaded_.scene, size);
             }
+            wrong_->forget_combinations();
             const Background background = options_.background.value_or(loaded_.scene.background);
             Image marked;
             const Diagnosis diagnosis =
                 diagnose(picture, loaded_.scene, background, *wrong_, job.difference.empty() ? nullptr : &marked);
             const bool equal = diagnosis.different == 0;
             if (!equal && !job.difference.empty()) write_output(job.difference, encode_png(marked));
-            report(options_.json ? to_json(diagnosis, job, loaded_, size).dump() + "\n" : in_words(diagnosis, job, loaded_, size));
+            report(options_.json ? to_json(diagnosis, job, loaded_, size).dump() + "\n"
+                                 : in_words(diagnosis, job, loaded_, size, explain_command()));
             return equal ? ExitCode::done : ExitCode::differs;
         } catch (...) {
             const Failure failure = describe_current_exception(job.picture);
@@ -184,6 +187,17 @@ public:
     }
 
 private:
+    // For a scene by its own name and camera: of a name with other characters the shell might make something else.
+    std::string explain_command() const {
+        const FitOptions& fit = options_.fit;
+        const bool usual = !fit.wanted && !fit.view && !fit.projection && options_.data.frame == 0 && !options_.data.radius &&
+                           !options_.background && options_.scene != standard_stream;
+        const auto is_plain = [](unsigned char c) {
+            return std::isalnum(c) != 0 || std::string_view("._/+-").find(static_cast<char>(c)) != std::string_view::npos;
+        };
+        return usual && std::ranges::all_of(options_.scene, is_plain) ? "sphereview explain " + options_.scene : "";
+    }
+
     static void report(const std::string& text) { write_output(std::string(standard_stream), text); }
 
     const CompareOptions& options_;

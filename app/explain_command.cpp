@@ -27,7 +27,7 @@ struct PixelLight {
 };
 
 PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std::int32_t visible) {
-    const Light light = with_options(scene.light, options.light);
+    const Light light = with_options(scene, options.light);
     const DrawnSpheres drawn = drawn_spheres(scene);
     const Lighting lighting(scene, drawn, scene.camera, options.size, 1, light);
     PixelLight found{lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), light.sun, {}, {}};
@@ -36,10 +36,6 @@ PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std
     const std::span sky = std::span(lighting.lights(0)).subspan(light.sun ? 1 : 0);
     if (!sky.empty()) found.of_sky = explain_sky(pixel, sky);
     return found;
-}
-
-std::string in_words(const Color& color) {
-    return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
 }
 
 std::string title(const Scene& scene, std::int32_t number) {
@@ -106,7 +102,6 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
 // JSON has no infinity: null where a double cannot hold the number.
 Json number(double value) { return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr); }  // -0 becomes 0
 Json vector(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
-Json rgb(const Color& color) { return {color.r, color.g, color.b}; }
 
 Json to_json(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];

@@ -11,6 +11,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/sphere.hpp"
+
 namespace sphereview {
 
 class Json {
@@ -62,6 +64,8 @@ private:
 
     std::shared_ptr<Tree> tree_;  // null's is none; whoever changes a shared one copies it before
 };
+
+inline Json rgb(const Color& color) { return {color.r, color.g, color.b}; }
 
 bool is_utf8(std::string_view text);
 

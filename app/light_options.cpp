@@ -4,30 +4,31 @@
 
 #include "base/error.hpp"
 #include "base/number.hpp"
-#include "camera/fit.hpp"
 
 namespace sphereview {
 
-Light with_options(Light light, const LightOptions& options) {
+Light with_options(const Scene& scene, const LightOptions& options) {
+    Light light = scene.light;
     if (options.lights) light.lights = options.lights;
     if (options.sky) light.sky = *options.sky;
     if (options.key) light.key = *options.key;
     if (options.sun) {
         if (!light.sun) light.sun.emplace();
-        light.sun->direction = *options.sun;
+        const auto* view = std::get_if<ViewAxes>(&*options.sun);
+        light.sun->direction =
+            view != nullptr ? -with_hand_of(axes_of(scene.camera), *view).ahead : std::get<glm::dvec3>(*options.sun);
     }
     if (options.sun_strength) {
-        if (!light.sun) throw InputError("--sun-strength: the scene has no sun, expected --sun as well");
+        if (!light.sun) throw InputError("sphereview: --sun-strength: the scene has no sun, expected --sun as well");
         light.sun->strength = *options.sun_strength;
     }
     return light;
 }
 
-std::optional<glm::dvec3> parse_sun(std::string_view text) {
+std::optional<std::variant<glm::dvec3, ViewAxes>> parse_sun(std::string_view text) {
     if (std::ranges::count(text, ',') == 1) {
         // Words such as "front" have no comma.
-        const std::optional<ViewAxes> axes = parse_view(text);
-        return axes ? std::optional(-axes->ahead) : std::nullopt;
+        return parse_view(text);
     }
     glm::dvec3 direction{0.0};
     for (int axis = 0; axis < 3; ++axis) {
@@ -37,7 +38,8 @@ std::optional<glm::dvec3> parse_sun(std::string_view text) {
         if (parse_double(text.substr(0, end), direction[axis]) != NumberFault::none) return std::nullopt;
         text.remove_prefix(last ? end : end + 1);
     }
-    return direction == glm::dvec3(0.0) ? std::nullopt : std::optional(direction);
+    if (direction == glm::dvec3(0.0)) return std::nullopt;
+    return direction;
 }
 
 }  // namespace sphereview

@@ -4,8 +4,10 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string_view>
+#include <variant>
 
-#include "scene/light.hpp"
+#include "camera/fit.hpp"
+#include "scene/scene.hpp"
 
 namespace sphereview {
 
@@ -13,19 +15,19 @@ struct LightOptions {
     std::optional<int> lights;
     std::optional<double> sky;
     std::optional<double> key;
-    std::optional<glm::dvec3> sun;  // its direction
+    std::optional<std::variant<glm::dvec3, ViewAxes>> sun;  // its direction, or it shines as that view looks
     std::optional<double> sun_strength;
 
     bool any() const { return lights || sky || key || sun || sun_strength; }
 };
 
 // The scene's light with the options instead. Throws InputError for the strength of a sun that is not there.
-Light with_options(Light light, const LightOptions& options);
+Light with_options(const Scene& scene, const LightOptions& options);
 
 inline constexpr std::string_view sun_syntax =
     "X,Y,Z, not all 0, from the scene to the sun, or AZIMUTH,ELEVATION in degrees, from where the sun shines as --view looks";
 
 // Reads what sun_syntax says. Nothing for anything else.
-std::optional<glm::dvec3> parse_sun(std::string_view text);
+std::optional<std::variant<glm::dvec3, ViewAxes>> parse_sun(std::string_view text);
 
 }  // namespace sphereview

@@ -39,7 +39,7 @@ struct LoadOptions {
     DataOptions data{};
     FitOptions fit{};
     std::optional<Background> data_background{};  // of data, whose files say none; else black
-    WorkControl* control = nullptr;  // told the bytes that were read, and looked at while reading
+    WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
 };
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws

@@ -180,9 +180,13 @@ private:
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
         progress_.start(job.name + order, 1e-6 * options_.size.width * options_.size.height, "Mpixel");
         const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
-        const PictureOptions options{
-            scene.camera,     options_.size,    options_.background.value_or(scene.background), options_.certify,
-            options_.samples, options_.shading, with_options(scene.light, options_.light)};
+        const PictureOptions options{scene.camera,
+                                     options_.size,
+                                     options_.background.value_or(scene.background),
+                                     options_.certify,
+                                     options_.samples,
+                                     options_.shading,
+                                     with_options(scene, options_.light)};
         const Image picture = render(scene, drawn, options, report);
 
         // Before anything is written: the rest of the golden may be damaged.

@@ -186,12 +186,15 @@ private:
         ImGui::BeginDisabled(!light_.sun);
         Sun sun = light_.sun.value_or(state_.last_sun.value_or(Sun{rounded(in_scene(unit(first_sun)))}));
         const glm::dvec3 direction = unit(sun.direction);
-        double azimuth = std::atan2(direction.x, -direction.z) * degrees;
+        // As --view has them: where data is seen right-handed, z points the other way.
+        const double ahead = camera_axes(context_.document.scene().camera).mirrored ? -1.0 : 1.0;
+        double azimuth = std::atan2(direction.x, -ahead * direction.z) * degrees + 0.0;
         double elevation = std::asin(std::clamp(direction.y, -1.0, 1.0)) * degrees;
         const bool turned = number("azimuth", {.low = -180.0, .high = 180.0, .digits = 4}, azimuth);
         const bool raised = number("elevation", {.low = -90.0, .high = 90.0, .digits = 3}, elevation);
         if (turned || raised) {
-            sun.direction = -axes_from(azimuth, elevation).ahead;
+            const glm::dvec3 view = axes_from(azimuth, elevation).ahead;
+            sun.direction = {-view.x, -view.y, -ahead * view.z};
             set_sun(sun, "Move the sun");
         }
         if (number("strength", {.low = weakest_sun, .high = strongest_sun, .above_zero = true, .digits = 3}, sun.strength)) {

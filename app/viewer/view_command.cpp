@@ -93,7 +93,7 @@ void offer_recovery(ViewerState& state) {
 }
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
-    with_options(loaded.scene.light, state.light);  // what does not fit the scene is said now
+    with_options(loaded.scene, state.light);  // what does not fit the scene is said now
     const FitOptions& fit = state.options.fit;
     // Data is fitted already, in perspective.
     const bool fits_view = loaded.has_camera() ? fit.wanted.value_or(false) : fit.projection && fit.wanted.value_or(true);

@@ -17,7 +17,7 @@ std::string ViewerState::name() const { return path.empty() ? "untitled" : text_
 Light ViewerState::shown_light() const {
     LightOptions asked = light;
     if (!scene().light.sun && !asked.sun) asked.sun_strength.reset();  // another scene than the one that this was asked for
-    return with_options(scene().light, asked);
+    return with_options(scene(), asked);
 }
 
 void announce(ViewerState& state, const std::string& text) {

@@ -109,7 +109,7 @@ Image decode_bmp(std::string_view bytes, const std::string& name) {
     int channels = 0;
     const auto fail = [&] { throw InputError(name + ": not a usable BMP: " + on_one_line(stbi_failure_reason())); };
     if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) fail();
-    check_size(name, width, height, bytes.size(), 8);
+    check_size(name, width, height < 0 ? -std::int64_t{height} : height, bytes.size(), 8);  // negative: the top row first
     const int wanted = channels == 4 ? 4 : 3;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
         stbi_load_from_memory(data, size, &width, &height, &channels, wanted), &stbi_image_free);

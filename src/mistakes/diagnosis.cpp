@@ -114,10 +114,6 @@ struct Named {
     std::string words;
 };
 
-std::string in_words(const Color& color) {
-    return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
-}
-
 // The mistakes, one each.
 std::vector<Named> named(const Suspicion& suspicion) {
     std::vector<Named> all;
@@ -154,7 +150,7 @@ std::vector<Suspicion> more_suspicious(const Suspicion& base, const Comparer& co
 struct Search {
     Suspicion likeliest{};
     std::vector<Suspicion> as_likely{};  // when it is a single mistake
-    std::vector<Suspicion> singles{};    // that explain more than they contradict, but for the likeliest; the best first
+    std::vector<Suspicion> singles{};    // that explain much more than they contradict, but for the likeliest; the best first
 };
 
 constexpr std::size_t most_mistakes = 4;
@@ -173,8 +169,11 @@ Search search(const Comparer& comparer, WrongPictures& wrong) {
         }
         std::ranges::stable_sort(tried, std::ranges::greater(), [](const auto& entry) { return entry.first; });
         std::erase_if(tried, [&](const auto& entry) { return entry.first <= shown; });
+        std::erase_if(tried, [&](const auto& entry) {
+            return static_cast<double>(entry.first - shown) < least_part * static_cast<double>(all - shown);
+        });
         if (mistakes == 0) better = tried;
-        if (tried.empty() || static_cast<double>(tried[0].first - shown) < least_part * static_cast<double>(all - shown)) break;
+        if (tried.empty()) break;
         out.as_likely.clear();
         for (std::size_t i = 1; mistakes == 0 && i < tried.size() && tried[i].first == tried[0].first; ++i) {
             out.as_likely.push_back(tried[i].second);
@@ -234,13 +233,23 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
     out.different = out.pixels - comparer.showing(right, {});
     if (out.different == 0) return out;
 
-    const Search found = search(comparer, wrong);
+    const Color first = comparer.found(0);
+    const bool blank = comparer.count([&](std::size_t i) { return comparer.found(i) == first; }) == out.pixels;
+    const Search found = blank ? Search{} : search(comparer, wrong);
     const Numbers& likeliest = wrong.numbers(found.likeliest.tracer);
     for (const Named& mistake : named(found.likeliest)) {
         out.likeliest.push_back(mistake.name);
         out.likeliest_words += (out.likeliest_words.empty() ? "" : "; and ") + mistake.words;
     }
-    for (const Suspicion& other : found.as_likely) out.as_likely.push_back(named(other).front().name);
+    for (const Suspicion& other : found.as_likely) {
+        out.as_likely.push_back(named(other).front().name);
+        out.as_likely_words += (out.as_likely_words.empty() ? "" : "; or ") + named(other).front().words;
+    }
+
+    if (blank) {
+        out.likeliest = {"blank"};
+        out.likeliest_words = "the whole picture has one colour: nothing is drawn";
+    }
 
     const auto is_right = [&](std::size_t i) { return comparer.shows(i, right[i], {}); };
     std::vector<std::uint8_t> share_of(comparer.pixels(), none);
@@ -256,7 +265,7 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
 
     // Say for each pixel why it differs: the first reason of these that holds.
     if (!out.likeliest.empty()) {
-        const auto is_explained = [&](std::size_t i) { return comparer.shows(i, likeliest[i], found.likeliest.palette); };
+        const auto is_explained = [&](std::size_t i) { return blank || comparer.shows(i, likeliest[i], found.likeliest.palette); };
         std::string names = out.likeliest.front();
         for (std::size_t i = 1; i < out.likeliest.size(); ++i) names += "+" + out.likeliest[i];
         add_share({names, out.likeliest_words}, likeliest_mark, is_explained);
@@ -271,7 +280,7 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
     }
     // What has each colour, the first in the file.
     std::unordered_map<std::uint32_t, std::int32_t> number_of_color;
-    number_of_color.emplace(packed(background.color), visible_background);
+    number_of_color.emplace(packed(found.likeliest.palette.background.value_or(background.color)), visible_background);
     for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
         if (!scene.spheres[k].hidden) number_of_color.emplace(packed(scene.spheres[k].color), static_cast<std::int32_t>(k));
     }

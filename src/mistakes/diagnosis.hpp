@@ -38,6 +38,7 @@ struct Diagnosis {
     std::vector<std::string> likeliest{};    // the names of the mistakes that together explain most; none: no usual one
     std::string likeliest_words{};           // the same for people
     std::vector<std::string> as_likely{};    // names of single mistakes that this picture cannot tell from the likeliest one
+    std::string as_likely_words{};           // the same for people
     std::int64_t explained = 0;              // differing pixels that show what the likeliest mistakes make of them
     std::int64_t contradicting = 0;          // right pixels which those would change
     std::vector<MistakeShare> shares{};      // of all differing pixels, each counted once; the likeliest mistakes first

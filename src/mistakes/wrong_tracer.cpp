@@ -245,10 +245,12 @@ Numbers wrong_numbers(const Scene& scene, const Camera& camera, PictureSize size
 }
 
 // The scene with every sphere so much larger that it reaches all the rays of which float may take it to be hit.
-Scene grown(const Scene& scene) {
+Scene grown(const Scene& scene, PictureSize size) {
     Scene larger = scene;
+    const double m = size.shorter_side();
+    const glm::dvec3 reach = glm::abs(scene.camera.right) * (size.width / m) + glm::abs(scene.camera.up) * (size.height / m);
     for (Sphere& sphere : larger.spheres) {
-        const glm::dvec3 v = glm::abs(sphere.center - scene.camera.eye) + glm::abs(scene.camera.right) + glm::abs(scene.camera.up);
+        const glm::dvec3 v = glm::abs(sphere.center - scene.camera.eye) + reach;
         const double r_square = sphere.radius * sphere.radius;
         const double radius = square_root(r_square + 2.0 * float_tells * (glm::dot(v, v) + r_square));
         if (std::isfinite(radius)) sphere.radius = radius;
@@ -287,14 +289,14 @@ std::vector<MistakeWords> mistakes_of(const WrongTracer& tracer) {
 }
 
 struct WrongPictures::FloatView {
-    explicit FloatView(const Scene& scene, PictureSize size) : larger(grown(scene)), view(larger, scene.camera, size) {}
+    explicit FloatView(const Scene& scene, PictureSize size) : larger(grown(scene, size)), view(larger, scene.camera, size) {}
 
     Scene larger;
     View view;
 };
 
 WrongPictures::WrongPictures(const Scene& scene, PictureSize size) : scene_(scene), size_(size) {
-    constexpr std::uint64_t bytes_a_pixel = 100;  // numbers of some 20 tracers, and marks
+    constexpr std::uint64_t bytes_a_pixel = 200;  // numbers of up to 45 tracers, and marks
     const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
     require_memory(pixels * bytes_a_pixel, "what wrong tracers see of " + std::to_string(pixels) + " pixels needs");
 }
@@ -305,6 +307,10 @@ const std::vector<std::int32_t>& WrongPictures::numbers(const WrongTracer& trace
     const auto [found, added] = numbers_.try_emplace(tracer);
     if (added) found->second = wrong_numbers(scene_, seen_wrongly(scene_.camera, tracer, size_), size_, tracer.rule);
     return found->second;
+}
+
+void WrongPictures::forget_combinations() {
+    std::erase_if(numbers_, [](const auto& entry) { return mistakes_of(entry.first).size() > 1; });
 }
 
 std::vector<std::int32_t> WrongPictures::numbers_in_float(Pixel pixel) {

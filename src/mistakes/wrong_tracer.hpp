@@ -92,6 +92,9 @@ public:
 
     PictureSize size() const { return size_; }
 
+    // Forgets the numbers of tracers with several mistakes: another picture seldom needs them.
+    void forget_combinations();
+
     // Row by row the number of the sphere that each pixel shows, or visible_background. Made at the first call and kept.
     const std::vector<std::int32_t>& numbers(const WrongTracer& tracer);
 

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <string>
 
 namespace sphereview {
 
@@ -16,6 +17,11 @@ struct Color {
 };
 
 inline constexpr int color_max = 255;
+
+// "255 0 0", as the text format has it.
+inline std::string in_words(const Color& color) {
+    return std::to_string(color.r) + " " + std::to_string(color.g) + " " + std::to_string(color.b);
+}
 
 // In scene space: +x right, +y up, +z into the picture. The doubles are the scene: nothing rounds them.
 struct Sphere {

@@ -183,6 +183,32 @@ TEST(Diagnosis, NamesFloatArithmetic) {
     EXPECT_EQ(found.explained, found.different);
 }
 
+TEST(Diagnosis, SaysThatNothingIsDrawn) {
+    const Scene scene = usual_scene(6);
+    const PictureSize size{50, 40};
+    const Diagnosis found = diagnosed(painted(scene, size, std::vector<int>(2000, -1)), scene);
+    EXPECT_EQ(found.likeliest, (std::vector<std::string>{"blank"}));
+    EXPECT_EQ(found.explained, found.different);
+}
+
+// Also where rays are parallel.
+TEST(Diagnosis, NamesMistakesOfAnOrthographicTracer) {
+    Scene scene = usual_scene(7);
+    scene.camera.projection = Projection::orthographic;
+    const PictureSize size{150, 100};
+    for (const char* name : {"y-down", "x-mirrored", "top-left-corner", "far-root", "last-in-file"}) {
+        Scene other = scene;
+        WrongPictures wrong(other, size);
+        WrongTracer tracer;
+        for (const WrongTracer& one : with_one_more_mistake({}, size)) {
+            if (mistakes_of(one)[0].name == name) tracer = one;
+        }
+        const Diagnosis found = diagnosed(painted(scene, size, wrong.numbers(tracer)), scene);
+        EXPECT_GT(found.different, 0) << name;
+        EXPECT_EQ(found.likeliest, (std::vector<std::string>{name}));
+    }
+}
+
 TEST(Diagnosis, SaysWhatNoUsualMistakeExplains) {
     const Scene scene = usual_scene(5);
     const PictureSize size{60, 60};

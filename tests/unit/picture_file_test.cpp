@@ -31,6 +31,9 @@ TEST(PictureFile, ReadsWhatOtherProgramsWrite) {
     EXPECT_EQ(values_of("P6\n1 1\n255\n\1\2\3"), (std::vector{1, 2, 3}));
     EXPECT_EQ(values_of("P5 2 1 255\n\7\10"), (std::vector{7, 7, 7, 8, 8, 8}));
     EXPECT_EQ(values_of(small_bmp()), (std::vector{4, 5, 6, 1, 2, 3}));
+    std::string from_above = small_bmp();
+    from_above.replace(22, 4, "\xfe\xff\xff\xff");
+    EXPECT_EQ(values_of(from_above), (std::vector{1, 2, 3, 4, 5, 6}));
     Image image(1, 1, 4);
     for (std::size_t i = 0; i < 4; ++i) image.bytes()[i] = static_cast<std::uint8_t>(9 + i);
     EXPECT_EQ(values_of(encode_png(image)), values(image));
