@@ -49,7 +49,6 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
-    if (loaded.format.is_data) loaded.scene.background = options.data_background.value_or(loaded.scene.background);
     const FitOptions& fit = options.fit;
     if (fit.projection) loaded.scene.camera.projection = *fit.projection;
     if (!fit.wanted.value_or(!loaded.has_camera())) return loaded;

@@ -38,8 +38,7 @@ struct LoadOptions {
     std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
     DataOptions data{};
     FitOptions fit{};
-    std::optional<Background> data_background{};  // of data, whose files say none; else black
-    WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
+    WorkControl* control = nullptr;  // told the bytes that were read, and looked at while reading
 };
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws

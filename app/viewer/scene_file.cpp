@@ -202,7 +202,6 @@ LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
     options.fit.projection.reset();  // of the first view, not of scenes
-    options.data_background = window_background_of_data;
     return options;
 }
 

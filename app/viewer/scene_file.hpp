@@ -9,10 +9,6 @@
 
 namespace sphereview {
 
-// What the window shows around data, whose files say no background: a dark grey-blue, quieter than black. Exports of the command
-// line keep black.
-inline constexpr Background window_background_of_data{{30, 37, 48}};
-
 // How to read that frame of a file. A scene that has a camera keeps it: of such a one only the view may be fitted.
 LoadOptions load_options(const ViewerState& state, std::int64_t frame);
 

@@ -16,7 +16,7 @@ constexpr const char* three_frames = "1\n\nO 0 0 100\n2\n\nO 1 0 100\nH 2 0 100\
 
 struct DataInViewer : testing::Test {
     DataInViewer() : path(folder.write("a.xyz", three_frames)), state(ViewOptions{}, ViewerSettings{}) {
-        adopt(state, load_scene(path, load_options(state, 0)), path);
+        adopt(state, load_scene(path), path);
     }
 
     double x() const { return state.scene().spheres.at(0).center.x; }
@@ -44,16 +44,6 @@ struct DataInViewer : testing::Test {
 };
 
 }  // namespace
-
-TEST_F(DataInViewer, HasAQuietBackgroundThatIsNoEdit) {
-    EXPECT_EQ(state.scene().background, window_background_of_data);
-    run_command(state, CommandId::next_frame);
-    EXPECT_EQ(state.scene().background, window_background_of_data);
-    EXPECT_FALSE(state.document.is_changed());
-    const std::string native = folder.write("a.toml", "background = 'white'\n");
-    EXPECT_EQ(load_scene(native, load_options(state, 0)).scene.background.color, (Color{255, 255, 255}));
-    EXPECT_EQ(load_scene(path).scene.background.color, (Color{0, 0, 0}));
-}
 
 TEST_F(DataInViewer, FramesAreSteppedThroughWithViewAndSelection) {
     EXPECT_EQ(state.frames, 3);
