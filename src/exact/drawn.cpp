@@ -206,13 +206,19 @@ DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std:
     return drawn;
 }
 
+DrawnSpheres none_drawn(const Camera& camera) {
+    DrawnSpheres drawn;
+    drawn.orthographic = camera.orthographic();
+    return drawn;
+}
+
 }  // namespace
 
 DrawnSpheres drawn_spheres(const Scene& scene) { return drawn_spheres(scene, scene.camera); }
 
 DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
     Numbers numbers = numbers_of(scene.spheres);
-    if (numbers.all ? scene.spheres.empty() : numbers.drawn.empty()) return {.orthographic = camera.orthographic()};
+    if (numbers.all ? scene.spheres.empty() : numbers.drawn.empty()) return none_drawn(camera);
     DrawnSpheres drawn = drawn_of(scene, camera, std::move(numbers.drawn));
     drawn.twins = std::move(numbers.twins);
     return drawn;
@@ -220,7 +226,7 @@ DrawnSpheres drawn_spheres(const Scene& scene, const Camera& camera) {
 
 DrawnSpheres drawn_again(const Scene& scene, const Camera& camera, const DrawnSpheres& drawn) {
     assert(drawn.gone.empty() && drawn.late == 0);
-    if (drawn.size() == 0) return {.orthographic = camera.orthographic()};
+    if (drawn.size() == 0) return none_drawn(camera);
     DrawnSpheres again = drawn_of(scene, camera, drawn.numbers);
     again.twins = drawn.twins;
     return again;
