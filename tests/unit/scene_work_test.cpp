@@ -115,7 +115,7 @@ TEST_F(Outputs, WithoutAThreadTheReasonIsSaid) {
         state.dialogs.clear();
         select_seen(state, {0, 0, 64, 64}, false);
         EXPECT_EQ(error(), no_threads);
-        make_rest_picture(state);
+        make_rest_picture(state, [] { return std::vector<std::int32_t>{}; });
         EXPECT_FALSE(rest_picture_is_shown(state));
     }
     EXPECT_FALSE(folder.has("scene.toml") || folder.has("scene.png"));
