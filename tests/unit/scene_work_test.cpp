@@ -95,7 +95,7 @@ TEST_F(Outputs, TheNextFreeNameIsFoundBesideTheLoop) {
     folder.write("scene.png", "mine");
     run_command(state, CommandId::export_now);
     EXPECT_TRUE(test::eventually([&] { return is_finished(); }));
-    EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("scene-1.png") + " (64 x 64)");
+    EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("scene-1.png") + " (64 x 64, 16 samples a pixel)");
     EXPECT_EQ(folder.read("scene.png"), "mine");
     EXPECT_TRUE(folder.has("scene-1.png"));
 }
