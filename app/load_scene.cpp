@@ -49,6 +49,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
+    if (loaded.format.is_data && options.data_background) loaded.scene.background = *options.data_background;
     const FitOptions& fit = options.fit;
     if (fit.projection) loaded.scene.camera.projection = *fit.projection;
     if (!fit.wanted.value_or(!loaded.has_camera())) return loaded;

@@ -38,7 +38,8 @@ struct LoadOptions {
     std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
     DataOptions data{};
     FitOptions fit{};
-    WorkControl* control = nullptr;  // told the bytes that were read, and looked at while reading
+    std::optional<Background> data_background{};  // of a scene from another program's file, which names none
+    WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
 };
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws

@@ -52,7 +52,7 @@ void main() {
         vec3 seen = vec3(dot(normal, axis_right.xyz), dot(normal, axis_up.xyz), dot(normal, axis_toward.xyz));
         shaded = clamp(0.5 + 0.5 * seen, 0.0, 1.0);
     } else if (shading == headlight) {
-        shaded = color_at(index).rgb * ((0.2 + 0.8 * facing) / (1.0 + depth));
+        shaded = color_at(index).rgb * (0.3 + 0.7 * facing / (1.0 + depth));
     } else if (shading == studio) {
         // What moves has no shadows: the sky and the key light of a free surface, and the sun. docs/shading.md.
         vec3 normal = -(side * q) - facing * ray;

@@ -95,6 +95,11 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     ImGui::PopStyleVar(3);
 
     if (draw_messages(context, state.messages, picture)) cancel_work(state);
+    if (state.is_at_start()) {
+        const bool has_keys = state.dialogs.empty() && !state.help_shown && !ImGui::GetIO().WantTextInput &&
+                              !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+        draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
+    }
     if (state.inspector_shown) draw_inspector_window(state, context, facts, picture);
     if (state.help_shown) draw_help(context, state.help_shown);
     draw_dialogs(context, state.dialogs, facts.keys);

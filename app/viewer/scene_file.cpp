@@ -15,6 +15,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Of data in the window: a quiet dark grey-blue, on which dark atoms are seen too.
+constexpr Background quiet_background{{32, 36, 48}, false};
+
 // A question of its kind that waits already is asked for the latest purpose instead of twice.
 void ask(ViewerState& state, Question question) {
     for (Dialog& dialog : state.dialogs) {
@@ -198,6 +201,7 @@ void offer_reload(ViewerState& state, LoadedScene loaded) {
 
 LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
     LoadOptions options;
+    options.data_background = quiet_background;
     options.data = {frame, state.options.data.radius};
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();

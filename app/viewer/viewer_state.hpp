@@ -13,6 +13,7 @@
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
 #include "panels/side_panel.hpp"
+#include "panels/start_page.hpp"
 #include "panels/status.hpp"
 #include "viewer/box_selection.hpp"
 #include "viewer/camera_flight.hpp"
@@ -77,12 +78,17 @@ struct ViewerState {
     bool export_area_shown = true;
     bool help_shown = false;
     SidePanelState side_panel;
+    StartPage start_page{example_scenes()};
     bool quits = false;
 
     const Scene& scene() const { return document.scene(); }
     Background shown_background() const { return background.value_or(scene().background); }
     // The scene's light with what the command line says instead.
     Light shown_light() const;
+    // Whether there is nothing to show and nothing to take back: the window offers where to begin.
+    bool is_at_start() const {
+        return path.empty() && !loading && scene().spheres.empty() && !document.can_undo() && !document.can_redo();
+    }
     // How the window's title and questions call the scene: the file's name, or "untitled".
     std::string name() const;
 };

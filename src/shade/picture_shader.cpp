@@ -267,7 +267,7 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
             const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
             return {grey, grey, grey};
         }
-        const double factor = (0.2 + 0.8 * between_0_and_1(hits.facing[k])) / (1.0 + depth);
+        const double factor = 0.3 + 0.7 * between_0_and_1(hits.facing[k]) / (1.0 + depth);
         return {times(sphere.color.r, factor), times(sphere.color.g, factor), times(sphere.color.b, factor)};
     };
     const bool of_numbers = !depends_on_hit(shading_);
@@ -298,8 +298,8 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
             find_hits(span, hits);
             for (std::size_t k = 0; k < span.count; ++k, out += channels) {
                 const Color color = color_of(sphere, k, static_cast<std::size_t>(run - visible.begin()) + k);
-                const std::array<std::uint8_t, 4> pixel = {color.r, color.g, color.b, 255};
-                std::copy_n(pixel.data(), channels, out);
+                const std::array<std::uint8_t, 4> bytes = {color.r, color.g, color.b, 255};
+                std::copy_n(bytes.data(), channels, out);
             }
         }
     }

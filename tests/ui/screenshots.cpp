@@ -26,17 +26,24 @@ void take(const std::string& folder) {
     files.write("home/config/sphereview/viewer.json", "{}");  // as who opens it for the first time sees it
     const ScreenOptions screen{1280, 800, 96};
     {
-        ViewerWindow window(files, {source_file("scenes/planets.toml")}, screen);
+        ViewerWindow window(files, {source_file("scenes/planets.toml"), "--shade", "studio", "--samples", "16"}, screen);
         window.click_widget("row 3");
         window.wait_for("selection", {3});
         window.move_to(at(window, 0.72, 0.42));
-        window.wait_until("a rest", [](const Json&) { return true; });
+        window.wait_until("a rest", [](const Json& frame) { return frame.at("exact") == true; });
         save(window, folder + "/viewer.png");
     }
-    ViewerWindow window(files, {source_file("scenes/input4.txt")}, screen);
+    {
+        ViewerWindow window(files, {}, screen);
+        window.move_to({5, 5});
+        window.wait_until("the start page", [](const Json& frame) { return frame.at("exact") == true; });
+        save(window, folder + "/start.png");
+    }
+    ViewerWindow window(files, {source_file("scenes/input4.txt"), "--shade", "studio", "--samples", "16"}, screen);
     window.key("i");
     window.move_to(at(window, 0.665, 0.334));
-    window.wait_until("a pixel of a sphere", [](const Json& frame) { return !frame.at("hovered").is_null(); });
+    window.wait_until("a pixel of a sphere",
+                      [](const Json& frame) { return !frame.at("hovered").is_null() && frame.at("exact") == true; });
     save(window, folder + "/inspector.png");
 }
 

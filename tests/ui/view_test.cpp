@@ -133,11 +133,11 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
         const Json camera = window.at("camera");
         window.key("m");
         const std::string second_alone = folder.write("second.xyz", second);
-        expect_rendered(window, folder, second_alone);
+        expect_rendered(window, folder, second_alone, {"--background", "#202430"});
         const Picture nitrogen = window.picture();
         window.key("3");
         window.wait_for_other("camera", camera);
-        expect_rendered(window, folder, second_alone, {"--view", "top"});
+        expect_rendered(window, folder, second_alone, {"--background", "#202430", "--view", "top"});
         window.key("Home");
         window.wait_for("camera", camera);
 

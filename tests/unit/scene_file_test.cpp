@@ -45,6 +45,24 @@ struct DataInViewer : testing::Test {
 
 }  // namespace
 
+// Only in the window: what is rendered from the same file stays as it was. Another frame has the background too.
+TEST_F(DataInViewer, HasAQuietBackgroundThatIsTheScenes) {
+    const Background quiet{{32, 36, 48}, false};
+    EXPECT_EQ(load_scene(path).scene.background, Background{});
+    open_scene(state, path);
+    finish_reading();
+    EXPECT_EQ(state.shown_background(), quiet);
+    EXPECT_FALSE(state.document.is_changed());
+    run_command(state, CommandId::next_frame);
+    finish_reading();
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_EQ(state.scene().background, quiet);
+    perform(state, {EditScene{ChangeBackground{Background{}}, "Change background", 0}});
+    EXPECT_EQ(state.shown_background(), Background{});
+    open_scene(state, folder.write("plain.txt", "1\n255 0 0 0 0 100 10\n"));
+    EXPECT_EQ(question()->id, "save-changes");
+}
+
 TEST_F(DataInViewer, FramesAreSteppedThroughWithViewAndSelection) {
     EXPECT_EQ(state.frames, 3);
     EXPECT_FALSE(is_enabled(CommandId::previous_frame));

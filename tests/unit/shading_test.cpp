@@ -113,7 +113,7 @@ TEST(PictureShader, FollowsTheFormulae) {
                 const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
                 const Reference hit = reference(scene, size, {x, y}, sphere);
                 const Real u = depth_of(scene, hit.t);
-                expect_byte(headlight.at(x, y)[0], sphere.color.r * (0.2L + 0.8L * hit.facing) / (1 + u), "headlight");
+                expect_byte(headlight.at(x, y)[0], sphere.color.r * (0.3L + 0.7L * hit.facing / (1 + u)), "headlight");
                 expect_byte(depth.at(x, y)[1], 255 * (1 - 0.8L * u), "depth");
                 expect_byte(normal.at(x, y)[0], 127.5L * (1 + dot(hit.normal, right)), "normal, right");
                 expect_byte(normal.at(x, y)[1], 127.5L * (1 + dot(hit.normal, up)), "normal, up");
@@ -137,7 +137,7 @@ TEST(PictureShader, NeverFailsOnExtremeNumbers) {
                     const Color color = shader.color({31, 17}, number);
                     // Never darker than the ambient light at the far end, nor than the farthest grey.
                     if (shading == Shading::headlight) {
-                        EXPECT_GE(color.r, 25);
+                        EXPECT_GE(color.r, 76);
                     }
                     if (shading == Shading::depth) {
                         EXPECT_GE(color.r, 51);
@@ -229,7 +229,7 @@ std::uint64_t sum_of(Shading shading) {
 }
 
 TEST(Shading, GivesTheSameBytesEverywhere) {
-    EXPECT_EQ(sum_of(Shading::headlight), 4564346362331003627ULL);
+    EXPECT_EQ(sum_of(Shading::headlight), 10755567152492019107ULL);
     EXPECT_EQ(sum_of(Shading::normal), 14993693324456632048ULL);
     EXPECT_EQ(sum_of(Shading::depth), 4061514986693747050ULL);
     EXPECT_EQ(sum_of(Shading::id), 15816985907994986407ULL);
