@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -95,6 +96,12 @@ bool is_ctrl_clicked() {
            ImGui::IsMouseHoveringRect(low, high);
 }
 
+void open_box(TypedNumber& typed, const std::string& name) {
+    typed.field = name;
+    typed.focus = true;
+    typed.opens = true;
+}
+
 SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value, bool several) {
     const bool refused = !parsed(typed.text, range);
     if (typed.focus) {
@@ -102,15 +109,18 @@ SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const S
         ImGui::SetKeyboardFocusHere();
     }
     ImGui::PushStyleColor(ImGuiCol_Text, refused ? ImVec4(1.0F, 0.4F, 0.4F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
-    ImGui::InputText("##typed", &typed.text, ImGuiInputTextFlags_AutoSelectAll);
+    const int step = draw_text_box("##typed", "", typed.text, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();
     note_widget(context, "slider " + typed.field);
     if (ImGui::IsItemActive()) typed.focus = false;
-    const bool ended = ImGui::IsItemDeactivated();
+    const bool ended = ImGui::IsItemDeactivated() || step != 0;
     if (refused && !ended) ImGui::SetTooltip("%s", range.above_zero ? "A number above 0 is expected." : "A number is expected.");
     if (!ended) return SliderChange::none;
     const std::optional<double> given = parsed(typed.text, range);  // Escape gave the old text back
+    const std::string before = typed.last_drawn;
     typed = {};
+    typed.passes_on = step > 0;
+    if (step < 0) open_box(typed, before);
     if (!given || (*given == value && !several)) return SliderChange::none;
     value = *given;
     return SliderChange::typed;
@@ -226,6 +236,19 @@ std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const 
     return ImGui::IsItemActive() || ImGui::IsItemDeactivated() ? context.gesture : 0;
 }
 
+bool takes_keyboard(TypedNumber& typed) { return std::exchange(typed.passes_on, false); }
+
+int draw_text_box(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
+    int step = 0;
+    const auto note_tab = [](ImGuiInputTextCallbackData* data) {
+        *static_cast<int*>(data->UserData) = ImGui::GetIO().KeyShift ? -1 : 1;
+        return 0;
+    };
+    // ImGui leaves Tab to a box that completes words.
+    ImGui::InputTextWithHint(label, hint, &text, flags | ImGuiInputTextFlags_CallbackCompletion, note_tab, &step);
+    return step;
+}
+
 double rounded_to(double value, int exponent) {
     if (value == 0.0 || !std::isfinite(value)) return value;
     const int digits = leading_digit(value) - exponent;  // behind the first
@@ -253,8 +276,10 @@ SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, 
                                double& value, const std::string& several) {
     ImGui::PushID(name.c_str());
     SliderChange change = SliderChange::none;
-    if (typed.field != name && is_ctrl_clicked()) typed = {name, several.empty() ? shortest(value) : "", true};
+    if ((typed.field.empty() && takes_keyboard(typed)) || (typed.field != name && is_ctrl_clicked())) open_box(typed, name);
     if (typed.field == name) {
+        if (typed.opens) typed.text = several.empty() ? shortest(value) : "";
+        typed.opens = false;
         change = draw_typed(context, typed, range, value, !several.empty());
     } else {
         constexpr double zero = 0.0;
@@ -276,6 +301,7 @@ SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, 
         }
     }
     ImGui::PopID();
+    typed.last_drawn = name;
     return change;
 }
 
