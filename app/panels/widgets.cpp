@@ -126,6 +126,17 @@ SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const S
     return SliderChange::typed;
 }
 
+void draw_command_button(const PanelContext& context, const CommandButton& button, float width) {
+    const CommandInfo& info = info_of(context.commands, button.id);
+    ImGui::BeginDisabled(!info.enabled);
+    if (ImGui::Button(button.label, {width, 0.0F})) context.actions.emplace_back(RunCommand{button.id});
+    ImGui::EndDisabled();
+    note_widget(context, button.widget);
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
+    ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
+}
+
 }  // namespace
 
 void apply_style(float scale) {
@@ -161,28 +172,34 @@ void begin_field(const PanelContext& context, const char* label) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
-    ImGui::SameLine();
-    ImGui::SetCursorPosX(left + column);  // not SameLine()'s: that counts from the group
+    // Where the line is too short for both, the field goes below.
+    const float narrowest = 5.0F * ImGui::GetFontSize();
+    const float begin = std::max(column, width_of(label) + ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::GetContentRegionAvail().x >= begin + narrowest) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + begin);  // not SameLine()'s: that counts from the group
+    }
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x));
 }
 
 void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons) {
-    const auto count = static_cast<float>(buttons.size());
-    const auto text_width = [](const CommandButton& button) { return ImGui::CalcTextSize(button.label, nullptr, true).x; };
-    float left = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x * (count - 1.0F);
-    for (const CommandButton& button : buttons) left -= text_width(button);
-    for (const CommandButton& button : buttons) {
-        if (&button != buttons.data()) ImGui::SameLine();
-        const CommandInfo& info = info_of(context.commands, button.id);
-        ImGui::BeginDisabled(!info.enabled);
-        if (ImGui::Button(button.label, {std::max(1.0F, text_width(button) + left / count), 0.0F})) {
-            context.actions.emplace_back(RunCommand{button.id});
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const auto needed = [](const CommandButton& button) {
+        return ImGui::CalcTextSize(button.label, nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    };
+    const float whole = ImGui::GetContentRegionAvail().x;
+    for (std::size_t begin = 0, end = 0; begin < buttons.size(); begin = end) {
+        // As many as the line has room for, without a label cut off.
+        float left = whole;
+        while (end < buttons.size() && (end == begin || left >= gap + needed(buttons[end]))) {
+            left -= needed(buttons[end]) + (end == begin ? 0.0F : gap);
+            ++end;
         }
-        ImGui::EndDisabled();
-        note_widget(context, button.widget);
-        if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) continue;
-        const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
-        ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
+        const float more = std::max(0.0F, left / static_cast<float>(end - begin));
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i != begin) ImGui::SameLine();
+            draw_command_button(context, buttons[i], needed(buttons[i]) + more);
+        }
     }
 }
 

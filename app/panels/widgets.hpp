@@ -15,10 +15,11 @@ namespace sphereview {
 // Gives the current ImGui context our dark theme. Sizes are times `scale`; may be called again for another.
 void apply_style(float scale);
 
-// Writes the label at the left; the next item takes the rest of the line.
+// Writes the label at the left; the next item takes the rest of the line, or, where the line is short, the one below.
 void begin_field(const PanelContext& context, const char* label);
 
-// Buttons that run commands, side by side over the whole line, each as much wider than its label as the others. Their tooltips have
+// Buttons that run commands, side by side over as many whole lines as they need, each as much wider than its label as the others
+// of its line. Their tooltips have
 // the command's help and shortcut.
 struct CommandButton {
     CommandId id;

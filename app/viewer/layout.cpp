@@ -25,8 +25,8 @@ void place_window(const Rectangle& area) {
     ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
 }
 
-// The panel's left edge, which can be dragged.
-void draw_splitter(ViewerState& state, const PanelContext& context, const Rectangle& area) {
+// The panel's left edge, which can be dragged. `shown`: the panel's width now, which may be less than the person chose.
+void draw_splitter(ViewerState& state, const PanelContext& context, const Rectangle& area, double shown) {
     place_window(area);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
@@ -36,7 +36,8 @@ void draw_splitter(ViewerState& state, const PanelContext& context, const Rectan
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     // A frame's movement comes before its release, and before its press: that was not yet the edge's.
     if ((ImGui::IsItemActive() && !ImGui::IsItemActivated()) || ImGui::IsItemDeactivated()) {
-        state.settings.panel_width -= static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
+        const auto by = static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
+        if (by != 0.0) state.settings.panel_width = panel_width_range.nearest(shown - by);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
@@ -72,9 +73,10 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     if (state.panel_shown) {
         const float splitter = splitter_width * context.scale;
         const float room = whole.x - splitter - narrowest_picture * context.scale;
-        state.settings.panel_width = panel_width_within(state.settings.panel_width, room / context.scale);
+        // A small window or large text narrows the panel for as long as that lasts: what the person chose is kept.
+        const double shown = panel_width_within(state.settings.panel_width, room / context.scale);
         const float widest = std::max(room, static_cast<float>(panel_width_range.least));
-        const float width = std::floor(std::min(static_cast<float>(state.settings.panel_width) * context.scale, widest));
+        const float width = std::floor(std::min(static_cast<float>(shown) * context.scale, widest));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
         place_window(panel);
         // The list scrolls in itself, by its own means.
@@ -82,7 +84,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         ImGui::Begin("##panel", nullptr, fixed_window | wheel);
         draw_side_panel(context, state.side_panel);
         ImGui::End();
-        draw_splitter(state, context, {panel.x - splitter, panel.y, splitter, panel.height});
+        draw_splitter(state, context, {panel.x - splitter, panel.y, splitter, panel.height}, shown);
         picture.width = std::max(panel.x - splitter, 0.0F);
     }
 

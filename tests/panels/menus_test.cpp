@@ -6,6 +6,7 @@
 #include "panels/commands.hpp"
 #include "panels/menus.hpp"
 #include "support/panel_harness.hpp"
+#include "viewer/layout.hpp"
 
 namespace sphereview {
 
@@ -20,6 +21,24 @@ std::vector<std::string> all_keys() {
     }
     for (int i = 1; i <= 12; ++i) keys.push_back("f" + std::to_string(i));
     return keys;
+}
+
+TEST(Layout, ThePanelGetsItsWidthBackWhenThereIsRoom) {
+    ViewerState state({}, {});
+    state.settings.panel_width = 700.0;
+    float picture = 0.0F;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}).width; }, {}, 1400.0F);
+    const float before = picture;
+    EXPECT_LT(before, 700.0F);
+    ImGui::GetIO().DisplaySize.x = 500.0F;
+    window.click("splitter");  // moves nothing
+    EXPECT_LT(picture, 200.0F);
+    EXPECT_EQ(state.settings.panel_width, 700.0);
+    ImGui::GetIO().DisplaySize.x = 1400.0F;
+    window.frames();
+    EXPECT_EQ(picture, before);
+    window.drag(window.place("splitter"), {window.place("splitter").x + 100.0F, 300.0F});
+    EXPECT_NEAR(state.settings.panel_width, 600.0, 1.0);
 }
 
 TEST(Commands, AreEachDescribedOnce) {
