@@ -78,6 +78,8 @@ Viewer::Viewer(ViewerState& state, Window& window)
       picture_(state.options.shader_folder),
       log_(state.options.redraw_log) {
     facts_.status.renderer = shown_text(window.renderer());
+    state_.clipboard = {[&window] { return window.clipboard(); },
+                        [&window](const std::string& text) { window.set_clipboard(text); }};
     state_.messages.shader_error = picture_.shader_log();
 }
 

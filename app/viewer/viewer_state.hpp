@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <mutex>
 #include <optional>
@@ -67,6 +68,13 @@ struct ViewerState {
     SceneSnapshot snapshot;
     std::optional<RestPicture> rest_picture;    // of that, being made or there
     std::optional<BoxSelection> box_selection;  // under way
+
+    // The system's; without a window there is none.
+    struct Clipboard {
+        std::function<std::string()> text = [] { return std::string(); };
+        std::function<void(const std::string&)> set_text = [](const std::string&) {};
+    };
+    Clipboard clipboard{};
 
     Messages messages;
     std::optional<Clock::time_point> announcement_ends;
