@@ -16,7 +16,7 @@ namespace {
 constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"Left-drag on a selected sphere", "Moves the selected spheres parallel to the screen; with Shift in depth."},
     {"Ctrl+wheel over a selected sphere", "Scales the selected spheres."},
-    {"Left-drag elsewhere", "Orbits."},
+    {"Left-drag elsewhere", "Orbits about the point under the pointer, or, beside all spheres, the middle of what is seen."},
     {"Middle-drag or Shift+left-drag", "Pans."},
     {"Right-drag or wheel", "Zooms at the pointer."},
     {"Click on a sphere", "Selects it; a click beside all spheres selects none."},

@@ -112,6 +112,19 @@ void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int
     draw->PopClipRect();
 }
 
+void draw_cross(const Rectangle& picture, ImVec2 middle, float scale) {
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
+    const auto bars = [&](float length, float thickness, ImU32 color) {
+        const ImVec2 along(length * scale, 0.5F * thickness * scale);
+        draw->AddRectFilled(ImVec2(middle.x - along.x, middle.y - along.y), ImVec2(middle.x + along.x, middle.y + along.y), color);
+        draw->AddRectFilled(ImVec2(middle.x - along.y, middle.y - along.x), ImVec2(middle.x + along.y, middle.y + along.x), color);
+    };
+    bars(9.0F, 4.0F, IM_COL32(0, 0, 0, 170));
+    bars(8.0F, 2.0F, IM_COL32(255, 255, 255, 230));
+    draw->PopClipRect();
+}
+
 void draw_export_area(const ViewerState& state, const Rectangle& picture) {
     if (!state.export_area_shown) return;
     const PictureSize size{state.settings.export_width, state.settings.export_height};

@@ -229,7 +229,8 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                                pick,
                                [this](Pixel low, Pixel high, bool toggles) {
                                    select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
-                               }};
+                               },
+                               state_.bounds};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
@@ -242,12 +243,32 @@ void Viewer::update_picture(int step) {
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
 }
 
+ImVec2 Viewer::on_screen(const glm::dvec2& place) const {
+    return {static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_)};
+}
+
+void Viewer::draw_orbit_point() const {
+    const auto point = mouse_.turns_about();
+    if (!point) return;
+    const auto place = place_of(state_.camera, state_.picture_size, *point);
+    if (place) draw_cross(area_, on_screen(*place), imgui_.scale());
+}
+
+void Viewer::look_for_nothing() {
+    if (looked_at_ == state_.document.revision() && looked_from_ == state_.camera) return;
+    looked_at_ = state_.document.revision();
+    looked_from_ = state_.camera;
+    const bool shows_any = state_.scene().spheres.size() > state_.bounds.hidden;
+    const auto is_background = [](std::int32_t seen) { return seen == visible_background; };
+    const std::vector<std::int32_t> seen = shows_any ? picture_.seen_numbers() : std::vector<std::int32_t>{};
+    if (seen.empty() || !std::ranges::all_of(seen, is_background)) return;
+    state_.messages.hint = "Nothing of the scene is in view. F shows everything, Home returns to the scene's camera.";
+    pacing_.touch();
+}
+
 void Viewer::draw_box() const {
     const auto box = mouse_.box();
     if (!box) return;
-    const auto on_screen = [&](const glm::dvec2& place) {
-        return ImVec2(static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_));
-    };
     draw_frame(area_, on_screen(glm::min(box->from, box->to)), on_screen(glm::max(box->from, box->to)), 160, 220, 40);
 }
 
@@ -293,6 +314,7 @@ void Viewer::redraw() {
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
     use_mouse(context, facts_.keys.escape);
     draw_box();
+    draw_orbit_point();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
     if (facts_.keys.escape && !asked) {
         const std::lock_guard lock(state_.changing);
@@ -315,6 +337,8 @@ void Viewer::redraw() {
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
+    if (looked_from_ != state_.camera || looked_at_ != state_.document.revision()) state_.messages.hint.clear();
+    if (pacing_.rests() && input_.empty()) look_for_nothing();
     if (pacing_.rests() && input_.empty()) make_rest_picture(state_, [&] { return picture_.seen_numbers(); });
     rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
     if (log_.wanted()) {
