@@ -19,10 +19,10 @@ struct WorkShown {
 
 struct Messages {
     std::string announcement;  // "Saved /home/a/b.png"; the owner takes it away after a while
-    std::string hint;          // shown where there is no announcement
     std::string scene_error;   // FILE:LINE:COLUMN: ... while the file is broken; stays until it is not
     std::string shader_error;  // the log, while a shader is broken
     std::optional<WorkShown> work{};
+    std::string hint{};  // shown where there is no announcement
 };
 
 // Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. Returns
