@@ -66,7 +66,8 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     // The windows around the picture have no border: ImGui's, if it is wider than a pixel, reaches beyond its window.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
-    const float menu_height = std::ceil(draw_menu_bar(context, state.settings.recent));  // the picture has whole pixels
+    const float menu_height =
+        std::ceil(draw_menu_bar(context, state.settings.recent, state.menu_keys));  // the picture has whole pixels
     const float status_height = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 #include "base/text.hpp"
 #include "viewer/perform.hpp"
@@ -52,6 +53,9 @@ bool takes_over(const InputEvent& event) {
     if (const auto* button = std::get_if<ButtonChanged>(&event)) return button->pressed;
     return std::holds_alternative<WheelTurned>(event);
 }
+
+// A menu or a colour picker is open. Dialogs have keys of their own.
+bool has_popped_up(const ViewerState& state) { return state.dialogs.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
 
 std::string title_for(const ViewerState& state) {
     return shown_text(state.name()) + (state.document.is_changed() ? " *" : "") + " - sphereview";
@@ -163,29 +167,66 @@ void Viewer::end_announcement() {
     pacing_.touch();
 }
 
+bool Viewer::is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys) {
+    if (!state_.dialogs.empty() || mouse_.is_dragging()) return true;
+    if (popped_up || typing || ImGui::IsAnyItemActive()) {
+        keys.escape = false;  // ImGui's
+        return true;
+    }
+    if (state_.help_shown) {
+        state_.help_shown = false;
+        keys.escape = false;
+        return true;
+    }
+    return state_.loading || state_.exporting;
+}
+
+bool Viewer::is_lone_alt(const InputEvent& event) {
+    const auto* key = std::get_if<KeyChanged>(&event);
+    if (key != nullptr && key->name == "alt" && !key->pressed) return std::exchange(alt_alone_, false);
+    if (key != nullptr && key->pressed) {
+        alt_alone_ = key->name == "alt" && !key->modifiers.control && !key->modifiers.shift;
+    } else if (!std::holds_alternative<PointerMoved>(event)) {
+        alt_alone_ = false;
+    }
+    return false;
+}
+
 std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action>& actions) {
     std::vector<InputEvent> events = input_.take_frame();
     if (!events.empty()) pacing_.touch();
     const bool typing = ImGui::GetIO().WantTextInput;
+    const bool popped_up = has_popped_up(state_);
     const std::vector<CommandInfo> commands = commands_of(state_);
     for (const InputEvent& event : events) {
         if (takes_over(event)) state_.flight.reset();
+        if (is_lone_alt(event) && state_.dialogs.empty() && !popped_up) state_.menu_keys.begins = true;
         if (std::holds_alternative<CloseRequested>(event)) {
             actions.emplace_back(RunCommand{CommandId::quit});
         } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
             actions.emplace_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
-            if (key->name == "escape" && (state_.loading || state_.exporting)) continue;  // ends that, and nothing else
+            if (key->name == "escape" && is_escape_for_another(typing, popped_up, keys)) continue;
+            if (popped_up && key->name == "right") state_.menu_keys.step = 1;
+            if (popped_up && key->name == "left") state_.menu_keys.step = -1;
+            if (popped_up && !key->modifiers.control) continue;
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(commands, key->name, m.control, m.shift, m.alt))
                 actions.emplace_back(RunCommand{*command});
-        } else if (const auto* typed = std::get_if<CharacterTyped>(&event); typed != nullptr && !typing && state_.dialogs.empty()) {
+        } else if (const auto* typed = std::get_if<CharacterTyped>(&event);
+                   typed != nullptr && !typing && !popped_up && state_.dialogs.empty()) {
             if (const auto command = command_for_character(commands, typed->character)) actions.emplace_back(RunCommand{*command});
         }
     }
+    // Between the menus of the bar the keyboard goes by menu_keys; ImGui 1.86 would close them on its way.
+    const bool steps_menus = popped_up && !state_.menu_keys.open.empty() && !state_.menu_keys.in_submenu;
+    std::erase_if(events, [&](const InputEvent& event) {
+        const auto* key = std::get_if<KeyChanged>(&event);
+        return steps_menus && key != nullptr && key->pressed && (key->name == "left" || key->name == "right");
+    });
     return events;
 }
 
@@ -284,7 +325,7 @@ void Viewer::redraw() {
     const bool refines = pacing_.refines();
     facts_.keys = {};
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
-    imgui_.begin_frame(events, seconds_between(last_redraw_, begin));
+    imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
     widgets_.clear();
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 

@@ -32,6 +32,11 @@ private:
     void redraw();
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
+    // Escape ends the topmost thing alone. Returns whether that is another thing than the selection; keys.escape is left to those
+    // who ask for it themselves: dialogs, the mouse, work.
+    bool is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys);
+    // Whether Alt was pressed and let go with nothing between.
+    bool is_lone_alt(const InputEvent& event);
     // Brings the picture up to date with the state.
     void update_picture(int step);
     void draw_box() const;
@@ -64,6 +69,7 @@ private:
     std::uint64_t looked_at_ = 0;             // the document's revision when look_for_nothing() looked
     Camera looked_from_;
     bool rest_picture_works_ = false;  // it is being made
+    bool alt_alone_ = false;           // Alt is down, and nothing came after it
     bool shaders_changed_ = false;     // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
 

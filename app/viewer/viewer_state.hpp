@@ -13,6 +13,7 @@
 #include "camera/fit.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
+#include "panels/menus.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/status.hpp"
 #include "viewer/box_selection.hpp"
@@ -80,6 +81,7 @@ struct ViewerState {
     std::optional<Clock::time_point> announcement_ends;
     Dialogs dialogs;
 
+    MenuKeys menu_keys;
     bool panel_shown = true;
     bool inspector_shown = false;
     bool export_area_shown = true;

@@ -129,7 +129,8 @@ class MenuBar : public testing::Test {
 protected:
     std::vector<std::string> recent;
     float height = 0.0F;
-    PanelHarness harness{[this](const PanelContext& context) { height = draw_menu_bar(context, recent); }};
+    MenuKeys keys;
+    PanelHarness harness{[this](const PanelContext& context) { height = draw_menu_bar(context, recent, keys); }};
 
     // The commands that clicking through the menu asks for.
     std::vector<CommandId> choose(const std::string& menu, const std::string& item) {
@@ -151,6 +152,26 @@ TEST_F(MenuBar, RunsEveryCommand) {
     }
     EXPECT_GT(height, 10.0F);
     EXPECT_LT(height, 60.0F);
+}
+
+TEST_F(MenuBar, KeysOpenOneMenuAfterTheOther) {
+    const auto open_after = [this](bool begins, int step) {
+        keys.begins = begins;
+        keys.step = step;
+        harness.frames(3);
+        return keys.open;
+    };
+    EXPECT_EQ(open_after(false, 1), "") << "none was open";
+    EXPECT_EQ(open_after(true, 0), "File");
+    EXPECT_EQ(open_after(false, 1), "Edit");
+    EXPECT_EQ(open_after(false, 1), "View");
+    harness.click("menu Shading");
+    EXPECT_TRUE(keys.in_submenu);
+    EXPECT_EQ(open_after(false, 1), "View") << "the submenu's key";
+    harness.click(ImVec2(700.0F, 500.0F));
+    EXPECT_EQ(open_after(false, 0), "");
+    EXPECT_EQ(open_after(true, 0), "File");
+    EXPECT_EQ(open_after(false, -1), "Help");
 }
 
 TEST_F(MenuBar, DisabledItemsDoNothing) {
