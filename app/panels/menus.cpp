@@ -16,7 +16,7 @@ namespace {
 constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"Left-drag on a selected sphere", "Moves the selected spheres parallel to the screen; with Shift in depth."},
     {"Ctrl+wheel over a selected sphere", "Scales the selected spheres."},
-    {"Left-drag elsewhere", "Orbits."},
+    {"Left-drag elsewhere", "Orbits about the point under the pointer, or, beside all spheres, the middle of what is seen."},
     {"Middle-drag or Shift+left-drag", "Pans."},
     {"Right-drag or wheel", "Zooms at the pointer."},
     {"Click on a sphere", "Selects it; a click beside all spheres selects none."},
@@ -100,9 +100,10 @@ void note_menu(const PanelContext& context, const std::string& name) {
     note_rectangle(context, "menu " + name, low, {ImGui::CalcTextSize(name.c_str()).x, ImGui::GetTextLineHeight()});
 }
 
-void draw_recent(const PanelContext& context, const std::vector<std::string>& recent) {
+void draw_recent(const PanelContext& context, const std::vector<std::string>& recent, MenuKeys& keys) {
     note_menu(context, "Open recent");
     if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
+    keys.in_submenu = true;
     for (std::size_t i = 0; i < recent.size(); ++i) {
         const std::filesystem::path path = path_from(recent[i]);
         ImGui::PushID(static_cast<int>(i));
@@ -116,19 +117,23 @@ void draw_recent(const PanelContext& context, const std::vector<std::string>& re
     ImGui::EndMenu();
 }
 
-void draw_submenu(const PanelContext& context, const CommandInfo& first) {
+void draw_submenu(const PanelContext& context, const CommandInfo& first, MenuKeys& keys) {
     const std::string name(first.submenu);
     note_menu(context, name);
     if (!ImGui::BeginMenu(name.c_str())) return;
+    keys.in_submenu = true;
     for (const CommandInfo& info : context.commands) {
         if (info.menu == first.menu && info.submenu == first.submenu) draw_item(context, info);
     }
     ImGui::EndMenu();
 }
 
-void draw_menu(const PanelContext& context, const std::string& menu, const std::vector<std::string>& recent) {
+void draw_menu(const PanelContext& context, const std::string& menu, const std::vector<std::string>& recent, MenuKeys& keys,
+               bool opens) {
     note_menu(context, menu);
+    if (opens) ImGui::OpenPopup(menu.c_str());
     if (!ImGui::BeginMenu(menu.c_str())) return;
+    keys.open = menu;
     bool first = true;
     std::string_view submenu;
     for (const CommandInfo& info : context.commands) {
@@ -137,10 +142,10 @@ void draw_menu(const PanelContext& context, const std::string& menu, const std::
         if (info.submenu.empty()) {
             draw_item(context, info);
         } else if (info.submenu != submenu) {
-            draw_submenu(context, info);
+            draw_submenu(context, info, keys);
         }
         submenu = info.submenu;
-        if (info.id == CommandId::file_open) draw_recent(context, recent);
+        if (info.id == CommandId::file_open) draw_recent(context, recent, keys);
         first = false;
     }
     ImGui::EndMenu();
@@ -164,14 +169,20 @@ void draw_help(const PanelContext& context, bool& open) {
     ImGui::End();
 }
 
-float draw_menu_bar(const PanelContext& context, const std::vector<std::string>& recent) {
+float draw_menu_bar(const PanelContext& context, const std::vector<std::string>& recent, MenuKeys& keys) {
     if (!ImGui::BeginMainMenuBar()) return 0.0F;
-    std::string_view menu;
+    std::vector<std::string> menus;
     for (const CommandInfo& info : context.commands) {
-        if (info.menu == menu) continue;
-        menu = info.menu;
-        draw_menu(context, std::string(menu), recent);
+        if (menus.empty() || menus.back() != info.menu) menus.emplace_back(info.menu);
     }
+    std::string opens = keys.begins ? menus.front() : "";
+    const auto open = std::ranges::find(menus, keys.open);
+    if (open != menus.end() && keys.step != 0 && !keys.in_submenu) {
+        const std::size_t steps = keys.step > 0 ? 1 : menus.size() - 1;
+        opens = menus[(static_cast<std::size_t>(open - menus.begin()) + steps) % menus.size()];
+    }
+    keys = {};
+    for (const std::string& menu : menus) draw_menu(context, menu, recent, keys, menu == opens);
     const float height = ImGui::GetWindowSize().y;
     ImGui::EndMainMenuBar();
     return height;

@@ -1,6 +1,4 @@
-
 #include <imgui.h>
-#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cfloat>
@@ -43,6 +41,7 @@ public:
         slider("z", center_range(context_.bounds, 2), SphereValue::z);
         slider("radius", radius_range(context_.bounds), SphereValue::radius);
         begin_field(context_, "colour");
+        if (takes_keyboard(state_.typed)) ImGui::SetKeyboardFocusHere();
         const auto gesture = draw_color_edit(context_, "##color", sphere_.color);
         note_widget(context_, "color");
         if (gesture) change_all("Recolour ", *gesture, [&](Sphere& sphere, std::size_t) { sphere.color = sphere_.color; });
@@ -61,7 +60,7 @@ private:
         const std::string old = name_of(scene, number_);
         if (!state_.name_active) state_.name = old;
         begin_field(context_, "name");
-        ImGui::InputTextWithHint("##name", "none", &state_.name);
+        if (draw_text_box("##name", "none", state_.name) > 0) state_.typed.passes_on = true;
         note_widget(context_, "name");
         state_.name_active = ImGui::IsItemActive();
         if (ImGui::IsItemDeactivated() && state_.name != old) {  // Escape gave the old name back

@@ -172,7 +172,8 @@ bool draw_messages(const PanelContext& context, Messages& messages, const Rectan
                  {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
                  area);
     const bool cancelled = messages.work && draw_work(context, *messages.work, area);
-    if (!messages.announcement.empty()) draw_announcement(context, messages.announcement, area);
+    const std::string& told = messages.announcement.empty() ? messages.hint : messages.announcement;
+    if (!told.empty()) draw_announcement(context, told, area);
     return cancelled;
 }
 

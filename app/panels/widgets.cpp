@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -95,6 +96,12 @@ bool is_ctrl_clicked() {
            ImGui::IsMouseHoveringRect(low, high);
 }
 
+void open_box(TypedNumber& typed, const std::string& name) {
+    typed.field = name;
+    typed.focus = true;
+    typed.opens = true;
+}
+
 SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value, bool several) {
     const bool refused = !parsed(typed.text, range);
     if (typed.focus) {
@@ -102,18 +109,32 @@ SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const S
         ImGui::SetKeyboardFocusHere();
     }
     ImGui::PushStyleColor(ImGuiCol_Text, refused ? ImVec4(1.0F, 0.4F, 0.4F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
-    ImGui::InputText("##typed", &typed.text, ImGuiInputTextFlags_AutoSelectAll);
+    const int step = draw_text_box("##typed", "", typed.text, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();
     note_widget(context, "slider " + typed.field);
     if (ImGui::IsItemActive()) typed.focus = false;
-    const bool ended = ImGui::IsItemDeactivated();
+    const bool ended = ImGui::IsItemDeactivated() || step != 0;
     if (refused && !ended) ImGui::SetTooltip("%s", range.above_zero ? "A number above 0 is expected." : "A number is expected.");
     if (!ended) return SliderChange::none;
     const std::optional<double> given = parsed(typed.text, range);  // Escape gave the old text back
+    const std::string before = typed.last_drawn;
     typed = {};
+    typed.passes_on = step > 0;
+    if (step < 0) open_box(typed, before);
     if (!given || (*given == value && !several)) return SliderChange::none;
     value = *given;
     return SliderChange::typed;
+}
+
+void draw_command_button(const PanelContext& context, const CommandButton& button, float width) {
+    const CommandInfo& info = info_of(context.commands, button.id);
+    ImGui::BeginDisabled(!info.enabled);
+    if (ImGui::Button(button.label, {width, 0.0F})) context.actions.emplace_back(RunCommand{button.id});
+    ImGui::EndDisabled();
+    note_widget(context, button.widget);
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
+    ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
 }
 
 }  // namespace
@@ -151,28 +172,34 @@ void begin_field(const PanelContext& context, const char* label) {
     const float left = ImGui::GetCursorPosX();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
-    ImGui::SameLine();
-    ImGui::SetCursorPosX(left + column);  // not SameLine()'s: that counts from the group
+    // Where the line is too short for both, the field goes below.
+    const float narrowest = 5.0F * ImGui::GetFontSize();
+    const float begin = std::max(column, width_of(label) + ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::GetContentRegionAvail().x >= begin + narrowest) {
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + begin);  // not SameLine()'s: that counts from the group
+    }
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x));
 }
 
 void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons) {
-    const auto count = static_cast<float>(buttons.size());
-    const auto text_width = [](const CommandButton& button) { return ImGui::CalcTextSize(button.label, nullptr, true).x; };
-    float left = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x * (count - 1.0F);
-    for (const CommandButton& button : buttons) left -= text_width(button);
-    for (const CommandButton& button : buttons) {
-        if (&button != buttons.data()) ImGui::SameLine();
-        const CommandInfo& info = info_of(context.commands, button.id);
-        ImGui::BeginDisabled(!info.enabled);
-        if (ImGui::Button(button.label, {std::max(1.0F, text_width(button) + left / count), 0.0F})) {
-            context.actions.emplace_back(RunCommand{button.id});
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const auto needed = [](const CommandButton& button) {
+        return ImGui::CalcTextSize(button.label, nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    };
+    const float whole = ImGui::GetContentRegionAvail().x;
+    for (std::size_t begin = 0, end = 0; begin < buttons.size(); begin = end) {
+        // As many as the line has room for, without a label cut off.
+        float left = whole;
+        while (end < buttons.size() && (end == begin || left >= gap + needed(buttons[end]))) {
+            left -= needed(buttons[end]) + (end == begin ? 0.0F : gap);
+            ++end;
         }
-        ImGui::EndDisabled();
-        note_widget(context, button.widget);
-        if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) continue;
-        const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
-        ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
+        const float more = std::max(0.0F, left / static_cast<float>(end - begin));
+        for (std::size_t i = begin; i < end; ++i) {
+            if (i != begin) ImGui::SameLine();
+            draw_command_button(context, buttons[i], needed(buttons[i]) + more);
+        }
     }
 }
 
@@ -226,6 +253,19 @@ std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const 
     return ImGui::IsItemActive() || ImGui::IsItemDeactivated() ? context.gesture : 0;
 }
 
+bool takes_keyboard(TypedNumber& typed) { return std::exchange(typed.passes_on, false); }
+
+int draw_text_box(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
+    int step = 0;
+    const auto note_tab = [](ImGuiInputTextCallbackData* data) {
+        *static_cast<int*>(data->UserData) = ImGui::GetIO().KeyShift ? -1 : 1;
+        return 0;
+    };
+    // ImGui leaves Tab to a box that completes words.
+    ImGui::InputTextWithHint(label, hint, &text, flags | ImGuiInputTextFlags_CallbackCompletion, note_tab, &step);
+    return step;
+}
+
 double rounded_to(double value, int exponent) {
     if (value == 0.0 || !std::isfinite(value)) return value;
     const int digits = leading_digit(value) - exponent;  // behind the first
@@ -253,8 +293,10 @@ SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, 
                                double& value, const std::string& several) {
     ImGui::PushID(name.c_str());
     SliderChange change = SliderChange::none;
-    if (typed.field != name && is_ctrl_clicked()) typed = {name, several.empty() ? shortest(value) : "", true};
+    if ((typed.field.empty() && takes_keyboard(typed)) || (typed.field != name && is_ctrl_clicked())) open_box(typed, name);
     if (typed.field == name) {
+        if (typed.opens) typed.text = several.empty() ? shortest(value) : "";
+        typed.opens = false;
         change = draw_typed(context, typed, range, value, !several.empty());
     } else {
         constexpr double zero = 0.0;
@@ -276,6 +318,7 @@ SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, 
         }
     }
     ImGui::PopID();
+    typed.last_drawn = name;
     return change;
 }
 

@@ -15,10 +15,11 @@ namespace sphereview {
 // Gives the current ImGui context our dark theme. Sizes are times `scale`; may be called again for another.
 void apply_style(float scale);
 
-// Writes the label at the left; the next item takes the rest of the line.
+// Writes the label at the left; the next item takes the rest of the line, or, where the line is short, the one below.
 void begin_field(const PanelContext& context, const char* label);
 
-// Buttons that run commands, side by side over the whole line, each as much wider than its label as the others. Their tooltips have
+// Buttons that run commands, side by side over as many whole lines as they need, each as much wider than its label as the others
+// of its line. Their tooltips have
 // the command's help and shortcut.
 struct CommandButton {
     CommandId id;
@@ -56,12 +57,22 @@ std::string rounded_text(double value, int exponent);
 // With so many significant digits at most: "0.3333", "1e+20".
 std::string short_text(double value, int digits = 4);
 
-// The number that is being typed instead of dragged.
+// The number that is being typed instead of dragged. Tab ends one number and begins the next that is drawn: ImGui's own Tab
+// would pass over the sliders, which are no text boxes until they are typed into.
 struct TypedNumber {
     std::string field;  // the slider's name; "" for none
     std::string text;
-    bool focus = false;
+    bool focus = false;      // the box is to get the keyboard
+    bool opens = false;      // the box is to get the slider's value as its text
+    bool passes_on = false;  // what is drawn next gets the keyboard
+    std::string last_drawn;  // the slider that Shift+Tab goes back to
 };
+
+// Whether Tab left the number before for what is drawn next; true once.
+bool takes_keyboard(TypedNumber& typed);
+
+// ImGui::InputText() whose Tab is ours: 1 where Tab was pressed in it, -1 for Shift+Tab, else 0.
+int draw_text_box(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags = 0);
 
 // What a drag covers; values outside are shown as they are, and can be typed.
 struct SliderRange {
@@ -74,9 +85,9 @@ struct SliderRange {
 
 enum class SliderChange { none, dragged, typed };
 
-// As wide as the next item's width. A drag gives `value` a short number of the range and begins a gesture of its own; Ctrl+click
-// types any finite number in full, and what is none, or not allowed, is refused. Noted as "slider NAME". `several`: where the
-// value stands for others, too, which differ from it, what is shown instead; "" where they do not.
+// As wide as the next item's width. A drag gives `value` a short number of the range and begins a gesture of its own; Ctrl+click,
+// or Tab from another number, types any finite number in full, and what is none, or not allowed, is refused. Noted as "slider
+// NAME". `several`: where the value stands for others, too, which differ from it, what is shown instead; "" where they do not.
 SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
                                double& value, const std::string& several = "");
 

@@ -166,6 +166,9 @@ void ImguiBridge::feed(const InputEvent& event) {
         io.MouseWheelH += static_cast<float>(wheel->x);
         set_modifiers(io, wheel->modifiers);
     } else if (const auto* key = std::get_if<KeyChanged>(&event)) {
+        // ImGui before 1.89 presses what the arrows have chosen with Space alone.
+        const bool chooses = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0 && !io.WantTextInput;
+        if (key->name == "enter" && (chooses || !key->pressed)) set_key(io, "space", key->pressed);
         set_key(io, key->name, key->pressed);
         set_modifiers(io, key->modifiers);
     } else if (const auto* typed = std::get_if<CharacterTyped>(&event)) {
@@ -176,8 +179,9 @@ void ImguiBridge::feed(const InputEvent& event) {
     }
 }
 
-void ImguiBridge::begin_frame(const std::vector<InputEvent>& events, double seconds_since_last) {
+void ImguiBridge::begin_frame(const std::vector<InputEvent>& events, double seconds_since_last, bool navigates) {
     ImGuiIO& io = ImGui::GetIO();
+    io.ConfigFlags = navigates ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
     const Window::Extent extent = window_.extent();
     const Window::Extent framebuffer = window_.framebuffer();
     // Where a screen coordinate is several pixels (macOS), ImGui's sizes are in screen coordinates, its fonts in pixels.

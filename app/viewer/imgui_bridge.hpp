@@ -21,7 +21,8 @@ public:
     void set_text_scale(double text_scale);
 
     // Begins a frame with these events. A change of the screen's scale builds the fonts anew.
-    void begin_frame(const std::vector<InputEvent>& events, double seconds_since_last);
+    // `navigates`: arrows, Enter and Escape move through what has popped up, such as a menu.
+    void begin_frame(const std::vector<InputEvent>& events, double seconds_since_last, bool navigates);
     // Ends the frame; render() draws it into the bound framebuffer.
     void end_frame();
     void render();

@@ -9,6 +9,9 @@ namespace {
 
 bool is_modifier(const std::string& key) { return key == "shift" || key == "control" || key == "alt"; }
 
+// A letter, digit or sign that is typed: ImGui gets the character and does not ask whether the key is down.
+bool is_plain(const KeyChanged& key) { return key.name.size() == 1 && !key.modifiers.control && !key.modifiers.alt; }
+
 // What a frame has taken so far.
 struct Taken {
     bool moved = false;
@@ -47,6 +50,8 @@ private:
         const bool for_mouse = (moved || button || wheel) && is_modifier(event.name);
         // A key is no shortcut during a drag, and what a button does is done at the end of its frame.
         const bool after_button = event.pressed && button;
+        // What another key opens, such as a text box, must be there before a letter comes.
+        if (is_plain(event)) return other_modifiers || after_button || (event.pressed && key_that_edits);
         if (seen || other_modifiers || for_mouse || after_button || (event.pressed && characters)) return true;
         keys.push_back(event.name);
         modifiers = event.modifiers;
@@ -60,6 +65,18 @@ private:
     bool hidden_by(const auto&) const { return false; }
 };
 
+// A held key's repeat in the frame that has the key already. The person holds a key until enough has happened; what slow frames
+// have not shown yet would come on top of that.
+bool is_repeat_of(const std::vector<InputEvent>& frame, const InputEvent& event) {
+    const auto* key = std::get_if<KeyChanged>(&event);
+    if (key == nullptr || !key->pressed || !key->repeated || is_plain(*key)) return false;
+    for (auto earlier = frame.rbegin(); earlier != frame.rend(); ++earlier) {
+        const auto* other = std::get_if<KeyChanged>(&*earlier);
+        if (other != nullptr && other->name == key->name) return other->pressed && other->modifiers == key->modifiers;
+    }
+    return false;
+}
+
 }  // namespace
 
 void InputQueue::add(std::vector<InputEvent> events) {
@@ -69,8 +86,10 @@ void InputQueue::add(std::vector<InputEvent> events) {
 std::vector<InputEvent> InputQueue::take_frame() {
     Taken taken;
     std::vector<InputEvent> frame;
-    while (!events_.empty() && !taken.hides(events_.front())) {
-        frame.push_back(std::move(events_.front()));
+    while (!events_.empty()) {
+        const bool repeats = is_repeat_of(frame, events_.front());
+        if (!repeats && taken.hides(events_.front())) break;
+        if (!repeats) frame.push_back(std::move(events_.front()));
         events_.pop_front();
     }
     return frame;

@@ -10,7 +10,8 @@ namespace sphereview {
 
 // ImGui 1.86 sees only the state at each redraw: two changes of one button between two redraws, or a press and a move after it,
 // would be lost or misplaced. So a redraw gets events only up to the first that hides an earlier one; the rest waits for the next
-// redraw. For this reason ImGui's GLFW backend is not used; its OpenGL backend is.
+// redraw. Letters that are typed come together, and a held key's repeats that have come meanwhile count once. For this reason
+// ImGui's GLFW backend is not used; its OpenGL backend is.
 class InputQueue {
 public:
     void add(std::vector<InputEvent> events);

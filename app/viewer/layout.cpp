@@ -25,8 +25,8 @@ void place_window(const Rectangle& area) {
     ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
 }
 
-// The panel's left edge, which can be dragged.
-void draw_splitter(ViewerState& state, const PanelContext& context, const Rectangle& area) {
+// The panel's left edge, which can be dragged. `shown`: the panel's width now, which may be less than the person chose.
+void draw_splitter(ViewerState& state, const PanelContext& context, const Rectangle& area, double shown) {
     place_window(area);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
@@ -36,7 +36,8 @@ void draw_splitter(ViewerState& state, const PanelContext& context, const Rectan
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     // A frame's movement comes before its release, and before its press: that was not yet the edge's.
     if ((ImGui::IsItemActive() && !ImGui::IsItemActivated()) || ImGui::IsItemDeactivated()) {
-        state.settings.panel_width -= static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
+        const auto by = static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
+        if (by != 0.0) state.settings.panel_width = panel_width_range.nearest(shown - by);
     }
     ImGui::End();
     ImGui::PopStyleVar(2);
@@ -65,16 +66,18 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     // The windows around the picture have no border: ImGui's, if it is wider than a pixel, reaches beyond its window.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
-    const float menu_height = std::ceil(draw_menu_bar(context, state.settings.recent));  // the picture has whole pixels
+    const float menu_height =
+        std::ceil(draw_menu_bar(context, state.settings.recent, state.menu_keys));  // the picture has whole pixels
     const float status_height = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
     if (state.panel_shown) {
         const float splitter = splitter_width * context.scale;
         const float room = whole.x - splitter - narrowest_picture * context.scale;
-        state.settings.panel_width = panel_width_within(state.settings.panel_width, room / context.scale);
+        // A small window or large text narrows the panel for as long as that lasts: what the person chose is kept.
+        const double shown = panel_width_within(state.settings.panel_width, room / context.scale);
         const float widest = std::max(room, static_cast<float>(panel_width_range.least));
-        const float width = std::floor(std::min(static_cast<float>(state.settings.panel_width) * context.scale, widest));
+        const float width = std::floor(std::min(static_cast<float>(shown) * context.scale, widest));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
         place_window(panel);
         // The list scrolls in itself, by its own means.
@@ -82,7 +85,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         ImGui::Begin("##panel", nullptr, fixed_window | wheel);
         draw_side_panel(context, state.side_panel);
         ImGui::End();
-        draw_splitter(state, context, {panel.x - splitter, panel.y, splitter, panel.height});
+        draw_splitter(state, context, {panel.x - splitter, panel.y, splitter, panel.height}, shown);
         picture.width = std::max(panel.x - splitter, 0.0F);
     }
 
@@ -112,6 +115,19 @@ void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int
     draw->AddRectFilled(low, high, IM_COL32(255, 255, 255, inside));
     draw->AddRect(ImVec2(low.x - 1.0F, low.y - 1.0F), ImVec2(high.x + 1.0F, high.y + 1.0F), IM_COL32(0, 0, 0, dark));
     draw->AddRect(low, high, IM_COL32(255, 255, 255, light));
+    draw->PopClipRect();
+}
+
+void draw_cross(const Rectangle& picture, ImVec2 middle, float scale) {
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
+    const auto bars = [&](float length, float thickness, ImU32 color) {
+        const ImVec2 along(length * scale, 0.5F * thickness * scale);
+        draw->AddRectFilled(ImVec2(middle.x - along.x, middle.y - along.y), ImVec2(middle.x + along.x, middle.y + along.y), color);
+        draw->AddRectFilled(ImVec2(middle.x - along.y, middle.y - along.x), ImVec2(middle.x + along.y, middle.y + along.x), color);
+    };
+    bars(9.0F, 4.0F, IM_COL32(0, 0, 0, 170));
+    bars(8.0F, 2.0F, IM_COL32(255, 255, 255, 230));
     draw->PopClipRect();
 }
 

@@ -23,6 +23,9 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
 // opacity up to 255.
 void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int light, int inside = 0);
 
+// Draws a small cross over the picture, light with a dark edge.
+void draw_cross(const Rectangle& picture, ImVec2 middle, float scale);
+
 // Marks, over the picture, what an export shows of it, where that is not all.
 void draw_export_area(const ViewerState& state, const Rectangle& picture);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 namespace sphereview {
@@ -17,6 +18,7 @@ constexpr int middle = 2;
 constexpr double zoom_per_pixel = 0.006;   // of a drag; the distance changes by this part
 constexpr double zoom_per_click = 0.85;    // of the wheel; the distance is times this
 constexpr double radius_per_click = 1.06;  // of the wheel
+constexpr double smallest_scene = 0.02;    // of the picture's shorter side, where zooming out ends
 
 // Where the ray through a place first meets the sphere; its centre where, for rounding, it does not.
 glm::dvec3 hit_point(const Camera& camera, PictureSize size, const glm::dvec2& place, const Sphere& sphere) {
@@ -36,6 +38,37 @@ glm::dvec3 point_under(const PictureState& state, const glm::dvec2& place, std::
     if (picked >= 0) return hit_point(state.camera, state.size, place, state.scene.spheres[static_cast<std::size_t>(picked)]);
     const double depth = depth_of(state.camera, state.pivot);
     return point_at(state.camera, state.size, place, depth > 0.0 ? depth : 1.0);
+}
+
+// The middle of what some rays, spread over the picture, meet; the pivot where they meet nothing.
+glm::dvec3 middle_of_seen(const PictureState& state) {
+    constexpr int rays = 5;  // in a row, and rows
+    std::optional<SceneBounds> seen;
+    for (int i = 0; i < rays * rays; ++i) {
+        const glm::dvec2 place{(i % rays + 0.5) * state.size.width / rays,
+                               (static_cast<int>(i / rays) + 0.5) * state.size.height / rays};
+        const std::int32_t picked = state.pick(place);
+        if (picked < 0) continue;
+        const glm::dvec3 hit = point_under(state, place, picked);
+        if (!seen) seen = SceneBounds{.low = hit, .high = hit};
+        seen->low = glm::min(seen->low, hit);
+        seen->high = glm::max(seen->high, hit);
+    }
+    return seen ? seen->middle() : state.pivot;
+}
+
+// How much of the picture's shorter side the scene takes; infinite where its middle is not in front of the eye.
+double part_of_picture(const Camera& camera, const SceneBounds& bounds) {
+    const double depth = camera.orthographic() ? 1.0 : depth_of(camera, bounds.middle());
+    if (!(depth > 0.0)) return std::numeric_limits<double>::infinity();
+    return 0.5 * bounds.extent() / (depth * glm::length(camera.right));
+}
+
+// As zoomed(), but the scene does not get lost in the distance.
+Camera zoomed_within(const PictureState& state, const glm::dvec3& point, double factor) {
+    const Camera next = zoomed(state.camera, point, factor);
+    const double part = part_of_picture(next, state.bounds);
+    return part < smallest_scene && part < part_of_picture(state.camera, state.bounds) ? state.camera : next;
 }
 
 std::string title_of(const PictureState& state) { return sphereview::title_of(state.scene, state.selection); }
@@ -61,7 +94,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
                 change_radius(mouse, state, picked, gesture, actions);
             } else {
                 consequences.camera =
-                    zoomed(state.camera, point_under(state, mouse.place, picked), std::pow(zoom_per_click, mouse.wheel));
+                    zoomed_within(state, point_under(state, mouse.place, picked), std::pow(zoom_per_click, mouse.wheel));
             }
         }
     }
@@ -87,6 +120,7 @@ void MouseControl::press(int button, const PictureMouse& mouse, const PictureSta
     start_ = mouse.place;
     last_ = mouse.place;
     drag_gesture_ = 0;
+    orbit_point_.reset();
     grabbed_ = state.pick(mouse.place);
     grabbed_point_ = point_under(state, mouse.place, grabbed_);
     if (button == right) {
@@ -124,12 +158,14 @@ void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, Pi
     if (mode_ == Mode::orbit) {
         // Half a turn across the shorter side.
         const double angle = std::numbers::pi / state.size.shorter_side();
-        consequences.camera = orbited(state.camera, state.pivot, moved.x * angle, moved.y * angle);
+        if (!orbit_point_) orbit_point_ = grabbed_ >= 0 ? grabbed_point_ : middle_of_seen(state);
+        consequences.pivot = orbit_point_;
+        consequences.camera = orbited(state.camera, *orbit_point_, moved.x * angle, moved.y * angle);
     } else if (mode_ == Mode::pan) {
         const double depth = depth_of(state.camera, grabbed_point_);
         consequences.camera = panned(state.camera, state.size, moved, depth > 0.0 ? depth : 1.0);
     } else if (mode_ == Mode::zoom) {
-        consequences.camera = zoomed(state.camera, grabbed_point_, std::exp(zoom_per_pixel * moved.y));
+        consequences.camera = zoomed_within(state, grabbed_point_, std::exp(zoom_per_pixel * moved.y));
     }
 }
 

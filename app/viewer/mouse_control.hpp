@@ -32,11 +32,12 @@ struct PictureState {
     const Selection& selection;
     Camera camera;
     PictureSize size;
-    glm::dvec3 pivot{0.0};                         // what an orbit turns about
+    glm::dvec3 pivot{0.0};                         // what an orbit turns about where nothing is seen
     std::function<std::int32_t(glm::dvec2)> pick;  // the visible sphere at a place, or visible_background
     // Selects the spheres that are seen in a rectangle, its upper left and lower right pixel included, or toggles them. A box
     // selects what is seen: what the picture does not show could not be judged there. "Select all" and the filter reach the rest.
     std::function<void(Pixel, Pixel, bool toggles)> select_seen{};
+    SceneBounds bounds{};  // zooming out ends where these are small
 };
 
 // What the mouse did to the view; edits are in `actions`.
@@ -54,6 +55,10 @@ public:
     bool is_dragging() const { return mode_ != Mode::none && dragging_; }
     // The view does.
     bool moves_camera() const { return dragging_ && (mode_ == Mode::orbit || mode_ == Mode::pan || mode_ == Mode::zoom); }
+
+    // What the view is being turned about: the point under the pointer when the drag began, or, where that was no sphere's, the
+    // middle of what is seen.
+    std::optional<glm::dvec3> turns_about() const { return mode_ == Mode::orbit && dragging_ ? orbit_point_ : std::nullopt; }
 
     // The rectangle that is being drawn, from corner to corner, in pixels of the picture.
     struct Box {
@@ -83,6 +88,7 @@ private:
     glm::dvec2 last_{0.0};
     glm::dvec3 grabbed_point_{0.0};  // in the scene, where the button went down
     std::int32_t grabbed_ = -1;      // the sphere there
+    std::optional<glm::dvec3> orbit_point_;
     // A drag moves spheres from where they were when the pointer was at base_place_: nothing adds up, and back is back to the bit.
     glm::dvec2 base_place_{0.0};
     bool base_in_depth_ = false;

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <glm/geometric.hpp>
 
 #include "edit/selection.hpp"
+#include "viewer/clipboard.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {
@@ -18,7 +20,26 @@ std::string selected_in_words(const ViewerState& state) { return title_of(state.
 constexpr std::array<Color, 7> new_colors = {
     {{230, 80, 60}, {70, 140, 230}, {90, 190, 90}, {240, 180, 50}, {160, 100, 210}, {60, 190, 190}, {230, 110, 170}}};
 
-// A sphere of usual size in the middle of the view, in front of what is there.
+// Moves the sphere to the right until no shown sphere's centre is in it and its own is in none: else it could not be seen.
+void move_out_of_others(const Scene& scene, const glm::dvec3& right, Sphere& sphere) {
+    constexpr int most_moves = 100;  // in a crowd that ends somewhere
+    for (int i = 0; i < most_moves; ++i) {
+        const auto other = std::ranges::find_if(scene.spheres, [&](const Sphere& one) {
+            return !one.hidden && glm::distance(one.center, sphere.center) < std::max(one.radius, sphere.radius);
+        });
+        if (other == scene.spheres.end()) return;
+        // To where the two touch, beyond the other's centre.
+        const glm::dvec3 way = other->center - sphere.center;
+        const double along = glm::dot(way, right);
+        const double reach = sphere.radius + other->radius;
+        const double aside = reach * reach - (glm::dot(way, way) - along * along);
+        const glm::dvec3 moved = sphere.center + (along + std::sqrt(std::max(aside, 0.0))) * right;
+        if (!std::isfinite(moved.x) || !std::isfinite(moved.y) || !std::isfinite(moved.z)) return;
+        sphere.center = moved;
+    }
+}
+
+// A sphere of usual size in the middle of the view, or beside what is there.
 EditScene add_sphere(const ViewerState& state) {
     const std::size_t count = state.scene().spheres.size();
     Sphere sphere;
@@ -29,6 +50,7 @@ EditScene add_sphere(const ViewerState& state) {
     const glm::dvec2 beside = middle + glm::dvec2(0.1 * state.picture_size.shorter_side(), 0.0);
     sphere.radius = glm::distance(point_at(state.camera, state.picture_size, beside, depth), sphere.center);
     sphere.color = new_colors[count % new_colors.size()];
+    move_out_of_others(state.scene(), glm::normalize(state.camera.right), sphere);
     return {InsertSpheres{{static_cast<std::uint32_t>(count)}, {{sphere, ""}}}, "Add sphere " + std::to_string(count), 0};
 }
 
@@ -173,7 +195,13 @@ std::vector<Command> make_commands() {
         {{Id::redo, "Edit", "Redo", "Ctrl+Shift+Z|Ctrl+Y", "Makes the change again that was taken back."},
          [](ViewerState& s) { select_touched(s, s.document.redo()); },
          [](const ViewerState& s) { return s.document.can_redo(); }},
-        {{Id::add_sphere, "Edit", "Add sphere", "Insert", "Adds a sphere in the middle of the view.", true}, edits(add_sphere)},
+        {{Id::cut, "Edit", "Cut", "Ctrl+X", "Copies the selected spheres, then deletes them.", true}, cut_selected, selects_any},
+        {{Id::copy, "Edit", "Copy", "Ctrl+C", "Puts the selected spheres on the clipboard, as the text of a scene."},
+         [](ViewerState& s) { copy_selected(s); },
+         selects_any},
+        {{Id::paste, "Edit", "Paste", "Ctrl+V", "Adds the spheres that the text on the clipboard describes."}, paste},
+        {{Id::add_sphere, "Edit", "Add sphere", "Insert", "Adds a sphere in the middle of the view, beside what is there.", true},
+         edits(add_sphere)},
         {{Id::duplicate, "Edit", "Duplicate", "Ctrl+D", "Adds copies of the selected spheres."},
          edits(duplicate_selected),
          selects_any},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <utility>
 
 #include "base/text.hpp"
 #include "viewer/perform.hpp"
@@ -53,6 +54,9 @@ bool takes_over(const InputEvent& event) {
     return std::holds_alternative<WheelTurned>(event);
 }
 
+// A menu or a colour picker is open. Dialogs have keys of their own.
+bool has_popped_up(const ViewerState& state) { return state.dialogs.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
+
 std::string title_for(const ViewerState& state) {
     return shown_text(state.name()) + (state.document.is_changed() ? " *" : "") + " - sphereview";
 }
@@ -78,6 +82,8 @@ Viewer::Viewer(ViewerState& state, Window& window)
       picture_(state.options.shader_folder),
       log_(state.options.redraw_log) {
     facts_.status.renderer = shown_text(window.renderer());
+    state_.clipboard = {[&window] { return window.clipboard(); },
+                        [&window](const std::string& text) { window.set_clipboard(text); }};
     state_.messages.shader_error = picture_.shader_log();
 }
 
@@ -161,29 +167,66 @@ void Viewer::end_announcement() {
     pacing_.touch();
 }
 
+bool Viewer::is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys) {
+    if (!state_.dialogs.empty() || mouse_.is_dragging()) return true;
+    if (popped_up || typing || ImGui::IsAnyItemActive()) {
+        keys.escape = false;  // ImGui's
+        return true;
+    }
+    if (state_.help_shown) {
+        state_.help_shown = false;
+        keys.escape = false;
+        return true;
+    }
+    return state_.loading || state_.exporting;
+}
+
+bool Viewer::is_lone_alt(const InputEvent& event) {
+    const auto* key = std::get_if<KeyChanged>(&event);
+    if (key != nullptr && key->name == "alt" && !key->pressed) return std::exchange(alt_alone_, false);
+    if (key != nullptr && key->pressed) {
+        alt_alone_ = key->name == "alt" && !key->modifiers.control && !key->modifiers.shift;
+    } else if (!std::holds_alternative<PointerMoved>(event)) {
+        alt_alone_ = false;
+    }
+    return false;
+}
+
 std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action>& actions) {
     std::vector<InputEvent> events = input_.take_frame();
     if (!events.empty()) pacing_.touch();
     const bool typing = ImGui::GetIO().WantTextInput;
+    const bool popped_up = has_popped_up(state_);
     const std::vector<CommandInfo> commands = commands_of(state_);
     for (const InputEvent& event : events) {
         if (takes_over(event)) state_.flight.reset();
+        if (is_lone_alt(event) && state_.dialogs.empty() && !popped_up) state_.menu_keys.begins = true;
         if (std::holds_alternative<CloseRequested>(event)) {
             actions.emplace_back(RunCommand{CommandId::quit});
         } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
             actions.emplace_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
             note_dialog_key(*key, typing, keys);
-            if (key->name == "escape" && (state_.loading || state_.exporting)) continue;  // ends that, and nothing else
+            if (key->name == "escape" && is_escape_for_another(typing, popped_up, keys)) continue;
+            if (popped_up && key->name == "right") state_.menu_keys.step = 1;
+            if (popped_up && key->name == "left") state_.menu_keys.step = -1;
+            if (popped_up && !key->modifiers.control) continue;
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
             if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(commands, key->name, m.control, m.shift, m.alt))
                 actions.emplace_back(RunCommand{*command});
-        } else if (const auto* typed = std::get_if<CharacterTyped>(&event); typed != nullptr && !typing && state_.dialogs.empty()) {
+        } else if (const auto* typed = std::get_if<CharacterTyped>(&event);
+                   typed != nullptr && !typing && !popped_up && state_.dialogs.empty()) {
             if (const auto command = command_for_character(commands, typed->character)) actions.emplace_back(RunCommand{*command});
         }
     }
+    // Between the menus of the bar the keyboard goes by menu_keys; ImGui 1.86 would close them on its way.
+    const bool steps_menus = popped_up && !state_.menu_keys.open.empty() && !state_.menu_keys.in_submenu;
+    std::erase_if(events, [&](const InputEvent& event) {
+        const auto* key = std::get_if<KeyChanged>(&event);
+        return steps_menus && key != nullptr && key->pressed && (key->name == "left" || key->name == "right");
+    });
     return events;
 }
 
@@ -227,7 +270,8 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                                pick,
                                [this](Pixel low, Pixel high, bool toggles) {
                                    select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
-                               }};
+                               },
+                               state_.bounds};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
@@ -240,12 +284,32 @@ void Viewer::update_picture(int step) {
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
 }
 
+ImVec2 Viewer::on_screen(const glm::dvec2& place) const {
+    return {static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_)};
+}
+
+void Viewer::draw_orbit_point() const {
+    const auto point = mouse_.turns_about();
+    if (!point) return;
+    const auto place = place_of(state_.camera, state_.picture_size, *point);
+    if (place) draw_cross(area_, on_screen(*place), imgui_.scale());
+}
+
+void Viewer::look_for_nothing() {
+    if (looked_at_ == state_.document.revision() && looked_from_ == state_.camera) return;
+    looked_at_ = state_.document.revision();
+    looked_from_ = state_.camera;
+    const bool shows_any = state_.scene().spheres.size() > state_.bounds.hidden;
+    const auto is_background = [](std::int32_t seen) { return seen == visible_background; };
+    const std::vector<std::int32_t> seen = shows_any ? picture_.seen_numbers() : std::vector<std::int32_t>{};
+    if (seen.empty() || !std::ranges::all_of(seen, is_background)) return;
+    state_.messages.hint = "Nothing of the scene is in view. F shows everything, Home returns to the scene's camera.";
+    pacing_.touch();
+}
+
 void Viewer::draw_box() const {
     const auto box = mouse_.box();
     if (!box) return;
-    const auto on_screen = [&](const glm::dvec2& place) {
-        return ImVec2(static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_));
-    };
     draw_frame(area_, on_screen(glm::min(box->from, box->to)), on_screen(glm::max(box->from, box->to)), 160, 220, 40);
 }
 
@@ -261,7 +325,7 @@ void Viewer::redraw() {
     const bool refines = pacing_.refines();
     facts_.keys = {};
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
-    imgui_.begin_frame(events, seconds_between(last_redraw_, begin));
+    imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
     widgets_.clear();
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
@@ -291,6 +355,7 @@ void Viewer::redraw() {
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
     use_mouse(context, facts_.keys.escape);
     draw_box();
+    draw_orbit_point();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
     if (facts_.keys.escape && !asked) {
         const std::lock_guard lock(state_.changing);
@@ -313,6 +378,8 @@ void Viewer::redraw() {
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
+    if (looked_from_ != state_.camera || looked_at_ != state_.document.revision()) state_.messages.hint.clear();
+    if (pacing_.rests() && input_.empty()) look_for_nothing();
     if (pacing_.rests() && input_.empty()) make_rest_picture(state_, [&] { return picture_.seen_numbers(); });
     rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
     if (log_.wanted()) {

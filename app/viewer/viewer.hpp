@@ -32,9 +32,18 @@ private:
     void redraw();
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
     std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
+    // Escape ends the topmost thing alone. Returns whether that is another thing than the selection; keys.escape is left to those
+    // who ask for it themselves: dialogs, the mouse, work.
+    bool is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys);
+    // Whether Alt was pressed and let go with nothing between.
+    bool is_lone_alt(const InputEvent& event);
     // Brings the picture up to date with the state.
     void update_picture(int step);
     void draw_box() const;
+    // Marks what the view is being turned about.
+    void draw_orbit_point() const;
+    // Whether the picture shows nothing of a scene that has something to show: then a hint says what to do. At rest.
+    void look_for_nothing();
     void use_mouse(const PanelContext& context, bool cancelled);
     // `finished`: the rest picture, which is there.
     void show(const Rectangle& area, bool finished);
@@ -44,6 +53,7 @@ private:
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
+    ImVec2 on_screen(const glm::dvec2& place) const;  // of a place in the picture
 
     ViewerState& state_;
     Window& window_;
@@ -56,8 +66,11 @@ private:
     Pacing pacing_;
     std::shared_ptr<const Image> uploaded_;   // the rest picture that the window's context holds
     std::shared_ptr<const Image> previewed_;  // the latest preview that a redraw was asked for
-    bool rest_picture_works_ = false;         // it is being made
-    bool shaders_changed_ = false;            // they are read once the edits are kept
+    std::uint64_t looked_at_ = 0;             // the document's revision when look_for_nothing() looked
+    Camera looked_from_;
+    bool rest_picture_works_ = false;  // it is being made
+    bool alt_alone_ = false;           // Alt is down, and nothing came after it
+    bool shaders_changed_ = false;     // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
 
     Clock::time_point last_redraw_ = Clock::now();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <mutex>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "camera/fit.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
+#include "panels/menus.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/start_page.hpp"
 #include "panels/status.hpp"
@@ -69,10 +71,18 @@ struct ViewerState {
     std::optional<RestPicture> rest_picture;    // of that, being made or there
     std::optional<BoxSelection> box_selection;  // under way
 
+    // The system's; without a window there is none.
+    struct Clipboard {
+        std::function<std::string()> text = [] { return std::string(); };
+        std::function<void(const std::string&)> set_text = [](const std::string&) {};
+    };
+    Clipboard clipboard{};
+
     Messages messages;
     std::optional<Clock::time_point> announcement_ends;
     Dialogs dialogs;
 
+    MenuKeys menu_keys;
     bool panel_shown = true;
     bool inspector_shown = false;
     bool export_area_shown = true;

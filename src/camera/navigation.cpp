@@ -113,6 +113,18 @@ glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& pl
     return camera.eye + depth * ((camera.center - camera.eye) + screen.x * camera.right + screen.y * camera.up);
 }
 
+std::optional<glm::dvec2> place_of(const Camera& camera, PictureSize size, const glm::dvec3& point) {
+    const double depth = depth_of(camera, point);
+    if (!(depth > 0.0)) return std::nullopt;
+    const glm::dvec3 axis = camera.center - camera.eye;
+    const glm::dvec3 way = point - camera.eye;
+    const glm::dvec3 there = camera.orthographic() ? way - depth * axis : way / depth - axis;
+    const double across = glm::dot(there, camera.right) / glm::dot(camera.right, camera.right);
+    const double upward = glm::dot(there, camera.up) / glm::dot(camera.up, camera.up);
+    const glm::dvec2 place = middle_of(size) + 0.5 * size.shorter_side() * glm::dvec2(across, -upward);
+    return std::isfinite(place.x) && std::isfinite(place.y) ? std::optional(place) : std::nullopt;
+}
+
 Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt) {
     const CameraAxes directions = camera_axes(camera);
     const Attitude attitude = attitude_of(directions);

@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "scene/camera.hpp"
 
@@ -25,6 +26,9 @@ double depth_of(const Camera& camera, const glm::dvec3& point);
 // The point at that depth on the ray through a place in the picture (pixels from the top left corner, pixel (0, 0)'s centre is
 // (0.5, 0.5)).
 glm::dvec3 point_at(const Camera& camera, PictureSize size, const glm::dvec2& place, double depth);
+
+// Where a picture shows a point: the other way round than point_at(). Nothing for a point that is not in front of the eye.
+std::optional<glm::dvec2> place_of(const Camera& camera, PictureSize size, const glm::dvec3& point);
 
 // Turned about the pivot, as a pointer would drag what lies before it: a positive `turn`, about the world's y axis, takes that to
 // the picture's right, a positive `tilt`, about the camera's right, takes it down. A tilt ends at the poles, where the camera looks

@@ -6,6 +6,7 @@
 #include "panels/commands.hpp"
 #include "panels/menus.hpp"
 #include "support/panel_harness.hpp"
+#include "viewer/layout.hpp"
 
 namespace sphereview {
 
@@ -20,6 +21,24 @@ std::vector<std::string> all_keys() {
     }
     for (int i = 1; i <= 12; ++i) keys.push_back("f" + std::to_string(i));
     return keys;
+}
+
+TEST(Layout, ThePanelGetsItsWidthBackWhenThereIsRoom) {
+    ViewerState state({}, {});
+    state.settings.panel_width = 700.0;
+    float picture = 0.0F;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}).width; }, {}, 1400.0F);
+    const float before = picture;
+    EXPECT_LT(before, 700.0F);
+    ImGui::GetIO().DisplaySize.x = 500.0F;
+    window.click("splitter");  // moves nothing
+    EXPECT_LT(picture, 200.0F);
+    EXPECT_EQ(state.settings.panel_width, 700.0);
+    ImGui::GetIO().DisplaySize.x = 1400.0F;
+    window.frames();
+    EXPECT_EQ(picture, before);
+    window.drag(window.place("splitter"), {window.place("splitter").x + 100.0F, 300.0F});
+    EXPECT_NEAR(state.settings.panel_width, 600.0, 1.0);
 }
 
 TEST(Commands, AreEachDescribedOnce) {
@@ -110,7 +129,8 @@ class MenuBar : public testing::Test {
 protected:
     std::vector<std::string> recent;
     float height = 0.0F;
-    PanelHarness harness{[this](const PanelContext& context) { height = draw_menu_bar(context, recent); }};
+    MenuKeys keys;
+    PanelHarness harness{[this](const PanelContext& context) { height = draw_menu_bar(context, recent, keys); }};
 
     // The commands that clicking through the menu asks for.
     std::vector<CommandId> choose(const std::string& menu, const std::string& item) {
@@ -132,6 +152,26 @@ TEST_F(MenuBar, RunsEveryCommand) {
     }
     EXPECT_GT(height, 10.0F);
     EXPECT_LT(height, 60.0F);
+}
+
+TEST_F(MenuBar, KeysOpenOneMenuAfterTheOther) {
+    const auto open_after = [this](bool begins, int step) {
+        keys.begins = begins;
+        keys.step = step;
+        harness.frames(3);
+        return keys.open;
+    };
+    EXPECT_EQ(open_after(false, 1), "") << "none was open";
+    EXPECT_EQ(open_after(true, 0), "File");
+    EXPECT_EQ(open_after(false, 1), "Edit");
+    EXPECT_EQ(open_after(false, 1), "View");
+    harness.click("menu Shading");
+    EXPECT_TRUE(keys.in_submenu);
+    EXPECT_EQ(open_after(false, 1), "View") << "the submenu's key";
+    harness.click(ImVec2(700.0F, 500.0F));
+    EXPECT_EQ(open_after(false, 0), "");
+    EXPECT_EQ(open_after(true, 0), "File");
+    EXPECT_EQ(open_after(false, -1), "Help");
 }
 
 TEST_F(MenuBar, DisabledItemsDoNothing) {

@@ -99,6 +99,44 @@ TEST(SphereEditor, CtrlClickTypesAnyNumberInFull) {
     EXPECT_EQ(panel.taken<EditScene>().size(), 3U);
 }
 
+TEST(SphereEditor, TabGoesThroughTheNumbersInTheirOrder) {
+    SidePanelHarness panel(10, {3});
+    const auto tab = [&panel] {
+        panel.tap(ImGuiKey_Tab);
+        panel.frames(3);
+    };
+    panel.click("name");
+    for (const std::string text : {"mars", "1.5", "2.5", "3.5", "4.5", "11", "12", "13"}) {
+        panel.type(text);
+        tab();
+    }
+    const Sphere expected{{1.5, 2.5, 3.5}, 4.5, {11, 12, 13}};
+    EXPECT_EQ(panel.sphere(3), expected);
+    EXPECT_EQ(panel.document.scene().names.at(3), "mars");
+    panel.tap(ImGuiKey_Escape);
+    panel.take_actions();
+    type_into(panel, "slider radius", "5.5", ImGuiKey_Tab);
+    panel.frames(3);
+    panel.tap(ImGuiKey_Escape);
+    EXPECT_EQ(panel.sphere(3).radius, 5.5);
+    // Backwards, and what is no number is refused on the way.
+    panel.modifiers(true);
+    panel.click("slider z");
+    panel.modifiers(false, true);
+    tab();
+    panel.modifiers(false);
+    panel.type("-2");
+    panel.modifiers(false, true);
+    tab();
+    panel.modifiers(false);
+    panel.type("nonsense");
+    tab();
+    panel.type("-3");
+    panel.tap(ImGuiKey_Enter);
+    EXPECT_EQ(panel.sphere(3).center, glm::dvec3(1.5, -3.0, 3.5));
+    EXPECT_EQ(panel.state().typed.field, "");
+}
+
 TEST(SphereEditor, NonsenseEscapeAndEnterWithoutTypingChangeNothing) {
     for (const auto& [slider, text] :
          {std::pair("slider x", "abc"), std::pair("slider y", "1e999"), std::pair("slider z", "nan"), std::pair("slider x", "inf"),

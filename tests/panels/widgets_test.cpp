@@ -46,6 +46,31 @@ TEST(Style, TextStandsOutAsWcagAsks) {
     }
 }
 
+TEST(Fields, NoLabelIsCutOffInANarrowPanel) {
+    for (const float width : {600.0F, 300.0F, 160.0F, 60.0F}) {
+        SCOPED_TRACE(width);
+        const std::vector<CommandButton> buttons = {{CommandId::add_sphere, "Add a sphere", "first"},
+                                                    {CommandId::duplicate, "Duplicate", "second"},
+                                                    {CommandId::remove, "Delete", "third"}};
+        std::string text;
+        PanelHarness harness(PanelHarness::in_window(
+            [&](const PanelContext& context) {
+                draw_command_buttons(context, buttons);
+                begin_field(context, "a field");
+                ImGui::InputText("##field", text.data(), 1, ImGuiInputTextFlags_ReadOnly);
+                note_widget(context, "field");
+            },
+            width, 300.0F));
+        for (const CommandButton& button : buttons) {
+            const WidgetRectangle& place = harness.rectangles.at(button.widget);
+            EXPECT_GE(place.right - place.left, ImGui::CalcTextSize(button.label).x) << button.label;
+            EXPECT_TRUE(width < 160.0F || place.right <= width) << button.label;
+        }
+        const WidgetRectangle& field = harness.rectangles.at("field");
+        EXPECT_EQ(field.left < ImGui::CalcTextSize("a field").x, width < 300.0F) << "below its label";
+    }
+}
+
 TEST(NumberText, RoundsInDecimal) {
     EXPECT_EQ(rounded_to(12.3456, -2), 12.35);
     EXPECT_EQ(rounded_to(-0.30000000000000004, -1), -0.3);

@@ -248,6 +248,36 @@ TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
     window_.wait_for("selection", {0});
     EXPECT_EQ(window_.at("changed"), false);
 
+    window_.step("Alt opens the menus, arrows move in them, and Escape closes what is on top alone");
+    const auto shows = [](const std::string& item, bool shown = true) {
+        return [item, shown](const Json& f) { return f.at("widgets").contains(item) == shown; };
+    };
+    window_.key("Alt_L");
+    window_.wait_until("a menu", shows("item New"));
+    window_.key("Right");
+    window_.wait_until("the next menu", shows("item Undo"));
+    window_.key("Escape");
+    window_.wait_until("no menu", shows("item Undo", false));
+    EXPECT_EQ(window_.at("selection"), Json({0}));
+    window_.key("Alt_L");
+    window_.wait_until("a menu", shows("item New"));
+    for (const std::string item : {"item Undo", "item Go home", "item Keys and mouse"}) {
+        window_.key("Right");
+        window_.wait_until("the next menu", shows(item));
+    }
+    window_.keys({"Down", "Up", "Return"});
+    window_.wait_until("the help", [](const Json& f) { return f.at("shown").at("help") == true; });
+    window_.key("Escape");
+    window_.wait_until("no help", [](const Json& f) { return f.at("shown").at("help") == false; });
+    EXPECT_EQ(window_.at("selection"), Json({0}));
+
+    window_.step("a sphere goes to the clipboard and back");
+    window_.keys({"ctrl+c", "ctrl+v"});
+    window_.wait_for("spheres", 3);
+    EXPECT_EQ(window_.at("undo"), "Paste 1 sphere");
+    window_.key("ctrl+z");
+    window_.wait_for("spheres", 2);
+
     // In a row from left to right, the fourth behind the third; two of them blue.
     const std::string five_spheres =
         "5\n255 0 0\n-100 0 300\n25\n0 0 255\n-40 0 300\n25\n0 255 0\n20 0 300\n25\n255 255 0\n40 0 600\n20\n"

@@ -145,6 +145,50 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     EXPECT_TRUE(selection.empty());
 }
 
+TEST_F(Hand, TurnsAboutWhatIsUnderThePointerOrTheMiddleOfWhatIsSeen) {
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        camera = with_projection(Camera{}, projection, 3.0);
+        press_at({520, 490});
+        EXPECT_FALSE(control.turns_about()) << "it may become a click";
+        drag_to({700, 560});
+        const auto point = control.turns_about();
+        ASSERT_TRUE(point);
+        EXPECT_NEAR(glm::distance(*point, scene.spheres[0].center), 60.0, 1e-9) << "on the sphere";
+        for (const glm::dvec2 to : {glm::dvec2(800, 300), glm::dvec2(20, 500)}) {
+            drag_to(to);
+            expect_shown(*point, {520, 490});
+            EXPECT_EQ(control.turns_about(), point);
+        }
+        release();
+        EXPECT_FALSE(control.turns_about());
+
+        camera = with_projection(Camera{}, projection, 3.0);
+        press_at({10, 10});
+        drag_to({210, 10});
+        expect_shown({0, 0, 240}, {500, 500});
+        release();
+    }
+}
+
+TEST_F(Hand, ZoomingOutEndsWhereTheSceneIsSmall) {
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        camera = with_projection(Camera{}, projection, 3.0);
+        for (int i = 0; i < 200; ++i) {
+            mouse.wheel = -1.0;
+            frame();
+        }
+        const auto low = place_of(camera, size, {-100, 0, 200});
+        const auto high = place_of(camera, size, {100, 0, 200});
+        ASSERT_TRUE(low && high);
+        EXPECT_GT(glm::distance(*low, *high), 0.02 * size.width * 0.99);
+        EXPECT_LT(glm::distance(*low, *high), 0.1 * size.width);
+        const Camera far = camera;
+        mouse.wheel = 1.0;
+        frame();
+        EXPECT_NE(camera, far) << "and back";
+    }
+}
+
 TEST_F(Hand, TellsWhetherItMovesTheView) {
     press();
     EXPECT_FALSE(control.moves_camera());  // it may become a click

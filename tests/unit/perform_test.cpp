@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "viewer/layout.hpp"
 
 namespace sphereview {
@@ -23,8 +25,15 @@ struct Commands : testing::Test {
     bool is_enabled(CommandId id) const { return info_of(commands_of(state), id).enabled; }
     bool is_checked(CommandId id) const { return info_of(commands_of(state), id).checked; }
 
+    // Instead of the system's.
+    std::string* use_clipboard() {
+        state.clipboard = {[this] { return clipboard; }, [this](const std::string& text) { clipboard = text; }};
+        return &clipboard;
+    }
+
     Scene before;
     ViewerState state;
+    std::string clipboard;
 };
 
 }  // namespace
@@ -83,6 +92,63 @@ TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
     state.selection.set_only(0);
     run_command(state, CommandId::move_down);
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
+}
+
+TEST_F(Commands, CopiedSpheresArePastedBesideTheirOriginals) {
+    const std::string* text = use_clipboard();
+    EXPECT_FALSE(is_enabled(CommandId::copy) || is_enabled(CommandId::cut));
+    state.selection.set({0, 1});
+    run_command(state, CommandId::copy);
+    EXPECT_EQ(*text, "2\n255 0 0\n0 0 300\n60\n0 255 0\n100 0 300\n30\n");
+    EXPECT_FALSE(state.document.is_changed());
+    for (int i = 0; i < 2; ++i) run_command(state, CommandId::paste);
+    ASSERT_EQ(state.scene().spheres.size(), 6U);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{4, 5}));
+    for (const std::size_t i : {2U, 3U, 4U, 5U}) {
+        Sphere expected = before.spheres[i % 2];
+        expected.center.x += i < 4 ? 60.0 : 120.0;
+        EXPECT_EQ(state.scene().spheres[i], expected) << i;
+    }
+    EXPECT_EQ(state.document.undo_name(), "Paste 2 spheres");
+    for (int i = 0; i < 2; ++i) run_command(state, CommandId::undo);
+    EXPECT_EQ(state.scene().spheres, before.spheres);
+}
+
+TEST_F(Commands, CutTakesNamesAndHiddenSpheresAlong) {
+    use_clipboard();
+    state.document.apply(RenameSphere{1, "moon"}, "");
+    state.selection.set_only(1);
+    run_command(state, CommandId::hide);
+    const Scene cut = state.scene();
+    run_command(state, CommandId::cut);
+    EXPECT_EQ(state.scene().spheres.size(), 1U);
+    run_command(state, CommandId::paste);
+    EXPECT_EQ(state.scene().spheres, cut.spheres) << "where it was: that place is free";
+    EXPECT_EQ(state.scene().names, cut.names);
+}
+
+TEST_F(Commands, WhatIsNoSceneIsNotPasted) {
+    std::string* text = use_clipboard();
+    for (const auto& [content, message] :
+         {std::pair("", "Nothing to paste: the clipboard holds no text."), std::pair("0\n", "Nothing to paste: no sphere."),
+          std::pair("hello, world", "Nothing to paste: clipboard:1:1: ")}) {
+        *text = content;
+        run_command(state, CommandId::paste);
+        EXPECT_TRUE(state.messages.announcement.starts_with(message)) << state.messages.announcement;
+        EXPECT_EQ(state.messages.announcement.find('\n'), std::string::npos);
+        EXPECT_FALSE(state.document.can_undo());
+    }
+}
+
+TEST_F(Commands, NoSphereIsAddedInsideAnother) {
+    for (int i = 0; i < 5; ++i) run_command(state, CommandId::add_sphere);
+    const std::vector<Sphere>& spheres = state.scene().spheres;
+    for (std::size_t i = 2; i < spheres.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            EXPECT_GE(glm::distance(spheres[i].center, spheres[j].center), std::max(spheres[i].radius, spheres[j].radius));
+        }
+        EXPECT_EQ(spheres[i].center.y, 0.0);
+    }
 }
 
 TEST_F(Commands, WhatIsShownIsMarked) {

@@ -1,0 +1,19 @@
+// Spheres on the clipboard, as the text of a scene: between windows, into an editor and back.
+#pragma once
+
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+// Puts the selected spheres on the clipboard: in the text format, or, where a sphere is hidden or has a name, in the native one.
+// Returns whether that worked; if not, an announcement says why.
+bool copy_selected(ViewerState& state);
+
+// Copies the selected spheres, then deletes them, as one step.
+void cut_selected(ViewerState& state);
+
+// Adds the spheres on the clipboard, as one step, and selects them: where they were, or, if another sphere has its centre there,
+// beside. An announcement says why nothing was pasted.
+void paste(ViewerState& state);
+
+}  // namespace sphereview
