@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -93,15 +94,23 @@ private:
     std::size_t at_ = 2;  // behind "P3"
 };
 
+// The number of so many bytes at an offset, the least first.
+std::uint64_t number_at(std::string_view bytes, std::size_t offset, std::size_t count) {
+    std::uint64_t number = 0;
+    for (std::size_t i = count; i-- > 0;) number = number << 8 | static_cast<unsigned char>(bytes[offset + i]);
+    return number;
+}
+
+// Bytes that a BMP of that size has: where the pixels begin, and rows of whole words. stb_image takes for black what is cut off.
+std::uint64_t bytes_of_bmp(std::string_view bytes, std::int64_t width, std::int64_t height) {
+    constexpr std::size_t offset_at = 10;
+    const std::size_t bits_at = number_at(bytes, 14, 4) == 12 ? 24 : 28;
+    const std::uint64_t bits = number_at(bytes, bits_at, 2);
+    return number_at(bytes, offset_at, 4) +
+           (static_cast<std::uint64_t>(width) * bits + 31) / 32 * 4 * static_cast<std::uint64_t>(height);
+}
+
 Image decode_bmp(std::string_view bytes, const std::string& name) {
-    // stb_image takes what a cut off file lacks for black: the file says how long it is.
-    std::uint32_t length = 0;
-    for (std::size_t i = 0; i < 4 && i + 2 < bytes.size(); ++i) {
-        length |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i + 2])) << (8 * i);
-    }
-    if (length > bytes.size()) {
-        throw InputError(name + ": found " + in_groups(bytes.size()) + " bytes of a BMP, expected " + in_groups(length));
-    }
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(std::min<std::size_t>(bytes.size(), std::numeric_limits<int>::max()));
     int width = 0;
@@ -109,7 +118,14 @@ Image decode_bmp(std::string_view bytes, const std::string& name) {
     int channels = 0;
     const auto fail = [&] { throw InputError(name + ": not a usable BMP: " + on_one_line(stbi_failure_reason())); };
     if (stbi_info_from_memory(data, size, &width, &height, &channels) == 0) fail();
-    check_size(name, width, height < 0 ? -std::int64_t{height} : height, bytes.size(), 8);  // negative: the top row first
+    const std::int64_t rows = std::abs(std::int64_t{height});  // negative: the top row first
+    check_size(name, width, rows, bytes.size(), 8);
+    constexpr std::size_t shortest_head = 30;
+    if (bytes.size() < shortest_head) throw InputError(name + ": not a usable BMP: it is cut off");
+    if (bytes_of_bmp(bytes, width, rows) > bytes.size()) {
+        throw InputError(name + ": found " + in_groups(bytes.size()) + " bytes of a BMP, expected " +
+                         in_groups(bytes_of_bmp(bytes, width, rows)));
+    }
     const int wanted = channels == 4 ? 4 : 3;
     const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
         stbi_load_from_memory(data, size, &width, &height, &channels, wanted), &stbi_image_free);

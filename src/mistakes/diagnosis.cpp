@@ -57,6 +57,11 @@ public:
 
     // Whether pixel i is as a program with that palette shows that number.
     bool shows(std::size_t i, std::int32_t number, const Palette& palette) const {
+        if (background_.transparent && picture_.channels() == 4) {
+            const std::uint8_t alpha = picture_.bytes()[4 * i + 3];
+            if (number == visible_background) return alpha == 0;
+            if (alpha != color_max) return false;
+        }
         Color color = number == visible_background && palette.background ? *palette.background : right(number);
         if (palette.red_and_blue_swapped) std::swap(color.r, color.b);
         const Color is = found(i);
@@ -180,6 +185,15 @@ Search search(const Comparer& comparer, WrongPictures& wrong) {
         }
         std::tie(shown, out.likeliest) = tried[0];
     }
+    // What explains little, or speaks against itself, only resembles the mistake that was made.
+    const Numbers& right = wrong.numbers({});
+    const Numbers& likeliest = wrong.numbers(out.likeliest.tracer);
+    const auto is_right = [&](std::size_t i) { return comparer.shows(i, right[i], {}); };
+    const auto is_explained = [&](std::size_t i) { return comparer.shows(i, likeliest[i], out.likeliest.palette); };
+    const std::int64_t explained = comparer.count([&](std::size_t i) { return !is_right(i) && is_explained(i); });
+    const std::int64_t contradicting = comparer.count([&](std::size_t i) { return is_right(i) && !is_explained(i); });
+    const std::int64_t different = comparer.count([&](std::size_t i) { return !is_right(i); });
+    if (2 * explained < different || 4 * contradicting > explained) return {};
     const std::vector<Named> used = named(out.likeliest);
     for (const auto& [count, single] : better) {
         const std::string name = named(single).front().name;
