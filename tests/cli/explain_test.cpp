@@ -110,7 +110,7 @@ TEST(Explain, TellsWhyTheSunDoesNotShine) {
     EXPECT_TRUE(contains(outcome.output, "sphere 1 is in the way")) << outcome;
     EXPECT_TRUE(contains(outcome.output, "the line to the light touches the sphere")) << outcome;
     EXPECT_TRUE(contains(outcome.output, "sky: ")) << outcome;
-    EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--sun-strength", "2"}), 2, "--sun-strength: the scene has no sun"));
+    EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--sun-strength", "2"}), 2, "sphereview: --sun-strength: the scene has no sun"));
 }
 
 // A plate over the sphere keeps all lights away but those from the sides; a small sphere few of them.
