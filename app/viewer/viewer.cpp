@@ -371,7 +371,10 @@ void Viewer::redraw() {
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));
 
+    // Asked before: a picture that is made from now on is shown by the next redraw.
+    const bool ended = state_.rest_picture && state_.rest_picture->job.ended();
     const bool exact = rest_picture_is_shown(state_);
+    const bool kept = state_.rest_picture.has_value();
     update_picture(refines ? 1 : pacing_.moving_step());
     note_facts();
     show(area_, exact);
@@ -381,7 +384,7 @@ void Viewer::redraw() {
     if (looked_from_ != state_.camera || looked_at_ != state_.document.revision()) state_.messages.hint.clear();
     if (pacing_.rests() && input_.empty()) look_for_nothing();
     if (pacing_.rests() && input_.empty()) make_rest_picture(state_, [&] { return picture_.seen_numbers(); });
-    rest_picture_works_ = state_.rest_picture && !state_.rest_picture->job.ended();
+    rest_picture_works_ = state_.rest_picture && !(kept && ended);
     if (log_.wanted()) {
         const bool resting =
             pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
