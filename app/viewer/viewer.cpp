@@ -112,7 +112,7 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_picture_works_ || state_.box_selection || shaders_changed_;
+    const bool looks_again = is_working(state_) || rest_.works() || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
@@ -148,14 +148,9 @@ void Viewer::follow_work() {
         work_shown_ = Clock::now();
         pacing_.touch();
     }
-    if (rest_picture_works_ && (!state_.rest_picture || state_.rest_picture->job.ended())) {
-        rest_picture_works_ = false;
-        pacing_.touch();
-    }
-    if (rest_picture_works_ && state_.rest_picture && state_.rest_picture->preview->image() != previewed_) {
-        previewed_ = state_.rest_picture->preview->image();
-        if (previewed_) pacing_.show_once();
-    }
+    const RestView::News news = rest_.look(state_);
+    if (news == RestView::News::end) pacing_.touch();
+    if (news == RestView::News::draft) pacing_.show_once();
     if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
@@ -295,18 +290,6 @@ void Viewer::draw_orbit_point() const {
     if (place) draw_cross(area_, on_screen(*place), imgui_.scale());
 }
 
-void Viewer::look_for_nothing() {
-    if (looked_at_ == state_.document.revision() && looked_from_ == state_.camera) return;
-    looked_at_ = state_.document.revision();
-    looked_from_ = state_.camera;
-    const bool shows_any = state_.scene().spheres.size() > state_.bounds.hidden;
-    const auto is_background = [](std::int32_t seen) { return seen == visible_background; };
-    const std::vector<std::int32_t> seen = shows_any ? picture_.seen_numbers() : std::vector<std::int32_t>{};
-    if (seen.empty() || !std::ranges::all_of(seen, is_background)) return;
-    state_.messages.hint = "Nothing of the scene is in view. F shows everything, Home returns to the scene's camera.";
-    pacing_.touch();
-}
-
 void Viewer::draw_box() const {
     const auto box = mouse_.box();
     if (!box) return;
@@ -371,36 +354,25 @@ void Viewer::redraw() {
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));
 
-    // Asked before: a picture that is made from now on is shown by the next redraw.
-    const bool ended = state_.rest_picture && state_.rest_picture->job.ended();
-    const bool exact = rest_picture_is_shown(state_);
-    const bool kept = state_.rest_picture.has_value();
+    rest_.settle(state_);
     update_picture(refines ? 1 : pacing_.moving_step());
     note_facts();
-    show(area_, exact);
+    show(area_);
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
-    if (looked_from_ != state_.camera || looked_at_ != state_.document.revision()) state_.messages.hint.clear();
-    if (pacing_.rests() && input_.empty()) look_for_nothing();
-    if (pacing_.rests() && input_.empty()) make_rest_picture(state_, [&] { return picture_.seen_numbers(); });
-    rest_picture_works_ = state_.rest_picture && !(kept && ended);
+    if (lost_hint_.update(state_, picture_, pacing_.rests() && input_.empty())) pacing_.touch();
+    rest_.end_redraw(state_, picture_, pacing_.rests() && input_.empty());
     if (log_.wanted()) {
-        const bool resting =
-            pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
+        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !state_.box_selection;
         log_.add(state_, facts_,
-                 {++redraw_number_, picture_.builds(), explanations_, exact, rest_picture_works_, draft_seconds(exact), resting,
-                  area_, seconds_between(begin, Clock::now()), title_for(state_)},
+                 {++redraw_number_, picture_.builds(), explanations_, rest_.is_exact(), rest_.works(), rest_.draft_seconds(state_),
+                  resting, area_, seconds_between(begin, Clock::now()), title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
     constexpr std::chrono::milliseconds most_counted{50};
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
-}
-
-std::optional<double> Viewer::draft_seconds(bool exact) const {
-    if (exact || !state_.rest_picture || !uploaded_ || uploaded_ != previewed_) return std::nullopt;
-    return seconds_between(state_.rest_picture->begun, Clock::now());
 }
 
 void Viewer::note_facts() {
@@ -435,14 +407,8 @@ void Viewer::note_facts() {
     ++explanations_;
 }
 
-void Viewer::show(const Rectangle& area, bool finished) {
-    // A preview is as right as the picture is: both are forgotten when something changes.
-    std::shared_ptr<const Image> image;
-    if (state_.rest_picture) image = finished ? state_.rest_picture->image : state_.rest_picture->preview->image();
-    if (image && uploaded_ != image) {
-        uploaded_ = image;
-        picture_.upload(*uploaded_);
-    }
+void Viewer::show(const Rectangle& area) {
+    const bool finished = rest_.upload(state_, picture_);
     const Window::Extent framebuffer = window_.framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const int left = static_cast<int>(std::lround(area.x * pixels_));
@@ -450,7 +416,7 @@ void Viewer::show(const Rectangle& area, bool finished) {
     const PictureSize size = state_.picture_size;
     picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
                   {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)},
-                  image != nullptr);
+                  finished);
 }
 
 }  // namespace sphereview

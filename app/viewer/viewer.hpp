@@ -14,6 +14,7 @@
 #include "viewer/mouse_control.hpp"
 #include "viewer/pacing.hpp"
 #include "viewer/redraw_log.hpp"
+#include "viewer/rest_view.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -42,14 +43,9 @@ private:
     void draw_box() const;
     // Marks what the view is being turned about.
     void draw_orbit_point() const;
-    // Whether the picture shows nothing of a scene that has something to show: then a hint says what to do. At rest.
-    void look_for_nothing();
     void use_mouse(const PanelContext& context, bool cancelled);
-    // `finished`: the rest picture, which is there.
-    void show(const Rectangle& area, bool finished);
+    void show(const Rectangle& area);
     void note_facts();
-    // When a draft of the rest picture has come to be shown, since that was begun; nothing while none is shown.
-    std::optional<double> draft_seconds(bool exact) const;
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
@@ -64,13 +60,10 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
-    std::shared_ptr<const Image> uploaded_;   // the rest picture that the window's context holds
-    std::shared_ptr<const Image> previewed_;  // the latest preview that a redraw was asked for
-    std::uint64_t looked_at_ = 0;             // the document's revision when look_for_nothing() looked
-    Camera looked_from_;
-    bool rest_picture_works_ = false;  // it is being made
-    bool alt_alone_ = false;           // Alt is down, and nothing came after it
-    bool shaders_changed_ = false;     // they are read once the edits are kept
+    RestView rest_;
+    LostHint lost_hint_;
+    bool alt_alone_ = false;        // Alt is down, and nothing came after it
+    bool shaders_changed_ = false;  // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
 
     Clock::time_point last_redraw_ = Clock::now();
