@@ -67,7 +67,10 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
     const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
-    if (!state.loading) return WorkShown{"Exporting " + state.exporting->path, total > 0.0 ? done / total : 0.0, true};
+    if (!state.loading) {
+        const std::string path = state.exporting->shown_path();
+        return WorkShown{"Exporting " + (path.empty() ? "the view" : path), total > 0.0 ? done / total : 0.0, true};
+    }
     std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
@@ -93,9 +96,19 @@ void Viewer::run(const std::function<bool()>& interrupted) {
             const std::lock_guard lock(state_.changing);
             state_.autosave.look(state_.document, state_.path, Clock::now());
         }
+        keep_recent_files();
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
+    // What the end writes is not to be replaced by what was written before.
+    if (settings_kept_) settings_kept_->wait_for(std::chrono::seconds(1));
+}
+
+void Viewer::keep_recent_files() {
+    if (state_.settings.recent == kept_recent_ || (settings_kept_ && !settings_kept_->ended())) return;
+    kept_recent_ = state_.settings.recent;
+    settings_kept_.reset();
+    settings_kept_.emplace([settings = state_.settings](WorkControl&) { save_settings(settings); });
 }
 
 // Not what is being saved: what is kept of that stays until the file is whole. But what is edited meanwhile.

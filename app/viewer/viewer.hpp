@@ -29,6 +29,8 @@ public:
 
 private:
     bool autosaves() const;  // whether unsaved edits are to be kept now
+    // Writes the settings when another file was opened: other windows offer it too, and a window that is killed has remembered it.
+    void keep_recent_files();
     void wait_for_work();
     void redraw();
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
@@ -65,6 +67,8 @@ private:
     bool alt_alone_ = false;        // Alt is down, and nothing came after it
     bool shaders_changed_ = false;  // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
+    std::vector<std::string> kept_recent_;          // the recent files as they were written last
+    std::optional<BackgroundJob> settings_kept_{};  // a disk that hangs holds up nobody
 
     Clock::time_point last_redraw_ = Clock::now();
     std::uint64_t redraw_number_ = 0;

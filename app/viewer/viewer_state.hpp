@@ -55,6 +55,8 @@ struct ViewerState {
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
+    // While the file is gone: the document's revision then, if that was what the file held; else 0.
+    std::optional<std::uint64_t> gone_at;
     std::optional<Work> loading;
     std::optional<Work> saving;
     std::optional<Work> exporting;
