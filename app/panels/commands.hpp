@@ -44,6 +44,7 @@ enum class CommandId {
     view_top,
     view_iso,
     orthographic,  // or perspective again
+    trackball,     // or turntable again
     use_view_as_camera,
     next_frame,  // of a file of several
     previous_frame,

@@ -156,6 +156,14 @@ Command toggle(const CommandInfo& info, bool ViewerState::*shown) {
     return {info, [shown](ViewerState& s) { s.*shown = !(s.*shown); }, {}, [shown](const ViewerState& s) { return s.*shown; }};
 }
 
+// A command that switches a setting.
+Command setting(const CommandInfo& info, bool ViewerSettings::*on) {
+    return {info,
+            [on](ViewerState& s) { s.settings.*on = !(s.settings.*on); },
+            {},
+            [on](const ViewerState& s) { return s.settings.*on; }};
+}
+
 // A command that chooses one of several values.
 template <typename T>
 Command choice(const CommandInfo& info, T ViewerSettings::*setting, T value) {
@@ -255,6 +263,9 @@ std::vector<Command> make_commands() {
          change_projection,
          {},
          [](const ViewerState& s) { return s.camera.orthographic(); }},
+        setting({Id::trackball, "View", "Trackball", "T",
+                 "Orbits as if a ball were turned: no upright, and the poles can be passed. Else the world's y stays upright."},
+                &ViewerSettings::trackball),
         {{Id::use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home",
           "An edit like any other: Home returns here then.", true},
          edits(use_view_as_camera),

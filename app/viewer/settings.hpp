@@ -35,6 +35,7 @@ struct ViewerSettings {
     int export_height = 1000;
     int samples = sample_counts.back();  // points a pixel, of the window at rest and of exports: one of sample_counts
     Shading shading = Shading::studio;
+    bool trackball = false;  // a drag turns the view without an upright
 
     bool operator==(const ViewerSettings&) const = default;
 };

@@ -279,7 +279,8 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                                [this](Pixel low, Pixel high, bool toggles) {
                                    select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
                                },
-                               state_.bounds};
+                               state_.bounds,
+                               state_.settings.trackball};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
