@@ -86,7 +86,8 @@ enum class Naming { as_said, next_free };
 // files: a FIFO that nobody reads, or a disk that hangs, holds up nobody else.
 void start_export(ViewerState& state, const std::string& path, Naming naming, PictureSize size,
                   std::function<void(const std::string& why)> fail) {
-    const PictureOptions options = picture_options(state, size);
+    PictureOptions options = picture_options(state, size);
+    options.marks = exported_marks(state);
     const auto written = std::make_shared<FoundPath>(naming == Naming::as_said ? path : "");
     const auto done = [&state, written, options] {
         const auto& [width, height] = options.size;

@@ -350,6 +350,7 @@ void Viewer::redraw() {
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
+    draw_view_marks(state_, context, area_, pixels_);
     use_mouse(context, facts_.keys.escape);
     draw_box();
     draw_orbit_point();

@@ -38,6 +38,9 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     settings.export_height = 1080;
     settings.samples = 4;
     settings.trackball = true;
+    settings.axes_shown = false;
+    settings.scale_bar_shown = true;
+    settings.marks_exported = true;
     settings.recent = {"/a/K\xC3\xBCgeln \"x\".toml", "/b"};
     EXPECT_TRUE(save_settings(settings));
     EXPECT_EQ(load_settings(), settings);
