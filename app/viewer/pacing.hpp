@@ -106,7 +106,7 @@ private:
         return 0.0;
     }
 
-    static constexpr double fading = 0.97;
+    static constexpr double fading = 0.985;
     static constexpr double worth_it = 0.9;
 
     // ImGui shows what a click did in the next frame, and places what is new in the one after that.

@@ -144,6 +144,8 @@ TEST_F(DataInViewer, AChangedFileIsReadAgainAtTheSameFrame) {
 }
 
 TEST_F(DataInViewer, AFileThatIsGoneIsSaidAndAFileThatIsBackToo) {
+    open_scene(state, path);
+    finish_reading();
     const std::string bytes = folder.read("a.xyz");
     std::filesystem::remove(path);
     look_at_file(state);
@@ -178,7 +180,7 @@ TEST_F(DataInViewer, AFileThatIsGoneIsSaidAndAFileThatIsBackToo) {
 }
 
 TEST_F(DataInViewer, SavingEndsThatTheFileIsGone) {
-    adopt(state, load_scene(folder.write("b.toml", "")), folder.path("b.toml"));
+    adopt(state, load_scene(folder.write("b.toml", "background = 'white'\n")), folder.path("b.toml"));
     std::filesystem::remove(folder.path("b.toml"));
     look_at_file(state);
     EXPECT_EQ(state.messages.scene_gone, folder.path("b.toml"));
