@@ -68,6 +68,8 @@ constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
+const std::string program_and_version = "sphereview " + std::string(version);
+
 std::string backends_listed() { return listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or"); }
 
 std::optional<Backend> backend_named(const std::string& name) {
@@ -95,6 +97,7 @@ void declare(CLI::App& command, ViewOptions& options) {
                    return std::filesystem::is_directory(path_from(text), ignored) ? std::optional(text) : std::nullopt;
                });
     add_file(command, options.redraw_log, "--redraw-log", "FILE", "")->group("");  // hidden: for tests
+    options.program = {program_and_version, licenses};
     command.footer(std::string(view_examples) + exit_codes);
 }
 
@@ -251,8 +254,6 @@ Run print(const std::string& text) {
         return ExitCode::done;
     };
 }
-
-const std::string program_and_version = "sphereview " + std::string(version);
 
 // Options of the program itself that print a text, as --version does.
 void declare_texts(CLI::App& app) {

@@ -68,22 +68,23 @@ std::vector<Stroke> strokes_of_axes(const Camera& camera, StrokePlace middle, in
     return strokes;
 }
 
-std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner, int unit) {
+std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner, int unit, int most) {
     const int edge = unit * 3 / 4;
     const int tick = 3 * unit;
     const int left = corner.x - static_cast<int>(std::lround(bar.pixels * stroke_unit));
-    const std::string words = in_words(bar);
+    std::string words = in_words(bar);
+    if (width_of_strokes(words, unit) > most) words = in_words({bar.length, bar.pixels, {}});
     const int width = width_of_strokes(words, unit);
     // In the bar's middle, but no farther to the right than the bar.
     const int text_left = std::min(left + (corner.x - left - width) / 2, corner.x - width);
+    const int text_top = corner.y - tick - 3 * unit - height_of_letters * unit;
     std::vector<Stroke> strokes;
     append(strokes,
            {{{left, corner.y}, corner, 2 * unit, light},
             {{left, corner.y - tick}, {left, corner.y}, 2 * unit, light},
             {{corner.x, corner.y - tick}, corner, 2 * unit, light}},
            edge);
-    append(strokes,
-           strokes_of_text(words, {text_left, corner.y - tick - (height_of_letters + 3) * unit}, unit, unit * 3 / 2, light), edge);
+    append(strokes, strokes_of_text(words, {text_left, text_top}, unit, unit * 5 / 4, light), edge);
     return strokes;
 }
 
@@ -99,7 +100,9 @@ void draw_marks(const PictureMarks& marks, const Camera& camera, Image& picture)
     }
     const auto bar =
         marks.scale_bar ? scale_bar(camera, size, marks.scale_at, longest_scale_bar * size.shorter_side()) : std::nullopt;
-    if (bar) draw(strokes_of_scale_bar(*bar, {right - 2 * marks_margin * unit, bottom - 2 * marks_margin * unit}, unit), picture);
+    if (bar)
+        draw(strokes_of_scale_bar(*bar, {right - 2 * marks_margin * unit, bottom - 2 * marks_margin * unit}, unit, right / 2),
+             picture);
 }
 
 }  // namespace sphereview

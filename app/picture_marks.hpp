@@ -31,8 +31,9 @@ inline constexpr int axis_length = 20;
 inline constexpr int axis_ball = 6;  // its radius
 
 std::vector<Stroke> strokes_of_axes(const Camera& camera, StrokePlace middle, int unit);
-// With its words above it. `corner`: the bar's lower right end.
-std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner, int unit);
+// With its words above it. `corner`: the bar's lower right end. Words that are wider than `most`, in sixteenths of a pixel, leave
+// the depth out.
+std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner, int unit, int most);
 
 // A picture that is too small for them gets none.
 void draw_marks(const PictureMarks& marks, const Camera& camera, Image& picture);

@@ -52,6 +52,7 @@ enum class CommandId {
     last_shading = first_shading + static_cast<int>(shading_modes.size()) - 1,
     toggle_panel,
     toggle_inspector,
+    measure,
     toggle_export_area,
     toggle_axes,
     toggle_scale_bar,
@@ -59,9 +60,11 @@ enum class CommandId {
     no_anti_aliasing,
     anti_aliasing_4,
     anti_aliasing_16,
+    light_theme,
     larger_text,
     smaller_text,
     help,
+    about,
 };
 
 struct CommandInfo {

@@ -16,7 +16,7 @@ const ImVec4 zero{1.00F, 0.75F, 0.25F, 1.0F};
 const ImVec4 below_zero{1.00F, 0.42F, 0.40F, 1.0F};
 
 void colored_line(const std::string& text, const ImVec4& color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushStyleColor(ImGuiCol_Text, on_panel(color));
     wrapped_text(text);
     ImGui::PopStyleColor();
 }
@@ -44,7 +44,7 @@ void draw_title(const PanelContext& context, const ExplainedHit& hit, bool seen)
     note_widget(context, "hit " + std::to_string(number));
     if (seen) {
         ImGui::SameLine();
-        ImGui::TextColored(above_zero, "seen");
+        ImGui::TextColored(on_panel(above_zero), "seen");
     }
     dim_text("C = " + vector_in_words(sphere.center) + ", r = " + shortest(sphere.radius));
 }

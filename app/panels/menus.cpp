@@ -23,16 +23,14 @@ constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"Ctrl+click on a sphere", "Adds it to the selection, or takes it out."},
     {"Ctrl+left-drag", "Selects the spheres that are seen in the box; with Shift they join, or if all were selected, leave."},
     {"Double-click on a sphere", "Brings it to the middle of the picture."},
+    {"Click on an end of the axes", "Looks along that axis; a drag there turns the view about its pivot."},
     {"Ctrl+click on a slider", "Types the value."},
     {"File dropped on the window", "Opens the scene in it."},
 });
 
 // Words side by side under a title; the last column gets the width that the others leave. All lines have as many words.
-void draw_table(const std::string& title, const std::vector<std::vector<std::string>>& lines) {
-    ImGui::Dummy(ImVec2(0.0F, 0.3F * ImGui::GetTextLineHeight()));
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    wrapped_text(title);
-    ImGui::PopStyleColor();
+void draw_table(const PanelContext& context, const std::string& title, const std::vector<std::vector<std::string>>& lines) {
+    draw_title(context, title);
     const auto columns = static_cast<int>(lines.front().size());
     if (!ImGui::BeginTable(title.c_str(), columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return;
     for (std::size_t i = 0; i + 1 < lines.front().size(); ++i) {
@@ -50,14 +48,15 @@ void draw_table(const std::string& title, const std::vector<std::vector<std::str
     ImGui::EndTable();
 }
 
-void draw_mouse() {
+void draw_mouse(const PanelContext& context) {
     std::vector<std::vector<std::string>> lines;
     for (const MouseHelp& line : mouse_table) lines.push_back({std::string(line.mouse), std::string(line.help)});
-    draw_table("Mouse", lines);
+    draw_table(context, "Mouse", lines);
 }
 
 // A table for each menu.
-void draw_commands(std::span<const CommandInfo> commands) {
+void draw_commands(const PanelContext& context) {
+    std::span<const CommandInfo> commands = context.commands;
     while (!commands.empty()) {
         const std::string menu(commands.front().menu);
         std::vector<std::vector<std::string>> lines;
@@ -65,7 +64,7 @@ void draw_commands(std::span<const CommandInfo> commands) {
             const CommandInfo& info = commands.front();
             lines.push_back({every_shortcut(info.shortcut), std::string(info.label), std::string(info.help)});
         }
-        draw_table(menu, lines);
+        draw_table(context, menu, lines);
     }
 }
 
@@ -171,8 +170,8 @@ void draw_help(const PanelContext& context, bool& open) {
     ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5F, 0.5F));
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     if (ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-        draw_mouse();
-        draw_commands(context.commands);
+        draw_mouse(context);
+        draw_commands(context);
     }
     ImGui::End();
 }

@@ -38,7 +38,10 @@ struct OpenFile {
 struct ShowFrame {
     std::int64_t frame = 0;  // of the scene's file
 };
-using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame>;
+struct MeasureSphere {
+    std::uint32_t number = 0;
+};
+using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere>;
 
 // Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
 struct WidgetRectangle {

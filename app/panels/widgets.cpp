@@ -22,39 +22,48 @@ ImVec4 grey(float brightness, float opacity = 1.0F) {
 
 ImVec4 accent(float opacity) { return {0.29F, 0.56F, 0.89F, opacity}; }
 
-void set_colors(ImGuiStyle& style) {
-    const auto set = [&style](ImGuiCol what, const ImVec4& color) { style.Colors[what] = color; };
-    set(ImGuiCol_Text, grey(0.90F));
-    set(ImGuiCol_TextDisabled, grey(0.58F));
-    set(ImGuiCol_WindowBg, grey(0.125F));
-    set(ImGuiCol_ChildBg, grey(0.10F, 0.0F));
-    set(ImGuiCol_PopupBg, grey(0.15F));
-    set(ImGuiCol_MenuBarBg, grey(0.16F));
-    set(ImGuiCol_Border, grey(0.30F));
-    set(ImGuiCol_Separator, grey(0.26F));
-    set(ImGuiCol_TitleBg, grey(0.11F));
-    set(ImGuiCol_TitleBgActive, grey(0.18F));
-    set(ImGuiCol_FrameBg, grey(0.20F));
-    set(ImGuiCol_FrameBgHovered, grey(0.25F));
-    set(ImGuiCol_FrameBgActive, grey(0.28F));
-    set(ImGuiCol_Button, grey(0.25F));
-    set(ImGuiCol_ButtonHovered, grey(0.31F));
-    set(ImGuiCol_ButtonActive, grey(0.37F));
-    set(ImGuiCol_Header, accent(0.38F));
-    set(ImGuiCol_HeaderHovered, accent(0.26F));
-    set(ImGuiCol_HeaderActive, accent(0.50F));
-    set(ImGuiCol_CheckMark, {0.45F, 0.68F, 0.96F, 1.0F});
-    set(ImGuiCol_SliderGrab, accent(0.85F));
-    set(ImGuiCol_SliderGrabActive, accent(1.0F));
-    set(ImGuiCol_ScrollbarBg, grey(0.10F, 0.5F));
-    set(ImGuiCol_ScrollbarGrab, grey(0.32F));
-    set(ImGuiCol_ScrollbarGrabHovered, grey(0.40F));
-    set(ImGuiCol_ScrollbarGrabActive, grey(0.46F));
-    set(ImGuiCol_TableRowBgAlt, {1.0F, 1.0F, 1.0F, 0.03F});
-    set(ImGuiCol_TableBorderLight, grey(0.22F));
-    set(ImGuiCol_TableHeaderBg, grey(0.17F));
-    set(ImGuiCol_TextSelectedBg, accent(0.45F));
-    set(ImGuiCol_ModalWindowDimBg, {0.0F, 0.0F, 0.0F, 0.50F});
+// A row for each colour that is not ImGui's own: in the dark theme and in the light one.
+struct ThemeColor {
+    ImGuiCol what;
+    ImVec4 dark;
+    ImVec4 light;
+};
+
+void set_colors(ImGuiStyle& style, Theme theme) {
+    const std::array<ThemeColor, 29> colors = {{
+        {ImGuiCol_Text, grey(0.90F), grey(0.12F)},
+        {ImGuiCol_TextDisabled, grey(0.58F), grey(0.39F)},
+        {ImGuiCol_WindowBg, grey(0.125F), grey(0.94F)},
+        {ImGuiCol_ChildBg, grey(0.10F, 0.0F), grey(0.94F, 0.0F)},
+        {ImGuiCol_PopupBg, grey(0.15F), grey(0.97F)},
+        {ImGuiCol_MenuBarBg, grey(0.16F), grey(0.90F)},
+        {ImGuiCol_Border, grey(0.30F), grey(0.70F)},
+        {ImGuiCol_Separator, grey(0.26F), grey(0.76F)},
+        {ImGuiCol_TitleBg, grey(0.11F), grey(0.86F)},
+        {ImGuiCol_TitleBgActive, grey(0.18F), grey(0.82F)},
+        {ImGuiCol_FrameBg, grey(0.20F), grey(0.85F)},
+        {ImGuiCol_FrameBgHovered, grey(0.25F), grey(0.80F)},
+        {ImGuiCol_FrameBgActive, grey(0.28F), grey(0.76F)},
+        {ImGuiCol_Button, grey(0.25F), grey(0.80F)},
+        {ImGuiCol_ButtonHovered, grey(0.31F), grey(0.74F)},
+        {ImGuiCol_ButtonActive, grey(0.37F), grey(0.68F)},
+        {ImGuiCol_Header, accent(0.38F), accent(0.34F)},
+        {ImGuiCol_HeaderHovered, accent(0.26F), accent(0.22F)},
+        {ImGuiCol_HeaderActive, accent(0.50F), accent(0.46F)},
+        {ImGuiCol_CheckMark, {0.45F, 0.68F, 0.96F, 1.0F}, {0.10F, 0.36F, 0.70F, 1.0F}},
+        {ImGuiCol_SliderGrab, accent(0.85F), accent(0.85F)},
+        {ImGuiCol_SliderGrabActive, accent(1.0F), accent(1.0F)},
+        {ImGuiCol_ScrollbarBg, grey(0.10F, 0.5F), grey(0.88F, 0.5F)},
+        {ImGuiCol_ScrollbarGrab, grey(0.32F), grey(0.70F)},
+        {ImGuiCol_ScrollbarGrabHovered, grey(0.40F), grey(0.62F)},
+        {ImGuiCol_ScrollbarGrabActive, grey(0.46F), grey(0.54F)},
+        {ImGuiCol_TableRowBgAlt, {1.0F, 1.0F, 1.0F, 0.03F}, {0.0F, 0.0F, 0.0F, 0.03F}},
+        {ImGuiCol_TextSelectedBg, accent(0.45F), accent(0.40F)},
+        {ImGuiCol_ModalWindowDimBg, {0.0F, 0.0F, 0.0F, 0.50F}, {0.0F, 0.0F, 0.0F, 0.30F}},
+    }};
+    for (const ThemeColor& color : colors) style.Colors[color.what] = theme == Theme::light ? color.light : color.dark;
+    style.Colors[ImGuiCol_TableBorderLight] = style.Colors[ImGuiCol_Separator];
+    style.Colors[ImGuiCol_TableHeaderBg] = style.Colors[ImGuiCol_TitleBgActive];
 }
 
 int leading_digit(double value) {
@@ -108,7 +117,7 @@ SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const S
         ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
         ImGui::SetKeyboardFocusHere();
     }
-    ImGui::PushStyleColor(ImGuiCol_Text, refused ? ImVec4(1.0F, 0.4F, 0.4F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
+    ImGui::PushStyleColor(ImGuiCol_Text, refused ? on_panel({1.0F, 0.4F, 0.4F, 1.0F}) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     const int step = draw_text_box("##typed", "", typed.text, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();
     note_widget(context, "slider " + typed.field);
@@ -139,10 +148,14 @@ void draw_command_button(const PanelContext& context, const CommandButton& butto
 
 }  // namespace
 
-void apply_style(float scale) {
+void apply_style(float scale, Theme theme) {
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
-    set_colors(style);
+    if (theme == Theme::light) {
+        ImGui::StyleColorsLight(&style);
+    } else {
+        ImGui::StyleColorsDark(&style);
+    }
+    set_colors(style, theme);
     style.WindowPadding = ImVec2(10.0F, 10.0F);
     style.FramePadding = ImVec2(8.0F, 4.0F);
     style.ItemSpacing = ImVec2(8.0F, 6.0F);
@@ -166,6 +179,31 @@ void apply_style(float scale) {
     style.FrameBorderSize = 0.0F;
     ImGui::GetStyle() = style;
 }
+
+ImVec4 on_panel(const ImVec4& on_dark) {
+    const bool is_light = ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5F;
+    constexpr float darker = 0.5F;
+    return is_light ? ImVec4(darker * on_dark.x, darker * on_dark.y, darker * on_dark.z, on_dark.w) : on_dark;
+}
+
+void draw_heading(const PanelContext& context, const std::string& name, const std::string& words) {
+    ImGui::BeginGroup();
+    ImGui::SetWindowFontScale(1.6F);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::SetWindowFontScale(1.0F);
+    dim_text(words);
+    ImGui::EndGroup();
+    ImGui::Dummy({1.0F, 2.0F * context.scale});
+}
+
+void draw_title(const PanelContext& context, const std::string& title) {
+    ImGui::Dummy({1.0F, 4.0F * context.scale});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    wrapped_text(title);
+    ImGui::PopStyleColor();
+}
+
+float row_height() { return std::round(ImGui::GetFrameHeight()); }
 
 void begin_field(const PanelContext& context, const char* label) {
     const float column = ImGui::CalcTextSize("background").x + 10.0F * context.scale;  // the longest

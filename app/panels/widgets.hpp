@@ -12,8 +12,19 @@
 
 namespace sphereview {
 
-// Gives the current ImGui context our dark theme. Sizes are times `scale`; may be called again for another.
-void apply_style(float scale);
+enum class Theme { dark, light };
+
+// Gives the current ImGui context our look. Sizes are times `scale`; may be called again for another.
+void apply_style(float scale, Theme theme = Theme::dark);
+
+// A colour of text that is readable on the dark theme's panels, as it has to be on those of the theme that is there.
+ImVec4 on_panel(const ImVec4& on_dark);
+
+// The one scale of type and room: a heading (a large line, and dim words below it), the title of a part, text, and rows in which
+// text can be chosen, as high as fields.
+void draw_heading(const PanelContext& context, const std::string& name, const std::string& words);
+void draw_title(const PanelContext& context, const std::string& title);
+float row_height();
 
 // Writes the label at the left; the next item takes the rest of the line, or, where the line is short, the one below.
 void begin_field(const PanelContext& context, const char* label);

@@ -39,6 +39,7 @@ struct PictureState {
     std::function<void(Pixel, Pixel, bool toggles)> select_seen{};
     SceneBounds bounds{};    // zooming out ends where these are small
     bool trackball = false;  // a drag turns the view as a ball, without an upright
+    bool measures = false;   // a click measures a sphere instead of selecting it, and no drag moves one
 };
 
 // What the mouse did to the view; edits are in `actions`.

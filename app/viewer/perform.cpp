@@ -281,6 +281,11 @@ std::vector<Command> make_commands() {
         toggle(
             {Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
             &ViewerState::inspector_shown),
+        {{Id::measure, "View", "Measure", "D",
+          "Clicks on spheres give distances, and of three the angle, of four the dihedral; Escape ends it."},
+         [](ViewerState& s) { s.measuring = Measuring{.on = !s.measuring.on}; },
+         {},
+         [](const ViewerState& s) { return s.measuring.on; }},
         toggle({Id::toggle_export_area, "View", "Area of the export", "M",
                 "Marks what an export shows, where the window shows more or less."},
                &ViewerState::export_area_shown),
@@ -299,12 +304,18 @@ std::vector<Command> make_commands() {
                &ViewerSettings::samples, 4),
         choice({Id::anti_aliasing_16, "View", "16 samples a pixel", "Alt+6", "The average of 16 points."}, &ViewerSettings::samples,
                16),
-        {{Id::larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger.", true},
+        setting({Id::light_theme, "View", "Light theme", "Ctrl+T", "Dark text on light panels, instead of light on dark.", true},
+                &ViewerSettings::light_theme),
+        {{Id::larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger."},
          [](ViewerState& s) { scale_text(s, 1.1); }},
         {{Id::smaller_text, "View", "Smaller text", "Ctrl+-", "Makes text and panels smaller."},
          [](ViewerState& s) { scale_text(s, 1.0 / 1.1); }},
         toggle({Id::help, "Help", "Keys and mouse", "F1|?", "Lists every shortcut and what the mouse does."},
                &ViewerState::help_shown),
+        {{Id::about, "Help", "About", "Shift+F1", "The version, what renders, and the licences of the parts."},
+         [](ViewerState& s) { s.about.shown = !s.about.shown; },
+         {},
+         [](const ViewerState& s) { return s.about.shown; }},
     };
     auto place = std::ranges::find(commands, Id::toggle_panel, [](const Command& command) { return command.info.id; });
     for (std::size_t mode = 0; mode < shading_modes.size(); ++mode) place = commands.insert(place, shade(mode)) + 1;
@@ -353,6 +364,8 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             open_scene(state, file->path);
         } else if (const auto* frame = std::get_if<ShowFrame>(&action)) {
             show_frame(state, frame->frame);
+        } else if (const auto* measured = std::get_if<MeasureSphere>(&action)) {
+            measure(state.measuring, state.document, measured->number);
         }
     }
 }

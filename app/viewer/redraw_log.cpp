@@ -56,6 +56,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"selection", first_of(state.selection.numbers())},
         {"selected", state.selection.size()},
         {"hovered", state.hovered},
+        {"measured", first_of(state.measuring.spheres)},
         {"undo", state.document.undo_name()},
         {"redo", state.document.redo_name()},
         {"picture", {p.x, p.y, p.width, p.height}},

@@ -60,6 +60,7 @@ void each_number(Settings& settings, const Visit& visit) {
 template <typename Settings, typename Visit>
 void each_switch(Settings& settings, const Visit& visit) {
     visit("trackball", settings.trackball);
+    visit("light_theme", settings.light_theme);
     visit("axes", settings.axes_shown);
     visit("scale_bar", settings.scale_bar_shown);
     visit("marks_in_exports", settings.marks_exported);

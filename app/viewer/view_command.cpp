@@ -23,6 +23,7 @@
 #include "viewer/scene_file.hpp"
 #include "viewer/unsaved_edits.hpp"
 #include "viewer/viewer.hpp"
+#include "viewer/window_icon.hpp"
 
 namespace sphereview {
 
@@ -107,6 +108,12 @@ void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
     }
 }
 
+void set_icon(Window& window) {
+    std::vector<Window::Icon> sizes;
+    for (const Image& icon : window_icons()) sizes.push_back({icon.width(), {icon.bytes().begin(), icon.bytes().end()}});
+    window.set_icon(std::move(sizes));
+}
+
 // A small scene is there, or refused, before there is a window; of another one this much is waited for.
 void load_first_scene(ViewerState& state) {
     if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
@@ -175,6 +182,7 @@ ExitCode run_view(const ViewOptions& options) {
             std::_Exit(128 + signal_number);
         });
         Viewer viewer(state, window);
+        set_icon(window);
         window.show();
         leave_own_console();
         // Held to the end: from here on, this thread alone keeps the edits.

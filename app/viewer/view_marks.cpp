@@ -10,6 +10,7 @@
 #include <string>
 
 #include "camera/navigation.hpp"
+#include "panels/widgets.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -129,7 +130,7 @@ void draw_scale_bar_on_screen(const ViewerState& state, const Rectangle& picture
     if (!bar) return;
     const float away = 2.0F * marks_margin * static_cast<float>(unit / (stroke_unit * pixels));
     const ImVec2 corner{std::round(picture.x + picture.width - away), std::round(picture.y + picture.height - away)};
-    draw_strokes(strokes_of_scale_bar(*bar, {0, 0}, unit), corner, pixels);
+    draw_strokes(strokes_of_scale_bar(*bar, {0, 0}, unit, state.picture_size.width * stroke_unit / 2), corner, pixels);
 }
 
 }  // namespace
@@ -140,6 +141,49 @@ void draw_view_marks(ViewerState& state, const PanelContext& context, const Rect
     if (state.is_at_start() || needed > pixels * static_cast<double>(std::min(picture.width, picture.height))) return;
     if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, pixels, unit);
     if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
+}
+
+void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {
+    const Measuring& measuring = state.measuring;
+    const std::vector<Sphere>& spheres = state.scene().spheres;
+    const std::vector<Measure> measures = measures_of(measuring, state.scene(), !context.view.mirrored);
+    if (measuring.spheres.empty() || measuring.spheres.size() > measures.size() + 1) return;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height});
+    const auto place = [&](std::size_t i) -> std::optional<ImVec2> {
+        const auto at = place_of(state.camera, state.picture_size, spheres[measuring.spheres[i]].center);
+        if (!at) return std::nullopt;
+        return ImVec2(picture.x + static_cast<float>(at->x / pixels), picture.y + static_cast<float>(at->y / pixels));
+    };
+    constexpr ImU32 dark = IM_COL32(18, 20, 26, 220);
+    constexpr ImU32 light = IM_COL32(255, 214, 92, 255);
+    const float line = 1.6F * context.scale;
+    for (const ImU32 color : {dark, light}) {
+        const float more = color == dark ? 1.5F * context.scale : 0.0F;
+        for (std::size_t i = 0; i < measuring.spheres.size(); ++i) {
+            const auto at = place(i);
+            const auto next = i + 1 < measuring.spheres.size() ? place(i + 1) : std::nullopt;
+            if (at && next) draw.AddLine(*at, *next, color, line + 2.0F * more);
+            if (at) draw.AddCircleFilled(*at, 3.5F * context.scale + more, color, 24);
+        }
+    }
+    for (const Measure& one : measures) {
+        if (one.name.starts_with("dihedral")) continue;  // of all of them: the window beside has it
+        const auto at = place(one.middle);
+        const auto next = one.is_angle ? at : place(one.middle + 1);
+        if (!at || !next) continue;
+        const std::string text = short_text(one.value, 4) + (one.is_angle ? "\xC2\xB0" : "");
+        const float width = width_of(text);
+        const float height = ImGui::GetTextLineHeight();
+        const float pad = 3.0F * context.scale;
+        // Of an angle below its sphere: its distances are above.
+        const ImVec2 low{std::round(0.5F * (at->x + next->x) - 0.5F * width),
+                         std::round(0.5F * (at->y + next->y) + (one.is_angle ? 0.5F : -1.3F) * height)};
+        draw.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
+                           ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92F), pad);
+        draw.AddText(low, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    }
+    draw.PopClipRect();
 }
 
 PictureMarks exported_marks(const ViewerState& state) {

@@ -22,6 +22,9 @@ struct AxesInHand {
 // Widgets: "axes" and, for each end, "axis +x", "axis -z".
 void draw_view_marks(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels);
 
+// Draws lines between the spheres that are measured, and beside them what they measure.
+void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels);
+
 // The marks that an export of the view gets.
 PictureMarks exported_marks(const ViewerState& state);
 

@@ -61,6 +61,8 @@ std::string title_for(const ViewerState& state) {
     return shown_text(state.name()) + (state.document.is_changed() ? " *" : "") + " - sphereview";
 }
 
+Theme theme_of(const ViewerSettings& settings) { return settings.light_theme ? Theme::light : Theme::dark; }
+
 std::optional<WorkShown> work_of(const ViewerState& state) {
     if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
     if (!state.loading && !state.exporting) return {};
@@ -81,7 +83,7 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
 Viewer::Viewer(ViewerState& state, Window& window)
     : state_(state),
       window_(window),
-      imgui_(window, state.settings.text_scale),
+      imgui_(window, state.settings.text_scale, theme_of(state.settings)),
       picture_(state.options.shader_folder),
       log_(state.options.redraw_log) {
     facts_.status.renderer = shown_text(window.renderer());
@@ -186,7 +188,16 @@ bool Viewer::is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys
         keys.escape = false;
         return true;
     }
-    return state_.loading || state_.exporting;
+    if (state_.about.shown) {
+        state_.about.shown = false;
+        keys.escape = false;
+        return true;
+    }
+    if (state_.loading || state_.exporting) return true;
+    if (!state_.measuring.on) return false;
+    state_.measuring = {};
+    keys.escape = false;
+    return true;
 }
 
 bool Viewer::is_lone_alt(const InputEvent& event) {
@@ -280,7 +291,8 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                                    select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
                                },
                                state_.bounds,
-                               state_.settings.trackball};
+                               state_.settings.trackball,
+                               state_.measuring.on};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
@@ -351,6 +363,7 @@ void Viewer::redraw() {
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
     draw_view_marks(state_, context, area_, pixels_);
+    draw_measured(state_, context, area_, pixels_);
     use_mouse(context, facts_.keys.escape);
     draw_box();
     draw_orbit_point();
@@ -367,6 +380,7 @@ void Viewer::redraw() {
     }
     if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
+    imgui_.set_theme(theme_of(state_.settings));
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);

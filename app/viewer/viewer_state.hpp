@@ -11,8 +11,10 @@
 #include "app/options.hpp"
 #include "base/file_watcher.hpp"
 #include "camera/fit.hpp"
+#include "panels/about.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
+#include "panels/measuring.hpp"
 #include "panels/menus.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/start_page.hpp"
@@ -91,6 +93,8 @@ struct ViewerState {
     bool inspector_shown = false;
     bool export_area_shown = true;
     bool help_shown = false;
+    Measuring measuring{};
+    About about{};
     SidePanelState side_panel;
     StartPage start_page{example_scenes()};
     bool quits = false;

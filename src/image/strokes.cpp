@@ -121,13 +121,26 @@ void draw(std::span<const Stroke> strokes, Image& picture) {
 std::vector<Stroke> strokes_of_text(std::string_view text, StrokePlace corner, int unit, int width,
                                     const std::array<std::uint8_t, 3>& color) {
     std::vector<Stroke> strokes;
-    for (const Box& box : boxes_of(printable(text))) {
-        // A line through the middle of the box, from end to end: so lines that meet join.
-        const auto place = [&](float x, float y, float half) {
-            return StrokePlace{corner.x + static_cast<int>((x + half) * static_cast<float>(unit)),
-                               corner.y + static_cast<int>((y + half) * static_cast<float>(unit))};
-        };
-        strokes.push_back({place(box.left, box.top, 0.5F), place(box.right, box.bottom, -0.5F), width, color});
+    const auto place = [&](float x, float y) {
+        return StrokePlace{corner.x + static_cast<int>(x * static_cast<float>(unit)),
+                           corner.y + static_cast<int>(y * static_cast<float>(unit))};
+    };
+    // A line through the middle of each box, from end to end; ends that touch at a corner alone are joined.
+    const std::vector<Box> boxes = boxes_of(printable(text));
+    const auto ends_of = [](const Box& box) {
+        return std::array<std::array<float, 2>, 2>{{{box.left + 0.5F, box.top + 0.5F}, {box.right - 0.5F, box.bottom - 0.5F}}};
+    };
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const auto ends = ends_of(boxes[i]);
+        strokes.push_back({place(ends[0][0], ends[0][1]), place(ends[1][0], ends[1][1]), width, color});
+        for (std::size_t j = 0; j < i; ++j) {
+            for (const auto& [x, y] : ends_of(boxes[j])) {
+                for (const auto& [own_x, own_y] : ends) {
+                    const bool touches = std::abs(x - own_x) == 1.0F && std::abs(y - own_y) == 1.0F;
+                    if (touches) strokes.push_back({place(x, y), place(own_x, own_y), width, color});
+                }
+            }
+        }
     }
     return strokes;
 }

@@ -89,7 +89,7 @@ TEST(Marks, HaveTheSameBytesEverywhere) {
     folder.write("scene.txt", red_scene);
     const Outcome outcome = render(folder, {"scene.txt", "-s", "640x480", "--axes", "--scale-bar", "--view", "iso", "-o", "-"});
     ASSERT_EQ(outcome.status, 0) << outcome;
-    EXPECT_EQ(sha256(decode_png(outcome.output).bytes), "SUM");
+    EXPECT_EQ(sha256(decode_png(outcome.output).bytes), "8e31b28b846114e53df123db330c7a44efd24680d2941fb69245deba6a256a29");
 }
 
 struct BackendCase {

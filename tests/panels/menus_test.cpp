@@ -55,7 +55,7 @@ TEST(Commands, AreEachDescribedOnce) {
         EXPECT_EQ(menus.insert(info.menu).second, begins) << info.menu << " is in two parts";
         menu = info.menu;
     }
-    EXPECT_EQ(seen.size(), static_cast<std::size_t>(CommandId::help) + 1);
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(CommandId::about) + 1);
     EXPECT_EQ(menus, (std::set<std::string_view>{"File", "Edit", "View", "Help"}));
 }
 

@@ -38,6 +38,7 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     settings.export_height = 1080;
     settings.samples = 4;
     settings.trackball = true;
+    settings.light_theme = true;
     settings.axes_shown = false;
     settings.scale_bar_shown = true;
     settings.marks_exported = true;
