@@ -31,7 +31,8 @@ struct Work {
     std::function<void()> done;
     std::function<void(const std::string& why)> fail;
     std::function<void()> cancel = [] {};
-    bool reload = false;  // it reads the file that is shown
+    bool reload = false;     // it reads the file that is shown
+    bool then_quit = false;  // the person has closed the window meanwhile
 };
 
 // Whether to read it at once: a regular file that takes no time that anyone sees, or what is missing and says so.
