@@ -305,7 +305,11 @@ void show_frame(ViewerState& state, std::int64_t frame) {
 }
 
 void quit(ViewerState& state) {
-    if (state.exporting) return after(*state.exporting, [&state] { quit(state); });
+    if (state.exporting && !state.exporting->then_quit) {
+        state.exporting->then_quit = true;
+        announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
+        return after(*state.exporting, [&state] { quit(state); });
+    }
     with_edits_safe(state, [&state] { state.quits = true; });
 }
 

@@ -53,6 +53,7 @@ struct Work {
     std::function<void(const std::string& why)> fail;
     std::function<void()> cancel = [] {};
     bool reload = false;                            // it reads the file that is shown
+    bool then_quit = false;                         // the person has closed the window meanwhile
     std::shared_ptr<const FoundPath> found_path{};  // instead of `path`, where the job chooses
 
     std::string shown_path() const { return found_path ? found_path->get() : path; }

@@ -80,6 +80,17 @@ TEST_F(Outputs, AnExportThatIsCancelledWhileItIsWrittenSaysSo) {
     take("pipe.png");
 }
 
+TEST_F(Outputs, AreWaitedForByAWindowThatIsClosedOnceButNotTwice) {
+    choose(CommandId::export_picture, "pipe.png");
+    ASSERT_TRUE(test::eventually([&] { return state.exporting->job.control().writes.load(); }));
+    run_command(state, CommandId::quit);
+    EXPECT_FALSE(state.quits);
+    EXPECT_NE(state.messages.announcement.find("close again"), std::string::npos) << state.messages.announcement;
+    run_command(state, CommandId::quit);
+    EXPECT_TRUE(state.quits);
+    take("pipe.png");
+}
+
 TEST_F(Outputs, TheEndOfTheWindowWaitsSomeTimeForThem) {
     choose(CommandId::export_picture, "pipe.png");
     choose(CommandId::file_save_as, "pipe.toml");
