@@ -373,8 +373,9 @@ void Viewer::redraw() {
 
     // Asked before: a picture that is made from now on is shown by the next redraw.
     const bool ended = state_.rest_picture && state_.rest_picture->job.ended();
+    const auto begun = state_.rest_picture ? std::optional(state_.rest_picture->begun) : std::nullopt;
     const bool exact = rest_picture_is_shown(state_);
-    const bool kept = state_.rest_picture.has_value();
+    const bool kept = state_.rest_picture && state_.rest_picture->begun == begun;
     update_picture(refines ? 1 : pacing_.moving_step());
     note_facts();
     show(area_, exact);
@@ -438,7 +439,7 @@ void Viewer::note_facts() {
 void Viewer::show(const Rectangle& area, bool finished) {
     // A preview is as right as the picture is: both are forgotten when something changes.
     std::shared_ptr<const Image> image;
-    if (state_.rest_picture) image = finished ? state_.rest_picture->image : state_.rest_picture->preview->image();
+    if (state_.rest_picture) image = finished ? state_.rest_picture->image : state_.rest_picture->draft();
     if (image && uploaded_ != image) {
         uploaded_ = image;
         picture_.upload(*uploaded_);
