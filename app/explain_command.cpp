@@ -74,7 +74,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
     for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);
     text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) +
             " spheres: " + std::to_string(e.missed) + " missed (discriminant < 0), " + std::to_string(e.behind) +
-            " without a positive root (behind the eye)";
+            " without a positive root (" + behind_in_words(e) + ")";
     if (e.hidden > 0) text += "; hidden: " + std::to_string(e.hidden);
     text += "\n\n";
     const std::int32_t visible = e.visible();

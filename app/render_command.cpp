@@ -12,6 +12,7 @@
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/output_file.hpp"
 #include "base/progress.hpp"
 #include "base/standard_streams.hpp"
@@ -252,6 +253,8 @@ private:
 }  // namespace
 
 ExitCode run_render(const RenderOptions& options) {
+    // Light needs megabytes of its own, when what was needed before it is given back.
+    if (options.shading == Shading::studio) return_large_blocks();
     const std::vector<RenderJob> jobs = plan_render(options);
     Batch batch(options, jobs.size());
     ExitCode worst = ExitCode::done;

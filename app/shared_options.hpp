@@ -39,10 +39,11 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
                                        if (!view) return std::nullopt;
                                        return FitOptions{true, view, fit.projection};
                                    });
-    add_option(
-        command, fit.projection,
-        {"--projection", "NAME", "perspective or orthographic, instead of the scene's camera's", "perspective or orthographic"},
-        [](const std::string& text) { return projection_named(text); });
+    add_option(command, fit.projection,
+               {"--projection", "NAME",
+                "perspective or orthographic, instead of the scene's camera's; with --fit the screen, too, is made for it",
+                "perspective or orthographic"},
+               [](const std::string& text) { return projection_named(text); });
     forbidden->excludes(wanted)->excludes(side);
 }
 
@@ -96,11 +97,12 @@ inline void add_light(CLI::App& command, LightOptions& light) {
             return good ? std::optional(number) : std::nullopt;
         };
     };
-    add_option(command, light.sky,
-               {"--sky", "S", "Strength of the sky and the key light in it, 0 to 1 [1]", "a number from 0 to 1"}, part(most_sky));
-    add_option(command, light.key,
-               {"--key", "S", "How much brighter the sky is around the key light, 0 to 1 [1]", "a number from 0 to 1"},
-               part(most_key));
+    const auto add_part = [&](std::optional<double>& value, const char* name, const std::string& help, double most) {
+        const std::string range = "0 to " + shortest(most);
+        add_option(command, value, {name, "S", help + ", " + range + " [1]", "a number from " + range}, part(most));
+    };
+    add_part(light.sky, "--sky", "Strength of the sky and the key light in it", most_sky);
+    add_part(light.key, "--key", "How much brighter the sky is around the key light", most_key);
     const std::string directions(sun_syntax);
     add_option(command, light.sun, {"--sun", "DIR", "A sun: " + directions, directions},
                [](const std::string& text) { return parse_sun(text); });

@@ -9,8 +9,8 @@ else()
     target_compile_options(sphereview_plain_options INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
         $<$<BOOL:${SPHEREVIEW_WERROR}>:-Werror>
-        # False alarms in the standard library's strings (GCC bug 105651) and, of GCC 14, in Boost's integers, which no SYSTEM stills:
-        # the optimiser makes them. The sanitizers look for such faults.
+        # GCC's optimiser warns falsely of the standard library's strings (restrict: GCC bug 105651) and, in GCC 14, of Boost's integers (the
+        # other two). That their headers are SYSTEM does not silence it. The sanitizers look for such faults.
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
         # Part of -Wconversion for Clang alone.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>

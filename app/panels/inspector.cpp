@@ -76,8 +76,9 @@ void draw_sun(const PanelContext& context, const InspectedPixel& pixel) {
 
 void draw_rest(const PixelExplanation& e) {
     if (e.missed > 0) colored_line(in_groups(static_cast<std::uint64_t>(e.missed)) + " missed: discriminant < 0", below_zero);
-    if (e.elsewhere > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.elsewhere)) + " elsewhere or behind the eye: not hit");
-    if (e.behind > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.behind)) + " behind the eye: no positive root");
+    const std::string behind = behind_in_words(e);
+    if (e.elsewhere > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.elsewhere)) + " elsewhere or " + behind + ": not hit");
+    if (e.behind > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.behind)) + " " + behind + ": no positive root");
     if (e.hidden > 0) dim_text(in_groups(static_cast<std::uint64_t>(e.hidden)) + " hidden");
 }
 

@@ -115,7 +115,7 @@ private:
         if (ImGui::IsItemActive()) {
             const ImVec2 mouse = ImGui::GetIO().MousePos;
             const glm::dvec3 direction = direction_at({(mouse.x - middle.x) / radius, (mouse.y - middle.y) / radius});
-            if (!light_.sun) light_.sun = Sun{.direction = {}, .strength = state_.last_sun.value_or(Sun{}).strength};
+            if (!light_.sun) switch_on(rounded(in_scene(direction)));
             light_.sun->direction = rounded(in_scene(direction));
             if (light_ != context_.light) change("Move the sun", context_.gesture);
         }
@@ -136,11 +136,9 @@ private:
     // As the window shades a grey sphere that moves: docs/shading.md.
     double brightness(const glm::dvec3& normal) const {
         constexpr double own = 0.85;
-        const glm::dvec3 key = unit(glm::dvec3{-0.45, 0.75, 0.55});
-        const double x = 0.5 + 0.5 * dot(normal, key);
-        double e = light_.sky * (0.62 + 0.45 * light_.key * x * x * (0.5 + 0.5 * x));
+        double e = brightness_of_free_sky(light_, dot(normal, unit(key_in_view)));
         if (light_.sun) e += light_.sun->strength * std::max(dot(normal, in_view(unit(light_.sun->direction))), 0.0);
-        return own * std::min(1.8 * e / (0.8 + e), 1.0);
+        return own * std::min(shown_part(e), 1.0);
     }
 
     // Rings of triangles, each corner in its own brightness.
@@ -180,7 +178,11 @@ private:
         const bool toggled = ImGui::Checkbox("##sun", &on);
         note_widget(context_, "sun");
         if (toggled) {
-            light_.sun = on ? std::optional(state_.last_sun.value_or(Sun{rounded(in_scene(unit(first_sun)))})) : std::nullopt;
+            if (on) {
+                switch_on(state_.last_sun ? state_.last_sun->direction : rounded(in_scene(unit(first_sun))));
+            } else {
+                light_ = without_sun(light_);
+            }
             change(on ? "Switch the sun on" : "Switch the sun off", 0);
         }
         ImGui::BeginDisabled(!light_.sun);
@@ -201,6 +203,12 @@ private:
             set_sun(sun, "Change the sun");
         }
         ImGui::EndDisabled();
+    }
+
+    // As strong as it was last.
+    void switch_on(const glm::dvec3& direction) {
+        light_ = with_sun(light_, direction);
+        if (state_.last_sun) light_.sun->strength = state_.last_sun->strength;
     }
 
     void set_sun(const Sun& sun, const std::string& name) {

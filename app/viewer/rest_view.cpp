@@ -21,14 +21,15 @@ RestView::News RestView::look(const ViewerState& state) {
 void RestView::settle(ViewerState& state) {
     // Asked first: a picture that ends while it is looked at has not been shown yet.
     ended_ = state.rest_picture && state.rest_picture->job.ended();
+    const auto begun = state.rest_picture ? std::optional(state.rest_picture->begun) : std::nullopt;
     exact_ = rest_picture_is_shown(state);
-    kept_ = state.rest_picture.has_value();
+    kept_ = state.rest_picture && state.rest_picture->begun == begun;  // and not begun anew
 }
 
 bool RestView::upload(const ViewerState& state, LivePicture& picture) {
     // A draft is as right as the picture is: both are forgotten when something changes.
     if (!state.rest_picture) return false;
-    const std::shared_ptr<const Image> image = exact_ ? state.rest_picture->image : state.rest_picture->preview->image();
+    const std::shared_ptr<const Image> image = exact_ ? state.rest_picture->image : state.rest_picture->draft();
     if (image && uploaded_ != image) {
         uploaded_ = image;
         picture.upload(*uploaded_);

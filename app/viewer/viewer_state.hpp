@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -75,6 +76,7 @@ struct ViewerState {
     LightOptions light;                    // instead of the scene's, as --sun and its like ask
     SceneSnapshot snapshot;
     std::optional<RestPicture> rest_picture;    // of that, being made or there
+    std::shared_ptr<KeptLights> kept_lights;    // of that, or null
     std::optional<BoxSelection> box_selection;  // under way
 
     // The system's; without a window there is none.

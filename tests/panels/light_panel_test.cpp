@@ -82,11 +82,14 @@ TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
     panel.click("sun");
     ASSERT_TRUE(panel.light().sun);
     EXPECT_EQ(panel.document.undo_name(), "Switch the sun on");
+    EXPECT_EQ(panel.light().sky, sky_beside_sun);
+    EXPECT_EQ(panel.light().sun->strength, sun_beside_sky);
     panel.drag(panel.place("slider strength", 0.2F), panel.place("slider strength", 0.75F));
     EXPECT_NEAR(panel.light().sun->strength, 3.0, 0.3);
     const Light with_sun = panel.light();
     panel.click("sun");
     EXPECT_FALSE(panel.light().sun);
+    EXPECT_EQ(panel.light().sky, most_sky);
     panel.click("sun");
     EXPECT_EQ(panel.light(), with_sun);
     for (int i = 0; i < 4; ++i) panel.undo();

@@ -110,6 +110,16 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     EXPECT_EQ(window_.at("changed"), false);
     window_.key("Home");
     window_.wait_for("camera", home_);
+
+    window_.step("parallel rays by the key");
+    window_.key("o");
+    window_.wait_for("projection", "orthographic");
+    expect_view_rendered();
+    window_.key("o");
+    window_.wait_for("projection", "perspective");
+    window_.key("Home");
+    window_.wait_for("camera", home_);
+
     // A flight ends when anything else is done.
     window_.keys({"4", "Home", "ctrl+a"});
     EXPECT_EQ(window_.wait_for("selection", {0, 1}).at("camera"), home_);
