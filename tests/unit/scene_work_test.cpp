@@ -105,6 +105,9 @@ TEST_F(Outputs, TheEndOfTheWindowWaitsSomeTimeForThem) {
 TEST_F(Outputs, TheNextFreeNameIsFoundBesideTheLoop) {
     folder.write("scene.png", "mine");
     run_command(state, CommandId::export_now);
+    ASSERT_TRUE(state.exporting.has_value());
+    state.exporting->job.wait();
+    EXPECT_EQ(state.exporting->shown_path(), folder.path("scene-1.png")) << "what the bar names";
     EXPECT_TRUE(test::eventually([&] { return is_finished(); }));
     EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("scene-1.png") + " (64 x 64, 16 samples a pixel)");
     EXPECT_EQ(folder.read("scene.png"), "mine");
