@@ -210,6 +210,7 @@ private:
 ExitCode run_compare(const CompareOptions& options) {
     const std::vector<CompareJob> jobs = plan(options);
     const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    say_warnings(loaded);
     Comparing comparing(options, loaded);
     ExitCode worst = ExitCode::done;
     for (const CompareJob& job : jobs) worst = std::max(worst, comparing.run(job));

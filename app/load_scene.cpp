@@ -4,6 +4,7 @@
 
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
+#include "base/standard_streams.hpp"
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -41,6 +42,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
+    loaded.warnings = std::move(data.warnings);
     return loaded;
 }
 
@@ -57,6 +59,10 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
     camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present)), camera.projection).value_or(camera);
     return loaded;
+}
+
+void say_warnings(const LoadedScene& loaded) {
+    for (const std::string& warning : loaded.warnings) say(warning);
 }
 
 }  // namespace sphereview

@@ -36,6 +36,7 @@ struct RenderReport {
     Timings timings;
     PictureFacts facts;
     std::optional<Comparison> comparison;
+    std::vector<std::string> warnings;  // of the scene's file
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
 };
@@ -47,6 +48,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
         {"scene", report.job.label},
         {"status", static_cast<int>(report.status)},
         {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
+        {"warnings", report.warnings},
         {"output", report.job.output},
         {"size", {options.size.width, options.size.height}},
         {"samples", options.samples},
@@ -205,7 +207,11 @@ private:
 
     Scene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit}).scene;
+        LoadedScene loaded = load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
+        progress_.clear();
+        say_warnings(loaded);
+        report.warnings = std::move(loaded.warnings);
+        return std::move(loaded.scene);
     }
 
     Image render(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options, RenderReport& report) {

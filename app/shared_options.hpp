@@ -29,6 +29,9 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
     add_option(command, data.radius,
                {"--radius", "R", "Of spheres for which the file says none [the element's, in CSV 1]", "a number above 0"},
                [](const std::string& text) { return number_above_0(text); });
+    add_flag(command, data.virtual_sites, "--no-virtual",
+             "Leave out what files of atoms call one and is none: virtual sites, lone pairs, Drude particles, ghosts, dummies",
+             false);
     CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
                                    "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
     CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);

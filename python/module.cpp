@@ -143,12 +143,19 @@ CameraNumbers fit(const SphereArrays& arrays, const CameraNumbers& camera, bool 
     return numbers_of(fitted(scene, axes, given.projection).value_or(given));
 }
 
-py::dict read(const std::string& path, std::int64_t frame, std::optional<double> radius, std::optional<bool> wanted,
-              const std::optional<std::string>& view) {
+// As the command line says them.
+std::vector<std::string> words_of_warnings(const LoadedScene& loaded) {
+    std::vector<std::string> words;
+    for (const std::string& warning : loaded.warnings) words.push_back(on_one_line(warning));
+    return words;
+}
+
+py::dict read(const std::string& path, std::int64_t frame, std::optional<double> radius, bool virtual_sites,
+              std::optional<bool> wanted, const std::optional<std::string>& view) {
     if (frame < 0) wrong("frame", std::to_string(frame), "the number of a frame, from 0");
     if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong("radius", shortest(*radius), "a number above 0");
     const FitOptions fit{view ? std::optional(true) : wanted, view_from(view)};
-    const LoadedScene loaded = beside_python([path, data = DataOptions{frame, radius}, fit](WorkControl& control) {
+    const LoadedScene loaded = beside_python([path, data = DataOptions{frame, radius, virtual_sites}, fit](WorkControl& control) {
         LoadOptions options;
         options.more_per_sphere = sizeof(Sphere);  // the arrays
         options.data = data;
@@ -169,6 +176,7 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
     read["frames"] = loaded.frames;
     read["format"] = loaded.format.name;
     read["source"] = py::bytes(loaded.name);
+    read["warnings"] = words_of_warnings(loaded);
     return read;
 }
 
@@ -221,7 +229,8 @@ void define(py::module_& module) {
     module.def("explain", &explain_pixel_of, py::arg("arrays"), py::arg("camera"), py::arg("names"), py::arg("background"),
                py::arg("pixel"), py::arg("size"), py::arg("shade"), py::arg("name"));
     module.def("fit", &fit, py::arg("arrays"), py::arg("camera"), py::arg("right_handed"), py::arg("view"));
-    module.def("read", &read, py::arg("path"), py::arg("frame"), py::arg("radius"), py::arg("fit"), py::arg("view"));
+    module.def("read", &read, py::arg("path"), py::arg("frame"), py::arg("radius"), py::arg("virtual"), py::arg("fit"),
+               py::arg("view"));
     module.def(
         "check_camera", [](const CameraNumbers& numbers) { camera_from(numbers); }, py::arg("camera"));
     module.def(

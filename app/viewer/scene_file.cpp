@@ -29,6 +29,11 @@ void ask(ViewerState& state, Question question) {
     state.dialogs.push_back(std::move(question));
 }
 
+// Of a file that was read all the same.
+void announce_warnings(ViewerState& state, const std::vector<std::string>& warnings) {
+    if (!warnings.empty()) announce(state, joined(warnings, "\n"));
+}
+
 void read_scene(ViewerState& state, const std::string& path) {
     // The stamp is of before the reading: what is written meanwhile shows as a change.
     const auto accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
@@ -168,6 +173,7 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         state.frame = frame;
         state.frames = loaded.frames;
         state.stamp = stamp;
+        announce_warnings(state, loaded.warnings);
     });
     const auto fail = [&state](const std::string& why) {
         report_error(state, "The frame cannot be read", why);
@@ -184,6 +190,7 @@ void reload(ViewerState& state, LoadedScene loaded) {
         state.selection.keep_below(state.scene().spheres.size());
         state.hovered.reset();
         announce(state, "Reloaded " + state.path);
+        announce_warnings(state, loaded.warnings);
     }
     state.document.mark_saved();
 }
@@ -223,7 +230,8 @@ void offer_reload(ViewerState& state, LoadedScene loaded) {
 LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
     LoadOptions options;
     options.data_background = quiet_background;
-    options.data = {frame, state.options.data.radius};
+    options.data = state.options.data;
+    options.data.frame = frame;
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
     options.fit.projection.reset();  // of the first view, not of scenes
@@ -249,6 +257,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
         add_recent(state.settings, state.path);
     }
     go_home(state);
+    announce_warnings(state, loaded.warnings);
 }
 
 void with_edits_safe(ViewerState& state, std::function<void()> then) {

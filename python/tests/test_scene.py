@@ -79,6 +79,18 @@ def test_data_is_seen_as_the_program_sees_it(tmp_path, run_program, options, wor
     assert numpy.array_equal(scene.render((60, 40)), sphereview.read_png(tmp_path / "picture.png"))
 
 
+def test_what_the_command_line_warns_of_is_a_warning(tmp_path, run_program):
+    path = tmp_path / "cut.xyz"
+    path.write_text("2\n\nO 0 0 0\nMW 0 0 1\n1\n")
+    with pytest.warns(UserWarning) as caught:
+        scene = sphereview.read(path)
+    assert list(scene.radii) == [0.66, 0.2]
+    words = [str(warning.message) for warning in caught]
+    assert words == run_program("convert", path, tmp_path / "x.toml")[2].splitlines() and len(words) == 2
+    with pytest.warns(UserWarning, match="left out"):
+        assert list(sphereview.read(path, virtual=False).radii) == [0.66]
+
+
 def test_a_bad_scene_has_the_command_lines_words(tmp_path, run_program):
     path = tmp_path / "bad.txt"
     path.write_text("1\n255 0 0\n0 0 x\n5\n")

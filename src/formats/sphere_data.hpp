@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -15,11 +16,16 @@ namespace sphereview {
 struct DataOptions {
     std::int64_t frame = 0;          // from 0
     std::optional<double> radius{};  // of spheres for which the file says none, instead of the usual one; > 0
+    bool virtual_sites = true;       // whether to show what a file of atoms calls one and is none (elements.hpp)
 };
 
 struct SphereData {
     Scene scene{};            // of data: spheres and names, with the default camera and background
     std::int64_t frames = 1;  // in the file
+
+    // What a person should know of a file that was read all the same, a line each, which begins with the file's name:
+    // "NAME:LINE:COLUMN: found ..., expected ...; ...". Not yet made safe to print.
+    std::vector<std::string> warnings{};
 };
 
 // Up to how many atoms each is named after its element. A name takes more memory and more time than its sphere, and nobody looks
@@ -60,11 +66,11 @@ SphereData read_xyz(std::string_view content, const std::string& name, const Dat
 bool shows_csv(std::string_view head);
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options);
 
-// PDB: models are frames; of alternative places the fullest is kept. Builds without gemmi say that they cannot read it.
+// PDB: models are frames; of alternative places the fullest is kept.
 bool shows_pdb(std::string_view head);
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options);
 
-// mmCIF (PDBx), likewise.
+// mmCIF (PDBx), likewise; the models of each data block follow on those before. Builds without gemmi say that they cannot read it.
 bool shows_mmcif(std::string_view head);
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options);
 

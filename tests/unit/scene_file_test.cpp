@@ -46,6 +46,24 @@ struct DataInViewer : testing::Test {
 
 }  // namespace
 
+// Of a file that is shown all the same, and of each frame.
+TEST_F(DataInViewer, SaysWhatTheReaderWarnedOf) {
+    EXPECT_EQ(state.messages.announcement, "");
+    const std::string cut = folder.write("cut.xyz", "1\n\nO 0 0 1\n2\n\nO 0 0 1\nMW 0 0 1\n3\n");
+    open_scene(state, cut);
+    finish_reading();
+    const std::string warning = cut + ":9:1: the text ends, expected the comment of frame 2; what follows frame 1 is passed over";
+    EXPECT_EQ(state.messages.announcement, warning);
+    run_command(state, CommandId::next_frame);
+    finish_reading();
+    EXPECT_EQ(state.messages.announcement,
+              cut + ": found 1 virtual site or dummy, which is no atom; shown small, or not with --no-virtual\n" + warning);
+    folder.write("cut.xyz", "1\n\nO 0 0 1\n2\n\nO 0 0 1\nXx 0 0 2\n");
+    look_at_file(state);
+    finish_reading();
+    EXPECT_TRUE(state.messages.announcement.ends_with("--no-virtual")) << state.messages.announcement;
+}
+
 // Only in the window: what is rendered from the same file stays as it was. Another frame has the background too.
 TEST_F(DataInViewer, HasAQuietBackgroundThatIsTheScenes) {
     const Background quiet{{32, 36, 48}, false};
