@@ -12,6 +12,9 @@
 
 #include "base/background_job.hpp"
 
+#ifndef _WIN32
+#include <pthread.h>
+#endif
 #ifdef __linux__
 #include <sched.h>
 #endif
@@ -128,10 +131,32 @@ private:
     std::vector<std::thread> threads_;  // last: they use what is above
 };
 
+std::mutex pool_mutex;
+// Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the pool.
+Pool* pool_of_process = nullptr;  // guarded by pool_mutex
+
+#ifndef _WIN32
+// A child of fork() has none of its parent's threads, and what one of them had locked stays locked there: it gets a pool of its
+// own. From the program's start on, since the first use may be on another thread than the fork.
+[[maybe_unused]] const int children_have_their_own_pool = pthread_atfork([] { pool_mutex.lock(); }, [] { pool_mutex.unlock(); },
+                                                                         [] {
+                                                                             pool_of_process = nullptr;
+                                                                             pool_mutex.unlock();
+                                                                         });
+#endif
+
+Pool& pool() {
+    const std::lock_guard lock(pool_mutex);
+    if (pool_of_process == nullptr) pool_of_process = new Pool;
+    return *pool_of_process;
+}
+
 }  // namespace
 
 int worker_count() {
-    static const int count = std::max(1, usable_cores());
+    // Not initialised by the first call, which might be under way on another thread when the process is copied.
+    static std::atomic<int> count = 0;
+    if (count == 0) count = std::max(1, usable_cores());
     return count;
 }
 
@@ -141,11 +166,8 @@ void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
 
 void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t), const void* work) {
     if (count > 1 && !inside_work && worker_count() > 1) {
-        // Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the
-        // pool.
-        static Pool& pool = *new Pool;
         Job job{count, call, work};
-        pool.run(job);
+        pool().run(job);
         if (job.error) std::rethrow_exception(job.error);
         return;
     }
