@@ -280,9 +280,12 @@ CLI::App& named_command(CLI::App& app, std::vector<std::string>& words) {
     if (std::ranges::find(names, first) != names.end()) return *app.get_subcommand(first);
     if (is_option(first) && find_option(app, first.substr(0, first.find('='))) != nullptr) return app;
     std::error_code ignored;
-    const bool path = first.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(first, ignored);
+    const bool path = first.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(path_from(first), ignored);
     if (!words.empty() && !first.starts_with('-') && !path) {
-        throw CLI::ValidationError("unknown command " + in_quotes(first) + did_you_mean(first, names));
+        const std::string option = "--" + first;  // such as help
+        throw CLI::ValidationError(
+            "unknown command " + in_quotes(first) +
+            (find_option(app, option) != nullptr ? "; did you mean '" + option + "'?" : did_you_mean(first, names)));
     }
     words.insert(words.begin(), "view");
     return *app.get_subcommand("view");

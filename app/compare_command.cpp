@@ -28,20 +28,22 @@ namespace {
 struct CompareJob {
     std::string picture;
     std::string difference;  // where its picture goes; "" for nowhere
+    MissingFolder missing;   // of the difference
 };
 
 // One job a picture. Throws InputError where a difference would overwrite a picture, the scene or another difference.
 std::vector<CompareJob> plan(const CompareOptions& options) {
     std::set<std::string> taken;
-    taken.insert(file_identity(options.scene));
-    for (const std::string& picture : options.pictures) taken.insert(file_identity(picture));
+    taken.insert(file_identity(options.scene, FileUse::input));
+    for (const std::string& picture : options.pictures) taken.insert(file_identity(picture, FileUse::input));
     std::vector<CompareJob> jobs;
+    const std::string pattern = options.difference.value_or("{name}-difference.png");
     for (const std::string& picture : options.pictures) {
-        CompareJob job{picture, ""};
+        CompareJob job{picture, "", missing_folder(pattern)};
         if (options.writes_difference) {
-            job.difference = fill_in(options.difference.value_or("{name}-difference.png"), name_in_patterns(picture));
-            check_output(job.difference);
-            const std::string file = file_identity(job.difference);
+            job.difference = fill_in(pattern, name_in_patterns(picture));
+            check_output(job.difference, job.missing);
+            const std::string file = file_identity(job.difference, FileUse::output);
             if (!file.empty() && !taken.insert(file).second) {
                 throw InputError(job.difference + ": the picture of the difference of " + picture +
                                  " would overwrite another file of these; use --diff with a pattern such as out/{name}.png, or "
@@ -167,7 +169,8 @@ public:
             const Diagnosis diagnosis =
                 diagnose(picture, loaded_.scene, background, *wrong_, job.difference.empty() ? nullptr : &marked);
             const bool equal = diagnosis.different == 0;
-            if (!equal && !job.difference.empty()) write_output(job.difference, encode_png(marked));
+            if (!equal && !job.difference.empty())
+                write_output(job.difference, encode_png(marked), Durability::on_disk, job.missing);
             report(options_.json ? to_json(diagnosis, job, loaded_, size).dump() + "\n"
                                  : in_words(diagnosis, job, loaded_, size, explain_command()));
             return equal ? ExitCode::done : ExitCode::differs;

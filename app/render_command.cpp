@@ -173,8 +173,8 @@ private:
     }
 
     void work(const RenderJob& job, RenderReport& report) {
-        if (job.output) check_output(*job.output);
-        if (job.diff) check_output(*job.diff);
+        if (job.output) check_output(*job.output, missing_folder(options_.output.value_or("")));
+        if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         std::optional<PngReader> golden;
         if (job.expect) golden.emplace(open_png(*job.expect));
         const Scene scene = read_scene(job.scene, report);
@@ -197,7 +197,7 @@ private:
         Image difference;
         if (golden) check(picture, *golden, job.diff ? &difference : nullptr, report);
         if (job.output) write_png(picture, *job.output, report.timings);
-        if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability);
+        if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability, missing_folder(*options_.diff));
     }
 
     // Where in depth the bar holds. It is not looked for without need: that takes time for millions of spheres.
@@ -238,7 +238,8 @@ private:
 
     void write_png(const Image& picture, const std::string& path, Timings& timings) const {
         const std::string png = timed(timings, Phase::encode, [&] { return encode_png(picture); });
-        timed(timings, Phase::write, [&] { write_output(path, png, options_.durability); });
+        timed(timings, Phase::write,
+              [&] { write_output(path, png, options_.durability, missing_folder(options_.output.value_or(""))); });
     }
 
     static void check(const Image& picture, PngReader& golden, Image* difference, RenderReport& report) {

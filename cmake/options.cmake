@@ -5,6 +5,7 @@ add_library(sphereview_options INTERFACE)
 target_link_libraries(sphereview_options INTERFACE sphereview_plain_options)
 if(MSVC)
     target_compile_options(sphereview_plain_options INTERFACE /W4 /fp:precise $<$<BOOL:${SPHEREVIEW_WERROR}>:/WX>)
+    target_compile_definitions(sphereview_plain_options INTERFACE NOMINMAX)  # std::min and std::max beside windows.h, as MinGW has it
 else()
     target_compile_options(sphereview_plain_options INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast

@@ -31,7 +31,7 @@ namespace {
 
 // Of arguments, in the words that the command line has for its options.
 [[noreturn]] void wrong(const char* name, const std::string& found, const std::string& expected) {
-    throw InputError(std::string(name) + ": " + found_expected(found, expected));
+    throw InputError(std::string(name) + ": " + found_expected(found, expected) + did_you_mean(found, words_listed(expected)));
 }
 
 PictureSize size_from(const std::pair<std::int64_t, std::int64_t>& sides, int samples) {

@@ -1,9 +1,12 @@
 #include "viewer/redraw_log.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 #include "app/json.hpp"
 #include "base/error.hpp"
+#include "base/standard_streams.hpp"
 
 namespace sphereview {
 
@@ -21,8 +24,8 @@ std::vector<std::uint32_t> first_of(const std::vector<std::uint32_t>& numbers) {
 
 RedrawLog::RedrawLog(const std::string& path) : file_(nullptr, std::fclose) {
     if (path.empty()) return;
-    file_.reset(std::fopen(path.c_str(), "w"));
-    if (!file_) throw OutputError(path + ": the frame log cannot be written");
+    file_.reset(open_file(path, "w"));
+    if (!file_) throw OutputError(path, std::strerror(errno), errno);
 }
 
 void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& frame,

@@ -80,7 +80,9 @@ void read_recent(const Json& json, std::vector<std::string>& recent) {
     for (const Json& entry : json["recent"].list()) {
         const auto path = entry.text();
         if (!path || recent.size() == most_recent) continue;
-        if (path_from(*path).is_absolute() && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
+        const fs::path file = path_from(*path);
+        const bool whole = file.is_absolute() || is_network_name(file);
+        if (whole && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
     }
 }
 
@@ -112,8 +114,9 @@ void update(Json& json, const ViewerSettings& settings) {
 
 std::string absolute_path(const std::string& path) {
     std::error_code error;
-    const fs::path full = fs::absolute(path_from(path), error).lexically_normal();
-    return error ? path : text_from(full);
+    const fs::path given = path_from(path);
+    const fs::path full = is_network_name(given) ? given : fs::absolute(given, error);
+    return error ? path : text_from(normal_path(full));
 }
 
 void add_recent(ViewerSettings& settings, const std::string& path) {

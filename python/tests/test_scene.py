@@ -1,5 +1,6 @@
 """Reading files, cameras, explanations and PNGs."""
 
+import errno
 import os
 import subprocess
 import sys
@@ -110,15 +111,21 @@ def test_a_bad_scene_has_the_command_lines_words(tmp_path, run_program):
 
 
 def test_files_that_cannot_be_read_or_written_are_os_errors(tmp_path):
-    with pytest.raises(FileNotFoundError) as caught:
-        sphereview.read(tmp_path / "missing.txt")
-    assert str(tmp_path / "missing.txt") in str(caught.value)
-    with pytest.raises(IsADirectoryError):
-        sphereview.read(tmp_path)
-    with pytest.raises(FileNotFoundError):
-        sphereview.read_png(tmp_path / "missing.png")
-    with pytest.raises(OSError):
-        sphereview.write_png(tmp_path / "none" / "x.png", numpy.zeros((2, 2, 3), numpy.uint8))
+    image = numpy.zeros((2, 2, 3), numpy.uint8)
+    missing, name = tmp_path / "missing", os.fsdecode(b"no utf-8 \xff") if os.name == "posix" else "missing"
+    for kind, number, file, call in [
+        (FileNotFoundError, errno.ENOENT, missing, sphereview.read),
+        (FileNotFoundError, errno.ENOENT, tmp_path / name, sphereview.read),
+        (IsADirectoryError, errno.EISDIR, tmp_path, sphereview.read),
+        (FileNotFoundError, errno.ENOENT, missing, sphereview.read_png),
+        (FileNotFoundError, errno.ENOENT, missing / "x.png", lambda path: sphereview.write_png(path, image)),
+        (IsADirectoryError, errno.EISDIR, tmp_path, lambda path: sphereview.write_png(path, image)),
+    ]:
+        with pytest.raises(kind) as caught:
+            call(file)
+        assert (caught.value.errno, caught.value.filename) == (number, str(file))
+        assert caught.value.strerror.startswith("cannot be ")
+        assert str(caught.value).endswith(repr(str(file)))
     with pytest.raises(ValueError):
         sphereview.read("")
 

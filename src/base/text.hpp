@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/number.hpp"
 
@@ -37,8 +38,8 @@ struct Utf8Character {
 };
 Utf8Character first_character(std::string_view text);
 
-// Text from outside, made safe to print and to show: control characters, line separators, marks that reorder text and bytes that are
-// no UTF-8 become \xNN for each byte. Of a longer text the first `most` characters stay, with "..." behind them.
+// Text from outside, made safe to print and to show: control characters, line separators, marks that reorder text and bytes that
+// are no UTF-8 become \xNN for each byte. Of a longer text the first `most` characters stay, with "..." behind them.
 std::string on_one_line(std::string_view text, std::size_t most = std::string_view::npos);
 // The same, but line feeds stay.
 std::string on_lines(std::string_view text, std::size_t most = std::string_view::npos);
@@ -52,6 +53,9 @@ std::string joined(std::span<const std::string> words, std::string_view between)
 
 // "a, b or c", when `last` is "or".
 std::string listed(std::span<const std::string> words, std::string_view last);
+
+// Of such a list with "or" the parts that a person would type as they stand: "auto, egl or #rrggbb" -> auto, egl.
+std::vector<std::string> words_listed(std::string_view list);
 
 // 1234567 as "1,234,567".
 std::string in_groups(std::uint64_t value);
