@@ -96,7 +96,7 @@ def read(
     radius: of each sphere for which a data file says none; None: the element's, and 1 in CSV.
     fit: True moves the camera until it sees everything; False looks at data, too, from (0, 0, 0) along z. None: data is fitted, a scene
         keeps its camera.
-    view: fits from a side: as for the function `fit`.
+    view: fits from a side: as for the function `fit`. Or the name of one of the file's saved views, whose camera is taken as it is.
 
     The scene's arrays are new and yours: centers float64 (N, 3), radii float64 (N,), colors uint8 (N, 3), hidden bool (N,) or None. Its
     camera is the one that `sphereview render` takes with the same options, so `read(path).render()` is that picture.
