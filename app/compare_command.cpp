@@ -193,8 +193,8 @@ private:
     // For a scene by its own name and camera: of a name with other characters the shell might make something else.
     std::string explain_command() const {
         const FitOptions& fit = options_.fit;
-        const bool usual = !fit.wanted && !fit.view && !fit.projection && options_.data.frame == 0 && !options_.data.radius &&
-                           !options_.background && options_.scene != standard_stream;
+        const bool usual = !fit.wanted && !fit.view && !fit.projection && !fit.saved_view && options_.data.frame == 0 &&
+                           !options_.data.radius && !options_.background && options_.scene != standard_stream;
         const auto is_plain = [](unsigned char c) {
             return std::isalnum(c) != 0 || std::string_view("._/+-").find(static_cast<char>(c)) != std::string_view::npos;
         };

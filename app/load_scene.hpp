@@ -30,10 +30,14 @@ struct LoadedScene {
 
 // From where a scene is seen, if not by its own camera.
 struct FitOptions {
-    std::optional<bool> wanted{};            // to everything; none: only if nobody has chosen the scene's camera
-    std::optional<ViewAxes> view{};          // none: the way that the scene's camera looks
-    std::optional<Projection> projection{};  // instead of the camera's
+    std::optional<bool> wanted{};             // to everything; none: only if nobody has chosen the scene's camera
+    std::optional<ViewAxes> view{};           // none: the way that the scene's camera looks
+    std::optional<Projection> projection{};   // instead of the camera's
+    std::optional<std::string> saved_view{};  // by the camera of the scene's view of that name, not fitted
 };
+
+// What `--view TEXT` asks for: a side, an azimuth and an elevation, or else a saved view; nothing for what none can be called.
+std::optional<FitOptions> fit_from(const std::string& view);
 
 struct LoadOptions {
     Progress* progress = nullptr;
@@ -44,8 +48,11 @@ struct LoadOptions {
     WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
 };
 
+// The camera of the scene's view of that name. Throws InputError where there is none.
+Camera saved_view(const LoadedScene& loaded, const std::string& name);
+
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
-// InputError, MemoryError when it cannot fit, and Cancelled.
+// InputError, also for a saved view that the scene has not, MemoryError when it cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
 // Says the warnings on stderr, a line each.

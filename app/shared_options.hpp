@@ -35,13 +35,14 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
     CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
                                    "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
     CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);
-    const std::string sides(view_syntax);
-    CLI::Option* side = add_option(command, fit, {"--view", "SIDE", "Fit, from another side: " + sides, sides},
-                                   [&fit](const std::string& text) -> std::optional<FitOptions> {
-                                       const std::optional<ViewAxes> view = parse_view(text);
-                                       if (!view) return std::nullopt;
-                                       return FitOptions{true, view, fit.projection};
-                                   });
+    const std::string views(any_view_syntax);
+    CLI::Option* side =
+        add_option(command, fit, {"--view", "VIEW", "Fit, from another side, or show a saved view: " + views, views},
+                   [&fit](const std::string& text) -> std::optional<FitOptions> {
+                       std::optional<FitOptions> asked = fit_from(text);
+                       if (asked) asked->projection = fit.projection;
+                       return asked;
+                   });
     add_option(command, fit.projection,
                {"--projection", "NAME",
                 "perspective or orthographic, instead of the scene's camera's; with --fit the screen, too, is made for it",

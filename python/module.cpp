@@ -154,7 +154,13 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
               std::optional<bool> wanted, const std::optional<std::string>& view) {
     if (frame < 0) wrong("frame", std::to_string(frame), "the number of a frame, from 0");
     if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong("radius", shortest(*radius), "a number above 0");
-    const FitOptions fit{view ? std::optional(true) : wanted, view_from(view)};
+    FitOptions fit;
+    fit.wanted = wanted;
+    if (view) {
+        const auto asked = fit_from(*view);
+        if (!asked) wrong("view", *view, std::string(any_view_syntax));
+        fit = *asked;
+    }
     const LoadedScene loaded = beside_python([path, data = DataOptions{frame, radius, virtual_sites}, fit](WorkControl& control) {
         LoadOptions options;
         options.more_per_sphere = sizeof(Sphere);  // the arrays

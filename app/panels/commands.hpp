@@ -40,12 +40,16 @@ enum class CommandId {
     center_on_selection,
     fit_all,  // the way the view looks
     view_front,
+    view_back,
     view_right,
+    view_left,
     view_top,
+    view_bottom,
     view_iso,
     orthographic,  // or perspective again
     trackball,     // or turntable again
     use_view_as_camera,
+    save_view,
     next_frame,  // of a file of several
     previous_frame,
     first_shading,  // one for each of shading_modes, in their order

@@ -24,7 +24,8 @@ constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"Ctrl+left-drag", "Selects the spheres that are seen in the box; with Shift they join, or if all were selected, leave."},
     {"Double-click on a sphere", "Brings it to the middle of the picture."},
     {"Click on an end of the axes", "Looks along that axis; a drag there turns the view about its pivot."},
-    {"Ctrl+click on a slider", "Types the value."},
+    {"Drag of a number", "Changes it by a part of its own size; with Shift finer, with Ctrl coarser. Escape takes it back."},
+    {"Click on a number", "Types it, or a calculation such as 50+3*2."},
     {"File dropped on the window", "Opens the scene in it."},
 });
 
@@ -123,6 +124,23 @@ void draw_recent(const PanelContext& context, const std::vector<std::string>& re
     ImGui::EndMenu();
 }
 
+void draw_views(const PanelContext& context, MenuKeys& keys) {
+    const std::vector<SavedView>& views = context.document.scene().views;
+    note_menu(context, "Saved views");
+    if (!ImGui::BeginMenu("Saved views", !views.empty())) return;
+    keys.in_submenu = true;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const std::string label = as_label(views[i].name) + "###view";
+        if (ImGui::MenuItem(label.c_str(), nullptr, views[i].camera == context.camera)) {
+            context.actions.emplace_back(ShowView{views[i].camera});
+        }
+        note_widget(context, "item view " + std::to_string(i));
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
 void draw_submenu(const PanelContext& context, const CommandInfo& first, MenuKeys& keys) {
     const std::string name(first.submenu);
     note_menu(context, name);
@@ -152,6 +170,7 @@ void draw_menu(const PanelContext& context, const std::string& menu, const std::
         }
         submenu = info.submenu;
         if (info.id == CommandId::file_open) draw_recent(context, recent, keys);
+        if (info.id == CommandId::save_view) draw_views(context, keys);
         if (info.id == CommandId::redo) draw_history(context);
         first = false;
     }

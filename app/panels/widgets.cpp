@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -68,71 +67,6 @@ void set_colors(ImGuiStyle& style, Theme theme) {
 
 int leading_digit(double value) {
     return value == 0.0 || !std::isfinite(value) ? 0 : static_cast<int>(std::floor(std::log10(std::fabs(value))));
-}
-
-constexpr int radius_digits = 4;  // significant, of what a logarithmic slider gives
-
-// ImGui's own sliders take no range as wide as a double's, and round to a format. So ours slides from 0 to 1.
-double part_of(const SliderRange& range, double value) {
-    const double part = range.logarithmic ? std::log(value / range.low) / std::log(range.high / range.low)
-                                          : (0.5 * value - 0.5 * range.low) / (0.5 * range.high - 0.5 * range.low);
-    return std::clamp(part, 0.0, 1.0);
-}
-
-// The last digit that a drag gives.
-int digit_of(const SliderRange& range, double value) {
-    if (range.logarithmic) return last_digit(value, radius_digits);
-    return last_digit(0.5 * range.high - 0.5 * range.low, range.digits);
-}
-
-double value_at(const SliderRange& range, double part) {
-    const double value =
-        range.logarithmic ? range.low * std::pow(range.high / range.low, part) : (1.0 - part) * range.low + part * range.high;
-    return rounded_to(value, digit_of(range, value)) + 0.0;  // -0 becomes 0
-}
-
-std::optional<double> parsed(std::string_view text, const SliderRange& range) {
-    double value = 0.0;
-    if (parse_double(trimmed(text), value) != NumberFault::none || !std::isfinite(value)) return std::nullopt;
-    return range.above_zero && !(value > 0.0) ? std::nullopt : std::optional(value);
-}
-
-// The mouse went down with Ctrl where the next item will be.
-bool is_ctrl_clicked() {
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high{low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()};
-    return ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered() &&
-           ImGui::IsMouseHoveringRect(low, high);
-}
-
-void open_box(TypedNumber& typed, const std::string& name) {
-    typed.field = name;
-    typed.focus = true;
-    typed.opens = true;
-}
-
-SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value, bool several) {
-    const bool refused = !parsed(typed.text, range);
-    if (typed.focus) {
-        ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
-        ImGui::SetKeyboardFocusHere();
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, refused ? on_panel({1.0F, 0.4F, 0.4F, 1.0F}) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
-    const int step = draw_text_box("##typed", "", typed.text, ImGuiInputTextFlags_AutoSelectAll);
-    ImGui::PopStyleColor();
-    note_widget(context, "slider " + typed.field);
-    if (ImGui::IsItemActive()) typed.focus = false;
-    const bool ended = ImGui::IsItemDeactivated() || step != 0;
-    if (refused && !ended) ImGui::SetTooltip("%s", range.above_zero ? "A number above 0 is expected." : "A number is expected.");
-    if (!ended) return SliderChange::none;
-    const std::optional<double> given = parsed(typed.text, range);  // Escape gave the old text back
-    const std::string before = typed.last_drawn;
-    typed = {};
-    typed.passes_on = step > 0;
-    if (step < 0) open_box(typed, before);
-    if (!given || (*given == value && !several)) return SliderChange::none;
-    value = *given;
-    return SliderChange::typed;
 }
 
 void draw_command_button(const PanelContext& context, const CommandButton& button, float width) {
@@ -254,6 +188,14 @@ void dim_text(const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+void fault_text(const std::string& text) {
+    ImGui::BeginGroup();
+    ImGui::PushStyleColor(ImGuiCol_Text, fault_color());
+    wrapped_text(text);
+    ImGui::PopStyleColor();
+    ImGui::EndGroup();
+}
+
 float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
 void draw_swatch(const Color& color, ImVec2 place, float side, float scale, float opacity) {
@@ -291,8 +233,6 @@ std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const 
     return ImGui::IsItemActive() || ImGui::IsItemDeactivated() ? context.gesture : 0;
 }
 
-bool takes_keyboard(TypedNumber& typed) { return std::exchange(typed.passes_on, false); }
-
 int draw_text_box(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
     int step = 0;
     const auto note_tab = [](ImGuiInputTextCallbackData* data) {
@@ -326,42 +266,5 @@ std::string rounded_text(double value, int exponent) {
 }
 
 std::string short_text(double value, int digits) { return decimal(value + 0.0, std::chars_format::general, digits); }
-
-SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
-                               double& value, const std::string& several) {
-    ImGui::PushID(name.c_str());
-    SliderChange change = SliderChange::none;
-    if ((typed.field.empty() && takes_keyboard(typed)) || (typed.field != name && is_ctrl_clicked())) open_box(typed, name);
-    if (typed.field == name) {
-        if (typed.opens) typed.text = several.empty() ? shortest(value) : "";
-        typed.opens = false;
-        change = draw_typed(context, typed, range, value, !several.empty());
-    } else {
-        constexpr double zero = 0.0;
-        constexpr double one = 1.0;
-        double part = part_of(range, value);
-        const std::string shown = several.empty() ? rounded_text(value, digit_of(range, value)) : several;
-        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &part, &zero, &one, shown.c_str(),
-                                               ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput);
-        note_widget(context, "slider " + name);
-        if (ImGui::IsItemActivated()) ++context.gesture;
-        const double dragged = moved ? value_at(range, part) : value;
-        if (dragged != value) {
-            value = dragged;
-            change = SliderChange::dragged;
-        }
-        if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-            ImGui::SetTooltip("%s = %s\nCtrl+click to type a number.", name.c_str(),
-                              several.empty() ? shortest(value).c_str() : several.c_str());
-        }
-    }
-    ImGui::PopID();
-    typed.last_drawn = name;
-    return change;
-}
-
-std::string range_text(const SliderRange& range, double low, double high) {
-    return rounded_text(low, digit_of(range, low)) + " to " + rounded_text(high, digit_of(range, high));
-}
 
 }  // namespace sphereview

@@ -125,13 +125,42 @@ void change_projection(ViewerState& state) {
     state.camera = with_projection(state.camera, other, depth > 0.0 ? depth : 1.0);
 }
 
+void show_scene_camera(ViewerState& state) {
+    state.flight.reset();
+    state.camera = state.scene().camera;
+}
+
+void save_view(ViewerState& state) {
+    const std::size_t view = state.scene().views.size();
+    EditScene step = saved_view_of(state.scene(), state.camera);
+    state.document.apply(std::move(step.edit), std::move(step.name));
+    state.panel_shown = true;
+    start_renaming_view(state.side_panel, state.scene(), view);
+}
+
+// A view that shows the scene's camera goes along where that was edited as a view.
+void undo(ViewerState& state) {
+    const bool follows = state.document.undo_moves_view() && state.camera == state.scene().camera;
+    select_touched(state, state.document.undo());
+    if (follows) show_scene_camera(state);
+}
+
+void redo(ViewerState& state) {
+    const bool follows = state.document.redo_moves_view() && state.camera == state.scene().camera;
+    select_touched(state, state.document.redo());
+    if (follows) show_scene_camera(state);
+}
+
 void apply(ViewerState& state, EditScene action) {
     const bool adds_or_removes =
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
     const bool reorders = std::holds_alternative<ReorderSphere>(action.edit);
     if (std::holds_alternative<ChangeBackground>(action.edit)) state.background.reset();
     if (std::holds_alternative<ChangeLight>(action.edit)) state.light = {};
+    const auto* camera = std::get_if<ChangeCamera>(&action.edit);
+    const bool moves_view = camera != nullptr && camera->moves_view;
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
+    if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);
 }
@@ -150,6 +179,11 @@ std::function<void(ViewerState&)> edits(EditScene (*edit)(const ViewerState&)) {
 }
 
 bool selects_any(const ViewerState& state) { return !state.selection.empty(); }
+
+// A command that fits everything, seen from an azimuth and an elevation.
+Command side(const CommandInfo& info, double azimuth, double elevation) {
+    return {info, [azimuth, elevation](ViewerState& s) { fly_to_fit(s, axes_from(azimuth, elevation)); }};
+}
 
 // A command that shows and hides something.
 Command toggle(const CommandInfo& info, bool ViewerState::*shown) {
@@ -198,10 +232,10 @@ std::vector<Command> make_commands() {
          export_now},
         {{Id::quit, "File", "Quit", "Ctrl+Q", "Closes the window.", true}, quit},
         {{Id::undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change of the scene back."},
-         [](ViewerState& s) { select_touched(s, s.document.undo()); },
+         undo,
          [](const ViewerState& s) { return s.document.can_undo(); }},
         {{Id::redo, "Edit", "Redo", "Ctrl+Shift+Z|Ctrl+Y", "Makes the change again that was taken back."},
-         [](ViewerState& s) { select_touched(s, s.document.redo()); },
+         redo,
          [](const ViewerState& s) { return s.document.can_redo(); }},
         {{Id::cut, "Edit", "Cut", "Ctrl+X", "Copies the selected spheres, then deletes them.", true}, cut_selected, selects_any},
         {{Id::copy, "Edit", "Copy", "Ctrl+C", "Puts the selected spheres on the clipboard, as the text of a scene."},
@@ -250,12 +284,12 @@ std::vector<Command> make_commands() {
          selects_any},
         {{Id::fit_all, "View", "Fit everything", "F", "Moves the view so that it sees everything, the way it looks.", true},
          [](ViewerState& s) { fly_to_fit(s, axes_of(s.camera)); }},
-        {{Id::view_front, "View", "From the front", "1", "Fits everything, seen along z."},
-         [](ViewerState& s) { fly_to_fit(s, axes_from(0.0, 0.0)); }},
-        {{Id::view_right, "View", "From the right", "2", "Fits everything, seen against x."},
-         [](ViewerState& s) { fly_to_fit(s, axes_from(90.0, 0.0)); }},
-        {{Id::view_top, "View", "From the top", "3", "Fits everything, seen from above."},
-         [](ViewerState& s) { fly_to_fit(s, axes_from(0.0, 90.0)); }},
+        side({Id::view_front, "View", "From the front", "1", "Fits everything, seen along z."}, 0.0, 0.0),
+        side({Id::view_back, "View", "From the back", "Shift+1", "Fits everything, seen against z."}, 180.0, 0.0),
+        side({Id::view_right, "View", "From the right", "2", "Fits everything, seen against x."}, 90.0, 0.0),
+        side({Id::view_left, "View", "From the left", "Shift+2", "Fits everything, seen along x."}, 270.0, 0.0),
+        side({Id::view_top, "View", "From the top", "3", "Fits everything, seen from above."}, 0.0, 90.0),
+        side({Id::view_bottom, "View", "From the bottom", "Shift+3", "Fits everything, seen from below."}, 0.0, -90.0),
         {{Id::view_iso, "View", "From a corner", "4", "Fits everything, seen isometrically: all three axes equally long."},
          [](ViewerState& s) { fly_to_fit(s, isometric_axes()); }},
         {{Id::orthographic, "View", "Orthographic", "O",
@@ -270,6 +304,8 @@ std::vector<Command> make_commands() {
           "An edit like any other: Home returns here then.", true},
          edits(use_view_as_camera),
          [](const ViewerState& s) { return s.camera != s.scene().camera; }},
+        {{Id::save_view, "View", "Save this view", "V", "Keeps the view under a name, in the scene: to come back to it."},
+         save_view},
         {{Id::next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays.", true},
          [](ViewerState& s) { show_frame(s, s.frame + 1); },
          [](const ViewerState& s) { return has_frame(s, s.frame + 1); }},
@@ -366,6 +402,8 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             show_frame(state, frame->frame);
         } else if (const auto* measured = std::get_if<MeasureSphere>(&action)) {
             measure(state.measuring, state.document, measured->number);
+        } else if (const auto* view = std::get_if<ShowView>(&action)) {
+            fly_to(state, view->camera);
         }
     }
 }

@@ -1,10 +1,12 @@
 #include "viewer/scene_file.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <system_error>
 
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
+#include "base/nesting.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
@@ -140,6 +142,18 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
                                      }});
 }
 
+// Whether the file has comments of a person's, which the native format's tree does not hold. Looked for in the file and not kept
+// from its reading: it may have been changed, or its edits recovered. Large files are no person's.
+bool has_comments(const std::string& path) {
+    if (std::error_code error; !is_read_at_once(path) || !fs::is_regular_file(path_from(path), error)) return false;
+    try {
+        const InputFile file(path);
+        return file.bytes() != SceneFormat::toml.write(Scene{}) && has_comment(file.bytes());
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
     const std::string ending(is_written(format) ? format.endings[0] : SceneFormat::toml.endings[0]);
     const fs::path stem = state.path.empty() ? "scene" : path_from(without_gzip_ending(state.path)).stem();
@@ -234,7 +248,9 @@ LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
     options.data.frame = frame;
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
-    options.fit.projection.reset();  // of the first view, not of scenes
+    // Of the first view, not of scenes.
+    options.fit.projection.reset();
+    options.fit.saved_view.reset();
     return options;
 }
 
@@ -299,7 +315,17 @@ void ask_for_scene(ViewerState& state) {
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
     if (state.path.empty() || !is_written(state.format) || !name_fault(state.path).empty()) return save_scene_as(state, then);
-    write_unless_lost(state, state.path, state.format, then);
+    if (state.format != SceneFormat::toml || !has_comments(state.path))
+        return write_unless_lost(state, state.path, state.format, then);
+    state.dialogs.push_back(Question{.id = "drops-comments",
+                                     .title = "Saving leaves the comments out",
+                                     .text = in_quotes(state.name()) + " has comments. A save writes the file anew, without them.",
+                                     .answers = {"Save as...", "Save without comments", "Cancel"},
+                                     .cancel = 2,
+                                     .answer = [&state, then](int answer) {
+                                         if (answer == 0) save_scene_as(state, then);
+                                         if (answer == 1) write(state, state.path, state.format, then);
+                                     }});
 }
 
 void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }

@@ -100,10 +100,13 @@ void offer_recovery(ViewerState& state) {
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
     with_options(loaded.scene, state.light);  // what does not fit the scene is said now
     const FitOptions& fit = state.options.fit;
+    const std::optional<Camera> view =
+        fit.saved_view ? std::optional(saved_view(loaded, *fit.saved_view)) : std::nullopt;  // likewise
     // Data is fitted already, in perspective.
     const bool fits_view = loaded.has_camera() ? fit.wanted.value_or(false) : fit.projection && fit.wanted.value_or(true);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
+    state.camera = view.value_or(state.camera);
     state.camera.projection = fit.projection.value_or(state.camera.projection);
     if (fits_view) {
         const ViewAxes present = axes_of(state.camera);

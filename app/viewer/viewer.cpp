@@ -214,7 +214,9 @@ bool Viewer::is_lone_alt(const InputEvent& event) {
 std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action>& actions) {
     std::vector<InputEvent> events = input_.take_frame();
     if (!events.empty()) pacing_.touch();
-    const bool typing = ImGui::GetIO().WantTextInput;
+    // A box that gets the keyboard in the next frames has it for the person who saved a view and types its name.
+    const bool awaits_name = state_.panel_shown && state_.side_panel.renamed_view && state_.side_panel.focus_view_name;
+    const bool typing = ImGui::GetIO().WantTextInput || awaits_name;
     const bool popped_up = has_popped_up(state_);
     const std::vector<CommandInfo> commands = commands_of(state_);
     for (const InputEvent& event : events) {
@@ -352,7 +354,8 @@ void Viewer::redraw() {
                                state_.frame,
                                state_.frames,
                                state_.shown_light(),
-                               camera_axes(state_.camera)};
+                               camera_axes(state_.camera),
+                               state_.camera};
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs

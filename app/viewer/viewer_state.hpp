@@ -125,11 +125,14 @@ void go_home(ViewerState& state);
 // Begins to move the view to where it sees everything that way; not if there is nothing to see.
 void fly_to_fit(ViewerState& state, const ViewAxes& axes);
 
+// Begins to move the view to that camera.
+void fly_to(ViewerState& state, const Camera& camera);
+
 // Moves the view on, and ends the flight if it has arrived or something else has moved the view. Returns whether it moved.
 bool fly_on(ViewerState& state, Clock::time_point now);
 
-// Brings bounds up to date; they are left as they are while something is dragged, so that no slider's range moves under the
-// pointer.
+// Brings bounds up to date; they are left as they are while something is dragged, so that what a drag is scaled by does not
+// change under the pointer.
 void update_bounds(ViewerState& state);
 
 }  // namespace sphereview

@@ -99,7 +99,7 @@ def read(
     virtual: False leaves out what files of atoms call one and is none: virtual sites, lone pairs, Drude particles, ghosts, dummies.
     fit: True moves the camera until it sees everything; False looks at data, too, from (0, 0, 0) along z. None: data is fitted, a scene
         keeps its camera.
-    view: fits from a side: as for the function `fit`.
+    view: fits from a side: as for the function `fit`. Or the name of one of the file's saved views, whose camera is taken as it is.
 
     The scene's arrays are new and yours: centers float64 (N, 3), radii float64 (N,), colors uint8 (N, 3), hidden bool (N,) or None. Its
     camera is the one that `sphereview render` takes with the same options, so `read(path).render()` is that picture.

@@ -61,6 +61,13 @@ def test_a_native_scene_has_all_its_properties(tmp_path, run_program):
     assert numpy.array_equal(scene.render((60, 40), background="black")[..., :3], scene.render((60, 40))[..., :3])
 
 
+def test_a_saved_view_is_seen_by_its_name(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(TOML + "\n[[view]]\nname = 'from behind'\neye = [0, 0, 900]\ncenter = [0, 0, 800]\nup = [0, -50, 0]\n")
+    assert sphereview.read(path, view="from behind").camera == sphereview.Camera((0, 0, 900), (0, 0, 800), up=(0, -50, 0))
+    assert sphereview.read(path).camera.eye == (0, 0, -10)
+
+
 @pytest.mark.parametrize(
     "options, words",
     [
@@ -104,7 +111,8 @@ def test_a_bad_scene_has_the_command_lines_words(tmp_path, run_program):
         ({"frame": 9}, "frame"),
         ({"frame": -1}, "frame: found '-1'"),
         ({"radius": 0}, "radius: found '0'"),
-        ({"view": "under"}, "view: found 'under', expected front, back"),
+        ({"view": "under"}, "found no view 'under', expected front, back"),
+        ({"view": "0,91"}, "view: found '0,91', expected front, back"),
     ]:
         with pytest.raises(ValueError, match=words):
             sphereview.read(path, **options)

@@ -21,7 +21,7 @@ struct SceneFormat {
     std::array<std::string_view, 2> endings{};  // of file names, in lower case: ".xyz"; the usual one first
     bool is_data = false;                       // of another program: no camera of its own, and right-handed (data_axes)
     bool has_frames = false;
-    bool holds_only_spheres = false;  // no background, camera, light, names or hidden spheres
+    bool holds_only_spheres = false;  // no background, camera, light, views, names or hidden spheres
 
     // Whether a text that begins with `head`, without a byte-order mark, is of this format; true only where that is clear.
     bool (*sniff)(std::string_view head) = nullptr;

@@ -35,8 +35,9 @@ inline constexpr std::size_t most_named_atoms = 100'000;
 // Throws InputError when a file of so many frames has not the one that is asked for.
 void require_frame(const std::string& name, std::int64_t frame, std::int64_t frames);
 
-// The native format, TOML: `background`, `[camera]`, `[[sphere]]`, or `spheres = """..."""` holding the text format. Beside that
-// text may stand `hidden = [3, 5]` and `[names]` with `7 = "sun"`: the numbers of spheres, from 0. Unknown keys are errors.
+// The native format, TOML: `background`, `[camera]`, `[light]`, `[[view]]`, `[[sphere]]`, or `spheres = """..."""` holding the text
+// format. Beside that text may stand `hidden = [3, 5]` and `[names]` with `7 = "sun"`: the numbers of spheres, from 0. Unknown keys
+// are errors.
 bool shows_toml(std::string_view head);
 SphereData read_toml(std::string_view content, const std::string& name, const DataOptions& options);
 

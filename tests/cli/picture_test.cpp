@@ -236,6 +236,37 @@ TEST(View, ShowsItsSide) {
     }
 }
 
+TEST(SavedViews, AreSeenByTheirName) {
+    const std::string views =
+        "[[view]]\nname = 'from x'\neye = [900, 0, 0]\ncenter = [800, 0, 0]\nright = [0, 0, 50]\nup = [0, 50, 0]\n"
+        "[[view]]\nname = 'flat'\neye = [0, 0, -900]\ncenter = [0, 0, -800]\nprojection = 'orthographic'\n";
+    const auto scene = [&](const std::string& camera) { return camera + "spheres = '''" + std::string(corner) + "'''\n" + views; };
+    const std::string from_x = "camera = {eye = [900, 0, 0], center = [800, 0, 0], right = [0, 0, 50], up = [0, 50, 0]}\n";
+    EXPECT_EQ(seen(scene(""), {"--view", "from x"}), seen(scene(from_x), {}));
+    EXPECT_NE(seen(scene(""), {"--view", "from x"}), seen(scene(""), {}));
+    EXPECT_EQ(seen(scene(from_x), {"--view", "flat", "--projection", "perspective"}),
+              seen(scene("camera = {eye = [0, 0, -900], center = [0, 0, -800]}\n"), {}));
+    EXPECT_EQ(seen(scene(""), {"--view", "top"}), seen(corner, {"--view", "top"}));
+
+    // Kept, and the camera of what is written.
+    const Outcome converted = run({.arguments = {"convert", "-", "-", "--to", "toml", "--view", "from x"}, .input = scene("")});
+    EXPECT_EQ(converted.status, 0) << converted;
+    EXPECT_EQ(seen(converted.output, {}), seen(scene(from_x), {}));
+    EXPECT_EQ(seen(converted.output, {"--view", "flat"}), seen(scene(""), {"--view", "flat"}));
+
+    const auto refusal = [&](const std::string& text, const std::string& view) {
+        const Outcome outcome = run({.arguments = {"render", "-", "-o", "-", "--view", view}, .input = text});
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        return outcome.errors;
+    };
+    EXPECT_EQ(refusal(scene(""), "form x"),
+              "stdin: found no view 'form x', expected one of its saved views, 'from x', 'flat', or front, back, left, "
+              "right, top, bottom, iso or AZIMUTH,ELEVATION in degrees; did you mean 'from x'?\n");
+    EXPECT_EQ(refusal(corner, "botom"),
+              "stdin: found no view 'botom', expected front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in "
+              "degrees; it has no saved views; did you mean 'bottom'?\n");
+}
+
 TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {
     const std::string off_screen = "1\n255 0 0 5000 0 -200 20\n";
     EXPECT_EQ(seen(off_screen, {}).at(50, 50), black);

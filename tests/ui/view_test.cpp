@@ -96,7 +96,8 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     window_.step("fits by keys");
     const auto expect_fitted = [&](const std::string& view) { test::expect_rendered(window_, folder_, scene_, {"--view", view}); };
     Json last = home_;
-    for (const auto& [key, view] : {std::pair{"4", "iso"}, {"1", "front"}}) {
+    for (const auto& [key, view] :
+         {std::pair{"4", "iso"}, {"shift+1", "back"}, {"shift+2", "left"}, {"shift+3", "bottom"}, {"1", "front"}}) {
         window_.key(key);
         last = window_.wait_for_other("camera", last);
         expect_fitted(view);

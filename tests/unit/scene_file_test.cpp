@@ -225,4 +225,46 @@ TEST(RadiusOption, HoldsForEveryFileThatIsOpened) {
     EXPECT_FALSE(info_of(commands_of(state), CommandId::next_frame).enabled);
 }
 
+// A save writes the file anew, and a parsed file has no comments.
+TEST_F(DataInViewer, CommentsAreNotDroppedUnasked) {
+    const std::string commented = "# By hand.\nbackground = \"#102030\"\n";
+    const auto save = [&] {
+        run_command(state, CommandId::file_save);
+        while (state.saving) {
+            state.saving->job.wait_for(std::chrono::milliseconds(100));
+            finish_work(state);
+        }
+    };
+    const auto edit_and_save = [&](const std::string& file) {
+        open_scene(state, file);
+        finish_reading();
+        add_sphere();
+        save();
+    };
+    edit_and_save(folder.write("hand.toml", commented));
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "drops-comments");
+    answer(2);
+    EXPECT_EQ(folder.read("hand.toml"), commented);
+    EXPECT_TRUE(state.document.is_changed());
+    save();
+    answer(0);
+    ASSERT_FALSE(state.dialogs.empty());
+    EXPECT_TRUE(std::holds_alternative<FileBrowser>(state.dialogs.back()));
+    state.dialogs.clear();
+    save();
+    answer(1);
+    while (state.saving) finish_work(state);
+    EXPECT_NE(folder.read("hand.toml"), commented);
+    EXPECT_FALSE(state.document.is_changed());
+    add_sphere();
+    save();
+    EXPECT_TRUE(state.dialogs.empty()) << "the comments are gone";
+    for (const std::string content : {"background = \"#102030\"\n", "# An empty scene.\n"}) {
+        edit_and_save(folder.write("plain.toml", content));
+        EXPECT_TRUE(state.dialogs.empty()) << content;
+        EXPECT_FALSE(state.document.is_changed());
+    }
+}
+
 }  // namespace sphereview

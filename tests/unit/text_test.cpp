@@ -127,6 +127,13 @@ TEST(FindTooDeep, SeesKeysAndBracketsOutsideStringsAndComments) {
     }
 }
 
+TEST(Nesting, CommentsStandOutsideStrings) {
+    for (const char* text : {"# a", "a = 1 # b", "a = '#'\n#", "\"\"\"\n#\n\"\"\"\n # b"}) EXPECT_TRUE(has_comment(text)) << text;
+    for (const char* text : {"", "a = '#'", "a = \"\\\"#\"", "'''\n#\n'''", "a = \"#102030\"\nb = 1\n"}) {
+        EXPECT_FALSE(has_comment(text)) << text;
+    }
+}
+
 TEST(DidYouMean, NamesTheClosestCandidateThatIsNear) {
     const std::vector<std::string> names = {"render", "convert", "doctor"};
     EXPECT_EQ(did_you_mean("DOCTOR", names), "; did you mean 'doctor'?");
