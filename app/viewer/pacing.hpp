@@ -2,40 +2,44 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <optional>
+#include <utility>
 
 namespace sphereview {
 
 // The picture is traced for every step-th pixel of each row and column.
 class Pacing {
 public:
-    // What a traced frame took, in seconds, and what of it was drawing: the rest, lists mostly, shrinks little with the pixels.
+    // What a traced frame took, in seconds, and what of it was drawing: the rest, lists mostly, shrinks less with the pixels. A
+    // frame that takes too long makes the next one coarser at once. A coarse drawing has costs, too, that do not shrink with its
+    // pixels, so what a finer one would take is found out by trying, ever less often where that fails.
     void traced(int step, double seconds, double drawing) {
-        const std::size_t now = level_of(step);
-        const double before = seconds_at(now);
-        Level& level = levels_[now];
-        level = {follow(level.preparing, seconds - drawing), follow(level.drawing, drawing), true};
-        // Finer pictures have become slower or faster too, by as much. And what they took is believed less and less, so that one is
-        // tried again now and then.
-        const double factor = fading * (before > 0.0 ? seconds_at(now) / before : 1.0);
-        for (std::size_t finer = 0; finer < now; ++finer) {
-            levels_[finer].preparing *= factor;
-            levels_[finer].drawing *= factor;
+        const int level = std::countr_zero(static_cast<unsigned>(step));
+        if (level != level_) {  // nothing moved, and the picture was made fine
+            if (level < level_ && seconds <= frame_budget) level_ = level;
+            return;
+        }
+        if (stays_ > 0) --stays_;
+        const double before = std::exchange(left_seconds_, 0.0);
+        if (before > 0.0 && seconds > worth_it * before) {
+            level_ = left_level_;  // coarser saves no time
+            stays_ = long_pause;
+        } else if (seconds > frame_budget) {
+            if (level < coarsest && stays_ == 0) become_coarser(seconds, drawing);
+        } else {
+            if (std::exchange(tries_, false)) pause_ = wait_ = 0;
+            if (wait_ > 0) --wait_;
+            const double most = seconds - drawing + 4.0 * drawing;
+            if (level > 0 && (most <= frame_budget || wait_ == 0)) {
+                --level_;
+                tries_ = true;
+            }
         }
     }
 
     // The step for a picture that is moving: 1 where the device is fast enough, at most 8; and no coarser than saves time.
-    int moving_step() const {
-        std::size_t level = 0;
-        while (level + 1 < levels_.size() && seconds_at(level) > frame_budget &&
-               seconds_at(level + 1) < worth_it * seconds_at(level)) {
-            ++level;
-        }
-        return 1 << level;
-    }
+    int moving_step() const { return 1 << level_; }
 
     // Something happened: some frames must be drawn, until the panels have settled.
     void touch() { frames_ = settling_frames; }
@@ -63,58 +67,35 @@ public:
     static constexpr double look_again = 0.01;    // seconds, while another thread works
 
 private:
-    // Of a step, in seconds.
-    struct Level {
-        double preparing = 0.0;
-        double drawing = 0.0;
-        bool known = false;
-    };
-    static constexpr std::size_t level_of(int step) {
-        return static_cast<std::size_t>(std::countr_zero(static_cast<unsigned>(step)));
-    }
-
-    // Follows a slower frame at once, but for one that something else held up, and a faster one slowly.
-    static double follow(double known, double measured) {
-        if (!(known > 0.0)) return measured;
-        return measured > known ? std::min(measured, 2.0 * known) : 0.7 * known + 0.3 * measured;
-    }
-
-    // What a picture of that level would take.
-    double seconds_at(std::size_t level) const {
-        const Level& own = levels_[level];
-        if (own.known) return own.preparing + own.drawing;
-        std::size_t coarser = level;
-        while (coarser < levels_.size() && !levels_[coarser].known) ++coarser;
-        std::size_t finer = level;
-        while (finer > 0 && !levels_[finer].known) --finer;
-        const bool has_coarser = coarser < levels_.size();
-        const bool has_finer = levels_[finer].known;
-        const auto pixels = [](std::size_t of_level) { return std::ldexp(1.0, -2 * static_cast<int>(of_level)); };
-        // A coarse drawing has costs that do not shrink with its pixels: between two that are known they are known too.
-        if (has_coarser && has_finer) {
-            const double part = (pixels(level) - pixels(coarser)) / (pixels(finer) - pixels(coarser));
-            return std::max(levels_[coarser].preparing, levels_[finer].preparing) + levels_[coarser].drawing +
-                   part * (levels_[finer].drawing - levels_[coarser].drawing);
-        }
-        if (has_coarser) {
-            return levels_[coarser].preparing + levels_[coarser].drawing * pixels(level) / pixels(coarser);
-        }
-        // Fewer spheres are listed for fewer rays: how many fewer is not known before it is tried.
-        if (has_finer) {
-            return (levels_[finer].preparing + levels_[finer].drawing) * pixels(level) / pixels(finer);
-        }
-        return 0.0;
-    }
-
-    static constexpr double fading = 0.985;
+    static constexpr int coarsest = 3;  // the step is 2^3
     static constexpr double worth_it = 0.9;
+    static constexpr int short_pause = 60;  // frames
+    static constexpr int long_pause = 480;
+
+    void become_coarser(double seconds, double drawing) {
+        if (std::exchange(tries_, false)) wait_ = pause_ = std::clamp(2 * pause_, short_pause, long_pause);
+        left_level_ = level_;
+        left_seconds_ = seconds;
+        double lists = seconds - drawing;
+        do {
+            ++level_;
+            lists *= 0.5;
+            drawing *= 0.25;
+        } while (level_ < coarsest && lists + drawing > frame_budget);
+    }
 
     // ImGui shows what a click did in the next frame, and places what is new in the one after that.
     static constexpr int settling_frames = 3;
 
     int frames_ = settling_frames;
     bool coarse_ = false;
-    std::array<Level, 4> levels_{};  // of the steps 1, 2, 4 and 8
+    int level_ = 0;              // the step of what moves is 2^this
+    bool tries_ = false;         // the last frame was made finer
+    int wait_ = 0;               // so many frames before the next try,
+    int pause_ = 0;              // and as many as that were after the last that failed
+    int left_level_ = 0;         // from which the last frame was made coarser,
+    double left_seconds_ = 0.0;  // where one took so long; 0: it was not
+    int stays_ = 0;              // so many frames that are not made coarser
 };
 
 }  // namespace sphereview

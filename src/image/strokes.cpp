@@ -61,7 +61,8 @@ void put(const std::array<std::uint8_t, 3>& color, int covered, std::uint8_t* pi
     const int own = covered * 255;
     const int below = (all_points - covered) * alpha;
     const int sum = own + below;
-    for (int i = 0; i < 3; ++i) pixel[i] = static_cast<std::uint8_t>((own * color[i] + below * pixel[i] + sum / 2) / sum);
+    for (std::size_t i = 0; i < color.size(); ++i)
+        pixel[i] = static_cast<std::uint8_t>((own * color[i] + below * pixel[i] + sum / 2) / sum);
     if (channels == 4) pixel[3] = static_cast<std::uint8_t>((sum + all_points / 2) / all_points);
 }
 

@@ -27,7 +27,7 @@ bool grew(const TemporaryFolder& folder) {
 // Nobody has chosen anything yet; the command line has a sun.
 TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     const TemporaryFolder folder;
-    folder.write("home/config/sphereview/viewer.json", "{}");
+    folder.write("home/config/sphereview/viewer.json", R"({"axes": false})");
     const std::string scene = folder.write("scene.txt", two_spheres);
     ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5", "--size", "200x200"});
     window.key("m");
