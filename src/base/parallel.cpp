@@ -12,11 +12,15 @@
 
 #include "base/background_job.hpp"
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <pthread.h>
 #endif
 #ifdef __linux__
 #include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 namespace sphereview {
@@ -24,6 +28,7 @@ namespace sphereview {
 namespace {
 
 thread_local bool inside_work = false;
+thread_local bool gives_way = false;
 thread_local const std::atomic<bool>* cancelled_by = nullptr;       // the loops that this thread begins
 thread_local const std::atomic<bool>* work_cancelled_by = nullptr;  // that in whose work it is
 
@@ -76,9 +81,14 @@ struct Job {
 // helper looks anew for the job that has the fewest.
 class Pool {
 public:
-    Pool() {
+    explicit Pool(bool background) {
         try {
-            for (int i = 1; i < worker_count(); ++i) threads_.emplace_back([this] { serve(); });
+            for (int i = 1; i < worker_count(); ++i) {
+                threads_.emplace_back([this, background] {
+                    if (background) give_way();
+                    serve();
+                });
+            }
         } catch (const std::system_error&) {
             // The system allows no more threads: those there are do the work.
         }
@@ -132,23 +142,26 @@ private:
 };
 
 std::mutex pool_mutex;
-// Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the pool.
-Pool* pool_of_process = nullptr;  // guarded by pool_mutex
+// For threads that give way, and for others: a thread that gives way does so for good. Never destroyed: where the process ends
+// while another thread still works, as in Python's, its loops must not lose the pool.
+Pool* pool_that_gives_way = nullptr;  // guarded by pool_mutex, as the next
+Pool* usual_pool = nullptr;
 
 #ifndef _WIN32
-// A child of fork() has none of its parent's threads, and what one of them had locked stays locked there: it gets a pool of its
+// A child of fork() has none of its parent's threads, and what one of them had locked stays locked there: it gets pools of its
 // own. From the program's start on, since the first use may be on another thread than the fork.
 [[maybe_unused]] const int children_have_their_own_pool = pthread_atfork([] { pool_mutex.lock(); }, [] { pool_mutex.unlock(); },
                                                                          [] {
-                                                                             pool_of_process = nullptr;
+                                                                             pool_that_gives_way = usual_pool = nullptr;
                                                                              pool_mutex.unlock();
                                                                          });
 #endif
 
 Pool& pool() {
     const std::lock_guard lock(pool_mutex);
-    if (pool_of_process == nullptr) pool_of_process = new Pool;
-    return *pool_of_process;
+    Pool*& found = gives_way ? pool_that_gives_way : usual_pool;
+    if (found == nullptr) found = new Pool(gives_way);
+    return *found;
 }
 
 }  // namespace
@@ -158,6 +171,18 @@ int worker_count() {
     static std::atomic<int> count = 0;
     if (count == 0) count = std::max(1, usable_cores());
     return count;
+}
+
+void give_way() {
+    gives_way = true;
+#ifdef __linux__
+    constexpr int nicer = 10;  // a tenth of the time of a thread that competes
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nicer);
+#elif defined(__APPLE__)
+    pthread_set_qos_class_self_np(QOS_CLASS_UTILITY, 0);
+#elif defined(_WIN32)
+    SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL);
+#endif
 }
 
 void check_cancelled() { check(inside_work ? work_cancelled_by : cancelled_by); }
