@@ -13,9 +13,12 @@ if(SPHEREVIEW_PORTABLE)
     endif()
 elseif(MINGW)
     list(APPEND parts compiled:glfw compiled:libdeflate compiled:libpng compiled:libstdc++ compiled:mingw-w64 compiled:zlib)
-elseif(SKBUILD AND CMAKE_SYSTEM_NAME STREQUAL "Linux")
-    # A wheel, into which auditwheel copies what the linker has found.
-    list(APPEND parts compiled:pybind11 shipped:brotli shipped:expat shipped:fontconfig shipped:freetype shipped:glfw shipped:libdeflate shipped:libpng)
+elseif(SKBUILD)
+    # A wheel, into which auditwheel and its like copy what the linker has found.
+    list(APPEND parts compiled:pybind11 shipped:glfw shipped:libdeflate shipped:libpng)
+    if(TARGET PkgConfig::fontconfig)
+        list(APPEND parts shipped:brotli shipped:expat shipped:fontconfig shipped:freetype)
+    endif()
 endif()
 
 set(generated ${PROJECT_BINARY_DIR}/generated)

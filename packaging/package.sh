@@ -1,11 +1,17 @@
 # The packages that ./dev package makes; read by it. $root, say, need, build and $build_packages are its own.
 
+# Of the same sources the same bytes, whenever they are packed: the date of all that is packed is that of the version's heading in
+# CHANGELOG.md.
+set_date() {
+    version=$(sed -n 's/^project(sphereview VERSION \([0-9.]*\) .*/\1/p' "$root/CMakeLists.txt")
+    date=$(sed -n "s/^## $version (\([0-9]*-[0-9]*-[0-9]*\))\$/\1/p" "$root/CHANGELOG.md")
+    [ -n "$date" ] && SOURCE_DATE_EPOCH=$(date -u -d "$date" +%s) || { say "CHANGELOG.md has no heading '## $version (YYYY-MM-DD)'"; exit 1; }
+    export SOURCE_DATE_EPOCH
+}
+
 # Builds a preset and packs it; what cpack says goes to the build's log.
 pack() {
     build "$@"
-    # Of the same sources the same bytes, whenever they are packed.
-    SOURCE_DATE_EPOCH=$(date -u -d "$(sed -n 's/^## [0-9.]* (\([-0-9]*\))$/\1/p' "$root/CHANGELOG.md" | head -n 1)" +%s)
-    export SOURCE_DATE_EPOCH
     cpack --config "$root/build/$1/CPackConfig.cmake" >>"$root/build/$1.log" 2>&1 || { tail -n 20 "$root/build/$1.log" >&2; exit 1; }
     rm -rf "$root/build/packages/_CPack_Packages"
 }
@@ -43,6 +49,7 @@ pack_wheel() {
     tools=$root/build/wheel/tools-$("$python" -c 'import sys; print("%d.%d" % sys.version_info[:2])')
     [ -x "$tools/bin/auditwheel" ] || { "$python" -m venv "$tools" && "$tools/bin/pip" install -q --require-hashes -r "$root/python/requirements.txt" >&2; }
     rm -rf "$root/build/wheel/made"
+    rm -f "$root"/build/packages/*-cp"$("$python" -c 'import sys; print("%d%d" % sys.version_info[:2])')"-*.whl
     say "building the wheel"
     PATH=$tools/bin:$PATH
     pip wheel -q --disable-pip-version-check --no-deps --no-build-isolation --config-settings build-dir=build/wheel/tree \
@@ -60,7 +67,7 @@ sum_up() (
         *.deb) built=release ;;
         *.tar.xz) built=portable ;;
         *.zip) built=windows ;;
-        *.whl) built=wheel/tree ;;
+        *.whl) set -- "$@" "$package="; continue ;;  # which has the list itself
         *) say "of $package it is not known what is inside"; exit 1 ;;
         esac
         set -- "$@" "$package=$root/build/$built/generated/parts.json"
@@ -74,6 +81,7 @@ sum_up() (
 make_packages() {
     # shellcheck disable=SC2086
     need $package_packages
+    set_date
     mkdir -p "$root/build/packages"
     [ $# -gt 0 ] || set -- deb tar
     for kind in "$@"; do
@@ -82,7 +90,8 @@ make_packages() {
         tar) rm -f "$root"/build/packages/*.tar.xz && pack portable ;;
         wheel) pack_wheel ;;
         windows) rm -f "$root"/build/packages/*.zip && pack_windows ;;
-        *) say "unknown kind of package '$kind': found neither deb, tar, wheel nor windows"; exit 2 ;;
+        sums) ;;
+        *) say "found the kind of package '$kind', expected deb, tar, windows, wheel or sums"; exit 2 ;;
         esac
     done
     sum_up

@@ -3,7 +3,8 @@
 
   parts.py build FOLDER HOW:PART...   what one build has in it: writes the text of `sphereview --licenses` as licenses.cpp, a list as
                                       parts.json, and a file `copyright` as Debian wants it
-  parts.py spdx FILE PACKAGE=LIST...  writes an SPDX 2.3 list of the packages, each with the parts.json of the build that it is from
+  parts.py spdx FILE PACKAGE=LIST...  writes an SPDX 2.3 list of the packages, each with the parts.json of the build that it is from;
+                                      no LIST: a wheel, which has its parts.json inside
 
 HOW is `compiled` (from headers or sources, or linked in) or `shipped` (a shared library beside the program). Versions and the texts of the
 licences are found where the program is built: Debian's packages have them. Elsewhere the list says less, and the text names the licence.
@@ -16,6 +17,7 @@ import os
 import re
 import subprocess
 import uuid
+import zipfile
 from pathlib import Path
 from typing import NamedTuple
 
@@ -164,7 +166,7 @@ def spdx(arguments):
         total = hashlib.sha256(Path(file).read_bytes()).hexdigest()
         sums += total
         name = Path(file).name
-        parts = json.loads(Path(listed).read_text())
+        parts = json.loads(Path(listed).read_text() if listed else zipfile.ZipFile(file).read("sphereview/licenses/parts.json"))
         license = " AND ".join(sorted({f"({part['license']})" if " " in part["license"] else part["license"] for part in parts} | {"MIT"}))
         product = spdx_package("Package-" + name, "sphereview", version, license, None, packageFileName=name,
                                checksums=[{"algorithm": "SHA256", "checksumValue": total}])

@@ -2,14 +2,15 @@
 # Builds what sphereview links on Windows, with Debian's mingw-w64: packaging/windows/parts.sh FOLDER
 # GLFW, Dear ImGui, libdeflate and libpng come from the source packages of the Debian that this runs on, as apt has and verifies them; zlib
 # is Debian's own for mingw; what is headers alone is linked from /usr/include. FOLDER is then the only place that the cross compiler
-# looks in (mingw.cmake). A folder that is complete already is left as it is.
+# looks in (mingw.cmake). A folder that is complete already, by these very files, is left as it is.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 sources=$folder/sources
 target=x86_64-w64-mingw32
-[ ! -e "$folder/complete" ] || exit 0
+made_by=$(cat "$here"/*.cmake "$here/parts.sh" | sha256sum)
+[ "$(cat "$folder/complete" 2>/dev/null)" != "$made_by" ] || exit 0
 
 say() { printf '%s\n' "windows parts: $*" >&2; }
 
@@ -66,7 +67,7 @@ build() {
 }
 
 say "building GLFW, Dear ImGui, libdeflate and libpng in $folder"
-rm -rf "$sources"
+rm -rf "$sources" "$folder/complete"
 fetch glfw3 imgui libdeflate libpng1.6
 build >"$folder/build.log" 2>&1 || { tail -n 40 "$folder/build.log" >&2; say "failed; the whole log is $folder/build.log"; exit 1; }
-touch "$folder/complete"
+echo "$made_by" >"$folder/complete"

@@ -12,15 +12,15 @@
 
 #include "base/background_job.hpp"
 
-#ifndef _WIN32
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <pthread.h>
 #endif
 #ifdef __linux__
 #include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#elif defined(_WIN32)
-#include <windows.h>
 #endif
 
 namespace sphereview {
@@ -142,26 +142,26 @@ private:
 };
 
 std::mutex pool_mutex;
-// Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the pool.
-// Of threads that give way and of others, since a thread gives way for good; guarded by pool_mutex.
-Pool* background_pool = nullptr;
+// For threads that give way, and for others: a thread that gives way does so for good. Never destroyed: where the process ends
+// while another thread still works, as in Python's, its loops must not lose the pool.
+Pool* pool_that_gives_way = nullptr;  // guarded by pool_mutex, as the next
 Pool* usual_pool = nullptr;
 
 #ifndef _WIN32
-// A child of fork() has none of its parent's threads, and what one of them had locked stays locked there: it gets a pool of its
+// A child of fork() has none of its parent's threads, and what one of them had locked stays locked there: it gets pools of its
 // own. From the program's start on, since the first use may be on another thread than the fork.
 [[maybe_unused]] const int children_have_their_own_pool = pthread_atfork([] { pool_mutex.lock(); }, [] { pool_mutex.unlock(); },
                                                                          [] {
-                                                                             background_pool = usual_pool = nullptr;
+                                                                             pool_that_gives_way = usual_pool = nullptr;
                                                                              pool_mutex.unlock();
                                                                          });
 #endif
 
 Pool& pool() {
     const std::lock_guard lock(pool_mutex);
-    Pool*& pool = gives_way ? background_pool : usual_pool;
-    if (pool == nullptr) pool = new Pool(gives_way);
-    return *pool;
+    Pool*& found = gives_way ? pool_that_gives_way : usual_pool;
+    if (found == nullptr) found = new Pool(gives_way);
+    return *found;
 }
 
 }  // namespace

@@ -68,6 +68,10 @@ TEST_F(Installed, DocsAreThereWithWhatTheyShow) {
     }
 }
 
+TEST_F(Installed, ThePythonModuleIsNot) {
+    for (const std::string& name : folder_.names()) EXPECT_TRUE(name == "bin" || name == "share" || name == "lib") << name;
+}
+
 #ifdef SPHEREVIEW_DESKTOP
 
 TEST_F(Installed, ADesktopFindsTheProgramAndItsFiles) {
