@@ -8,6 +8,7 @@
 #include "base/input_file.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
+#include "image/png.hpp"
 
 namespace sphereview {
 
@@ -88,7 +89,9 @@ std::string name_in_patterns(const std::string& path) {
 }
 
 std::vector<RenderJob> plan_render(const RenderOptions& options) {
-    const std::string output = options.output.value_or(std::string(placeholder) + ".png");
+    // Of the patterns, since a scene's own name may hold dots.
+    const std::string output = png_name(options.output.value_or(std::string(placeholder)));
+    const std::optional<std::string> diff = options.diff ? std::optional(png_name(*options.diff)) : std::nullopt;
     std::vector<RenderJob> jobs;
     for (const std::string& scene : options.scenes) {
         RenderJob job;
@@ -97,7 +100,7 @@ std::vector<RenderJob> plan_render(const RenderOptions& options) {
         job.name = name_in_patterns(scene);
         if (options.output || !options.expect) job.output = fill_in(output, job.name);
         job.expect = filled_in(options.expect, job.name);
-        job.diff = filled_in(options.diff, job.name);
+        job.diff = filled_in(diff, job.name);
         jobs.push_back(job);
     }
 
@@ -109,7 +112,7 @@ std::vector<RenderJob> plan_render(const RenderOptions& options) {
     if (options.json) uses.write_stdout("the JSON report");
     for (const RenderJob& job : jobs) {
         if (job.output) uses.write(*job.output, "the picture of " + job.label, job, output);
-        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, job, *options.diff);
+        if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, job, *diff);
     }
     return jobs;
 }

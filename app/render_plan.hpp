@@ -29,7 +29,8 @@ MissingFolder missing_folder(const std::string& pattern);
 // What {name} stands for: the file's name without its folder, .gz and the ending before that; "stdin" for "-".
 std::string name_in_patterns(const std::string& path);
 
-// One job a scene, with {name} filled in. Throws InputError when an output is also an input, a golden image or another
+// One job a scene, with {name} filled in. Throws InputError when an output has an ending of something else than
+// a PNG, is also an input, a golden image or another
 // output, or a standard stream would be used twice.
 std::vector<RenderJob> plan_render(const RenderOptions& options);
 

@@ -163,7 +163,11 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
         state.settings.export_height = size.height;
         const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
         if (state.exporting) return ask_again(state.exporting->shown_path() + " is not exported yet");
-        start_export(state, path, Naming::as_said, size, ask_again);
+        try {
+            start_export(state, png_name(path), Naming::as_said, size, ask_again);
+        } catch (const InputError& error) {
+            ask_again(error.what());
+        }
     };
     state.dialogs.push_back(std::move(form));
 }

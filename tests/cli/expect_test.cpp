@@ -126,6 +126,7 @@ protected:
         folder_.write("a.txt", red_scene);
         folder_.write("b.txt", blue_scene);
         folder_.write("other/a.txt", red_scene);
+        folder_.write("scene.png", red_scene);  // a scene whose name a picture may have
         folder_.write("golden.png", encode_png(plain_picture(5, 5, {0, 0, 0})));
         std::filesystem::create_symlink("a.txt", folder_.path("link-to-a.png"));
         std::filesystem::create_symlink("golden.png", folder_.path("link-to-golden.png"));
@@ -150,17 +151,17 @@ protected:
 
 TEST_F(Refusal, OfAnOutputThatIsAnInputAGoldenOrAnotherOutput) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
-        {{"a.txt", "-o", "a.txt"}, "a.txt: cannot be both the picture of a.txt and the scene a.txt"},
+        {{"scene.png", "-o", "scene.png"}, "scene.png: cannot be both the picture of scene.png and the scene scene.png"},
         {{"a.txt", "-o", "link-to-a.png"}, "link-to-a.png: cannot be both"},
-        {{"here/a.txt", "-o", "a.txt"}, "cannot be both"},
-        {{"b.txt", "a.txt", "-o", "{name}.txt"}, "cannot be both"},
-        {{"b.txt", "a.txt", "-o", "a.txt"}, "cannot be both"},
+        {{"here/scene.png", "-o", "scene.png"}, "cannot be both"},
+        {{"b.txt", "scene.png", "-o", "{name}.png"}, "cannot be both"},
+        {{"b.txt", "scene.png", "-o", "scene"}, "cannot be both"},
         {{"a.txt", "--expect", "golden.png", "-o", "golden.png"},
          "golden.png: cannot be both the picture of a.txt and the expected picture"},
         {{"a.txt", "--expect", "link-to-golden.png", "-o", "here/golden.png"}, "cannot be both"},
         {{"a.txt", "--expect", "golden.png", "--diff", "golden.png"},
          "cannot be both the difference picture of a.txt and the expected"},
-        {{"a.txt", "--expect", "golden.png", "--diff", "a.txt"}, "cannot be both"},
+        {{"a.txt", "--expect", "golden.png", "--diff", "link-to-a.png"}, "cannot be both"},
         {{"a.txt", "--expect", "golden.png", "-o", "new.png", "--diff", "new.png"}, "new.png: cannot be both"},
         {{"a.txt", "--expect", "golden.png", "-o", "new.png", "--diff", "here/dangling.png"}, "cannot be both"},
         {{"a.txt", "b.txt", "-o", "new.png"}, "new.png: cannot be both the picture of b.txt and the picture of a.txt; use {name}"},

@@ -33,6 +33,29 @@ TEST_F(Output, ThatCannotBeIsRefusedWithTheReason) {
     }
 }
 
+TEST_F(Output, IsNamedAsWhatItIs) {
+    const auto before = folder_.names();
+    for (const std::string ending : {".jpg", ".JPEG", ".tif", ".bmp", ".txt", ".mp4"}) {
+        const std::string said = ": found the ending " + ending + ", expected .png: pictures are written as PNG alone\n";
+        EXPECT_TRUE(fails(render_into("x" + ending), 2, "x" + ending + said));
+        EXPECT_TRUE(fails(render_into("{name}" + ending), 2, "{name}" + ending + said));
+        EXPECT_TRUE(fails(render(folder_, {"red.txt", "--expect", "none.png", "--diff", "d" + ending}), 2, "d" + ending + said));
+        EXPECT_TRUE(fails(run({.arguments = {"compare", "red.png", "red.txt", "--diff", "d" + ending}, .folder = folder_.path()}),
+                          2, "d" + ending + said));
+    }
+    EXPECT_EQ(folder_.names(), before);
+
+    folder_.write("blue.v2.toml", blue_scene);
+    EXPECT_EQ(render(folder_, {"red.txt", "blue.v2.toml", "-s", "5x5", "-o", "{name}"}).status, 0);
+    for (const char* path : {"plain", "frame.0001", "upper.PNG"}) EXPECT_EQ(render_into(path).status, 0) << path;
+    EXPECT_EQ(folder_.names(),
+              (Names{"blue.v2.png", "blue.v2.toml", "frame.0001.png", "plain.png", "red.png", "red.txt", "upper.PNG"}));
+    // Where there is no name to give.
+    EXPECT_EQ(render_into("/dev/null").status, 0);
+    EXPECT_TRUE(render_into("/dev/stdout").output.starts_with("\x89PNG"));
+    EXPECT_EQ(folder_.names().size(), 7U);
+}
+
 TEST_F(Output, ThatIsRefusedIsRefusedBeforeTheScenesAreRead) {
     EXPECT_TRUE(fails(render(folder_, {"missing.txt", "-o", "folder/new.png"}), 4, "folder/new.png: cannot be written"));
 }
