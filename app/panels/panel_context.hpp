@@ -38,7 +38,14 @@ struct OpenFile {
 struct ShowFrame {
     std::int64_t frame = 0;  // of the scene's file
 };
-using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame>;
+// Of the pixel inspector's pixels.
+enum class InspectorWish { pin, unpin, compare, copy, copy_second };
+// Shows the pixel of a picture of that size in the inspector, and holds it there.
+struct PinPixel {
+    Pixel pixel;
+    PictureSize size;
+};
+using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, InspectorWish, PinPixel>;
 
 // Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
 struct WidgetRectangle {

@@ -188,6 +188,9 @@ std::vector<Command> make_commands() {
         {{Id::export_now, "File", "Export now", "F12",
           "Writes the view as a PNG at once, under the next free name beside the scene."},
          export_now},
+        {{Id::compare_picture, "File", "Compare with picture...", "Ctrl+Shift+E",
+          "Says what is wrong in a picture that somebody's own ray tracer has made of this scene."},
+         ask_for_comparison},
         {{Id::quit, "File", "Quit", "Ctrl+Q", "Closes the window.", true}, quit},
         {{Id::undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change of the scene back."},
          [](ViewerState& s) { select_touched(s, s.document.undo()); },
@@ -267,9 +270,12 @@ std::vector<Command> make_commands() {
          [](const ViewerState& s) { return has_frame(s, s.frame - 1); }},
         toggle({Id::toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
                &ViewerState::panel_shown),
-        toggle(
-            {Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
-            &ViewerState::inspector_shown),
+        toggle({Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of a pixel."},
+               &ViewerState::inspector_shown),
+        {{Id::pin_pixel, "View", "Pin the pixel", "Space", "Holds the pixel inspector at its pixel; again: lets the pixel go."},
+         [](ViewerState& s) { grant(s, s.pins.first ? InspectorWish::unpin : InspectorWish::pin); },
+         [](const ViewerState& s) { return s.inspector_shown && (s.pins.first || s.pins.last); },
+         [](const ViewerState& s) { return s.inspector_shown && s.pins.first; }},
         toggle({Id::toggle_export_area, "View", "Area of the export", "M",
                 "Marks what an export shows, where the window shows more or less."},
                &ViewerState::export_area_shown),
@@ -334,6 +340,11 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             open_scene(state, file->path);
         } else if (const auto* frame = std::get_if<ShowFrame>(&action)) {
             show_frame(state, frame->frame);
+        } else if (const auto* wish = std::get_if<InspectorWish>(&action)) {
+            grant(state, *wish);
+        } else if (const auto* pinned = std::get_if<PinPixel>(&action)) {
+            state.inspector_shown = true;
+            state.pins = {.first = PinnedPixel{pinned->pixel, pinned->size}};
         }
     }
 }

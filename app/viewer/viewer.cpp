@@ -4,8 +4,10 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
+#include <type_traits>
 #include <utility>
 
 #include "base/text.hpp"
@@ -63,7 +65,10 @@ std::string title_for(const ViewerState& state) {
 
 std::optional<WorkShown> work_of(const ViewerState& state) {
     if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
-    if (!state.loading && !state.exporting) return {};
+    if (!state.loading && !state.exporting) {
+        if (!state.comparing) return {};
+        return WorkShown{"Comparing " + state.comparing->path, {}, true};
+    }
     const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
@@ -178,7 +183,11 @@ bool Viewer::is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys
         keys.escape = false;
         return true;
     }
-    return state_.loading || state_.exporting;
+    if (!is_working(state_) && let_go(state_.pins)) {
+        keys.escape = false;
+        return true;
+    }
+    return state_.loading || state_.exporting || state_.comparing;
 }
 
 bool Viewer::is_lone_alt(const InputEvent& event) {
@@ -275,6 +284,10 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
+    if (done.clicked && state_.inspector_shown) {
+        pin(state_.pins, {{static_cast<int>(done.clicked->x), static_cast<int>(done.clicked->y)}, state_.picture_size},
+            mouse.shift);
+    }
 }
 
 void Viewer::update_picture(int step) {
@@ -293,6 +306,14 @@ void Viewer::draw_orbit_point() const {
     if (!point) return;
     const auto place = place_of(state_.camera, state_.picture_size, *point);
     if (place) draw_cross(area_, on_screen(*place), imgui_.scale());
+}
+
+void Viewer::draw_pins() const {
+    if (!state_.inspector_shown) return;
+    for (const auto& [pixel, name] : {std::pair{&state_.pins.first, "1"}, std::pair{&state_.pins.second, "2"}}) {
+        if (!*pixel) continue;
+        draw_pin(area_, on_screen(place_in(state_.picture_size, **pixel)), imgui_.scale(), state_.pins.second ? name : "");
+    }
 }
 
 void Viewer::look_for_nothing() {
@@ -327,6 +348,7 @@ void Viewer::redraw() {
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
     widgets_.clear();
+    upload_difference();
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
     if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
@@ -356,6 +378,7 @@ void Viewer::redraw() {
     use_mouse(context, facts_.keys.escape);
     draw_box();
     draw_orbit_point();
+    draw_pins();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
     if (facts_.keys.escape && !asked) {
         const std::lock_guard lock(state_.changing);
@@ -417,22 +440,71 @@ void Viewer::note_facts() {
         state_.hovered = sphere;
     }
     facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
-    if (!pixel || !state_.inspector_shown) {
-        facts_.inspected.reset();
+    inspect(pixel);
+}
+
+void Viewer::inspect(const std::optional<Pixel>& under_pointer) {
+    Inspection& inspection = facts_.inspection;
+    PinnedPixels& pins = state_.pins;
+    if (!state_.inspector_shown) {
+        inspection = {};
+        pins = {};
         return;
     }
+    if (under_pointer) pins.last = PinnedPixel{*under_pointer, state_.picture_size};
+    inspection.pinned = pins.first.has_value();
+    inspection.second_is_next = pins.second_is_next;
+    // A picture that moves need not wait for what goes through millions of spheres.
+    constexpr std::size_t most_spheres_on_the_way = 100'000;
+    if (mouse_.moves_camera() && state_.scene().spheres.size() > most_spheres_on_the_way) return;
+    const auto follow = [this](const std::optional<PinnedPixel>& pixel, std::optional<InspectedPixel>& kept) {
+        if (pixel) {
+            explain(*pixel, kept);
+        } else {
+            kept.reset();
+        }
+    };
+    follow(pins.first ? pins.first : pins.last, inspection.first);
+    follow(pins.second, inspection.second);
+}
+
+void Viewer::explain(const PinnedPixel& pixel, std::optional<InspectedPixel>& kept) {
     const std::optional<Sun> sun = state_.settings.shading == Shading::studio ? state_.shown_light().sun : std::nullopt;
-    const InspectedPlace place{*pixel, state_.picture_size, state_.camera, state_.document.revision(), sun};
-    if (facts_.inspected && facts_.inspected->place == place) return;
-    InspectedPixel inspected{place, picture_.explain(state_.document, *pixel)};
-    if (sun && inspected.explanation.visible() >= 0) {
+    const InspectedPlace place{pixel.pixel, pixel.size, state_.camera, state_.document.revision(), sun};
+    if (kept && kept->place == place) return;
+    const Scene& scene = state_.scene();
+    const bool of_window = pixel.size == state_.picture_size;
+    // Of a pixel of another size than the window's there are no lists.
+    std::optional<DrawnSpheres> drawn;
+    if (!of_window) drawn = drawn_spheres(scene, state_.camera);
+    InspectedPixel inspected{place, of_window ? picture_.explain(state_.document, pixel.pixel)
+                                              : explain_pixel(scene, *drawn, state_.camera, pixel.size, pixel.pixel, nullptr,
+                                                              most_hits_explained, most_passed_explained)};
+    const std::int32_t visible = inspected.explanation.visible();
+    if (sun && visible >= 0) {
         const LightExplanation light =
-            picture_.explain_light(state_.document, *pixel, inspected.explanation.visible(), sun->direction);
+            of_window ? picture_.explain_light(state_.document, pixel.pixel, visible, sun->direction)
+                      : explain_light({scene, *drawn, state_.camera, pixel.size, pixel.pixel, visible}, sun->direction);
         inspected.sun_shines = light.shines();
         inspected.sun = in_words(light);
+        inspected.blocker = light.blocker;
     }
-    facts_.inspected = std::move(inspected);
+    kept = std::move(inspected);
     ++explanations_;
+    pacing_.touch();  // the panels of this redraw are drawn already
+}
+
+void Viewer::upload_difference() {
+    const std::shared_ptr<const Image> shown = state_.comparison ? state_.comparison->difference : nullptr;
+    if (shown == uploaded_difference_) return;
+    uploaded_difference_ = shown;
+    facts_.difference.reset();
+    if (!shown || std::max(shown->width(), shown->height()) > gl_limit(GL_MAX_TEXTURE_SIZE)) return;
+    upload(*shown, difference_);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);  // it is shown smaller than it is
+    // A number in some releases of ImGui, a pointer in others.
+    using Bits = std::conditional_t<sizeof(ImTextureID) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+    facts_.difference = std::bit_cast<ImTextureID>(Bits{difference_.name()});
 }
 
 void Viewer::show(const Rectangle& area, bool finished) {

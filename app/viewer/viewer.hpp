@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/file_watcher.hpp"
+#include "gpu/gl_object.hpp"
 #include "gpu/live_picture.hpp"
 #include "panels/status.hpp"
 #include "viewer/imgui_bridge.hpp"
@@ -53,6 +54,14 @@ private:
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
+    // Brings the inspector's explanations up to date.
+    void inspect(const std::optional<Pixel>& under_pointer);
+    // The explanation of the pixel: what is kept, if that is of the same.
+    void explain(const PinnedPixel& pixel, std::optional<InspectedPixel>& kept);
+    // Marks the pinned pixels.
+    void draw_pins() const;
+    // Brings the picture of the difference, if one is shown, into the window's context.
+    void upload_difference();
     ImVec2 on_screen(const glm::dvec2& place) const;  // of a place in the picture
 
     ViewerState& state_;
@@ -64,7 +73,9 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
-    std::shared_ptr<const Image> uploaded_;   // the rest picture that the window's context holds
+    std::shared_ptr<const Image> uploaded_;  // the rest picture that the window's context holds
+    Texture difference_;
+    std::shared_ptr<const Image> uploaded_difference_;
     std::shared_ptr<const Image> previewed_;  // the latest preview that a redraw was asked for
     std::uint64_t looked_at_ = 0;             // the document's revision when look_for_nothing() looked
     Camera looked_from_;
