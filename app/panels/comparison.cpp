@@ -68,10 +68,24 @@ void draw_examples(const PanelContext& context, const Comparison& comparison) {
     }
 }
 
+// Moves the current window to where it does not cover the place: in the area, else over what is beside that.
+void keep_free(ImVec2 place, const Rectangle& area, float margin) {
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    const auto covers = [&](float left) { return place.x > left - margin && place.x < left + size.x + margin; };
+    if (!covers(low.x) || place.y < low.y || place.y > low.y + size.y || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    const float whole = ImGui::GetIO().DisplaySize.x;
+    for (const float left : {area.x + margin, area.x + area.width - size.x - margin, whole - size.x - margin, margin}) {
+        if (covers(left)) continue;
+        ImGui::SetWindowPos({left, low.y});
+        return;
+    }
+}
+
 }  // namespace
 
 void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
-                     const Rectangle& area, bool& open) {
+                     const Rectangle& area, const std::optional<ImVec2>& free, bool& open) {
     const float margin = 12.0F * context.scale;
     const float width = std::max(std::min(440.0F * context.scale, area.width - 2.0F * margin), 12.0F * ImGui::GetFontSize());
     const float height = std::max(std::min(620.0F * context.scale, area.height - 2.0F * margin), 12.0F * ImGui::GetFontSize());
@@ -80,6 +94,7 @@ void draw_comparison(const PanelContext& context, const Comparison& comparison, 
     const std::string title = as_label("Compared with " + comparison.picture) + "###comparison";
     if (ImGui::Begin(title.c_str(), &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
         note_rectangle(context, "comparison", ImGui::GetWindowPos(), ImGui::GetWindowSize());
+        if (free) keep_free(*free, area, margin);
         draw_words(comparison.counts);
         for (const std::string& line : comparison.verdict) {
             if (&line == comparison.verdict.data()) {

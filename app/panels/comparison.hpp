@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct Comparison {
 
 // As a window over `area`, the picture's, that `open` shows; its close button makes `open` false. `difference`: the picture of the
 // difference as a texture of ImGui's, if it is there. A click on an example, or into the difference, pins that pixel and returns to
-// the scene's own camera, which pictures are compared by. Widgets: "comparison", "difference", "example 0".
+// the scene's own camera, which pictures are compared by. The window goes aside where it would cover
+// the place `free`. Widgets: "comparison", "difference", "example 0".
 void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
-                     const Rectangle& area, bool& open);
+                     const Rectangle& area, const std::optional<ImVec2>& free, bool& open);
 
 }  // namespace sphereview

@@ -280,7 +280,7 @@ private:
         const int digits = digits_to_tell(hit.t1, hit.t2);
         draw_words("t₁ = " + short_of(hit.t1, words.t1, digits), "t₁ = " + words.t1);
         draw_words("t₂ = " + short_of(hit.t2, words.t2, digits), "t₂ = " + words.t2);
-        draw_dim_words(why(hit));
+        draw_dim_words(typeset(why(hit)));
         draw_words("t = " + short_of(hit.t, words.t, digits), "t = " + words.t);
         draw_words("P = O + t D = " + vector_text(hit.point), "point = " + words.point);
         draw_words("n = (P − C) / r = " + vector_text(hit.normal), "normal = " + words.normal);
@@ -294,7 +294,7 @@ private:
         if (pixel.sun.empty() || !pixel.place.sun) return;
         draw_words("sun: L = " + vector_text(pixel.place.sun->direction), vector_in_words(pixel.place.sun->direction));
         note_widget(context_, "sun ray");
-        draw_colored("The sun " + pixel.sun + ".", color_of_sign(pixel.sun_shines ? 1 : -1));
+        draw_colored("The sun " + typeset(pixel.sun) + ".", color_of_sign(pixel.sun_shines ? 1 : -1));
     }
 
     void draw_passed(const PassedSphere& passed) {

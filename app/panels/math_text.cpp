@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "base/text.hpp"
 #include "panels/panel_context.hpp"
@@ -101,6 +102,27 @@ std::string in_glyphs(std::string_view text) {
         const auto sign = std::ranges::find(signs, first.code, &Sign::code);
         out += sign != signs.end() && !font_has(first.code) ? sign->ascii : text.substr(0, length);
         text.remove_prefix(length);
+    }
+    return out;
+}
+
+std::string typeset(std::string_view ascii) {
+    constexpr auto written = std::to_array<std::pair<std::string_view, std::string_view>>({
+        {"t1", "t₁"},
+        {"t2", "t₂"},
+        {"^2", "²"},
+        {"n.L", "n·L"},
+        {"m.L", "m·L"},
+        {"L.L", "L·L"},
+        {"m.m", "m·m"},
+        {" - ", " − "},
+    });
+    std::string out;
+    while (!ascii.empty()) {
+        const auto found = std::ranges::find_if(written, [&](const auto& pair) { return ascii.starts_with(pair.first); });
+        const std::size_t length = found == written.end() ? 1 : found->first.size();
+        out += found == written.end() ? ascii.substr(0, 1) : found->second;
+        ascii.remove_prefix(length);
     }
     return out;
 }

@@ -15,6 +15,9 @@ inline constexpr int digits_that_matter = 6;
 // `text`, UTF-8, with the signs that ImGui's current font lacks in ASCII: "√" as "sqrt", "²" as "^2", "·" as ".", "t₁" as "t1".
 std::string in_glyphs(std::string_view text);
 
+// What the program prints in ASCII with the signs of mathematics: "n·L", "t₁", "r²", "a − b".
+std::string typeset(std::string_view ascii);
+
 // "−63670.2", "1.25 × 10⁻⁷" (for in_glyphs()): digits before the point are never left out of a number that is not written with a
 // power of ten, zeros behind it always.
 std::string number_text(double value, int digits = digits_that_matter);

@@ -112,7 +112,13 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
     if (state.comparison && state.comparison->open) {
-        draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, picture,
+        std::optional<ImVec2> pinned;
+        if (state.inspector_shown && state.pins.first) {
+            const glm::dvec2 place = place_in(state.picture_size, *state.pins.first);
+            const double pixel = static_cast<double>(picture.width) / state.picture_size.width;
+            pinned = ImVec2(picture.x + static_cast<float>(pixel * place.x), picture.y + static_cast<float>(pixel * place.y));
+        }
+        draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, picture, pinned,
                         state.comparison->open);
     }
     if (state.help_shown) draw_help(context, state.help_shown);

@@ -17,8 +17,9 @@ struct ComparisonHarness {
                           {{{3, 4}, "pixel 3,4: found 1 2 3"}, {{5, 6}, "pixel 5,6: found 1 2 3"}}};
     bool open = true;
     ImTextureID difference{};
+    std::optional<ImVec2> free{};
     PanelHarness panels{[this](const PanelContext& context) {
-        if (open) draw_comparison(context, comparison, &difference, {0.0F, 0.0F, 700.0F, 590.0F}, open);
+        if (open) draw_comparison(context, comparison, &difference, {0.0F, 0.0F, 700.0F, 590.0F}, free, open);
     }};
 };
 
@@ -39,6 +40,16 @@ TEST(ComparisonPanel, NamesTheMistakeAndLeadsToItsPixels) {
     EXPECT_EQ(std::get<PinPixel>(actions[1]).size, (PictureSize{200, 100}));
     panels.click(panels.place("difference", 0.251F, 0.502F));
     EXPECT_EQ(panels.taken<PinPixel>().at(0).pixel, (Pixel{50, 50}));
+}
+
+TEST(ComparisonPanel, GoesAsideFromThePixelThatIsExplained) {
+    ComparisonHarness shown;
+    PanelHarness& panels = shown.panels;
+    const ImVec2 middle = panels.place("comparison");
+    shown.free = middle;
+    panels.frames(3);
+    const WidgetRectangle window = panels.rectangles.at("comparison");
+    EXPECT_TRUE(middle.x < window.left || middle.x > window.right);
 }
 
 }  // namespace sphereview

@@ -28,6 +28,11 @@ TEST(MathText, WritesNumbersWithTheDigitsThatMatter) {
     EXPECT_EQ(digits_to_tell(3.0, 3.0), digits_that_matter);
 }
 
+TEST(MathText, TypesetsWhatIsPrintedInAscii) {
+    EXPECT_EQ(typeset("(m.L)^2 - L.L (m.m - r^2), t1 < 0 < t2, so-so"),
+              "(m\u00B7L)\u00B2 \u2212 L\u00B7L (m\u00B7m \u2212 r\u00B2), t\u2081 < 0 < t\u2082, so-so");
+}
+
 TEST(MathText, UsesTheSignsThatTheFontHas) {
     const PanelHarness panel([](const PanelContext&) {});
     EXPECT_EQ(in_glyphs("\u221A(b\u00B2 \u2212 4ac)"), "sqrt(b\u00B2 - 4ac)");
