@@ -54,6 +54,7 @@ public:
                 finish(block, visible);
             }
         }
+        draw_marks(options_.marks, options_.camera, picture_);
         return std::move(picture_);
     }
 

@@ -289,9 +289,21 @@ private:
         }
     }
 
+    void draw_sun_section(const InspectedPixel& pixel) {
+        const auto shadow = shadow_ray(scene_, pixel.explanation, pixel.place.sun->direction, pixel.blocker);
+        if (!shadow) return;
+        draw_ray_section(context_, "sun drawing",
+                         {scene_, pixel.place.camera, pixel.place.size, pixel.place.pixel, *shadow, {}, {}, false}, {});
+        draw_dim_words("The ray from the point P to the sun" +
+                       (pixel.blocker && is_there(scene_, *pixel.blocker)
+                            ? ": " + title_of(scene_, static_cast<std::uint32_t>(*pixel.blocker)) + " is in the way."
+                            : std::string(".")));
+    }
+
     // The ray from the point to the sun.
     void draw_sun(const InspectedPixel& pixel) {
         if (pixel.sun.empty() || !pixel.place.sun) return;
+        draw_sun_section(pixel);
         draw_words("sun: L = " + vector_text(pixel.place.sun->direction), vector_in_words(pixel.place.sun->direction));
         note_widget(context_, "sun ray");
         draw_colored("The sun " + typeset(pixel.sun) + ".", color_of_sign(pixel.sun_shines ? 1 : -1));

@@ -257,7 +257,7 @@ private:
         const double right = canvas_.window().high.x;
         canvas_.dashes({left, 0.0}, {0.0, 0.0}, text_color(0.35F), 1.0F);
         const double seen = section_.seen.value_or(right);
-        canvas_.line({0.0, 0.0}, {seen, 0.0}, text_color(0.95F), 1.8F);
+        canvas_.line({0.0, 0.0}, {seen, 0.0}, of_.from_eye ? text_color(0.95F) : faded(sun_color, 0.95F), 1.8F);
         if (seen < right) canvas_.line({seen, 0.0}, {right, 0.0}, text_color(0.35F), 1.0F);
         // The arrow that D is.
         if (!section_.screen_outside && section_.screen) arrow({0.0, 0.0}, {section_.on_screen, 0.0}, text_color(0.95F));
@@ -319,7 +319,7 @@ private:
         const ImVec2 a = canvas_.at(from);
         const ImVec2 b = canvas_.at(to);
         const float length = std::hypot(b.x - a.x, b.y - a.y);
-        if (length < 12.0F * canvas_.scale()) return;
+        if (blocked || length < 60.0F * canvas_.scale()) return;
         const float on = std::min(length, 46.0F * canvas_.scale()) / length;
         canvas_.text({a.x + on * (b.x - a.x) + 6.0F * canvas_.scale(), a.y + on * (b.y - a.y)}, 0.0F, 0.5F, "to the sun",
                      faded(sun_color, 0.95F));
@@ -355,7 +355,12 @@ private:
         const float s = canvas_.scale();
         canvas_.point(glm::dvec2(0.0), 4.0F, text_color(1.0F), true);
         const ImVec2 at = canvas_.at(glm::dvec2(0.0));
-        canvas_.text({at.x - 2.0F * s, at.y + 7.0F * s}, 0.5F, 0.0F, section_.eye_plane ? "O" : "eye", text_color(1.0F));
+        const char* name = !of_.from_eye ? "P" : section_.eye_plane ? "O" : "eye";
+        canvas_.text({at.x - 2.0F * s, at.y + 7.0F * s}, 0.5F, 0.0F, name, text_color(1.0F));
+        if (of_.from_eye) return;
+        const ImVec2 sun{canvas_.high().x - 12.0F * s, at.y};
+        canvas_.list().AddCircleFilled(sun, 6.0F * s, faded(sun_color, 1.0F));
+        canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, "sun", faded(sun_color, 1.0F));
     }
 
     void draw_outside() const {

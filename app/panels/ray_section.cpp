@@ -237,7 +237,7 @@ RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subj
     const glm::dvec2 half{of.size.width / m, of.size.height / m};
     section.on_screen = length;
     const SectionLine screen = plane.cut(e.origin + e.direction, from_middle, half);
-    if (std::isfinite(glm::length(screen.to - screen.from))) section.screen = screen;
+    if (of.from_eye && std::isfinite(glm::length(screen.to - screen.from))) section.screen = screen;
     if (of.camera.orthographic() && section.screen) section.eye_plane = plane.cut(e.origin, from_middle, half);
 
     section.window = window_for(section, aspect);
@@ -250,6 +250,37 @@ RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subj
         if (!around(circle).meets(section.window)) section.outside.push_back(circle.number);
     }
     return section;
+}
+
+std::optional<PixelExplanation> shadow_ray(const Scene& scene, const PixelExplanation& pixel, const glm::dvec3& sun,
+                                           std::optional<std::int32_t> blocker) {
+    if (pixel.hits.empty()) return std::nullopt;
+    const ExplainedHit& seen = pixel.hits.front();
+    if (static_cast<std::size_t>(seen.number) >= scene.spheres.size()) return std::nullopt;
+    PixelExplanation shadow;
+    shadow.origin = seen.point;
+    shadow.direction = unit(sun);
+    const auto solve = [&](std::int32_t number, auto& out) {
+        const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
+        const glm::dvec3 from_center = shadow.origin - sphere.center;
+        out.number = number;
+        out.a = 1.0;
+        out.b = 2.0 * dot(from_center, shadow.direction);
+        // The point is on its own sphere.
+        out.c = number == seen.number ? 0.0 : dot(from_center, from_center) - sphere.radius * sphere.radius;
+        out.discriminant = std::max(out.b * out.b - 4.0 * out.c, 0.0);
+        out.discriminant_sign = out.discriminant > 0.0 ? 1 : 0;
+        const double root = std::sqrt(out.discriminant);
+        out.t1 = 0.5 * (-out.b - root);
+        out.t2 = 0.5 * (-out.b + root);
+    };
+    if (blocker && static_cast<std::size_t>(*blocker) < scene.spheres.size()) {
+        ExplainedHit& hit = shadow.hits.emplace_back();
+        solve(*blocker, hit);
+        hit.t = hit.t1;
+    }
+    solve(seen.number, shadow.passed.emplace_back());
+    return shadow;
 }
 
 std::vector<glm::dvec2> points_of(const SectionCircle& circle, const SectionWindow& window) {

@@ -69,7 +69,13 @@ struct SectionSubject {
     const PixelExplanation& explanation;  // numbers of spheres that are gone are passed over
     std::optional<glm::dvec3> sun{};      // the direction, where light is shown
     std::optional<std::int32_t> blocker{};
+    bool from_eye = true;  // else the ray goes from a point to the sun, and there is no screen
 };
+
+// The ray from the point that a pixel shows to the sun as an explanation of its own, in double, whose t are lengths: what is in the
+// way is its hit, and the sphere that the point is on lies behind it. Nothing where no sphere is seen.
+std::optional<PixelExplanation> shadow_ray(const Scene& scene, const PixelExplanation& pixel, const glm::dvec3& sun,
+                                           std::optional<std::int32_t> blocker);
 
 // `subject`: the sphere through whose centre the plane goes; by default, and where that is none of the explanation, the nearest
 // hit, or else the nearest near miss. `aspect`: the width of the drawing by its height. The window holds what matters most, as long

@@ -1,8 +1,67 @@
 #include "viewer/pinned_pixels.hpp"
 
+#include <utility>
+
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
+
+namespace {
+
+// Explains the pixel, unless what is kept is of the same. Returns whether it did.
+bool explain(const ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, std::optional<InspectedPixel>& kept) {
+    const std::optional<Sun> sun = state.settings.shading == Shading::studio ? state.shown_light().sun : std::nullopt;
+    const InspectedPlace place{pixel.pixel, pixel.size, state.camera, state.document.revision(), sun};
+    if (kept && kept->place == place) return false;
+    const Scene& scene = state.scene();
+    const bool of_window = pixel.size == state.picture_size;
+    // Of a pixel of another size than the window's there are no lists.
+    std::optional<DrawnSpheres> drawn;
+    if (!of_window) drawn = drawn_spheres(scene, state.camera);
+    InspectedPixel inspected{place, of_window ? picture.explain(state.document, pixel.pixel)
+                                              : explain_pixel(scene, *drawn, state.camera, pixel.size, pixel.pixel, nullptr,
+                                                              most_hits_explained, most_passed_explained)};
+    const std::int32_t visible = inspected.explanation.visible();
+    if (sun && visible >= 0) {
+        const LightExplanation light =
+            of_window ? picture.explain_light(state.document, pixel.pixel, visible, sun->direction)
+                      : explain_light({scene, *drawn, state.camera, pixel.size, pixel.pixel, visible}, sun->direction);
+        inspected.sun_shines = light.shines();
+        inspected.sun = in_words(light);
+        inspected.blocker = light.blocker;
+    }
+    kept = std::move(inspected);
+    return true;
+}
+
+}  // namespace
+
+std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool view_moves,
+                    Inspection& inspection) {
+    PinnedPixels& pins = state.pins;
+    if (!state.inspector_shown) {
+        inspection = {};
+        pins = {};
+        return 0;
+    }
+    if (under_pointer) pins.last = PinnedPixel{*under_pointer, state.picture_size};
+    inspection.pinned = pins.first.has_value();
+    inspection.second_is_next = pins.second_is_next;
+    // A picture that moves need not wait for what goes through millions of spheres.
+    constexpr std::size_t most_spheres_on_the_way = 100'000;
+    if (view_moves && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
+    std::size_t explained = 0;
+    const auto follow = [&](const std::optional<PinnedPixel>& pixel, std::optional<InspectedPixel>& kept) {
+        if (!pixel) {
+            kept.reset();
+        } else if (explain(state, picture, *pixel, kept)) {
+            ++explained;
+        }
+    };
+    follow(pins.first ? pins.first : pins.last, inspection.first);
+    follow(pins.second, inspection.second);
+    return explained;
+}
 
 void pin(PinnedPixels& pins, const PinnedPixel& pixel, bool beside) {
     if (pins.first && (beside || pins.second_is_next)) {

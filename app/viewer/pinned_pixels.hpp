@@ -1,11 +1,13 @@
 // The pixels that the inspector holds, and their words.
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 
-#include "panels/panel_context.hpp"
+#include "gpu/live_picture.hpp"
+#include "panels/inspector.hpp"
 
 namespace sphereview {
 
@@ -34,6 +36,11 @@ bool let_go(PinnedPixels& pins);
 
 // Where a picture of another size shows the pixel's ray, in pixels from its top left corner.
 glm::dvec2 place_in(PictureSize size, const PinnedPixel& pixel);
+
+// Brings what the inspector shows up to date: of the pinned pixels, else of the one under the pointer, as the picture's last
+// update() saw them. `view_moves`: then what takes time waits. Returns how many explanations were made anew.
+std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool view_moves,
+                    Inspection& inspection);
 
 // Does what the inspector asks for.
 void grant(ViewerState& state, InspectorWish wish);

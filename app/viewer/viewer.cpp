@@ -4,10 +4,8 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/common.hpp>
-#include <type_traits>
 #include <utility>
 
 #include "base/text.hpp"
@@ -72,7 +70,10 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
     const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
-    if (!state.loading) return WorkShown{"Exporting " + state.exporting->path, total > 0.0 ? done / total : 0.0, true};
+    if (!state.loading) {
+        const std::string path = state.exporting->shown_path();
+        return WorkShown{"Exporting " + (path.empty() ? "the view" : path), total > 0.0 ? done / total : 0.0, true};
+    }
     std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
@@ -98,9 +99,19 @@ void Viewer::run(const std::function<bool()>& interrupted) {
             const std::lock_guard lock(state_.changing);
             state_.autosave.look(state_.document, state_.path, Clock::now());
         }
+        keep_recent_files();
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
+    // What the end writes is not to be replaced by what was written before.
+    if (settings_kept_) settings_kept_->wait_for(std::chrono::seconds(1));
+}
+
+void Viewer::keep_recent_files() {
+    if (state_.settings.recent == kept_recent_ || (settings_kept_ && !settings_kept_->ended())) return;
+    kept_recent_ = state_.settings.recent;
+    settings_kept_.reset();
+    settings_kept_.emplace([settings = state_.settings](WorkControl&) { save_settings(settings); });
 }
 
 // Not what is being saved: what is kept of that stays until the file is whole. But what is edited meanwhile.
@@ -117,7 +128,7 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_picture_works_ || state_.box_selection || shaders_changed_;
+    const bool looks_again = is_working(state_) || rest_.works() || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
@@ -153,14 +164,9 @@ void Viewer::follow_work() {
         work_shown_ = Clock::now();
         pacing_.touch();
     }
-    if (rest_picture_works_ && (!state_.rest_picture || state_.rest_picture->job.ended())) {
-        rest_picture_works_ = false;
-        pacing_.touch();
-    }
-    if (rest_picture_works_ && state_.rest_picture && state_.rest_picture->preview->image() != previewed_) {
-        previewed_ = state_.rest_picture->preview->image();
-        if (previewed_) pacing_.show_once();
-    }
+    const RestView::News news = rest_.look(state_);
+    if (news == RestView::News::end) pacing_.touch();
+    if (news == RestView::News::draft) pacing_.show_once();
     if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
@@ -280,7 +286,8 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                                [this](Pixel low, Pixel high, bool toggles) {
                                    select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
                                },
-                               state_.bounds};
+                               state_.bounds,
+                               state_.settings.trackball};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
@@ -316,18 +323,6 @@ void Viewer::draw_pins() const {
     }
 }
 
-void Viewer::look_for_nothing() {
-    if (looked_at_ == state_.document.revision() && looked_from_ == state_.camera) return;
-    looked_at_ = state_.document.revision();
-    looked_from_ = state_.camera;
-    const bool shows_any = state_.scene().spheres.size() > state_.bounds.hidden;
-    const auto is_background = [](std::int32_t seen) { return seen == visible_background; };
-    const std::vector<std::int32_t> seen = shows_any ? picture_.seen_numbers() : std::vector<std::int32_t>{};
-    if (seen.empty() || !std::ranges::all_of(seen, is_background)) return;
-    state_.messages.hint = "Nothing of the scene is in view. F shows everything, Home returns to the scene's camera.";
-    pacing_.touch();
-}
-
 void Viewer::draw_box() const {
     const auto box = mouse_.box();
     if (!box) return;
@@ -348,7 +343,7 @@ void Viewer::redraw() {
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
     widgets_.clear();
-    upload_difference();
+    facts_.difference = difference_.follow(state_.comparison ? state_.comparison->difference : nullptr);
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
     if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
@@ -375,6 +370,7 @@ void Viewer::redraw() {
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
+    draw_view_marks(state_, context, area_, pixels_);
     use_mouse(context, facts_.keys.escape);
     draw_box();
     draw_orbit_point();
@@ -394,36 +390,25 @@ void Viewer::redraw() {
     imgui_.set_text_scale(state_.settings.text_scale);
     window_.set_title(title_for(state_));
 
-    // Asked before: a picture that is made from now on is shown by the next redraw.
-    const bool ended = state_.rest_picture && state_.rest_picture->job.ended();
-    const bool exact = rest_picture_is_shown(state_);
-    const bool kept = state_.rest_picture.has_value();
+    rest_.settle(state_);
     update_picture(refines ? 1 : pacing_.moving_step());
     note_facts();
-    show(area_, exact);
+    show(area_);
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
-    if (looked_from_ != state_.camera || looked_at_ != state_.document.revision()) state_.messages.hint.clear();
-    if (pacing_.rests() && input_.empty()) look_for_nothing();
-    if (pacing_.rests() && input_.empty()) make_rest_picture(state_, [&] { return picture_.seen_numbers(); });
-    rest_picture_works_ = state_.rest_picture && !(kept && ended);
+    if (lost_hint_.update(state_, picture_, pacing_.rests() && input_.empty())) pacing_.touch();
+    rest_.end_redraw(state_, picture_, pacing_.rests() && input_.empty());
     if (log_.wanted()) {
-        const bool resting =
-            pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
+        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !state_.box_selection;
         log_.add(state_, facts_,
-                 {++redraw_number_, picture_.builds(), explanations_, exact, rest_picture_works_, draft_seconds(exact), resting,
-                  area_, seconds_between(begin, Clock::now()), title_for(state_)},
+                 {++redraw_number_, picture_.builds(), explanations_, rest_.is_exact(), rest_.works(), rest_.draft_seconds(state_),
+                  resting, area_, seconds_between(begin, Clock::now()), title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
     constexpr std::chrono::milliseconds most_counted{50};
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
-}
-
-std::optional<double> Viewer::draft_seconds(bool exact) const {
-    if (exact || !state_.rest_picture || !uploaded_ || uploaded_ != previewed_) return std::nullopt;
-    return seconds_between(state_.rest_picture->begun, Clock::now());
 }
 
 void Viewer::note_facts() {
@@ -440,81 +425,13 @@ void Viewer::note_facts() {
         state_.hovered = sphere;
     }
     facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
-    inspect(pixel);
+    const std::size_t explained = inspect(state_, picture_, pixel, mouse_.moves_camera(), facts_.inspection);
+    explanations_ += explained;
+    if (explained > 0) pacing_.touch();  // the panels of this redraw are drawn already
 }
 
-void Viewer::inspect(const std::optional<Pixel>& under_pointer) {
-    Inspection& inspection = facts_.inspection;
-    PinnedPixels& pins = state_.pins;
-    if (!state_.inspector_shown) {
-        inspection = {};
-        pins = {};
-        return;
-    }
-    if (under_pointer) pins.last = PinnedPixel{*under_pointer, state_.picture_size};
-    inspection.pinned = pins.first.has_value();
-    inspection.second_is_next = pins.second_is_next;
-    // A picture that moves need not wait for what goes through millions of spheres.
-    constexpr std::size_t most_spheres_on_the_way = 100'000;
-    if (mouse_.moves_camera() && state_.scene().spheres.size() > most_spheres_on_the_way) return;
-    const auto follow = [this](const std::optional<PinnedPixel>& pixel, std::optional<InspectedPixel>& kept) {
-        if (pixel) {
-            explain(*pixel, kept);
-        } else {
-            kept.reset();
-        }
-    };
-    follow(pins.first ? pins.first : pins.last, inspection.first);
-    follow(pins.second, inspection.second);
-}
-
-void Viewer::explain(const PinnedPixel& pixel, std::optional<InspectedPixel>& kept) {
-    const std::optional<Sun> sun = state_.settings.shading == Shading::studio ? state_.shown_light().sun : std::nullopt;
-    const InspectedPlace place{pixel.pixel, pixel.size, state_.camera, state_.document.revision(), sun};
-    if (kept && kept->place == place) return;
-    const Scene& scene = state_.scene();
-    const bool of_window = pixel.size == state_.picture_size;
-    // Of a pixel of another size than the window's there are no lists.
-    std::optional<DrawnSpheres> drawn;
-    if (!of_window) drawn = drawn_spheres(scene, state_.camera);
-    InspectedPixel inspected{place, of_window ? picture_.explain(state_.document, pixel.pixel)
-                                              : explain_pixel(scene, *drawn, state_.camera, pixel.size, pixel.pixel, nullptr,
-                                                              most_hits_explained, most_passed_explained)};
-    const std::int32_t visible = inspected.explanation.visible();
-    if (sun && visible >= 0) {
-        const LightExplanation light =
-            of_window ? picture_.explain_light(state_.document, pixel.pixel, visible, sun->direction)
-                      : explain_light({scene, *drawn, state_.camera, pixel.size, pixel.pixel, visible}, sun->direction);
-        inspected.sun_shines = light.shines();
-        inspected.sun = in_words(light);
-        inspected.blocker = light.blocker;
-    }
-    kept = std::move(inspected);
-    ++explanations_;
-    pacing_.touch();  // the panels of this redraw are drawn already
-}
-
-void Viewer::upload_difference() {
-    const std::shared_ptr<const Image> shown = state_.comparison ? state_.comparison->difference : nullptr;
-    if (shown == uploaded_difference_) return;
-    uploaded_difference_ = shown;
-    facts_.difference.reset();
-    if (!shown || std::max(shown->width(), shown->height()) > gl_limit(GL_MAX_TEXTURE_SIZE)) return;
-    upload(*shown, difference_);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);  // it is shown smaller than it is
-    // A number in some releases of ImGui, a pointer in others.
-    using Bits = std::conditional_t<sizeof(ImTextureID) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
-    facts_.difference = std::bit_cast<ImTextureID>(Bits{difference_.name()});
-}
-
-void Viewer::show(const Rectangle& area, bool finished) {
-    // A preview is as right as the picture is: both are forgotten when something changes.
-    std::shared_ptr<const Image> image;
-    if (state_.rest_picture) image = finished ? state_.rest_picture->image : state_.rest_picture->preview->image();
-    if (image && uploaded_ != image) {
-        uploaded_ = image;
-        picture_.upload(*uploaded_);
-    }
+void Viewer::show(const Rectangle& area) {
+    const bool finished = rest_.upload(state_, picture_);
     const Window::Extent framebuffer = window_.framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const int left = static_cast<int>(std::lround(area.x * pixels_));
@@ -522,7 +439,7 @@ void Viewer::show(const Rectangle& area, bool finished) {
     const PictureSize size = state_.picture_size;
     picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
                   {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)},
-                  image != nullptr);
+                  finished);
 }
 
 }  // namespace sphereview

@@ -138,7 +138,8 @@ TEST(Inspector, FollowsTheRayToTheSun) {
     EXPECT_EQ(panel.text().find("sun"), std::string::npos);
     panel.pixel().place.sun = Sun{{1.0, 2.0, -3.0}, 1.0};
     panel.pixel().sun = "does not shine: so it is";
-    expect_in_order(panel.text(), {"n = ", "sun: L = (1, 2, -3)", "The sun does not shine: so it is."});
+    expect_in_order(panel.text(),
+                    {"n = ", "from the point P to the sun", "sun: L = (1, 2, -3)", "The sun does not shine: so it is."});
 }
 
 TEST(Inspector, IsAskedByItsButtons) {

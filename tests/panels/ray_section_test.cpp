@@ -145,6 +145,23 @@ TEST(RaySectionTest, FollowsTheShadowRayToWhatIsInTheWay) {
     EXPECT_FALSE(of.section().to_sun);
 }
 
+TEST(RaySectionTest, HasADrawingOfTheShadowRayItself) {
+    const SectionOfPixel of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 60.0, 120.0}, 10.0}}, {50, 50});
+    const glm::dvec3 sun{0.0, 3.0, -3.0};
+    const auto shadow = shadow_ray(of.scene, of.explanation, sun, 1);
+    ASSERT_TRUE(shadow);
+    EXPECT_EQ(shadow->visible(), 1);
+    const RaySection section = section_of({of.scene, of.scene.camera, square, of.pixel, *shadow, {}, {}, false}, {}, 2.0);
+    EXPECT_FALSE(section.screen);
+    EXPECT_EQ(section.circles.front().number, 1);
+    EXPECT_NEAR(circle(section, 1).first, std::sqrt(2.0) * 60.0 - 10.0, 1e-9);
+    EXPECT_NEAR(circle(section, 0).second, 0.0, 1e-9) << "the point is on its sphere";
+    EXPECT_LT(circle(section, 0).first, 0.0);
+    EXPECT_TRUE(section.outside.empty());
+    EXPECT_TRUE(shadow_ray(of.scene, of.explanation, sun, {})->hits.empty());
+    EXPECT_FALSE(shadow_ray(of.scene, PixelExplanation{}, sun, {}));
+}
+
 TEST(RaySectionTest, HasPointsWhereTheWindowIs) {
     const SectionWindow window{{0.0, -1.0}, {2.0, 1.0}};
     for (const double radius : {1.0, 1e3, 1e7}) {
