@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/compare_words.hpp"
 #include "app/json.hpp"
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
@@ -55,12 +56,6 @@ std::vector<CompareJob> plan(const CompareOptions& options) {
     return jobs;
 }
 
-std::string called(const Scene& scene, std::int32_t number) {
-    if (number == visible_background) return "the background";
-    const auto name = scene.names.find(static_cast<std::uint32_t>(number));
-    return "sphere " + std::to_string(number) + (name == scene.names.end() ? "" : " " + in_quotes(name->second));
-}
-
 std::string coordinates(Pixel pixel) { return std::to_string(pixel.x) + "," + std::to_string(pixel.y); }
 
 // The roots of a sphere along a pixel's ray, or that it has none.
@@ -83,26 +78,15 @@ std::string in_words(const Diagnosis& diagnosis, const CompareJob& job, const Lo
     if (diagnosis.different == 0) return name + ": equal to the right picture of " + scene_name + "\n";
     std::string text = name + ": " + count(diagnosis.different) + " of " + count(diagnosis.pixels) +
                        " pixels differ from the right picture of " + scene_name + "\n";
-    if (diagnosis.likeliest.empty()) {
-        text += "  likeliest mistake: none of the usual ones\n";
-    } else {
-        text += "  likeliest mistake: " + diagnosis.likeliest_words + "\n";
-        text += "    explains " + count(diagnosis.explained) + " of the pixels that differ";
-        text += diagnosis.contradicting == 0 ? ", and contradicts none that is right\n"
-                                             : "; " + count(diagnosis.contradicting) + " right ones speak against it\n";
-        if (!diagnosis.as_likely.empty()) {
-            text += "    this picture cannot tell it from " + diagnosis.as_likely_words + "\n";
-        }
+    for (const std::string& line : verdict_in_words(diagnosis)) {
+        text += (line.starts_with("likeliest") ? "  " : "    ") + line + "\n";
     }
     const bool said = diagnosis.shares.size() == 1 && !diagnosis.likeliest.empty();
     for (const MistakeShare& share : said ? std::vector<MistakeShare>{} : diagnosis.shares)
         text += "  " + count(share.pixels) + ": " + share.words + "\n";
     const DrawnSpheres drawn = drawn_spheres(loaded.scene);
     for (const DifferingPixel& example : diagnosis.examples) {
-        const std::string found =
-            example.found_number ? called(loaded.scene, *example.found_number) : std::string("a colour of nothing in the scene");
-        text += "  pixel " + coordinates(example.pixel) + ": found " + in_words(example.found) + " (" + found + "), expected " +
-                in_words(example.expected) + " (" + called(loaded.scene, example.expected_number) + ")\n";
+        text += "  " + in_words(loaded.scene, example) + "\n";
         const PixelExplanation explanation = explain_pixel(loaded.scene, drawn, loaded.scene.camera, size, example.pixel);
         for (const std::int32_t number : {example.expected_number, example.found_number.value_or(visible_background)}) {
             if (number != visible_background) text += "    " + roots_in_words(loaded.scene, explanation, number) + "\n";

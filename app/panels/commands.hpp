@@ -16,8 +16,9 @@ enum class CommandId {
     file_open,
     file_save,
     file_save_as,
-    export_picture,  // asks for name and size
-    export_now,      // F12: the next free name
+    export_picture,   // asks for name and size
+    export_now,       // F12: the next free name
+    compare_picture,  // of another ray tracer
     quit,
     undo,
     redo,
@@ -56,6 +57,7 @@ enum class CommandId {
     last_shading = first_shading + static_cast<int>(shading_modes.size()) - 1,
     toggle_panel,
     toggle_inspector,
+    pin_pixel,  // that the inspector shows
     measure,
     toggle_export_area,
     toggle_axes,

@@ -2,118 +2,353 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "base/text.hpp"
+#include "panels/math_text.hpp"
+#include "panels/ray_drawings.hpp"
 #include "panels/widgets.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
 namespace {
 
-constexpr std::size_t most_hits_shown = 20;  // a ray may hit a million
+bool is_there(const Scene& scene, std::int32_t number) {
+    // An explanation may be of the scene of the last frame.
+    return static_cast<std::size_t>(number) < scene.spheres.size();
+}
 
-const ImVec4 above_zero{0.40F, 0.85F, 0.45F, 1.0F};
-const ImVec4 zero{1.00F, 0.75F, 0.25F, 1.0F};
-const ImVec4 below_zero{1.00F, 0.42F, 0.40F, 1.0F};
-
-void colored_line(const std::string& text, const ImVec4& color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, on_panel(color));
-    wrapped_text(text);
+void draw_colored(std::string_view text, const ImVec4& color, std::string_view on_hover = "") {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    draw_words(text, on_hover);
     ImGui::PopStyleColor();
 }
 
-void draw_ray(const PixelExplanation& e) {
-    wrapped_text("P = O + t D");
-    wrapped_text(origin_in_words(e));
-    wrapped_text(direction_in_words(e));
-    ImGui::Spacing();
-    dim_text("||P - C||^2 = r^2, with P = O + t D:");
-    wrapped_text("D.D t^2 + 2 D.(O - C) t + (O - C).(O - C) - r^2 = 0");
-    dim_text("a = D.D,  b = 2 D.(O - C),  c = (O - C).(O - C) - r^2");
-    dim_text("discriminant = b^2 - 4 a c,  t1, t2 = (-b -+ sqrt(discriminant)) / (2 a)");
+// A number rounded to what matters, unless its words say what no double can.
+std::string short_of(double value, const std::string& words, int digits = digits_that_matter) {
+    return words.starts_with('(') ? words : number_text(value, digits);
 }
 
-void draw_title(const PanelContext& context, const ExplainedHit& hit, bool seen) {
-    const Scene& scene = context.document.scene();
-    const auto number = static_cast<std::uint32_t>(hit.number);
-    const Sphere& sphere = scene.spheres[number];
-    const float side = ImGui::GetTextLineHeight();
-    draw_swatch(sphere.color, ImGui::GetCursorScreenPos(), side, context.scale);
-    ImGui::Dummy({side, side});
-    ImGui::SameLine();
-    ImGui::TextUnformatted(title_of(scene, number).c_str());
-    note_widget(context, "hit " + std::to_string(number));
-    if (seen) {
-        ImGui::SameLine();
-        ImGui::TextColored(on_panel(above_zero), "seen");
+std::string place_in_words(const InspectedPlace& place) {
+    return "Pixel " + std::to_string(place.pixel.x) + ", " + std::to_string(place.pixel.y) + " of " +
+           std::to_string(place.size.width) + " × " + std::to_string(place.size.height);
+}
+
+class Inspector {
+public:
+    Inspector(const PanelContext& context, const Inspection& inspection, InspectorState& state)
+        : context_(context), inspection_(inspection), state_(state), scene_(context.document.scene()) {}
+
+    void draw() {
+        draw_head();
+        ImGui::BeginChild("inspected");
+        if (!inspection_.first) {
+            draw_dim_words("Point at the picture to see the arithmetic of a pixel. A click pins the pixel.");
+        } else {
+            if (inspection_.second) draw_comparison();
+            const bool second = inspection_.second && state_.second_in_detail;
+            draw_pixel(second ? *inspection_.second : *inspection_.first);
+        }
+        ImGui::EndChild();
     }
-    dim_text("C = " + vector_in_words(sphere.center) + ", r = " + shortest(sphere.radius));
-}
 
-void draw_hit(const PanelContext& context, const ExplainedHit& hit, bool seen) {
-    ImGui::Separator();
-    draw_title(context, hit, seen);
-    const HitInWords words = in_words(hit);
-    wrapped_text("a = " + words.a);
-    wrapped_text("b = " + words.b);
-    wrapped_text("c = " + words.c);
-    colored_line("discriminant = " + words.discriminant + "  " + words.roots, hit.discriminant_sign > 0 ? above_zero : zero);
-    wrapped_text("t1 = " + words.t1);
-    wrapped_text("t2 = " + words.t2);
-    dim_text(why(hit));
-    wrapped_text("t = " + words.t);
-    wrapped_text("point = " + words.point);
-    wrapped_text("normal = " + words.normal);
-    if (hit.as_near_as_last) colored_line("exactly as near as the sphere before it, which comes first in the file", zero);
-}
+private:
+    void ask(InspectorWish wish) { context_.actions.emplace_back(wish); }
 
-// The ray from the point to the sun.
-void draw_sun(const PanelContext& context, const InspectedPixel& pixel) {
-    if (pixel.sun.empty() || !pixel.place.sun) return;
-    wrapped_text("sun: L = " + vector_in_words(pixel.place.sun->direction));
-    note_widget(context, "sun ray");
-    colored_line("The sun " + pixel.sun + ".", pixel.sun_shines ? above_zero : below_zero);
-}
+    bool button(const char* label, const char* widget, const char* help, bool enabled = true) {
+        ImGui::BeginDisabled(!enabled);
+        const bool pressed = ImGui::Button(label);
+        ImGui::EndDisabled();
+        note_widget(context_, widget);
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help);
+        return pressed;
+    }
 
-void draw_rest(const PixelExplanation& e) {
-    if (e.missed > 0) colored_line(in_groups(static_cast<std::uint64_t>(e.missed)) + " missed: discriminant < 0", below_zero);
-    const std::string behind = behind_in_words(e);
-    if (e.elsewhere > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.elsewhere)) + " elsewhere or " + behind + ": not hit");
-    if (e.behind > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.behind)) + " " + behind + ": no positive root");
-    if (e.hidden > 0) dim_text(in_groups(static_cast<std::uint64_t>(e.hidden)) + " hidden");
-}
+    // Goes on in the line where the next button fits.
+    void same_line_for(const char* label) const {
+        const float needed = width_of(label) + 2.0F * ImGui::GetStyle().FramePadding.x;
+        ImGui::SameLine();
+        if (ImGui::GetContentRegionAvail().x < needed) ImGui::NewLine();
+    }
+
+    void draw_head() {
+        const float side = ImGui::GetFrameHeight();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted("Pixel inspector");
+        ImGui::SameLine(std::max(ImGui::GetContentRegionAvail().x - side + ImGui::GetCursorPosX(), width_of("Pixel inspector")));
+        if (ImGui::Button("x##inspector", {side, side})) context_.actions.emplace_back(RunCommand{CommandId::toggle_inspector});
+        note_widget(context_, "close inspector");
+        if (!inspection_.first) return;
+        if (!inspection_.pinned) {
+            draw_dim_words("Follows the pointer. A click, or Space, pins the pixel.");
+        } else if (inspection_.second_is_next) {
+            draw_colored("Click the pixel to compare with.", color_of_sign(0));
+        } else {
+            draw_dim_words("Pinned: Escape lets it go.");
+        }
+        if (button(inspection_.pinned ? "Unpin" : "Pin", "unpin",
+                   inspection_.pinned ? "Lets the pixel go (Escape)" : "Holds this pixel (Space, or a click in the picture)")) {
+            ask(inspection_.pinned ? InspectorWish::unpin : InspectorWish::pin);
+        }
+        same_line_for("Compare");
+        if (button("Compare", "compare pixels", "The next click pins a second pixel beside this one (Shift+click)",
+                   inspection_.pinned)) {
+            ask(InspectorWish::compare);
+        }
+        same_line_for("Copy as text");
+        if (button("Copy as text", "copy explanation", "Puts the words of `sphereview explain` on the clipboard")) {
+            ask(state_.second_in_detail && inspection_.second ? InspectorWish::copy_second : InspectorWish::copy);
+        }
+    }
+
+    std::string seen_in_words(const InspectedPixel& pixel) const {
+        const std::int32_t number = pixel.explanation.visible();
+        if (number < 0 || !is_there(scene_, number)) return "the background";
+        return title_of(scene_, static_cast<std::uint32_t>(number));
+    }
+
+    void draw_comparison() {
+        const InspectedPixel& one = *inspection_.first;
+        const InspectedPixel& other = *inspection_.second;
+        ImGui::Spacing();
+        if (ImGui::BeginTable("compared", 3, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) {
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, width_of(in_glyphs("b² − 4ac")));
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+            ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+            const auto row = [](const char* name, const std::string& a, const std::string& b, const std::string& all_a = "",
+                                const std::string& all_b = "") {
+                ImGui::TableNextRow();
+                ImGui::TableNextColumn();
+                draw_dim_words(name);
+                ImGui::TableNextColumn();
+                draw_words(a, all_a);
+                ImGui::TableNextColumn();
+                draw_words(b, all_b);
+            };
+            const auto pixel = [](const InspectedPixel& p) {
+                return std::to_string(p.place.pixel.x) + ", " + std::to_string(p.place.pixel.y);
+            };
+            row("pixel", "1: " + pixel(one), "2: " + pixel(other));
+            row("D", vector_text(one.explanation.direction, 4), vector_text(other.explanation.direction, 4),
+                vector_in_words(one.explanation.direction), vector_in_words(other.explanation.direction));
+            row("shows", seen_in_words(one), seen_in_words(other));
+            const ExplainedHit* a = one.explanation.hits.empty() ? nullptr : &one.explanation.hits.front();
+            const ExplainedHit* b = other.explanation.hits.empty() ? nullptr : &other.explanation.hits.front();
+            const auto number = [&](const char* name, double ExplainedHit::*member) {
+                const auto text = [&](const ExplainedHit* hit, bool all) {
+                    if (hit == nullptr) return std::string("—");
+                    return all ? shortest(hit->*member) : number_text(hit->*member);
+                };
+                row(name, text(a, false), text(b, false), text(a, true), text(b, true));
+            };
+            if (a != nullptr || b != nullptr) {
+                number("a", &ExplainedHit::a);
+                number("b", &ExplainedHit::b);
+                number("c", &ExplainedHit::c);
+                number("b² − 4ac", &ExplainedHit::discriminant);
+                number("t", &ExplainedHit::t);
+                const auto normal = [](const ExplainedHit* hit) {
+                    return hit == nullptr ? std::string("—") : vector_text(hit->normal, 3);
+                };
+                row("normal", normal(a), normal(b));
+            }
+            ImGui::EndTable();
+        }
+        note_widget(context_, "compared");
+        ImGui::TextUnformatted("In detail:");
+        for (const bool second : {false, true}) {
+            ImGui::SameLine();
+            if (ImGui::RadioButton(second ? "pixel 2" : "pixel 1", state_.second_in_detail == second))
+                state_.second_in_detail = second;
+            note_widget(context_, second ? "detail 2" : "detail 1");
+        }
+    }
+
+    void draw_pixel(const InspectedPixel& pixel) {
+        const PixelExplanation& e = pixel.explanation;
+        ImGui::Spacing();
+        draw_words(place_in_words(pixel.place));
+        ImGui::SameLine();
+        draw_dim_words("shows " + seen_in_words(pixel));
+        draw_drawings(pixel);
+        draw_ray(e);
+        if (e.hits.empty()) {
+            ImGui::Separator();
+            draw_words("No hit: the pixel shows the background, " + to_string(scene_.background) + ".");
+        }
+        std::size_t shown = 0;
+        for (const ExplainedHit& hit : e.hits) {
+            if (!is_there(scene_, hit.number)) continue;
+            if (shown == most_hits_explained) break;
+            draw_hit(hit, shown == 0);
+            if (shown == 0) draw_sun(pixel);
+            ++shown;
+        }
+        const std::uint64_t all_hits = e.hits.size() + static_cast<std::uint64_t>(e.farther);
+        if (all_hits > shown) {
+            ImGui::Separator();
+            draw_dim_words("and " + in_groups(all_hits - shown) + " more hits, farther away");
+        }
+        for (const PassedSphere& passed : e.passed) {
+            if (is_there(scene_, passed.number)) draw_passed(passed, behind_in_words(e));
+        }
+        ImGui::Separator();
+        draw_rest(e);
+        draw_dim_words(std::string("Decided: ") + level_in_words(e.level) + ".");
+    }
+
+    void draw_drawings(const InspectedPixel& pixel) {
+        const PixelExplanation& e = pixel.explanation;
+        const SectionSubject of{scene_,
+                                pixel.place.camera,
+                                pixel.place.size,
+                                pixel.place.pixel,
+                                e,
+                                pixel.place.sun && !pixel.sun.empty() ? std::optional(pixel.place.sun->direction) : std::nullopt,
+                                pixel.blocker};
+        const auto explained = [&](std::int32_t number) {
+            return std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
+                   std::ranges::find(e.passed, number, &PassedSphere::number) != e.passed.end();
+        };
+        if (state_.subject && !explained(*state_.subject)) state_.subject.reset();
+        const std::int32_t subject = state_.subject      ? *state_.subject
+                                     : !e.hits.empty()   ? e.hits.front().number
+                                     : !e.passed.empty() ? e.passed.front().number
+                                                         : visible_background;
+        const auto choose = [&](std::optional<std::int32_t> clicked) {
+            if (clicked && explained(*clicked)) state_.subject = clicked;
+        };
+        choose(draw_ray_section(context_, "ray drawing", of, subject));
+        if (subject == visible_background || !is_there(scene_, subject)) return;
+        draw_dim_words("The plane through the ray and the centre C of " + title_of(scene_, static_cast<std::uint32_t>(subject)) +
+                       (std::ssize(e.hits) + std::ssize(e.passed) > 1 ? "; click another sphere to cut through it." : "."));
+        choose(draw_quadratic_plot(context_, "quadratic drawing", e, subject));
+        draw_dim_words("a t² + b t + c over t. Below the axis it has two zeros: the ray goes in and comes out.");
+    }
+
+    void draw_ray(const PixelExplanation& e) {
+        ImGui::Separator();
+        const bool parallel = e.projection == Projection::orthographic;
+        draw_words("P = O + t D");
+        draw_words("O = " + vector_text(e.origin) + (parallel ? "  the pixel's place in the plane of the eye" : "  the eye"),
+                   origin_in_words(e));
+        draw_words("D = " + vector_text(e.direction) + (parallel ? "  the same for all pixels" : "  through the pixel's centre"),
+                   direction_in_words(e));
+        ImGui::Spacing();
+        draw_dim_words("‖P − C‖² = r², with P = O + t D:");
+        draw_words("D·D t² + 2 D·(O − C) t + (O − C)·(O − C) − r² = 0");
+        draw_dim_words("t₁, t₂ = (−b ∓ √(b² − 4ac)) / 2a");
+    }
+
+    void draw_title(std::int32_t number, const std::string& widget, const char* word, const ImVec4& color) {
+        ImGui::Separator();
+        const auto sphere_number = static_cast<std::uint32_t>(number);
+        const Sphere& sphere = scene_.spheres[sphere_number];
+        const float side = ImGui::GetTextLineHeight();
+        draw_swatch(sphere.color, ImGui::GetCursorScreenPos(), side, context_.scale);
+        ImGui::Dummy({side, side});
+        ImGui::SameLine();
+        ImGui::TextUnformatted(title_of(scene_, sphere_number).c_str());
+        note_widget(context_, widget);
+        if (ImGui::IsItemClicked()) state_.subject = number;
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+            ImGui::SetTooltip("%s", "Click: the drawings are about this sphere.");
+        }
+        if (word != nullptr) {
+            ImGui::SameLine();
+            ImGui::TextColored(color, "%s", word);
+        }
+        draw_dim_words("C = " + vector_text(sphere.center) + ", r = " + number_text(sphere.radius));
+    }
+
+    void draw_coefficients(const std::string& a, const std::string& b, const std::string& c, const auto& numbers) {
+        draw_words("a = D·D = " + short_of(numbers.a, a), "a = " + a);
+        draw_words("b = 2 D·(O − C) = " + short_of(numbers.b, b), "b = " + b);
+        draw_words("c = (O − C)·(O − C) − r² = " + short_of(numbers.c, c), "c = " + c);
+    }
+
+    void draw_hit(const ExplainedHit& hit, bool seen) {
+        draw_title(hit.number, "hit " + std::to_string(hit.number), seen ? "seen" : nullptr, color_of_sign(1));
+        const HitInWords words = in_words(hit);
+        draw_coefficients(words.a, words.b, words.c, hit);
+        draw_colored("b² − 4ac = " + short_of(hit.discriminant, words.discriminant) + "  " + words.roots,
+                     color_of_sign(hit.discriminant_sign), "discriminant = " + words.discriminant);
+        const int digits = digits_to_tell(hit.t1, hit.t2);
+        draw_words("t₁ = " + short_of(hit.t1, words.t1, digits), "t₁ = " + words.t1);
+        draw_words("t₂ = " + short_of(hit.t2, words.t2, digits), "t₂ = " + words.t2);
+        draw_dim_words(typeset(why(hit)));
+        draw_words("t = " + short_of(hit.t, words.t, digits), "t = " + words.t);
+        draw_words("P = O + t D = " + vector_text(hit.point), "point = " + words.point);
+        draw_words("n = (P − C) / r = " + vector_text(hit.normal), "normal = " + words.normal);
+        if (hit.as_near_as_last) {
+            draw_colored("exactly as near as the sphere before it, which comes first in the file", color_of_sign(0));
+        }
+    }
+
+    void draw_sun_section(const InspectedPixel& pixel) {
+        const auto shadow = shadow_ray(scene_, pixel.explanation, pixel.place.sun->direction, pixel.blocker);
+        if (!shadow) return;
+        draw_ray_section(context_, "sun drawing",
+                         {scene_, pixel.place.camera, pixel.place.size, pixel.place.pixel, *shadow, {}, {}, false}, {});
+        draw_dim_words("The ray from the point P to the sun" +
+                       (pixel.blocker && is_there(scene_, *pixel.blocker)
+                            ? ": " + title_of(scene_, static_cast<std::uint32_t>(*pixel.blocker)) + " is in the way."
+                            : std::string(".")));
+    }
+
+    // The ray from the point to the sun.
+    void draw_sun(const InspectedPixel& pixel) {
+        if (pixel.sun.empty() || !pixel.place.sun) return;
+        draw_sun_section(pixel);
+        draw_words("sun: L = " + vector_text(pixel.place.sun->direction), vector_in_words(pixel.place.sun->direction));
+        note_widget(context_, "sun ray");
+        draw_colored("The sun " + typeset(pixel.sun) + ".", color_of_sign(pixel.sun_shines ? 1 : -1));
+    }
+
+    void draw_passed(const PassedSphere& passed, const char* behind) {
+        const bool missed = passed.discriminant_sign < 0;
+        draw_title(passed.number, "passed " + std::to_string(passed.number), missed ? "missed" : behind, color_of_sign(-1));
+        draw_coefficients(shortest(passed.a), shortest(passed.b), shortest(passed.c), passed);
+        const std::string discriminant = number_text(passed.discriminant);
+        if (missed) {
+            draw_colored("b² − 4ac = " + discriminant + "  < 0: no root", color_of_sign(-1),
+                         "discriminant = " + shortest(passed.discriminant));
+            // The square of the line's distance from the centre is r^2 - discriminant / (4 a).
+            const double r = scene_.spheres[static_cast<std::size_t>(passed.number)].radius;
+            const double distance = std::sqrt(r * r - passed.discriminant / (4.0 * passed.a));
+            draw_dim_words("the ray passes the centre at a distance of " + number_text(distance, digits_to_tell(distance, r)) +
+                           " > r");
+        } else {
+            draw_words("b² − 4ac = " + discriminant, "discriminant = " + shortest(passed.discriminant));
+            draw_words("t₁ = " + number_text(passed.t1) + ", t₂ = " + number_text(passed.t2),
+                       "t₁ = " + shortest(passed.t1) + "\nt₂ = " + shortest(passed.t2));
+            draw_dim_words("no root is positive: the ray begins beyond the sphere");
+        }
+    }
+
+    void draw_rest(const PixelExplanation& e) {
+        const auto count = [](std::int64_t spheres) { return in_groups(static_cast<std::uint64_t>(spheres)); };
+        if (e.missed > 0) draw_colored(count(e.missed) + " missed: discriminant < 0", color_of_sign(-1));
+        const std::string behind = behind_in_words(e);
+        if (e.elsewhere > 0) draw_words(count(e.elsewhere) + " elsewhere or " + behind + ": not hit");
+        if (e.behind > 0) draw_words(count(e.behind) + " " + behind + ": no positive root");
+        if (e.hidden > 0) draw_dim_words(count(e.hidden) + " hidden");
+    }
+
+    const PanelContext& context_;
+    const Inspection& inspection_;
+    InspectorState& state_;
+    const Scene& scene_;
+};
 
 }  // namespace
 
-void draw_inspector(const PanelContext& context, const std::optional<InspectedPixel>& pixel) {
-    if (!pixel) {
-        dim_text("Point at the picture to see the arithmetic of a pixel.");
-        return;
-    }
-    const Scene& scene = context.document.scene();
-    const PixelExplanation& e = pixel->explanation;
-    const auto& [place, size, camera, revision, sun] = pixel->place;
-    wrapped_text("pixel " + std::to_string(place.x) + ", " + std::to_string(place.y) + " of " + std::to_string(size.width) + " x " +
-                 std::to_string(size.height));
-    draw_ray(e);
-    ImGui::Spacing();
-    if (e.hits.empty()) wrapped_text("No hit: the pixel shows the background, " + to_string(scene.background) + ".");
-    std::size_t shown = 0;
-    for (const ExplainedHit& hit : e.hits) {
-        // An explanation may be of the scene of the last frame.
-        if (static_cast<std::size_t>(hit.number) >= scene.spheres.size()) continue;
-        if (shown == most_hits_shown) break;
-        draw_hit(context, hit, shown == 0);
-        if (shown == 0) draw_sun(context, *pixel);
-        ++shown;
-    }
-    const std::uint64_t all_hits = e.hits.size() + static_cast<std::uint64_t>(e.farther);
-    if (all_hits > shown) {
-        ImGui::Separator();
-        dim_text("and " + in_groups(all_hits - shown) + " more hits, farther away");
-    }
-    ImGui::Separator();
-    draw_rest(e);
-    dim_text(std::string("Decided: ") + level_in_words(e.level) + ".");
+void draw_inspector(const PanelContext& context, const Inspection& inspection, InspectorState& state) {
+    Inspector(context, inspection, state).draw();
 }
 
 }  // namespace sphereview

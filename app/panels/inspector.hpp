@@ -1,4 +1,4 @@
-// The pixel inspector: the arithmetic of the pixel under the pointer.
+// The pixel inspector: the arithmetic of a pixel, written and drawn.
 #pragma once
 
 #include <cstdint>
@@ -25,10 +25,26 @@ struct InspectedPixel {
     InspectedPlace place;
     PixelExplanation explanation;
     bool sun_shines = false;
-    std::string sun{};  // whether it shines and why not, in words; "" where nothing is lit
+    std::string sun{};                      // whether it shines and why not, in words; "" where nothing is lit
+    std::optional<std::int32_t> blocker{};  // the sphere that keeps the sun away
 };
 
-// Draws into the current ImGui window. `pixel` is empty when the pointer is not in the picture.
-void draw_inspector(const PanelContext& context, const std::optional<InspectedPixel>& pixel);
+// What is inspected.
+struct Inspection {
+    std::optional<InspectedPixel> first{};   // pinned, or under the pointer, or what was last under it
+    std::optional<InspectedPixel> second{};  // pinned beside the first, to be compared with it
+    bool pinned = false;                     // the first
+    bool second_is_next = false;             // the next click pins the second
+};
+
+// What the inspector remembers from frame to frame.
+struct InspectorState {
+    std::optional<std::int32_t> subject;  // the sphere that the drawings are about; by default what the pixel shows
+    bool second_in_detail = false;        // of two pixels
+};
+
+// Draws into the current ImGui window. Widgets: "unpin", "compare pixels", "copy explanation", "close inspector", "ray drawing",
+// "quadratic drawing", "hit 3", "passed 3", "sun ray", "compared", "detail 1" and "detail 2".
+void draw_inspector(const PanelContext& context, const Inspection& inspection, InspectorState& state);
 
 }  // namespace sphereview

@@ -45,7 +45,15 @@ struct MeasureSphere {
 struct ShowView {
     Camera camera;
 };
-using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere, ShowView>;
+// Of the pixel inspector's pixels.
+enum class InspectorWish { pin, unpin, compare, copy, copy_second };
+// Shows the pixel of a picture of that size in the inspector, and holds it there.
+struct PinPixel {
+    Pixel pixel;
+    PictureSize size;
+};
+using Action =
+    std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere, ShowView, InspectorWish, PinPixel>;
 
 // Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
 struct WidgetRectangle {

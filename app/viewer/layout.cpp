@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "panels/comparison.hpp"
 #include "panels/inspector.hpp"
 #include "panels/menus.hpp"
 #include "panels/status.hpp"
@@ -25,35 +27,38 @@ void place_window(const Rectangle& area) {
     ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
 }
 
-// The panel's left edge, which can be dragged. `shown`: the panel's width now, which may be less than the person chose.
-void draw_splitter(ViewerState& state, const PanelContext& context, const Rectangle& area, double shown) {
+// The edge of a panel, which can be dragged. Returns by how much, to the right. Noted as `name`.
+float draw_splitter(const PanelContext& context, const char* name, const Rectangle& area) {
     place_window(area);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
-    ImGui::Begin("##splitter", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar);
+    ImGui::Begin((std::string("##") + name).c_str(), nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar);
     ImGui::InvisibleButton("##edge", ImVec2(area.width, std::max(area.height, 1.0F)));
-    note_widget(context, "splitter");
+    note_widget(context, name);
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     // A frame's movement comes before its release, and before its press: that was not yet the edge's.
-    if ((ImGui::IsItemActive() && !ImGui::IsItemActivated()) || ImGui::IsItemDeactivated()) {
-        const auto by = static_cast<double>(ImGui::GetIO().MouseDelta.x / context.scale);
-        if (by != 0.0) state.settings.panel_width = panel_width_range.nearest(shown - by);
-    }
+    const bool dragged = (ImGui::IsItemActive() && !ImGui::IsItemActivated()) || ImGui::IsItemDeactivated();
     ImGui::End();
     ImGui::PopStyleVar(2);
+    return dragged ? ImGui::GetIO().MouseDelta.x : 0.0F;
 }
 
-void draw_inspector_window(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, const Rectangle& picture) {
-    const float margin = 10.0F * context.scale;
-    ImGui::SetNextWindowPos(ImVec2(picture.x + margin, picture.y + margin), ImGuiCond_FirstUseEver);
-    const auto side = [&](float wanted, float room) {
-        return std::max(std::min(wanted * context.scale, room - 2.0F * margin), 120.0F * context.scale);
-    };
-    ImGui::SetNextWindowSize(ImVec2(side(480.0F, picture.width), side(560.0F, picture.height)), ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowBgAlpha(0.92F);
-    ImGui::Begin("Pixel inspector", &state.inspector_shown, ImGuiWindowFlags_NoSavedSettings);
-    draw_inspector(context, facts.inspected);
+// Beside the picture, at its left, so that no pixel is covered by its own explanation. Returns what is left of the picture's place.
+Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, Rectangle picture) {
+    const float splitter = splitter_width * context.scale;
+    constexpr float most = 0.55F;  // of the room: the picture is what it is about
+    const double wanted = inspector_width_range.nearest(state.settings.inspector_width);
+    const float width = std::floor(std::min(static_cast<float>(wanted) * context.scale, most * picture.width));
+    place_window({picture.x, picture.y, width, picture.height});
+    ImGui::Begin("##inspector", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_inspector(context, facts.inspection, state.inspector);
     ImGui::End();
+    const Rectangle edge{picture.x + width, picture.y, splitter, picture.height};
+    if (const float by = draw_splitter(context, "inspector splitter", edge); by != 0.0F) {
+        state.settings.inspector_width = inspector_width_range.nearest(static_cast<double>((width + by) / context.scale));
+    }
+    const float taken = std::min(width + splitter, picture.width);
+    return {picture.x + taken, picture.y, picture.width - taken, picture.height};
 }
 
 }  // namespace
@@ -87,9 +92,12 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         ImGui::Begin("##panel", nullptr, fixed_window | wheel);
         draw_side_panel(context, state.side_panel);
         ImGui::End();
-        draw_splitter(state, context, {panel.x - splitter, panel.y, splitter, panel.height}, shown);
+        const auto by = static_cast<double>(
+            draw_splitter(context, "splitter", {panel.x - splitter, panel.y, splitter, panel.height}) / context.scale);
+        if (by != 0.0) state.settings.panel_width = panel_width_range.nearest(shown - by);
         picture.width = std::max(panel.x - splitter, 0.0F);
     }
+    if (state.inspector_shown) picture = draw_inspector_beside(state, context, facts, picture);
 
     place_window({0.0F, whole.y - status_height, whole.x, status_height});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, 1.0F * context.scale));
@@ -106,7 +114,16 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
     draw_measuring(context, state.measuring, picture);
-    if (state.inspector_shown) draw_inspector_window(state, context, facts, picture);
+    if (state.comparison && state.comparison->open) {
+        std::optional<ImVec2> pinned;
+        if (state.inspector_shown && state.pins.first) {
+            const glm::dvec2 place = place_in(state.picture_size, *state.pins.first);
+            const double pixel = static_cast<double>(picture.width) / state.picture_size.width;
+            pinned = ImVec2(picture.x + static_cast<float>(pixel * place.x), picture.y + static_cast<float>(pixel * place.y));
+        }
+        draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, picture, pinned,
+                        state.comparison->open);
+    }
     if (state.help_shown) draw_help(context, state.help_shown);
     draw_about(context, state.about, state.options.program.name_and_version, state.options.program.licenses, facts.status.renderer);
     draw_dialogs(context, state.dialogs, facts.keys);
@@ -132,6 +149,24 @@ void draw_cross(const Rectangle& picture, ImVec2 middle, float scale) {
     };
     bars(9.0F, 4.0F, IM_COL32(0, 0, 0, 170));
     bars(8.0F, 2.0F, IM_COL32(255, 255, 255, 230));
+    draw->PopClipRect();
+}
+
+void draw_pin(const Rectangle& picture, ImVec2 place, float scale, const char* name) {
+    ImDrawList* draw = ImGui::GetBackgroundDrawList();
+    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
+    const ImVec2 middle(std::floor(place.x) + 0.5F, std::floor(place.y) + 0.5F);
+    const auto arms = [&](float from, float to, float thickness, ImU32 color) {
+        for (const auto& [x, y] : {std::pair{1.0F, 0.0F}, std::pair{-1.0F, 0.0F}, std::pair{0.0F, 1.0F}, std::pair{0.0F, -1.0F}}) {
+            draw->AddLine(ImVec2(middle.x + x * from * scale, middle.y + y * from * scale),
+                          ImVec2(middle.x + x * to * scale, middle.y + y * to * scale), color, thickness * scale);
+        }
+    };
+    arms(3.0F, 13.0F, 4.0F, IM_COL32(0, 0, 0, 190));
+    arms(4.0F, 12.0F, 2.0F, IM_COL32(255, 220, 90, 255));
+    const ImVec2 beside(middle.x + 8.0F * scale, middle.y + 6.0F * scale);
+    draw->AddText(ImVec2(beside.x + 1.0F, beside.y + 1.0F), IM_COL32(0, 0, 0, 220), name);
+    draw->AddText(beside, IM_COL32(255, 220, 90, 255), name);
     draw->PopClipRect();
 }
 

@@ -1,6 +1,10 @@
 // Where the panels and the picture are in the window.
 #pragma once
 
+#include <imgui.h>
+
+#include <optional>
+
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -8,8 +12,9 @@ namespace sphereview {
 // What the picture was like when the panels are drawn; one frame old.
 struct RedrawFacts {
     Status status;
-    std::optional<InspectedPixel> inspected;
+    Inspection inspection;
     DialogKeys keys;
+    std::optional<ImTextureID> difference{};  // the picture of the comparison's
 };
 
 // The width of the side panel, in its setting's range, that is nearest to `wanted` and leaves the picture its place where `room`
@@ -25,6 +30,9 @@ void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int
 
 // Draws a small cross over the picture, light with a dark edge.
 void draw_cross(const Rectangle& picture, ImVec2 middle, float scale);
+
+// Marks a pixel with a cross that leaves it free, and a name beside it.
+void draw_pin(const Rectangle& picture, ImVec2 place, float scale, const char* name);
 
 // Marks, over the picture, what an export shows of it, where that is not all.
 void draw_export_area(const ViewerState& state, const Rectangle& picture);

@@ -106,6 +106,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
         mode_ = Mode::none;
     } else if (mouse.released[static_cast<std::size_t>(button_)]) {
         if (!dragging_ && button_ == left) click(mouse, state, actions);
+        if (!dragging_ && button_ == left && !mouse.control) consequences.clicked = start_;
         if (dragging_ && mode_ == Mode::box) select_box(mouse, state);
         mode_ = Mode::none;
     }

@@ -46,6 +46,7 @@ struct PictureState {
 struct PictureConsequences {
     std::optional<Camera> camera;
     std::optional<glm::dvec3> pivot;
+    std::optional<glm::dvec2> clicked{};  // the place of a click with the left button, without Ctrl
 };
 
 class MouseControl {

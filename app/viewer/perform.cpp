@@ -230,6 +230,9 @@ std::vector<Command> make_commands() {
         {{Id::export_now, "File", "Export now", "F12",
           "Writes the view as a PNG at once, under the next free name beside the scene."},
          export_now},
+        {{Id::compare_picture, "File", "Compare with picture...", "Ctrl+Shift+E",
+          "Says what is wrong in a picture that somebody's own ray tracer has made of this scene."},
+         ask_for_comparison},
         {{Id::quit, "File", "Quit", "Ctrl+Q", "Closes the window.", true}, quit},
         {{Id::undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change of the scene back."},
          undo,
@@ -314,9 +317,12 @@ std::vector<Command> make_commands() {
          [](const ViewerState& s) { return has_frame(s, s.frame - 1); }},
         toggle({Id::toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
                &ViewerState::panel_shown),
-        toggle(
-            {Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
-            &ViewerState::inspector_shown),
+        toggle({Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of a pixel."},
+               &ViewerState::inspector_shown),
+        {{Id::pin_pixel, "View", "Pin the pixel", "Space", "Holds the pixel inspector at its pixel; again: lets the pixel go."},
+         [](ViewerState& s) { grant(s, s.pins.first ? InspectorWish::unpin : InspectorWish::pin); },
+         [](const ViewerState& s) { return s.inspector_shown && (s.pins.first || s.pins.last); },
+         [](const ViewerState& s) { return s.inspector_shown && s.pins.first; }},
         {{Id::measure, "View", "Measure", "D",
           "Clicks on spheres give distances, and of three the angle, of four the dihedral; Escape ends it."},
          [](ViewerState& s) { s.measuring = Measuring{.on = !s.measuring.on}; },
@@ -404,6 +410,11 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             measure(state.measuring, state.document, measured->number);
         } else if (const auto* view = std::get_if<ShowView>(&action)) {
             fly_to(state, view->camera);
+        } else if (const auto* wish = std::get_if<InspectorWish>(&action)) {
+            grant(state, *wish);
+        } else if (const auto* pinned = std::get_if<PinPixel>(&action)) {
+            state.inspector_shown = true;
+            state.pins = {.first = PinnedPixel{pinned->pixel, pinned->size}};
         }
     }
 }

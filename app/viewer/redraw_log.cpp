@@ -7,6 +7,7 @@
 #include "app/json.hpp"
 #include "base/error.hpp"
 #include "base/standard_streams.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -18,6 +19,21 @@ Json vector(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 std::vector<std::uint32_t> first_of(const std::vector<std::uint32_t>& numbers) {
     constexpr std::size_t most = 1000;
     return {numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(std::min(most, numbers.size()))};
+}
+
+Json pixel_of(const std::optional<InspectedPixel>& inspected) {
+    return inspected ? Json{inspected->place.pixel.x, inspected->place.pixel.y} : Json(nullptr);
+}
+
+// What the inspector shows.
+Json inspected(const Inspection& inspection) {
+    if (!inspection.first) return nullptr;
+    const PictureSize size = inspection.first->place.size;
+    return {{"pixel", pixel_of(inspection.first)},
+            {"size", {size.width, size.height}},
+            {"pinned", inspection.pinned},
+            {"second", pixel_of(inspection.second)},
+            {"visible", inspection.first->explanation.visible()}};
 }
 
 }  // namespace
@@ -64,6 +80,8 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"redo", state.document.redo_name()},
         {"picture", {p.x, p.y, p.width, p.height}},
         {"picture_size", {state.picture_size.width, state.picture_size.height}},
+        {"inspected", inspected(facts.inspection)},
+        {"comparison", state.comparison ? Json(joined(state.comparison->words.verdict, "; ")) : Json(nullptr)},
         {"camera", {vector(camera.eye), vector(camera.center), vector(camera.right), vector(camera.up)}},
         {"projection", name_of(camera.projection)},
         {"dialogs", dialogs},

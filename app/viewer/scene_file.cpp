@@ -99,17 +99,6 @@ std::string usual_folder(const ViewerState& state) {
     return text_from(fs::current_path(error));
 }
 
-// A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
-FileBrowser file_dialog(const ViewerState& state) {
-    FileBrowser browser;
-    browser.folder = usual_folder(state);
-    for (const std::string& path : state.settings.recent) {
-        const std::string folder = text_from(path_from(path).parent_path());
-        if (std::ranges::find(browser.places, folder) == browser.places.end()) browser.places.push_back(folder);
-    }
-    return browser;
-}
-
 std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&)) {
     std::vector<FileKind> kinds;
     for (const SceneFormat& format : scene_formats()) {
@@ -303,6 +292,16 @@ void new_scene(ViewerState& state) {
 
 void open_scene(ViewerState& state, const std::string& path) {
     with_edits_safe(state, [&state, path] { read_scene(state, path); });
+}
+
+FileBrowser file_dialog(const ViewerState& state) {
+    FileBrowser browser;
+    browser.folder = usual_folder(state);
+    for (const std::string& path : state.settings.recent) {
+        const std::string folder = text_from(path_from(path).parent_path());
+        if (std::ranges::find(browser.places, folder) == browser.places.end()) browser.places.push_back(folder);
+    }
+    return browser;
 }
 
 void ask_for_scene(ViewerState& state) {

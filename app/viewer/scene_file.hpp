@@ -26,6 +26,8 @@ std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function
 void new_scene(ViewerState& state);
 void open_scene(ViewerState& state, const std::string& path);
 void ask_for_scene(ViewerState& state);
+// A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
+FileBrowser file_dialog(const ViewerState& state);
 void save_scene(
     ViewerState& state, const std::function<void()>& then = [] {});
 void save_scene_as(

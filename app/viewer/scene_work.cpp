@@ -67,7 +67,7 @@ void start_loading(ViewerState& state, LoadRequest request) {
 }
 
 void cancel_work(ViewerState& state) {
-    std::optional<Work>& work = state.loading ? state.loading : state.exporting;
+    std::optional<Work>& work = state.loading ? state.loading : state.exporting ? state.exporting : state.comparing;
     if (!work) return;
     work->job.cancel();
     // A file that is whole in a moment needs no words.
@@ -92,12 +92,12 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
     if (state.scene().spheres.size() <= spheres_at_once && state.saving->job.wait_for(unnoticed)) end(state.saving);
 }
 
-bool is_working(const ViewerState& state) { return state.loading || state.saving || state.exporting; }
+bool is_working(const ViewerState& state) { return state.loading || state.saving || state.exporting || state.comparing; }
 
 bool finish_work(ViewerState& state) {
     bool any = false;
     // Saving first: its end may replace what is being loaded.
-    for (std::optional<Work>* work : {&state.saving, &state.loading, &state.exporting}) {
+    for (std::optional<Work>* work : {&state.saving, &state.loading, &state.exporting, &state.comparing}) {
         if (!*work || !(*work)->job.ended()) continue;
         end(*work);
         any = true;

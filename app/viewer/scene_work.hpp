@@ -65,7 +65,7 @@ bool is_read_at_once(const std::string& path);
 // Begins to read, instead of what is being read now. What is_read_at_once() has been read when this returns: before anyone could
 // see a bar. A reading that was cancelled ends at its next 4 MB; nobody waits for it, since a read of a pipe may never return.
 void start_loading(ViewerState& state, LoadRequest request);
-// What is being read, or else exported; says so if it is already being written, and leaves nothing else.
+// What is being read, or else exported, or else compared; says so if it is already being written, and leaves nothing else.
 void cancel_work(ViewerState& state);
 
 // Writes the scene as it is now, from a copy (10 ms for a million spheres), so that edits need not wait and cannot tear what is
@@ -74,7 +74,7 @@ void cancel_work(ViewerState& state);
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 
-// Whether something is read, written or exported: then finish_work() has to be called again and again.
+// Whether something is read, written, exported or compared: then finish_work() has to be called again and again.
 bool is_working(const ViewerState& state);
 // Acts on what has ended. Returns whether anything has.
 bool finish_work(ViewerState& state);

@@ -50,6 +50,7 @@ void read(const Json& json, const char* key, SettingRange<T> range, auto& settin
 template <typename Settings, typename Visit>
 void each_number(Settings& settings, const Visit& visit) {
     visit("panel_width", settings.panel_width, panel_width_range);
+    visit("inspector_width", settings.inspector_width, inspector_width_range);
     visit("text_scale", settings.text_scale, text_scale_range);
     visit("export_width", settings.export_width, export_side_range);
     visit("export_height", settings.export_height, export_side_range);

@@ -22,6 +22,7 @@ struct SettingRange {
 inline constexpr SettingRange<int> window_side_range{100, 32767};  // screen coordinates
 inline constexpr SettingRange<int> window_place_range{-32768, 32767};
 inline constexpr SettingRange<double> panel_width_range{220.0, 4000.0};
+inline constexpr SettingRange<double> inspector_width_range{260.0, 4000.0};
 inline constexpr SettingRange<double> text_scale_range{0.5, 4.0};
 inline constexpr SettingRange<int> export_side_range{1, 65535};  // both together: at most `most_pixels`
 inline constexpr std::size_t most_recent = 10;
@@ -29,6 +30,7 @@ inline constexpr std::size_t most_recent = 10;
 struct ViewerSettings {
     WindowPlace place;
     double panel_width = 360.0;       // screen coordinates
+    double inspector_width = 400.0;   // likewise
     double text_scale = 1.0;          // times what the system wants
     std::vector<std::string> recent;  // absolute paths, the latest first, each once, at most `most_recent`
     int export_width = 1000;

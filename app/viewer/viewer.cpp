@@ -65,7 +65,10 @@ Theme theme_of(const ViewerSettings& settings) { return settings.light_theme ? T
 
 std::optional<WorkShown> work_of(const ViewerState& state) {
     if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
-    if (!state.loading && !state.exporting) return {};
+    if (!state.loading && !state.exporting) {
+        if (!state.comparing) return {};
+        return WorkShown{"Comparing " + state.comparing->path, {}, true};
+    }
     const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
@@ -193,7 +196,11 @@ bool Viewer::is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys
         keys.escape = false;
         return true;
     }
-    if (state_.loading || state_.exporting) return true;
+    if (state_.loading || state_.exporting || state_.comparing) return true;
+    if (let_go(state_.pins)) {
+        keys.escape = false;
+        return true;
+    }
     if (!state_.measuring.on) return false;
     state_.measuring = {};
     keys.escape = false;
@@ -298,6 +305,10 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
+    if (done.clicked && state_.inspector_shown) {
+        pin(state_.pins, {{static_cast<int>(done.clicked->x), static_cast<int>(done.clicked->y)}, state_.picture_size},
+            mouse.shift);
+    }
 }
 
 void Viewer::update_picture(int step) {
@@ -316,6 +327,14 @@ void Viewer::draw_orbit_point() const {
     if (!point) return;
     const auto place = place_of(state_.camera, state_.picture_size, *point);
     if (place) draw_cross(area_, on_screen(*place), imgui_.scale());
+}
+
+void Viewer::draw_pins() const {
+    if (!state_.inspector_shown) return;
+    for (const auto& [pixel, name] : {std::pair{&state_.pins.first, "1"}, std::pair{&state_.pins.second, "2"}}) {
+        if (!*pixel) continue;
+        draw_pin(area_, on_screen(place_in(state_.picture_size, **pixel)), imgui_.scale(), state_.pins.second ? name : "");
+    }
 }
 
 void Viewer::draw_box() const {
@@ -338,6 +357,7 @@ void Viewer::redraw() {
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
     widgets_.clear();
+    facts_.difference = difference_.follow(state_.comparison ? state_.comparison->difference : nullptr);
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
     if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
@@ -370,6 +390,7 @@ void Viewer::redraw() {
     use_mouse(context, facts_.keys.escape);
     draw_box();
     draw_orbit_point();
+    draw_pins();
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
     if (facts_.keys.escape && !asked) {
         const std::lock_guard lock(state_.changing);
@@ -421,22 +442,9 @@ void Viewer::note_facts() {
         state_.hovered = sphere;
     }
     facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
-    if (!pixel || !state_.inspector_shown) {
-        facts_.inspected.reset();
-        return;
-    }
-    const std::optional<Sun> sun = state_.settings.shading == Shading::studio ? state_.shown_light().sun : std::nullopt;
-    const InspectedPlace place{*pixel, state_.picture_size, state_.camera, state_.document.revision(), sun};
-    if (facts_.inspected && facts_.inspected->place == place) return;
-    InspectedPixel inspected{place, picture_.explain(state_.document, *pixel)};
-    if (sun && inspected.explanation.visible() >= 0) {
-        const LightExplanation light =
-            picture_.explain_light(state_.document, *pixel, inspected.explanation.visible(), sun->direction);
-        inspected.sun_shines = light.shines();
-        inspected.sun = in_words(light);
-    }
-    facts_.inspected = std::move(inspected);
-    ++explanations_;
+    const std::size_t explained = inspect(state_, picture_, pixel, mouse_.moves_camera(), facts_.inspection);
+    explanations_ += explained;
+    if (explained > 0) pacing_.touch();  // the panels of this redraw are drawn already
 }
 
 void Viewer::show(const Rectangle& area) {

@@ -51,6 +51,8 @@ private:
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
+    // Marks the pinned pixels.
+    void draw_pins() const;
     ImVec2 on_screen(const glm::dvec2& place) const;  // of a place in the picture
 
     ViewerState& state_;
@@ -62,6 +64,7 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
+    DifferenceTexture difference_;
     RestView rest_;
     LostHint lost_hint_;
     bool alt_alone_ = false;        // Alt is down, and nothing came after it

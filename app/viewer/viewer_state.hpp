@@ -22,7 +22,9 @@
 #include "panels/status.hpp"
 #include "viewer/box_selection.hpp"
 #include "viewer/camera_flight.hpp"
+#include "viewer/picture_comparison.hpp"
 #include "viewer/picture_job.hpp"
+#include "viewer/pinned_pixels.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_work.hpp"
 #include "viewer/settings.hpp"
@@ -64,6 +66,8 @@ struct ViewerState {
     std::optional<Work> loading;
     std::optional<Work> saving;
     std::optional<Work> exporting;
+    std::optional<Work> comparing;
+    std::optional<ShownComparison> comparison;  // the latest
     Autosave autosave;
 
     // The view: what the window shows, which need not be the scene's own camera.
@@ -93,6 +97,8 @@ struct ViewerState {
     MenuKeys menu_keys;
     bool panel_shown = true;
     bool inspector_shown = false;
+    PinnedPixels pins;
+    InspectorState inspector;
     bool export_area_shown = true;
     bool help_shown = false;
     Measuring measuring{};

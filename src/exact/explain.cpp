@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "base/square_root.hpp"
 #include "base/text.hpp"
@@ -88,6 +89,22 @@ public:
         return square_root(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius > error_scale_ * size;
     }
 
+    bool in_range() const { return frame_.in_range; }
+
+    // How the ray's line passes a sphere, roughly.
+    struct Pass {
+        double along;  // from the ray's origin to where the line is nearest to the centre; below 0: behind the origin
+        double gap;    // between the line and the surface; below 0: it meets the sphere
+        double away;   // how far from a hit that looks: the gap as seen from the eye, or in itself where rays are parallel
+    };
+    Pass pass(const Sphere& sphere) const {
+        const glm::dvec3 c = sphere.center - eye_ - origin_;
+        const double along = c.x * ray_.x + c.y * ray_.y + c.z * ray_.z;
+        const glm::dvec3 p = c - along * ray_;
+        const double gap = square_root(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius;
+        return {along, gap, frame_.orthographic ? gap : gap / along};
+    }
+
 private:
     glm::dvec3 eye_;
     RayBasis<double> frame_;
@@ -103,25 +120,33 @@ struct Hit {
     ExactRoot root;
 };
 
+// The integers belong to f D and to half of b, and to g times the scene: A t'^2 - 2 q.b t' + q.c = 0 with g t = f t'. `out`: a hit,
+// or what is passed.
+void round_numbers(const ExactQuadratic& q, const Ray& ray, auto& out) {
+    const Integer& f = ray.factor;
+    const Integer g = ray.origin.factor;
+    const int exponent = ray.scale.exponent();
+    out.discriminant_sign = q.d.sign();
+    out.a = rounded(ray.square, f * f, 2 * exponent);
+    out.b = rounded(-2 * q.b, f * g, 2 * exponent);
+    out.c = rounded(q.c, g * g, 2 * exponent);
+    out.discriminant = rounded(4 * q.d, f * f * g * g, 4 * exponent);
+    if (q.d < 0) return;
+    out.t1 = rounded(f * q.b, -f, q.d, ray.square * g, 0);
+    out.t2 = rounded(f * q.b, f, q.d, ray.square * g, 0);
+}
+
 ExplainedHit explain(const Hit& hit, const Ray& ray) {
     const ExactQuadratic& q = hit.quadratic;
     ExplainedHit out;
     out.number = hit.number;
     out.eye = q.c > 0 ? EyeSide::outside : q.c < 0 ? EyeSide::inside : EyeSide::on_surface;
-    out.discriminant_sign = q.d.sign();
     out.counts = out.eye == EyeSide::outside  ? CountingRoot::t1
                  : out.eye == EyeSide::inside ? CountingRoot::t2_inside
                                               : CountingRoot::t2_surface;
-    // The integers belong to f D and to half of b, and to g times the scene: A t'^2 - 2 q.b t' + q.c = 0 with g t = f t'.
-    const Integer& f = ray.factor;
+    round_numbers(q, ray, out);
     const Integer g = ray.origin.factor;
     const int exponent = ray.scale.exponent();
-    out.a = rounded(ray.square, f * f, 2 * exponent);
-    out.b = rounded(-2 * q.b, f * g, 2 * exponent);
-    out.c = rounded(q.c, g * g, 2 * exponent);
-    out.discriminant = rounded(4 * q.d, f * f * g * g, 4 * exponent);
-    out.t1 = rounded(f * q.b, -f, q.d, ray.square * g, 0);
-    out.t2 = rounded(f * q.b, f, q.d, ray.square * g, 0);
     out.t = out.counts == CountingRoot::t1 ? out.t1 : out.t2;
     const IntegerVector center = ray.scale.whole(hit.sphere->center);
     const Integer radius = ray.scale.whole(hit.sphere->radius);
@@ -155,6 +180,35 @@ std::vector<std::int32_t> spheres_to_try(const Scene& scene, const DrawnSpheres&
     return numbers;
 }
 
+// The spheres that the ray may pass without a hit, the nearest first, roughly: in front of the eye, and behind it. `most` of each.
+struct Passed {
+    std::vector<std::int32_t> in_front;
+    std::vector<std::int32_t> behind;
+};
+Passed passed_by(const Scene& scene, const DoubleFilter& filter, std::size_t most) {
+    if (most == 0 || !filter.in_range()) return {};
+    using Ranked = std::pair<double, std::int32_t>;
+    std::vector<Ranked> in_front;
+    std::vector<Ranked> behind;
+    const auto keep = [most](std::vector<Ranked>& ranked, double away, std::size_t number) {
+        if (!(away < std::numeric_limits<double>::infinity()) || (ranked.size() == most && away >= ranked.back().first)) return;
+        const Ranked one{away, static_cast<std::int32_t>(number)};
+        ranked.insert(std::ranges::upper_bound(ranked, one), one);
+        if (ranked.size() > most) ranked.pop_back();
+    };
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        if (scene.spheres[i].hidden) continue;
+        const DoubleFilter::Pass pass = filter.pass(scene.spheres[i]);
+        // What rounding leaves open is tried as both.
+        if (pass.along > 0.0 && pass.gap > -1e-9 * scene.spheres[i].radius) keep(in_front, pass.away, i);
+        if (pass.along < 0.0 && pass.gap <= 1e-9 * scene.spheres[i].radius) keep(behind, -pass.along, i);
+    }
+    Passed passed;
+    for (const auto& [away, number] : in_front) passed.in_front.push_back(number);
+    for (const auto& [away, number] : behind) passed.behind.push_back(number);
+    return passed;
+}
+
 constexpr const char* unshown_small = "too small for a double to show; decided exactly";
 constexpr const char* unshown_large = "too large for a double to show; decided exactly";
 
@@ -170,7 +224,7 @@ std::string number_in_words(double value, int sign) {
 }  // namespace
 
 PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
-                               const CandidateLists* lists, std::size_t most_hits) {
+                               const CandidateLists* lists, std::size_t most_hits, std::size_t most_passed) {
     PixelExplanation out;
     std::vector<std::int32_t> numbers = spheres_to_try(scene, drawn, lists, pixel);
     const auto all = static_cast<std::int64_t>(scene.spheres.size());
@@ -180,7 +234,10 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
     out.missed = static_cast<std::int64_t>(std::erase_if(
         numbers, [&](std::int32_t number) { return filter.surely_missed(scene.spheres[static_cast<std::size_t>(number)]); }));
 
-    const Ray ray(scene, numbers, camera, size, pixel);
+    const Passed passed = passed_by(scene, filter, most_passed);
+    std::vector<std::int32_t> scaled = numbers;
+    for (const auto* more : {&passed.in_front, &passed.behind}) scaled.insert(scaled.end(), more->begin(), more->end());
+    const Ray ray(scene, scaled, camera, size, pixel);
     out.projection = camera.projection;
     out.origin = camera.eye;
     for (int axis = 0; axis < 3; ++axis) {
@@ -212,6 +269,15 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
         out.hits.push_back(explain(*nearest[i], ray));
         out.hits.back().projection = camera.projection;
         out.hits.back().as_near_as_last = i > 0 && compare(nearest[i - 1]->root, nearest[i]->root) == 0;
+    }
+    for (const bool in_front : {true, false}) {
+        for (const std::int32_t number : in_front ? passed.in_front : passed.behind) {
+            const ExactQuadratic quadratic(scene.spheres[static_cast<std::size_t>(number)], ray.origin, ray.direction, ray.square,
+                                           ray.scale);
+            if ((quadratic.d < 0) != in_front || smallest_positive_root(quadratic)) continue;
+            out.passed.emplace_back().number = number;
+            round_numbers(quadratic, ray, out.passed.back());
+        }
     }
     out.level = decision_level(scene, drawn, camera, size, pixel, lists);
     return out;

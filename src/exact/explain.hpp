@@ -44,6 +44,19 @@ struct ExplainedHit {
     bool as_near_as_last = false;  // exactly the same t as the hit before
 };
 
+// One sphere that the pixel's ray does not hit: its line passes it by (discriminant < 0), or meets it behind the eye alone. The
+// numbers are rounded as those of a hit.
+struct PassedSphere {
+    std::int32_t number = 0;
+    double a = 0.0;
+    double b = 0.0;
+    double c = 0.0;
+    double discriminant = 0.0;
+    int discriminant_sign = 0;  // exact: -1 passed by, 0 or 1 met behind the eye
+    double t1 = 0.0;            // where it is met
+    double t2 = 0.0;
+};
+
 struct PixelExplanation {
     Projection projection = Projection::perspective;
     glm::dvec3 origin{0.0};          // O, rounded once
@@ -55,17 +68,23 @@ struct PixelExplanation {
     std::int64_t hidden = 0;
     std::int64_t elsewhere = 0;                     // not tried, for they are in no list of the pixel: missed or behind
     DecisionLevel level = DecisionLevel::in_float;  // what it took
+    std::vector<PassedSphere> passed{};             // those in front first, then those behind the eye; the nearest of each first
 
     // The number of the sphere that the pixel shows, or visible_background.
     std::int32_t visible() const { return hits.empty() ? visible_background : hits.front().number; }
 };
 
+// As many as a window shows: a ray may hit thousands, and the window waits.
+inline constexpr std::size_t most_hits_explained = 20;
+inline constexpr std::size_t most_passed_explained = 4;
+
 // A pixel inside the picture that `camera` sees, with the spheres that are drawn for the camera. With the lists of the picture it
 // tries only the spheres in the pixel's lists, and finds the same hits. It explains so many of them, the nearest: each takes some
-// 20 microseconds.
+// 20 microseconds. Of the spheres that are passed it explains at most so many in front and so many behind the eye; for these it
+// goes through the whole scene.
 PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size, Pixel pixel,
                                const CandidateLists* lists = nullptr,
-                               std::size_t most_hits = std::numeric_limits<std::size_t>::max());
+                               std::size_t most_hits = std::numeric_limits<std::size_t>::max(), std::size_t most_passed = 0);
 
 // What an explanation says in words, for whoever shows it.
 std::string vector_in_words(const glm::dvec3& v);

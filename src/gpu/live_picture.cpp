@@ -238,19 +238,7 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
     return true;
 }
 
-void LivePicture::upload(const Image& finished) {
-    if (!finished_) finished_ = Texture::make();
-    const bool transparent = finished.channels() == 4;
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, finished_.name());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, transparent ? GL_RGBA8 : GL_RGB8, finished.width(), finished.height(), 0,
-                 transparent ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE, finished.bytes().data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    check_gl("uploading a finished picture");
-}
+void LivePicture::upload(const Image& finished) { sphereview::upload(finished, finished_); }
 
 // Also finds out where they are, and uploads the colours.
 void LivePicture::mark_selected(const Selection* selection) {
@@ -352,12 +340,12 @@ LightExplanation LivePicture::explain_light(const Document& document, Pixel pixe
 
 PixelExplanation LivePicture::explain(const Document& document, Pixel pixel) const {
     const Scene& scene = document.scene();
-    // As many as the inspector shows: a ray may hit thousands, and the window waits.
-    constexpr std::size_t most_hits = 20;
     if (!is_of(document)) {
-        return explain_pixel(scene, drawn_spheres(scene, view_.camera), view_.camera, view_.size, pixel, nullptr, most_hits);
+        return explain_pixel(scene, drawn_spheres(scene, view_.camera), view_.camera, view_.size, pixel, nullptr,
+                             most_hits_explained, most_passed_explained);
     }
-    return explain_pixel(scene, scene_.drawn(), view_.camera, view_.size, pixel, lists_for_any_pixel(), most_hits);
+    return explain_pixel(scene, scene_.drawn(), view_.camera, view_.size, pixel, lists_for_any_pixel(), most_hits_explained,
+                         most_passed_explained);
 }
 
 std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {

@@ -9,23 +9,30 @@ namespace {
 
 constexpr PictureSize size{101, 101};  // pixel (50, 50) looks along +z
 
+InspectedPixel inspected(const Scene& scene, Pixel pixel = {50, 50}) {
+    return {
+        {pixel, size, scene.camera, 0},
+        explain_pixel(scene, drawn_spheres(scene), scene.camera, size, pixel, nullptr, most_hits_explained, most_passed_explained)};
+}
+
 // A base, so that it is there when PanelHarness draws for the first time.
 struct HeldPixel {
-    std::optional<InspectedPixel> pixel;
+    Inspection inspection;
+    InspectorState state;
 };
 
 class InspectorHarness : private HeldPixel, public PanelHarness {
 public:
     explicit InspectorHarness(const Scene& scene)
-        : HeldPixel{InspectedPixel{{{50, 50}, size, scene.camera, 0},
-                                   explain_pixel(scene, drawn_spheres(scene), scene.camera, size, {50, 50})}},
-          PanelHarness(drawn(), scene) {}
+        : HeldPixel{{.first = inspected(scene)}, {}}, PanelHarness(drawn(), scene, 800.0F, 1200.0F) {}
     InspectorHarness() : PanelHarness(drawn()) {}
-    using HeldPixel::pixel;
+    using HeldPixel::inspection;
+    using HeldPixel::state;
+    InspectedPixel& pixel() { return *inspection.first; }
 
 private:
     Draw drawn() {
-        return in_window([this](const PanelContext& context) { draw_inspector(context, pixel); }, 460.0F, 600.0F);
+        return in_window([this](const PanelContext& context) { draw_inspector(context, inspection, state); }, 460.0F, 1150.0F);
     }
 };
 
@@ -50,25 +57,36 @@ TEST(Inspector, ShowsTheFormulaeAndTheHitsInOrder) {
     scene.spheres.push_back({{0.0, 0.0, 100.0}, 5.0, {}, true});
     scene.names[1] = "sun";
     InspectorHarness panel(scene);
-    expect_in_order(panel.text(), {"pixel 50, 50 of 101 x 101",
+    // In ASCII where the font, here ImGui's own, has no sign.
+    expect_in_order(panel.text(), {"Pixel 50, 50 of 101 \u00D7 101",
+                                   "shows 'sun'",
+                                   "The plane through the ray and the centre C of 'sun'",
                                    "P = O + t D",
                                    "O = (0, 0, 0)",
                                    "D = (0, 0, 100)",
-                                   "D.D t^2 + 2 D.(O - C) t + (O - C).(O - C) - r^2 = 0",
+                                   "D\u00B7D t\u00B2 + 2 D\u00B7(O - C) t + (O - C)\u00B7(O - C) - r\u00B2 = 0",
+                                   "sqrt(b\u00B2 - 4ac)",
                                    "'sun'",
                                    "seen",
-                                   "a = 10000",
-                                   "b = -40000",
-                                   "c = 39600",
-                                   "discriminant = 1.6e+07  > 0: two roots",
+                                   "a = D\u00B7D = 10000",
+                                   "= -40000",
+                                   "= 39600",
+                                   "b\u00B2 - 4ac = 16000000  > 0: two roots",
                                    "t1 = 1.8",
                                    "t2 = 2.2",
-                                   "t1, counts",
+                                   "t1,",
                                    "t = 1.8",
-                                   "point = (0, 0, 180)",
-                                   "normal = (0, 0, -1)",
+                                   "P = O + t D = (0, 0, 180)",
+                                   "n = (P - C) / r = (0, 0, -1)",
                                    "sphere 0",
                                    "t1 = 3.8",
+                                   "sphere 2",
+                                   "missed",
+                                   "< 0: no root",
+                                   "at a distance of 90",
+                                   "sphere 3",
+                                   "behind the eye",
+                                   "t1 = -2.2, t2 = -1.8",
                                    "1 missed: discriminant < 0",
                                    "1 behind the eye",
                                    "1 hidden",
@@ -82,11 +100,10 @@ TEST(Inspector, ShowsWhatIsSpecialAboutARay) {
     Scene white = of({{{0.0, 90.0, 200.0}, 20.0}});
     white.background = {{255, 255, 255}, false};
     const std::vector<std::pair<Scene, std::vector<std::string>>> cases = {
-        {of({{{20.0, 0.0, 200.0}, 20.0}}),
-         {"discriminant = 0  = 0 exactly: tangent, one root", "the ray is tangent", "t = 2", "only exact"}},
-        {of({{{0.0, 0.0, 10.0}, 50.0}}), {"seen", "t1 = -0.4", "t2 = 0.6", "the eye is inside the sphere", "t = 0.6"}},
-        {white, {"No hit: the pixel shows the background, white.", "1 missed"}},
-        {of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 210.0}, 30.0}}), {"sphere 0", "seen", "sphere 1", "exactly as near"}}};
+        {of({{{20.0, 0.0, 200.0}, 20.0}}), {"4ac = 0  = 0 exactly: tangent, one root", "tangent", "t = 2", "only exact"}},
+        {of({{{0.0, 0.0, 10.0}, 50.0}}), {"seen", "t1 = -0.4", "t2 = 0.6", "the eye is inside", "t = 0.6"}},
+        {white, {"No hit: the pixel shows the background, white.", "missed", "1 missed"}},
+        {of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 210.0}, 30.0}}), {"sphere 0", "seen", "sphere 1", "exactly as", "near"}}};
     for (const auto& [scene, words] : cases) expect_in_order(InspectorHarness(scene).text(), words);
 }
 
@@ -101,8 +118,8 @@ TEST(Inspector, ShowsTheNearestOfManyHits) {
 TEST(Inspector, CountsWhatWasNotTried) {
     InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_EQ(panel.text().find("elsewhere"), std::string::npos);
-    panel.pixel->explanation.elsewhere = 1000;
-    EXPECT_NE(panel.text().find("elsewhere or behind the eye: not hit"), std::string::npos);
+    panel.pixel().explanation.elsewhere = 1000;
+    EXPECT_NE(panel.text().find("elsewhere or behind the eye"), std::string::npos);
 }
 
 TEST(Inspector, SaysWhereParallelRaysDoNotGo) {
@@ -110,7 +127,7 @@ TEST(Inspector, SaysWhereParallelRaysDoNotGo) {
     scene.camera.projection = Projection::orthographic;
     InspectorHarness panel(scene);
     expect_in_order(panel.text(), {"sphere 0", "1 behind where the ray begins: no positive root"});
-    panel.pixel->explanation.elsewhere = 1000;
+    panel.pixel().explanation.elsewhere = 1000;
     EXPECT_NE(panel.text().find("elsewhere or behind where the ray begins: not hit"), std::string::npos);
 }
 
@@ -128,9 +145,47 @@ TEST(Inspector, LeavesOutSpheresThatAreGone) {
 TEST(Inspector, FollowsTheRayToTheSun) {
     InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_EQ(panel.text().find("sun"), std::string::npos);
-    panel.pixel->place.sun = Sun{{1.0, 2.0, -3.0}, 1.0};
-    panel.pixel->sun = "does not shine: so it is";
-    expect_in_order(panel.text(), {"normal = ", "sun: L = (1, 2, -3)", "The sun does not shine: so it is."});
+    panel.pixel().place.sun = Sun{{1.0, 2.0, -3.0}, 1.0};
+    panel.pixel().sun = "does not shine: so it is";
+    expect_in_order(panel.text(),
+                    {"n = ", "from the point P to the sun", "sun: L = (1, 2, -3)", "The sun does not shine: so it is."});
+}
+
+TEST(Inspector, IsAskedByItsButtons) {
+    const Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}});
+    InspectorHarness panel(scene);
+    panel.click("unpin");
+    EXPECT_EQ(panel.taken<InspectorWish>(), std::vector{InspectorWish::pin});
+    panel.click("compare pixels");  // with nothing pinned there is nothing to compare with
+    EXPECT_TRUE(panel.take_actions().empty());
+    panel.inspection.pinned = true;
+    for (const char* widget : {"unpin", "compare pixels", "copy explanation"}) panel.click(widget);
+    EXPECT_EQ(panel.taken<InspectorWish>(), (std::vector{InspectorWish::unpin, InspectorWish::compare, InspectorWish::copy}));
+    panel.click("close inspector");
+    EXPECT_EQ(panel.taken<RunCommand>().at(0).command, CommandId::toggle_inspector);
+}
+
+TEST(Inspector, ComparesTwoPixels) {
+    const Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}});
+    InspectorHarness panel(scene);
+    panel.inspection.pinned = true;
+    panel.inspection.second = inspected(scene, {0, 0});
+    expect_in_order(panel.text(), {"1: 50, 50", "2: 0, 0", "sphere 0", "the background", "40000", "Pixel 50, 50"});
+    panel.click("detail 2");
+    expect_in_order(panel.text(), {"1: 50, 50", "Pixel 0, 0", "No hit"});
+    panel.click("copy explanation");
+    EXPECT_EQ(panel.taken<InspectorWish>(), std::vector{InspectorWish::copy_second});
+}
+
+TEST(Inspector, DrawsTheSphereThatWasClicked) {
+    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 300.0}, 20.0}}));
+    EXPECT_NE(panel.text().find("centre C of sphere 0"), std::string::npos);
+    panel.click("hit 1");
+    EXPECT_NE(panel.text().find("centre C of sphere 1"), std::string::npos);
+    // The first sphere, in the drawing: its circle is at the left of the other's.
+    panel.click(panel.place("quadratic drawing", 0.5F, 0.98F));
+    panel.inspection.first = inspected(of({{{0.0, 0.0, 200.0}, 20.0}}));
+    EXPECT_NE(panel.text().find("centre C of sphere 0"), std::string::npos) << "one that is not explained cannot be chosen";
 }
 
 }  // namespace

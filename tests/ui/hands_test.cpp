@@ -86,7 +86,7 @@ TEST_F(Panels, DoWhatButtonsMenusAndKeysSay) {
     }
     window_.key("i");
     wait_for_shown("inspector", true);
-    window_.move_to(red(40, 125));  // below the inspector
+    window_.move_to(red(40, 25));
     window_.widget("hit 0");
     const double explanations = window_.at("explanations").get<double>();
     EXPECT_GT(explanations, 0);

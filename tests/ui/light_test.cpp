@@ -43,7 +43,8 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
         render_bytes(folder, scene, {"-s", "200x200", "--shade", "studio", "--samples", "16", "--sun", "1,2,-3", "--sky", "0.5"}));
     window.step("the sun's ray in the inspector");
     window.key("i");
-    window.move_to(window.on_screen(33, 0));  // the green sphere, beside the inspector
+    window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
+    window.move_to(window.on_screen(33, 0));  // the green sphere
     window.wait_until("the ray", [](const Json& f) { return f.at("widgets").contains("sun ray"); });
 }
 

@@ -39,11 +39,14 @@ void take(const std::string& folder) {
         window.wait_until("the start page", [](const Json& frame) { return frame.at("exact") == true; });
         save(window, folder + "/start.png");
     }
-    ViewerWindow window(files, {source_file("scenes/input4.txt"), "--shade", "studio", "--samples", "16"}, screen);
+    ViewerWindow window(files, {source_file("scenes/planets.toml"), "--shade", "studio", "--samples", "16"}, screen);
     window.key("i");
-    window.move_to(at(window, 0.665, 0.334));
-    window.wait_until("a pixel of a sphere",
-                      [](const Json& frame) { return !frame.at("hovered").is_null() && frame.at("exact") == true; });
+    window.wait_until("the inspector", [](const Json& frame) { return frame.at("shown").at("inspector") == true; });
+    window.click(window.on_screen(6.3, -13.4));
+    window.move_to(at(window, 0.5, 0.9));
+    window.wait_until("a pinned pixel of a sphere", [](const Json& frame) {
+        return !frame.at("inspected").is_null() && frame.at("inspected").at("pinned") == true && frame.at("exact") == true;
+    });
     save(window, folder + "/inspector.png");
 }
 

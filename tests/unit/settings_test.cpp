@@ -32,6 +32,7 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     ViewerSettings settings;
     settings.place = {-20, 30, 800, 600, true};
     settings.panel_width = 412.5;
+    settings.inspector_width = 333.0;
     settings.text_scale = 1.25;
     settings.shading = Shading::id;
     settings.export_width = 1920;

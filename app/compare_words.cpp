@@ -1,0 +1,34 @@
+#include "app/compare_words.hpp"
+
+#include "base/text.hpp"
+#include "exact/visible.hpp"
+
+namespace sphereview {
+
+std::string called(const Scene& scene, std::int32_t number) {
+    if (number == visible_background) return "the background";
+    const auto name = scene.names.find(static_cast<std::uint32_t>(number));
+    return "sphere " + std::to_string(number) + (name == scene.names.end() ? "" : " " + in_quotes(name->second));
+}
+
+std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis) {
+    if (diagnosis.likeliest.empty()) return {"likeliest mistake: none of the usual ones"};
+    const auto count = [](std::int64_t pixels) { return in_groups(static_cast<std::uint64_t>(pixels)); };
+    std::vector<std::string> lines = {
+        "likeliest mistake: " + diagnosis.likeliest_words,
+        "explains " + count(diagnosis.explained) + " of the pixels that differ" +
+            (diagnosis.contradicting == 0 ? ", and contradicts none that is right"
+                                          : "; " + count(diagnosis.contradicting) + " right ones speak against it")};
+    if (!diagnosis.as_likely.empty()) lines.push_back("this picture cannot tell it from " + diagnosis.as_likely_words);
+    return lines;
+}
+
+std::string in_words(const Scene& scene, const DifferingPixel& example) {
+    const std::string found =
+        example.found_number ? called(scene, *example.found_number) : std::string("a colour of nothing in the scene");
+    return "pixel " + std::to_string(example.pixel.x) + "," + std::to_string(example.pixel.y) + ": found " +
+           in_words(example.found) + " (" + found + "), expected " + in_words(example.expected) + " (" +
+           called(scene, example.expected_number) + ")";
+}
+
+}  // namespace sphereview

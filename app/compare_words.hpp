@@ -1,0 +1,20 @@
+// What a comparison with somebody's own picture found, in words: for the command and for the window.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mistakes/diagnosis.hpp"
+
+namespace sphereview {
+
+// "sphere 2 'sun'" or "the background".
+std::string called(const Scene& scene, std::int32_t number);
+
+// The likeliest mistake of a picture that differs, what speaks for it and against it, and what it cannot be told from; a line each.
+std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis);
+
+// "pixel 3,4: found 255 0 0 (sphere 2), expected 0 0 255 (sphere 1)"
+std::string in_words(const Scene& scene, const DifferingPixel& example);
+
+}  // namespace sphereview

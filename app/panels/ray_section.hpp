@@ -1,0 +1,89 @@
+// The plane through a ray as a drawing: where its places are, not how they are drawn. Lengths are the scene's. In the drawing x
+// runs along the ray from where it begins, y across.
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/explain.hpp"
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+struct SectionLine {
+    glm::dvec2 from{0.0};
+    glm::dvec2 to{0.0};
+};
+
+// What the plane has of a sphere.
+struct SectionCircle {
+    std::int32_t number = 0;
+    glm::dvec2 center{0.0};
+    double radius = 0.0;  // of the circle in which the plane cuts the sphere, else the sphere's own
+    bool cut = true;      // false: the plane passes the sphere by, and the circle is what it looks like from beside
+    bool met = false;     // the ray's line meets it
+    double first = 0.0;   // where, on the x axis, if it is met
+    double second = 0.0;
+    bool first_counts = false;  // which of these is the hit
+    bool second_counts = false;
+};
+
+// A rectangle of the drawing.
+struct SectionWindow {
+    glm::dvec2 low{0.0};
+    glm::dvec2 high{0.0};
+
+    bool holds(const glm::dvec2& place) const {
+        return place.x >= low.x && place.x <= high.x && place.y >= low.y && place.y <= high.y;
+    }
+    bool meets(const SectionWindow& other) const {
+        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+    }
+};
+
+struct RaySection {
+    std::vector<SectionCircle> circles;  // the subject first
+    bool has_subject = false;            // through whose centre the plane goes
+    std::optional<SectionLine> screen;   // where the plane cuts the screen; the ray goes through it at x = on_screen
+    double on_screen = 0.0;
+    std::optional<SectionLine> eye_plane;   // in which parallel rays begin
+    std::optional<double> seen;             // the hit that the pixel shows
+    std::optional<SectionLine> to_sun;      // from there; as it looks from beside, where it leaves the plane
+    std::optional<std::int32_t> blocker{};  // at which that ends
+    SectionWindow window;                   // what is to be drawn
+    bool eye_outside = false;               // the ray begins left of it
+    bool screen_outside = false;
+    std::vector<std::int32_t> outside{};  // spheres of which nothing is in it
+};
+
+// What the drawing is of.
+struct SectionSubject {
+    const Scene& scene;
+    const Camera& camera;
+    PictureSize size;
+    Pixel pixel;
+    const PixelExplanation& explanation;  // numbers of spheres that are gone are passed over
+    std::optional<glm::dvec3> sun{};      // the direction, where light is shown
+    std::optional<std::int32_t> blocker{};
+    bool from_eye = true;  // else the ray goes from a point to the sun, and there is no screen
+};
+
+// The ray from the point that a pixel shows to the sun as an explanation of its own, in double, whose t are lengths: what is in the
+// way is its hit, and the sphere that the point is on lies behind it. Nothing where no sphere is seen.
+std::optional<PixelExplanation> shadow_ray(const Scene& scene, const PixelExplanation& pixel, const glm::dvec3& sun,
+                                           std::optional<std::int32_t> blocker);
+
+// `subject`: the sphere through whose centre the plane goes; by default, and where that is none of the explanation, the nearest
+// hit, or else the nearest near miss. `aspect`: the width of the drawing by its height. The window holds what matters most, as long
+// as the subject stays large enough to be seen: the subject, the eye, the screen, the other hits, what is in the way of the sun,
+// near misses, what is behind the eye.
+RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subject, double aspect);
+
+// The part of a circle that may be in a window, as points along it; all of it, closed, where it is small.
+std::vector<glm::dvec2> points_of(const SectionCircle& circle, const SectionWindow& window);
+
+}  // namespace sphereview

@@ -1,0 +1,41 @@
+// File > Compare with picture: what `sphereview compare` does, beside the window's loop.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gpu/gl_object.hpp"
+#include "image/image.hpp"
+#include "panels/comparison.hpp"
+
+namespace sphereview {
+
+struct ViewerState;
+
+// What is shown of a comparison.
+struct ShownComparison {
+    Comparison words;
+    std::shared_ptr<const Image> difference{};  // null for an equal picture
+    bool open = true;
+};
+
+// The picture of a difference in the window's context, for ImGui.
+class DifferenceTexture {
+public:
+    // Nothing for no picture, and for one that is larger than the context's textures.
+    std::optional<ImTextureID> follow(const std::shared_ptr<const Image>& picture);
+
+private:
+    std::shared_ptr<const Image> uploaded_{};
+    Texture texture_;
+};
+
+// Asks for a picture, then compares it.
+void ask_for_comparison(ViewerState& state);
+
+// Begins to compare the picture with the right one of the scene as it is now, seen by the scene's own camera, instead of what is
+// being compared now. Says why where that cannot be done.
+void compare_with(ViewerState& state, const std::string& path);
+
+}  // namespace sphereview

@@ -1,0 +1,129 @@
+#include "viewer/pinned_pixels.hpp"
+
+#include <utility>
+
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Explains the pixel, unless what is kept is of the same. Returns whether it did.
+bool explain(const ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, std::optional<InspectedPixel>& kept) {
+    const std::optional<Sun> sun = state.settings.shading == Shading::studio ? state.shown_light().sun : std::nullopt;
+    const InspectedPlace place{pixel.pixel, pixel.size, state.camera, state.document.revision(), sun};
+    if (kept && kept->place == place) return false;
+    const Scene& scene = state.scene();
+    const bool of_window = pixel.size == state.picture_size;
+    // Of a pixel of another size than the window's there are no lists.
+    std::optional<DrawnSpheres> drawn;
+    if (!of_window) drawn = drawn_spheres(scene, state.camera);
+    InspectedPixel inspected{place, of_window ? picture.explain(state.document, pixel.pixel)
+                                              : explain_pixel(scene, *drawn, state.camera, pixel.size, pixel.pixel, nullptr,
+                                                              most_hits_explained, most_passed_explained)};
+    const std::int32_t visible = inspected.explanation.visible();
+    if (sun && visible >= 0) {
+        const LightExplanation light =
+            of_window ? picture.explain_light(state.document, pixel.pixel, visible, sun->direction)
+                      : explain_light({scene, *drawn, state.camera, pixel.size, pixel.pixel, visible}, sun->direction);
+        inspected.sun_shines = light.shines();
+        inspected.sun = in_words(light);
+        inspected.blocker = light.blocker;
+    }
+    kept = std::move(inspected);
+    return true;
+}
+
+}  // namespace
+
+std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool view_moves,
+                    Inspection& inspection) {
+    PinnedPixels& pins = state.pins;
+    if (!state.inspector_shown) {
+        inspection = {};
+        pins = {};
+        return 0;
+    }
+    if (under_pointer) pins.last = PinnedPixel{*under_pointer, state.picture_size};
+    inspection.pinned = pins.first.has_value();
+    inspection.second_is_next = pins.second_is_next;
+    // A picture that moves need not wait for what goes through millions of spheres.
+    constexpr std::size_t most_spheres_on_the_way = 100'000;
+    if (view_moves && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
+    std::size_t explained = 0;
+    const auto follow = [&](const std::optional<PinnedPixel>& pixel, std::optional<InspectedPixel>& kept) {
+        if (!pixel) {
+            kept.reset();
+        } else if (explain(state, picture, *pixel, kept)) {
+            ++explained;
+        }
+    };
+    follow(pins.first ? pins.first : pins.last, inspection.first);
+    follow(pins.second, inspection.second);
+    return explained;
+}
+
+void pin(PinnedPixels& pins, const PinnedPixel& pixel, bool beside) {
+    if (pins.first && (beside || pins.second_is_next)) {
+        pins.second = pixel;
+    } else {
+        pins.first = pixel;
+    }
+    pins.second_is_next = false;
+}
+
+bool let_go(PinnedPixels& pins) {
+    const bool any = pins.first.has_value();
+    if (pins.second_is_next) {
+        pins.second_is_next = false;
+    } else if (pins.second) {
+        pins.second.reset();
+    } else {
+        pins.first.reset();
+    }
+    return any;
+}
+
+glm::dvec2 place_in(PictureSize size, const PinnedPixel& pixel) {
+    const RayCoefficients ray = ray_coefficients(pixel.size, pixel.pixel);
+    const double unit = static_cast<double>(size.shorter_side()) / pixel.size.shorter_side();
+    return {0.5 * (size.width + unit * static_cast<double>(ray.across)),
+            0.5 * (size.height - unit * static_cast<double>(ray.upward))};
+}
+
+void grant(ViewerState& state, InspectorWish wish) {
+    PinnedPixels& pins = state.pins;
+    const std::optional<PinnedPixel>& shown = pins.first ? pins.first : pins.last;
+    const auto copy = [&](const std::optional<PinnedPixel>& pixel) {
+        if (!pixel) return;
+        state.clipboard.set_text(explanation_in_words(state, *pixel));
+        announce(state, "Copied the arithmetic of pixel " + std::to_string(pixel->pixel.x) + ", " + std::to_string(pixel->pixel.y));
+    };
+    switch (wish) {
+        case InspectorWish::pin:
+            if (pins.last) pin(pins, *pins.last, false);
+            break;
+        case InspectorWish::unpin:
+            pins.first.reset();
+            pins.second.reset();
+            pins.second_is_next = false;
+            break;
+        case InspectorWish::compare: pins.second_is_next = pins.first.has_value(); break;
+        case InspectorWish::copy: copy(shown); break;
+        case InspectorWish::copy_second: copy(pins.second); break;
+    }
+}
+
+std::string explanation_in_words(const ViewerState& state, const PinnedPixel& pixel) {
+    Scene scene = state.scene();
+    scene.camera = state.camera;
+    ExplainOptions options;
+    options.pixel = pixel.pixel;
+    options.size = pixel.size;
+    options.background = state.background;
+    options.shading = state.settings.shading;
+    options.light = state.light;
+    return explain(scene, state.name(), options);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,155 @@
+// The inspector's pixels, and pictures that are compared: what the window does with them, without a window.
+#include "viewer/pinned_pixels.hpp"
+
+#include <gtest/gtest.h>
+
+#include "image/png.hpp"
+#include "support/eventually.hpp"
+#include "support/temporary_folder.hpp"
+#include "viewer/perform.hpp"
+#include "viewer/scene_file.hpp"
+
+namespace sphereview {
+
+namespace {
+
+struct Inspecting : testing::Test {
+    Inspecting() : state(ViewOptions{}, ViewerSettings{}) {
+        state.clipboard.set_text = [this](const std::string& text) { copied = text; };
+        adopt(state, load_scene(folder.write("scene.txt", "2  255 0 0  0 30 300 50  0 0 255  -30 0 250 30")),
+              folder.path("scene.txt"));
+        state.picture_size = {60, 40};
+        state.settings.shading = Shading::flat;
+    }
+
+    void compare(const std::string& name) {
+        compare_with(state, folder.path(name));
+        EXPECT_TRUE(test::eventually([&] {
+            finish_work(state);
+            return !is_working(state);
+        }));
+    }
+    // The scene as flat colours, upside down if it is to be wrong.
+    void write_picture(const std::string& name, bool upside_down) {
+        Image image(60, 40, 3);
+        const DrawnSpheres drawn = drawn_spheres(state.scene());
+        for (int y = 0; y < 40; ++y) {
+            for (int x = 0; x < 60; ++x) {
+                const Pixel pixel{x, upside_down ? 39 - y : y};
+                const std::int32_t seen = explain_pixel(state.scene(), drawn, state.scene().camera, {60, 40}, pixel).visible();
+                const Color color = seen < 0 ? Color{} : state.scene().spheres[static_cast<std::size_t>(seen)].color;
+                image.at(x, y)[0] = color.r;
+                image.at(x, y)[1] = color.g;
+                image.at(x, y)[2] = color.b;
+            }
+        }
+        folder.write(name, encode_png(image));
+    }
+
+    test::TemporaryFolder folder;
+    ViewerState state;
+    std::string copied;
+};
+
+const PinnedPixel one{{3, 4}, {60, 40}};
+const PinnedPixel other{{5, 6}, {60, 40}};
+
+}  // namespace
+
+TEST(Pins, AreAFirstAndASecondAndGoInTurn) {
+    PinnedPixels pins;
+    EXPECT_FALSE(let_go(pins));
+    pin(pins, one, true);  // beside nothing
+    EXPECT_EQ(pins.first, one);
+    pin(pins, other, false);
+    EXPECT_EQ(pins.first, other);
+    EXPECT_FALSE(pins.second);
+    pins.second_is_next = true;
+    pin(pins, one, false);
+    EXPECT_EQ(pins.second, one);
+    EXPECT_FALSE(pins.second_is_next);
+    pins.second_is_next = true;
+    EXPECT_TRUE(let_go(pins));
+    EXPECT_TRUE(pins.second && !pins.second_is_next);
+    EXPECT_TRUE(let_go(pins));
+    EXPECT_TRUE(pins.first && !pins.second);
+    EXPECT_TRUE(let_go(pins));
+    EXPECT_FALSE(pins.first);
+}
+
+TEST(Pins, KeepTheirRayInEverySizeOfPicture) {
+    EXPECT_EQ(place_in({60, 40}, one), glm::dvec2(3.5, 4.5));
+    EXPECT_EQ(place_in({120, 80}, one), glm::dvec2(7.0, 9.0));
+    EXPECT_EQ(place_in({40, 40}, {{30, 20}, {60, 40}}), glm::dvec2(20.5, 20.5));
+}
+
+TEST_F(Inspecting, CopiesTheWordsOfExplainForTheView) {
+    state.camera.eye.x = 1.0;
+    state.camera.center.x = 1.0;
+    state.pins.last = one;
+    perform(state, {InspectorWish::copy});
+    Scene scene = state.scene();
+    scene.camera = state.camera;
+    EXPECT_EQ(copied,
+              explain(scene, "scene.txt",
+                      {.scene = "", .pixel = {3, 4}, .size = {60, 40}, .data = {}, .fit = {}, .background = {}, .light = {}}));
+    EXPECT_NE(copied.find("O = (1, 0, 0)"), std::string::npos) << copied;
+    EXPECT_NE(state.messages.announcement.find("3, 4"), std::string::npos);
+    perform(state, {InspectorWish::pin});
+    EXPECT_EQ(state.pins.first, one);
+    perform(state, {InspectorWish::compare});
+    EXPECT_TRUE(state.pins.second_is_next);
+    pin(state.pins, other, false);
+    perform(state, {InspectorWish::copy_second});
+    EXPECT_NE(copied.find("pixel 5,6"), std::string::npos) << copied;
+    perform(state, {InspectorWish::unpin});
+    EXPECT_FALSE(state.pins.first || state.pins.second);
+}
+
+TEST_F(Inspecting, SpacePinsAndLetsGoWhereAPixelIsInspected) {
+    const auto enabled = [&] { return info_of(commands_of(state), CommandId::pin_pixel).enabled; };
+    EXPECT_FALSE(enabled());
+    state.inspector_shown = true;
+    EXPECT_FALSE(enabled());
+    state.pins.last = one;
+    EXPECT_TRUE(enabled());
+    run_command(state, CommandId::pin_pixel);
+    EXPECT_EQ(state.pins.first, one);
+    run_command(state, CommandId::pin_pixel);
+    EXPECT_FALSE(state.pins.first);
+    perform(state, {PinPixel{{7, 8}, {100, 100}}});
+    EXPECT_EQ(state.pins.first, (PinnedPixel{{7, 8}, {100, 100}}));
+}
+
+TEST_F(Inspecting, ComparesAPictureAndNamesTheMistake) {
+    write_picture("right.png", false);
+    compare("right.png");
+    ASSERT_TRUE(state.comparison);
+    EXPECT_TRUE(state.comparison->words.verdict.empty());
+    EXPECT_FALSE(state.comparison->difference);
+    EXPECT_EQ(state.comparison->words.counts, "Equal to the right picture: all 2,400 pixels.");
+
+    write_picture("mine.png", true);
+    // As the dialog has it.
+    run_command(state, CommandId::compare_picture);
+    const auto accept = std::get<FileBrowser>(state.dialogs.back()).accept;
+    state.dialogs.clear();
+    accept(folder.path("mine.png"), {});
+    EXPECT_TRUE(test::eventually([&] { return finish_work(state); }));
+    const Comparison& words = state.comparison->words;
+    EXPECT_EQ(words.picture, "mine.png");
+    EXPECT_EQ(words.size, (PictureSize{60, 40}));
+    ASSERT_FALSE(words.verdict.empty());
+    EXPECT_NE(words.verdict[0].find("upside down"), std::string::npos);
+    EXPECT_EQ(words.examples.size(), 3U);
+    EXPECT_TRUE(state.comparison->difference);
+
+    state.comparison.reset();
+    folder.write("broken.png", "no picture");
+    compare("broken.png");
+    EXPECT_FALSE(state.comparison);
+    ASSERT_FALSE(state.dialogs.empty());
+    EXPECT_NE(std::get<Question>(state.dialogs.back()).text.find("broken.png"), std::string::npos);
+}
+
+}  // namespace sphereview
