@@ -47,9 +47,9 @@ std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::o
     if (under_pointer) pins.last = PinnedPixel{*under_pointer, state.picture_size};
     inspection.pinned = pins.first.has_value();
     inspection.second_is_next = pins.second_is_next;
-    // A picture that moves need not wait for what goes through millions of spheres.
+    // A picture that moves, or is still coarse, need not wait for what goes through millions of spheres.
     constexpr std::size_t most_spheres_on_the_way = 100'000;
-    if (view_moves && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
+    if ((view_moves || picture.step() > 1) && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
     std::size_t explained = 0;
     const auto follow = [&](const std::optional<PinnedPixel>& pixel, std::optional<InspectedPixel>& kept) {
         if (!pixel) {
