@@ -73,7 +73,7 @@ std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner
     const int tick = 3 * unit;
     const int left = corner.x - static_cast<int>(std::lround(bar.pixels * stroke_unit));
     std::string words = in_words(bar);
-    if (width_of_strokes(words, unit) > most) words = in_words({bar.length, bar.pixels, {}});
+    if (width_of_strokes(words, unit) > most) words = in_words(ScaleBar{bar.length, bar.pixels, {}});
     const int width = width_of_strokes(words, unit);
     // In the bar's middle, but no farther to the right than the bar.
     const int text_left = std::min(left + (corner.x - left - width) / 2, corner.x - width);

@@ -46,7 +46,6 @@ constexpr auto plain_symbols =
 static_assert(std::ranges::is_sorted(waters) && std::ranges::is_sorted(amino_acids) && std::ranges::is_sorted(nucleotides) &&
               std::ranges::is_sorted(plain_symbols));
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 

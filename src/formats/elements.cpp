@@ -66,8 +66,6 @@ constexpr auto elements = std::to_array<Element>({
 constexpr Element unknown{"", {0xFF, 0x14, 0x93}, 0.76};  // Jmol's colour for it
 constexpr Element no_element{"", {0xFF, 0x14, 0x93}, 0.2};
 
-constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 constexpr std::size_t slots = 27;
 
 // Of the letters' place in the alphabet, from 1; 0 where there is no letter.

@@ -13,6 +13,9 @@ struct Element {
     double radius;  // in angstrom; the source is named beside the table
 };
 
+// Whether symbols of elements could hold it.
+constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
 // By its symbol in any letter case; D and T are hydrogen. Null if there is no such element.
 const Element* find_element(std::string_view symbol);
 

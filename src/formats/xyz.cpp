@@ -466,7 +466,6 @@ bool shows_xyz(std::string_view head) {
         double ignored = 0.0;
         return parse_double(word, ignored) == NumberFault::none;
     };
-    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
     head = trimmed(head, white_space);
     const auto count = words_of(take_line(head));
     const std::string_view comment_line = take_line(head);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t values_of_byte = 256;
 constexpr std::size_t in_byte = 8;
-constexpr std::size_t in_word = 64;
+constexpr std::size_t lights_in_word = 64;
 constexpr std::size_t words_at_once = 256;
 
 // Row i of 8 x 8 bits becomes column i. Warren, "Hacker's Delight", 7-3.
@@ -77,12 +77,12 @@ void KeptLight::add(const Block& block, std::span<const std::int32_t> visible, s
         const std::size_t first = begins[set];
         const std::size_t count = begins[set + 1] - first;
         const std::vector<const std::uint64_t*>& lights = of_sets[set];
-        parallel_pieces((count + in_word - 1) / in_word, words_at_once, [&](std::size_t begin, std::size_t end) {
+        parallel_pieces((count + lights_in_word - 1) / lights_in_word, words_at_once, [&](std::size_t begin, std::size_t end) {
             for (std::size_t word = begin; word < end; ++word) {
                 for (std::size_t byte = 0; byte < bytes_a_point_; ++byte) {
                     // Eight points of eight lights at a time.
-                    for (std::size_t eight = 0; eight < in_word / in_byte; ++eight) {
-                        const std::size_t from = word * in_word + eight * in_byte;
+                    for (std::size_t eight = 0; eight < lights_in_word / in_byte; ++eight) {
+                        const std::size_t from = word * lights_in_word + eight * in_byte;
                         if (from >= count) break;
                         std::uint64_t bits = 0;
                         for (std::size_t k = 0; k < in_byte; ++k) {

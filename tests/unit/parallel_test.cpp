@@ -259,7 +259,8 @@ TEST(BackgroundJob, GivesWayWithAllItsThreads) {
     const int usual = nicest();
     int background = 0;
     BackgroundJob([&](WorkControl&) { background = nicest(); }).wait();
-    EXPECT_GT(background, usual);
+    constexpr int nicest_of_all = 19;
+    EXPECT_TRUE(background > usual || usual == nicest_of_all) << background << " and " << usual;
     EXPECT_EQ(nicest(), usual) << "the loop's own threads became slow";
 }
 #endif
