@@ -1,5 +1,7 @@
 #include "viewer/viewer_state.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 
 #include "base/path.hpp"
@@ -8,7 +10,8 @@ namespace sphereview {
 
 namespace {
 
-constexpr auto announcement_time = std::chrono::seconds(5);
+constexpr auto announcement_time = std::chrono::seconds(5);  // at least
+constexpr auto time_to_read_a_letter = std::chrono::milliseconds(50);
 
 }  // namespace
 
@@ -22,7 +25,8 @@ Light ViewerState::shown_light() const {
 
 void announce(ViewerState& state, const std::string& text) {
     state.messages.announcement = text;
-    state.announcement_ends = Clock::now() + announcement_time;
+    state.announcement_ends =
+        Clock::now() + std::max<Clock::duration>(announcement_time, static_cast<std::int64_t>(text.size()) * time_to_read_a_letter);
 }
 
 void report_error(ViewerState& state, const std::string& title, const std::string& text) {

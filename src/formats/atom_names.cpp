@@ -4,7 +4,6 @@
 #include <array>
 #include <cctype>
 #include <string>
-#include <utility>
 
 #include "base/text.hpp"
 
@@ -25,19 +24,6 @@ constexpr auto amino_acids = std::to_array<std::string_view>(
 constexpr auto nucleotides = std::to_array<std::string_view>(
     {"1MA", "2MG", "5MC", "5MU", "7MG", "A",   "ADE", "C",   "CYT", "DA", "DC", "DG", "DI", "DT",  "DU", "G",
      "GUA", "H2U", "I",   "M2G", "N",   "OMC", "OMG", "PSU", "RA",  "RC", "RG", "RU", "T",  "THY", "U",  "URA"});
-
-// CHARMM's names of ions that are no symbols.
-constexpr auto named_ions = std::to_array<std::pair<std::string_view, std::string_view>>({{"BAR", "Ba"},
-                                                                                          {"CAD", "Cd"},
-                                                                                          {"CAL", "Ca"},
-                                                                                          {"CES", "Cs"},
-                                                                                          {"CLA", "Cl"},
-                                                                                          {"IOD", "I"},
-                                                                                          {"LIT", "Li"},
-                                                                                          {"MAG", "Mg"},
-                                                                                          {"POT", "K"},
-                                                                                          {"RUB", "Rb"},
-                                                                                          {"SOD", "Na"}});
 
 // Symbols that are meant where nothing but a number follows, wherever the name begins: the chlorine of a ligand is often " CL1".
 constexpr auto plain_symbols =
@@ -68,13 +54,6 @@ bool is_equal(std::string_view a, std::string_view b) { return a.size() == b.siz
 
 const Element& known(const Element* element) { return element == nullptr ? unknown_element() : *element; }
 
-// The element of an ion called by its symbol or by CHARMM's name; null for other names.
-const Element* ion_named(std::string_view letters) {
-    if (const Element* element = find_element(letters)) return element;
-    const auto named = std::ranges::find_if(named_ions, [&](const auto& ion) { return is_equal(ion.first, letters); });
-    return named == named_ions.end() ? nullptr : find_element(named->second);
-}
-
 // Of the atom that is its whole residue; null where it is not.
 const Element* element_of_ion(std::string_view name, std::string_view residue) {
     const std::string_view letters = letters_of(name);
@@ -82,10 +61,10 @@ const Element* element_of_ion(std::string_view name, std::string_view residue) {
     if (letters.empty() || of_residue.empty()) return nullptr;
     if (!is_equal(letters, of_residue) && !is_equal(of_residue, "ION")) {
         // SOD of the residue NA, as some force fields have it.
-        const Element* element = letters.size() == 3 ? ion_named(letters) : nullptr;
+        const Element* element = letters.size() == 3 ? find_ion(letters) : nullptr;
         return element != nullptr && element == find_element(of_residue) ? element : nullptr;
     }
-    return ion_named(letters);
+    return find_ion(letters);
 }
 
 // In amino acids, nucleotides and water. `name` does not begin with a digit.
@@ -94,8 +73,9 @@ const Element& element_of_organic(std::string_view name, bool water) {
         case 'H': return *find_element("H");
         case 'D':
             // A Drude particle has the name of its atom behind the D, deuterium that of a hydrogen.
-            return name.size() > 1 && std::string_view("CNOPS").find(upper(name[1])) != std::string_view::npos ? virtual_site()
-                                                                                                               : *find_element("D");
+            return name.size() > 1 && std::string_view("CFINOPS").find(upper(name[1])) != std::string_view::npos
+                       ? virtual_site()
+                       : *find_element("D");
         case 'O': return water && is_equal(name, "OM") ? virtual_site() : *find_element("O");
         case 'S': return *find_element(is_equal(name, "SE") ? "Se" : "S");
         case 'C':

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -91,19 +92,35 @@ const Element* find_element(std::string_view symbol) {
     return number == 0 ? nullptr : &elements[number - 1];
 }
 
+const Element* find_ion(std::string_view name) {
+    constexpr auto named = std::to_array<std::pair<std::string_view, std::string_view>>({{"bar", "Ba"},
+                                                                                         {"cad", "Cd"},
+                                                                                         {"cal", "Ca"},
+                                                                                         {"ces", "Cs"},
+                                                                                         {"cla", "Cl"},
+                                                                                         {"iod", "I"},
+                                                                                         {"lit", "Li"},
+                                                                                         {"mag", "Mg"},
+                                                                                         {"pot", "K"},
+                                                                                         {"rub", "Rb"},
+                                                                                         {"sod", "Na"}});
+    if (name.size() != named[0].first.size()) return find_element(name);
+    const auto ion = std::ranges::find(named, lower_case(name), &std::pair<std::string_view, std::string_view>::first);
+    return ion == named.end() ? nullptr : find_element(ion->second);
+}
+
 const Element& unknown_element() { return unknown; }
 
 const Element& virtual_site() { return no_element; }
 
 bool is_dummy(std::string_view species) {
-    constexpr auto names = std::to_array<std::string_view>(
-        {"du", "dum", "dummy", "ep", "epw", "gh", "ghost", "lp", "lpa", "lpb", "m", "mw", "tv", "virt", "vs"});
+    constexpr auto beginnings = std::to_array<std::string_view>({"bq", "du", "ep", "gh", "lp", "mw", "tv", "vs"});
     if (species.empty()) return false;
     const std::string name = lower_case(species);
     const std::string_view letters(name.data(), static_cast<std::size_t>(std::ranges::find_if_not(name, is_letter) - name.begin()));
     if (letters.starts_with('x')) return letters != "xe";
-    return letters.starts_with("bq") || std::ranges::find(names, letters) != names.end() || name[0] == '@' || name == "0" ||
-           name.find("ghost") != std::string::npos;
+    return std::ranges::find(beginnings, letters.substr(0, 2)) != beginnings.end() || letters == "m" || name[0] == '@' ||
+           name == "0" || name.find("ghost") != std::string::npos;
 }
 
 const Element& element_of_species(std::string_view species) {
@@ -118,7 +135,7 @@ const Element& element_of_species(std::string_view species) {
         std::uint8_t number = 0;
         return parse_whole(species, number) && number >= 1 && number <= elements.size() ? elements[number - 1U] : unknown;
     }
-    const Element* element = find_element(species.substr(0, letters));
+    const Element* element = find_ion(species.substr(0, letters));
     if (element == nullptr && letters == 2) element = find_element(species.substr(0, 1));
     return element == nullptr ? unknown : *element;
 }

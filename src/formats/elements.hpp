@@ -19,6 +19,9 @@ constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' &&
 // By its symbol in any letter case; D and T are hydrogen. Null if there is no such element.
 const Element* find_element(std::string_view symbol);
 
+// The same, or by CHARMM's name of an ion: SOD, POT, CLA, CES.
+const Element* find_ion(std::string_view name);
+
 // What is drawn for atoms whose element is not known: not larger than carbon.
 const Element& unknown_element();
 
@@ -33,7 +36,8 @@ inline bool is_virtual(const Element& element) { return &element == &virtual_sit
 bool is_dummy(std::string_view species);
 
 // What files call an atom: a symbol, a symbol with more behind its letters ("C1", "Fe2+", "O_w"), two letters of which the first
-// is a symbol ("OW", "CG1"), or an atomic number; the virtual site for what is_dummy(). Else the unknown element.
+// is a symbol ("OW", "CG1"), an ion of CHARMM ("SOD"), or an atomic number; the virtual site for what is_dummy(). Else the unknown
+// element.
 const Element& element_of_species(std::string_view species);
 
 }  // namespace sphereview

@@ -45,12 +45,30 @@ constexpr std::string_view atom_columns =
     "Cartn_x Cartn_y Cartn_z ?type_symbol ?auth_atom_id ?label_atom_id ?auth_comp_id ?label_comp_id ?auth_asym_id ?label_asym_id "
     "?auth_seq_id ?label_seq_id ?pdbx_PDB_ins_code ?label_alt_id ?occupancy ?pdbx_PDB_model_num";
 
-cif::Document read_document(const TextSource& source) {
+struct ReadDocument {
+    cif::Document document{};
+    std::string fault{};  // of the text's last line, which is left out; "" where nothing is wrong
+};
+
+// A program that was ended while it wrote leaves half a line.
+ReadDocument read_document(const TextSource& source) {
+    const auto read = [&](std::size_t length) { return cif::read_memory(source.text.data(), length, source.name.c_str()); };
+    std::string fault;
     try {
-        return cif::read_memory(source.text.data(), source.text.size(), source.name.c_str());
+        return {read(source.text.size())};
     } catch (const std::runtime_error& error) {  // gemmi's message begins with the name and the line
-        throw InputError(error.what());
+        fault = error.what();
     }
+    const std::size_t last_line = source.text.find_last_of("\r\n") + 1;  // 0 where the text has no other
+    try {
+        if (last_line < source.text.size()) {
+            ReadDocument without{read(last_line), fault};
+            if (!without.document.blocks.empty()) return without;
+        }
+    } catch (const std::runtime_error&) {
+        // More is wrong than the last line.
+    }
+    throw InputError(fault);
 }
 
 // gemmi keeps only the line of a table, or of a pair of a tag and a value.
@@ -194,9 +212,13 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
     const TextSource source{name, without_byte_order_mark(content)};
     if (trimmed(source.text, white_space).empty()) fail_without_atoms(source, table_syntax);
     require_memory(bytes_of_document(source.text), name + ": its values need");
-    cif::Document document = read_document(source);
-    AtomTables found = find_atoms(source, document);
-    const WantedModel wanted = find_model(found.tables, options.frame);
+    ReadDocument read = read_document(source);
+    AtomTables found = find_atoms(source, read.document);
+    WantedModel wanted = find_model(found.tables, options.frame);
+    if (!read.fault.empty()) {
+        --wanted.frames;  // the last one is not whole
+        if (options.frame >= wanted.frames) throw InputError(read.fault);
+    }
     require_frame(name, options.frame, wanted.frames);
     require_memory(wanted.atoms * sizeof(Sphere), name + ": " + in_groups(wanted.atoms) + " spheres need");
     MoleculeScene scene(wanted.atoms, options);
@@ -206,6 +228,9 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
     SphereData data = scene.take(name);
     data.frames = wanted.frames;
     if (!found.fault.empty()) data.warnings.push_back(found.fault + "; passed over");
+    if (!read.fault.empty()) {
+        data.warnings.push_back(read.fault + "; what follows frame " + std::to_string(wanted.frames - 1) + " is passed over");
+    }
     return data;
 }
 

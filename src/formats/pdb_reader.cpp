@@ -1,7 +1,8 @@
 // The Protein Data Bank's format 3.3, and what other programs write in its columns: names of atoms from column 13, no columns of
 // elements, residues of four letters, hydrogens as 1HB.
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <map>
 #include <optional>
 
 #include "base/memory.hpp"
@@ -25,6 +26,8 @@ constexpr std::array<Field, 3> coordinates = {{{30, 38, "x"}, {38, 46, "y"}, {46
 constexpr std::size_t columns_read = 78;  // up to the element; the charge behind it is often wrong, and not drawn
 
 bool is_record(std::string_view line, std::string_view record) { return trimmed(line.substr(0, 6), " ") == record; }
+
+bool is_organic(std::string_view residue) { return is_water(residue) || is_polymer(residue); }
 
 bool is_atom(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
@@ -64,15 +67,59 @@ WantedFrame find_frame(std::string_view text, std::int64_t wanted) {
     return found;
 }
 
-// Where no name of the file leaves column 13 to symbols of two letters, all of them may be written from there.
-NameColumns name_columns_of(std::string_view text) {
-    for (LineWalker lines(text, line_end_of(text)); !lines.at_end();) {
-        const std::size_t begin = lines.offset();
-        const std::string_view line = text.substr(begin, lines.step() - begin);
-        if (is_atom(line) && line.size() > 14 && line[12] == ' ' && line[13] != ' ') return NameColumns::aligned;
+// How the residues of a file write names. PDB leaves column 13 free where the element's symbol has one letter. A residue that has
+// such a symbol in column 13 ("C1  ") does not heed that, and of one that shows neither the rest of the file tells.
+class NameStyles {
+public:
+    explicit NameStyles(std::string_view text) {
+        std::string_view last = "\n";  // no residue's name
+        Style* style = nullptr;
+        for (LineWalker lines(text, line_end_of(text)); !lines.at_end();) {
+            const std::size_t begin = lines.offset();
+            const std::string_view line = text.substr(begin, lines.step() - begin);
+            if (!is_atom(line) || line.size() < 20) continue;
+            const std::string_view residue = columns(line, 17, 20);
+            if (residue != last) style = is_organic(residue) ? &organic_ : &others_[residue];
+            last = residue;
+            style->note(line.substr(12, 4), style == &organic_);
+        }
+        rest_ = organic_;
+        if (organic_.free || organic_.left) return;
+        for (const auto& [name, other] : others_) {
+            rest_.free = rest_.free || other.free;
+            rest_.left = rest_.left || other.left;
+        }
     }
-    return NameColumns::unknown;
-}
+
+    // `residue`: not one of water, amino acids and nucleotides.
+    NameColumns of(std::string_view residue) const {
+        const auto own = others_.find(residue.substr(0, 3));
+        return own != others_.end() && (own->second.free || own->second.left) ? own->second.columns() : rest_.columns();
+    }
+
+private:
+    struct Style {
+        bool free = false;  // a name begins in column 14
+        bool left = false;  // a name with a symbol of one letter begins in column 13, and does not fill all four columns
+
+        // In organic residues all symbols have one letter, but for selenium's.
+        void note(std::string_view name, bool organic) {
+            const bool is_short = name[0] != ' ' && name[3] == ' ';
+            const bool one_letter = std::string_view("CHNOPS").find(name[0]) != std::string_view::npos;
+            const bool two_letters = organic ? name == "SE  " : is_letter(name[1]);
+            free = free || (name[0] == ' ' && name[1] != ' ');
+            left = left || (is_short && one_letter && !two_letters);
+        }
+
+        NameColumns columns() const { return free && !left ? NameColumns::aligned : NameColumns::unknown; }
+    };
+
+    static bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+
+    Style organic_{};                             // of water, amino acids and nucleotides
+    std::map<std::string_view, Style> others_{};  // of the other residues, by three letters
+    Style rest_{};                                // of a residue that shows nothing itself
+};
 
 class PdbAtoms {
 public:
@@ -116,16 +163,17 @@ private:
     // `symbol`: what the columns of elements hold, which may be something else altogether.
     const Element& element_of(std::string_view name, std::string_view residue, std::string_view symbol) {
         const Element* element = find_element(symbol);
-        const bool is_organic = is_water(residue) || is_polymer(residue);
-        const bool is_doubtful = residue == "DUM" || (symbol.size() == 2 && is_organic);  // CA of ALA is no calcium
+        const bool organic = is_organic(residue);
+        const bool is_doubtful = residue == "DUM" || (symbol.size() == 2 && organic);  // CA of ALA is no calcium
         if (element != nullptr && !is_doubtful) return *element;
         if (element == nullptr && is_dummy(symbol)) return dummy_in(residue);
-        if (!name_columns_) name_columns_ = name_columns_of(source_.text);
-        return element_of_name(name, residue, *name_columns_);
+        if (organic) return element_of_name(name, residue, NameColumns::unknown);
+        if (!styles_) styles_.emplace(source_.text);
+        return element_of_name(name, residue, styles_->of(residue));
     }
 
     const TextSource& source_;
-    std::optional<NameColumns> name_columns_{};  // once they count
+    std::optional<NameStyles> styles_{};  // once they count
 };
 
 }  // namespace

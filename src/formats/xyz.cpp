@@ -95,9 +95,10 @@ public:
             if (name.empty() || !is_type || !parse_whole(digits, count) || count == 0) {
                 fail(example);
             }
-            if (auto field = field_named(name, type)) {
+            if (auto field = field_named(name, type, count)) {
                 if (*field == XyzField::position && count == 2) field = XyzField::flat_position;
-                if (count != columns_of(*field)) fail(name + " of " + columns_in_words(*field) + " columns");
+                if (*field != XyzField::color && count != columns_of(*field))
+                    fail(name + " of " + columns_in_words(*field) + " columns");
                 if (!has(columns, *field)) columns.push_back({*field, first});
                 if (*field == XyzField::color && type == "i") layout.full_color = color_max;
             }
@@ -109,15 +110,16 @@ public:
     }
 
 private:
-    // A radius or colour of another kind is no reason to refuse the atoms.
-    static std::optional<XyzField> field_named(const std::string& name, const std::string& type) {
+    // A radius or colour of another kind is no reason to refuse the atoms. What stands behind the three columns of a colour is
+    // opacity.
+    static std::optional<XyzField> field_named(const std::string& name, const std::string& type, std::size_t count) {
         const auto is = [&](std::initializer_list<const char*> names, const char* types) {
             return std::ranges::find(names, name) != names.end() && std::string_view(types).find(type) != std::string_view::npos;
         };
         if (is({"species", "element", "symbol", "z", "numbers"}, "si")) return XyzField::species;
         if (is({"pos", "position", "positions"}, "ri")) return XyzField::position;
-        if (is({"radius", "radii"}, "ri")) return XyzField::radius;
-        if (is({"color", "colour", "colors"}, "ri")) return XyzField::color;
+        if (count == 1 && is({"radius", "radii"}, "ri")) return XyzField::radius;
+        if (count >= 3 && is({"color", "colour", "colors"}, "ri")) return XyzField::color;
         return std::nullopt;
     }
 

@@ -99,6 +99,8 @@ const std::vector<NamedAtom> anywhere = {
     {"LP1A", "HSD", "-"},
     {"LP1", "LIG", "-"},
     {"DC12", "LIG", "-"},
+    {"DF1", "LIG", "-"},
+    {"D1", "LIG", "H"},
     {"Bq", "LIG", "-"},
     {"X", "LIG", "-"},
     {"N", "DUM", "-"},

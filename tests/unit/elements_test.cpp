@@ -54,8 +54,8 @@ TEST(Elements, HaveRadiiThatAddUpToBonds) {
 }
 
 TEST(Elements, AreLargerThanWhatIsNone) {
-    for (const char* species : {"X",  "Xx",    "xx", "X1",  "Bq", "BQ2", "bqO", "Gh", "Gh(O)", "@O",  "O_ghost", "H-Ghost", "Du",
-                                "DU", "dummy", "LP", "Lp1", "EP", "EPW", "EP2", "M",  "MW",    "MW1", "Tv",      "0"}) {
+    for (const char* species : {"X",  "Xx",    "xx", "X1",  "Bq",  "BQ2", "bqO", "Gh",  "Gh(O)", "@O", "O_ghost", "H-Ghost", "Du",
+                                "DU", "dummy", "LP", "Lp1", "LPX", "EP",  "EPW", "EP2", "M",     "MW", "MW1",     "Tv",      "0"}) {
         EXPECT_TRUE(is_virtual(element_of_species(species))) << species;
     }
     for (const char* species : {"Xe", "XE", "Xe1", "B",  "Ba", "Br", "D",  "Dy",  "Db", "Mg", "Mn", "Md",
@@ -68,10 +68,10 @@ TEST(Elements, AreLargerThanWhatIsNone) {
 
 TEST(Elements, AreRecognizedInWhatFilesCallAtoms) {
     const std::vector<std::pair<const char*, const char*>> cases = {
-        {"C", "C"},   {"C1", "C"},    {"Fe2+", "Fe"}, {"fe", "Fe"},  {"O_w", "O"}, {"OW", "O"}, {"CG1", "C"},
-        {"HW2", "H"}, {"CL", "Cl"},   {"6", "C"},     {"026", "Fe"}, {"0", ""},    {"119", ""}, {"6a", ""},
-        {"-6", ""},   {"Carbon", ""}, {"X", ""},      {"", ""},      {"+", ""},    {"Zz", ""},  {"99999999999999999999", ""},
-        {"CH3", "C"}, {"Si4", "Si"},
+        {"C", "C"},    {"C1", "C"},    {"Fe2+", "Fe"}, {"fe", "Fe"},  {"O_w", "O"}, {"OW", "O"},  {"CG1", "C"},
+        {"HW2", "H"},  {"CL", "Cl"},   {"6", "C"},     {"026", "Fe"}, {"0", ""},    {"119", ""},  {"6a", ""},
+        {"-6", ""},    {"Carbon", ""}, {"X", ""},      {"", ""},      {"+", ""},    {"Zz", ""},   {"99999999999999999999", ""},
+        {"SOD", "Na"}, {"POT", "K"},   {"CLA", "Cl"},  {"ces", "Cs"}, {"CAT", ""},  {"CH3", "C"}, {"Si4", "Si"},
     };
     for (const auto& [species, symbol] : cases) EXPECT_EQ(element_of_species(species).symbol, symbol) << species;
 }

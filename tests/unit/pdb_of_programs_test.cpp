@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "formats/elements.hpp"
 #include "formats/sphere_data.hpp"
 
@@ -65,6 +66,12 @@ TEST(PdbOfPrograms, NamesMayAllBeginInTheirFirstColumn) {
                                            record("HETATM    3 CL1  LIG A   1", 2) + record("HETATM    4 CA    CA A   2", 3))
                              .scene),
               (Words{"C", "H", "Cl", "Ca"}));
+    // The protein heeds the columns, the ligand of another program does not, and of the last one only the protein tells.
+    EXPECT_EQ(symbols_of(read_programs_pdb(record("ATOM      1  CA  ALA A   1", 0) + record("HETATM    2 C1   LIG A   2", 1) +
+                                           record("HETATM    3 CD   LIG A   2", 2) + record("HETATM    4 HG   MMC A   3", 3) +
+                                           record("ATOM      5 SE   MSE A   4", 4))
+                             .scene),
+              (Words{"C", "C", "C", "Hg", "Se"}));
     // A single name that leaves the first column free shows that the file heeds it.
     EXPECT_EQ(
         symbols_of(read_programs_pdb(record("HETATM    1 CA   LIG A   1", 0) + record("HETATM    2  C1  LIG A   1", 1)).scene),
@@ -225,6 +232,21 @@ TEST(MmcifOfPrograms, TwoWatersWithoutNumbersAreTwo) {
                                "a.cif", {})
                         .scene),
               (std::vector<double>{1, 2}));
+}
+
+TEST(MmcifOfPrograms, ALastModelMayBeCutShort) {
+    const std::string columns =
+        "data_own\nloop_\n_atom_site.pdbx_PDB_model_num\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
+    const std::string text = columns + "1 0 0 0\n1 1 0 0\n2 2 0 0\n2 3 0";
+    const SphereData data = read_mmcif(text, "a.cif", {});
+    EXPECT_EQ(data.frames, 1);
+    EXPECT_EQ(xs_of(data.scene), (std::vector<double>{0, 1}));
+    ASSERT_EQ(data.warnings.size(), 1U);
+    EXPECT_TRUE(data.warnings[0].starts_with("a.cif:2")) << data.warnings[0];
+    EXPECT_TRUE(data.warnings[0].ends_with("; what follows frame 0 is passed over")) << data.warnings[0];
+    EXPECT_THROW(read_mmcif(text, "a.cif", {.frame = 1}), InputError);
+    EXPECT_THROW(read_mmcif(columns + "1 0 0 0\n1 1 0", "a.cif", {}), InputError);
+    EXPECT_THROW(read_mmcif(columns + "1 0 0 0\n2 1 0\n2 1", "a.cif", {}), InputError);
 }
 #endif
 

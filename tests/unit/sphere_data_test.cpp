@@ -178,7 +178,6 @@ TEST(XyzErrors, SayWhatIsWrongWithTheProperties) {
          "2:12: found properties without a position, expected pos:R:3 among them"},
         {"1\nProperties=\"pos:R:4\"\n1 2\n", "2:13: found 'pos:R:4', expected pos of 2 or 3 columns"},
         {"1\nProperties=a::b::c\n1 2\n", "2:12: found 'a::b::c'" + form},
-        {"1\nProperties=pos:R:3:color:R:4\n1 2\n", "2:20: found 'color:R:4', expected color of 3 columns"},
         {"1\nProperties=id:I:999999:pos:R:3\n1 2\n", "2:24: found 'pos:R:3', expected at most 1000000 columns"},
     });
 }

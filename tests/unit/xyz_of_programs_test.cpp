@@ -154,6 +154,17 @@ TEST(XyzOfPrograms, ColoursAreWhatTheColumnHolds) {
     EXPECT_EQ(colors("R", "nan -1 0", "0 1 0"), (std::vector<Color>{oxygen, {0, 255, 0}}));
 }
 
+TEST(XyzOfPrograms, RadiiAndColoursOfAnotherKindArePassedOver) {
+    const Scene scene =
+        read_programs_xyz("1\nProperties=species:S:1:radius:R:3:color:R:1:colors:S:3:pos:R:3\nO 9 9 9 1 a b c 1 2 3\n").scene;
+    EXPECT_EQ(scene.spheres.at(0).center, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(scene.spheres.at(0).radius, find_element("O")->radius);
+    EXPECT_EQ(scene.spheres.at(0).color, find_element("O")->color);
+    const Scene opaque = read_programs_xyz("1\nProperties=color:R:4:pos:R:3\n1 0 0 0.5 1 2 3\n").scene;
+    EXPECT_EQ(opaque.spheres.at(0).center, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(opaque.spheres.at(0).color, (Color{255, 0, 0}));
+}
+
 TEST(XyzOfPrograms, WhatIsNoAtomIsSmallOrLeftOut) {
     std::string text = "3000\n\n";
     for (int i = 0; i < 1000; ++i) text += "X 0 0 0\nO " + std::to_string(i) + " 0 0\nBq 9 9 9\n";
