@@ -123,7 +123,10 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
     const int step = draw_text_box("##typed", "", fields.text, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();
     note_widget(context, "slider " + fields.typed);
-    if (ImGui::IsItemActive()) fields.focus = false;
+    if (ImGui::IsItemActive()) {
+        fields.focus = false;
+        note_widget(context, "typed " + fields.typed);  // now, and not before, it takes what is typed
+    }
     if (!ImGui::IsItemDeactivated() && step == 0) {
         if (!untouched && (!shown.fault.empty() || is_calculation(fields.text))) say_below(shown);
         return NumberChange::none;

@@ -127,6 +127,48 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     expect_rendered();
 }
 
+TEST_F(View, NumbersOfTheCameraAndSavedViewsAreTheScenes) {
+    const auto open_camera = [&] {
+        window_.click_widget("camera");
+        window_.wait_until("the camera's numbers", [](const Json& f) { return f.at("widgets").contains("slider view angle"); });
+    };
+    open_camera();
+    window_.step("a field of view is typed");
+    window_.click_widget("slider view angle");
+    window_.widget("typed view angle");
+    window_.type("2*(30+10)");
+    window_.key("Return");
+    window_.wait_for("undo", "Change the field of view");
+    expect_rendered();
+    window_.key("ctrl+z");
+    window_.wait_for("camera", home_);
+
+    window_.step("an eye is dragged");
+    const Place from = window_.widget("slider eye x");
+    window_.drag(from, {from.x - 25, from.y});
+    window_.wait_for("undo", "Move the camera's eye");
+    window_.wait_for_other("camera", home_);
+    expect_rendered();
+    const Json aside = window_.at("camera");
+
+    window_.step("a view is saved, named, left and gone to");
+    window_.key("v");
+    window_.wait_until("a name's box", [](const Json& f) { return f.at("widgets").contains("view name"); });
+    window_.widget("view name");
+    window_.type("from aside");
+    window_.key("Return");
+    window_.wait_for("undo", "Rename view 'view 1'");
+    window_.key("4");
+    window_.wait_for_other("camera", aside);
+    window_.click_widget("menu View");
+    window_.click_widget("menu Saved views");
+    window_.click_widget("item view 0");
+    window_.wait_for("camera", aside);
+    window_.key("ctrl+s");
+    window_.wait_for("changed", false);
+    test::expect_rendered(window_, folder_, scene_, {"--view", "from aside"});
+}
+
 TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
     const TemporaryFolder folder;
     const std::string first = "3\n\nO 100 100 100\nH 101 100 100\nH 100 101 100\n";
