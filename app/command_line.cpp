@@ -108,6 +108,10 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
+    add_flag(command, options.axes, "--axes", "Draw the directions of the axes in the lower left corner");
+    add_flag(command, options.scale_bar, "--scale-bar",
+             "Draw the length of a number of the scene's units in the lower right corner; in perspective as it is as deep as the "
+             "scene's middle");
     add_option(command, options.backend,
                {"--backend", "NAME", backends_listed() + " [auto, or SPHEREVIEW_BACKEND]", backends_listed()}, backend_named);
     add_option(command, options.device,

@@ -36,6 +36,8 @@ struct RenderOptions {
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
     LightOptions light;  // instead of the scene's own
+    bool axes = false;   // drawn in a corner
+    bool scale_bar = false;
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
     std::optional<std::string> expect;  // a golden image, may hold {name}

@@ -187,7 +187,8 @@ private:
                                      options_.certify,
                                      options_.samples,
                                      options_.shading,
-                                     with_options(scene, options_.light)};
+                                     with_options(scene, options_.light),
+                                     {options_.axes, options_.scale_bar, middle_for_scale(scene)}};
         const Image picture = render(scene, drawn, options, report);
 
         // Before anything is written: the rest of the golden may be damaged.
@@ -195,6 +196,11 @@ private:
         if (golden) check(picture, *golden, job.diff ? &difference : nullptr, report);
         if (job.output) write_png(picture, *job.output, report.timings);
         if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability);
+    }
+
+    // Where in depth the bar holds. It is not looked for without need: that takes time for millions of spheres.
+    glm::dvec3 middle_for_scale(const Scene& scene) const {
+        return options_.scale_bar ? bounds_of(scene).middle() : glm::dvec3(0.0);
     }
 
     Scene read_scene(const std::string& path, RenderReport& report) {

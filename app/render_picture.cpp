@@ -109,7 +109,9 @@ public:
             }
         }
         if (kept_ != nullptr) kept_->finish();
-        return colored_.take();
+        Image picture = colored_.take();
+        draw_marks(options_.marks, options_.camera, picture);
+        return picture;
     }
 
 private:
@@ -273,7 +275,9 @@ std::optional<Image> relit_picture(const Scene& scene, const PictureOptions& opt
         check_cancelled();
         colored.color(piece.block, piece.visible, kept.light(piece, *shares));
     }
-    return colored.take();
+    Image picture = colored.take();
+    draw_marks(options.marks, options.camera, picture);
+    return picture;
 }
 
 Image render_by_what_holds_it(OpenBackend& opened, Backend asked_for, const std::function<Image(OpenBackend&)>& render) {

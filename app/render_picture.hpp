@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/backend.hpp"
+#include "app/picture_marks.hpp"
 #include "exact/resolve.hpp"
 #include "image/image.hpp"
 #include "light/kept_light.hpp"
@@ -25,6 +26,7 @@ struct PictureOptions {
     int samples = 1;      // points a pixel: one of sample_counts
     Shading shading = Shading::flat;
     Light light{};  // in the shading `studio`
+    PictureMarks marks{};
 
     bool operator==(const PictureOptions&) const = default;
 };
@@ -47,9 +49,10 @@ struct Drafts {
     std::function<void(Image)> show;  // is called now and then
 };
 
-// Traces block by block, certifies, colours and averages on the CPU. An OpenBackend without a GPU renderer stands for the CPU's.
-// `drawn` is as the options' camera sees it. Calls progress() with how much is done, 0..1, and shows drafts in the shading
-// `studio`, in which `kept` is given which lights shine where. Throws TooLarge when the GPU renderer cannot hold the scene.
+// Traces block by block, certifies, colours and averages on the CPU, and draws the marks. An OpenBackend without a GPU renderer
+// stands for the CPU's. `drawn` is as the options' camera sees it. Calls progress() with how much is done, 0..1, and shows drafts
+// in the shading `studio`, in which `kept` is given which lights shine where. Throws TooLarge when the GPU renderer cannot hold the
+// scene.
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress,
                      const Drafts* drafts = nullptr, KeptLight* kept = nullptr);

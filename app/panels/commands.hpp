@@ -44,6 +44,7 @@ enum class CommandId {
     view_top,
     view_iso,
     orthographic,  // or perspective again
+    trackball,     // or turntable again
     use_view_as_camera,
     next_frame,  // of a file of several
     previous_frame,
@@ -52,6 +53,9 @@ enum class CommandId {
     toggle_panel,
     toggle_inspector,
     toggle_export_area,
+    toggle_axes,
+    toggle_scale_bar,
+    toggle_exported_marks,
     no_anti_aliasing,
     anti_aliasing_4,
     anti_aliasing_16,

@@ -79,8 +79,8 @@ std::string label_of(const PanelContext& context, const CommandInfo& info) {
 
 std::string history_text(const PanelContext& context) {
     const auto megabytes = [](std::size_t bytes) { return static_cast<double>(bytes) / 1048576.0; };
-    return "Steps to undo: " + fixed(megabytes(context.document.history_bytes()), 1) + " of " +
-           fixed(megabytes(context.document.most_history_bytes()), 0) + " MB; beyond that the oldest are forgotten.";
+    return "History: " + fixed(megabytes(context.document.history_bytes()), 1) + " of " +
+           fixed(megabytes(context.document.most_history_bytes()), 0) + " MB";
 }
 
 void draw_item(const PanelContext& context, const CommandInfo& info) {
@@ -90,8 +90,15 @@ void draw_item(const PanelContext& context, const CommandInfo& info) {
         context.actions.emplace_back(RunCommand{info.id});
     }
     note_widget(context, "item " + std::string(info.label));
-    if (info.id != CommandId::undo && info.id != CommandId::redo) return;
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", history_text(context).c_str());
+}
+
+// How much of what the steps to undo may take is used.
+void draw_history(const PanelContext& context) {
+    ImGui::MenuItem((history_text(context) + "###history").c_str(), nullptr, false, false);
+    note_widget(context, "history");
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::SetTooltip("What the steps to undo take; beyond that the oldest are forgotten.");
+    }
 }
 
 // Notes a menu's title before it is drawn: ImGui's last item is another once the menu is open.
@@ -146,6 +153,7 @@ void draw_menu(const PanelContext& context, const std::string& menu, const std::
         }
         submenu = info.submenu;
         if (info.id == CommandId::file_open) draw_recent(context, recent, keys);
+        if (info.id == CommandId::redo) draw_history(context);
         first = false;
     }
     ImGui::EndMenu();

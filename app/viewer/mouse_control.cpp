@@ -160,7 +160,8 @@ void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, Pi
         const double angle = std::numbers::pi / state.size.shorter_side();
         if (!orbit_point_) orbit_point_ = grabbed_ >= 0 ? grabbed_point_ : middle_of_seen(state);
         consequences.pivot = orbit_point_;
-        consequences.camera = orbited(state.camera, *orbit_point_, moved.x * angle, moved.y * angle);
+        const auto turn = state.trackball ? tumbled : orbited;
+        consequences.camera = turn(state.camera, *orbit_point_, moved.x * angle, moved.y * angle);
     } else if (mode_ == Mode::pan) {
         const double depth = depth_of(state.camera, grabbed_point_);
         consequences.camera = panned(state.camera, state.size, moved, depth > 0.0 ? depth : 1.0);

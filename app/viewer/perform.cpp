@@ -156,6 +156,14 @@ Command toggle(const CommandInfo& info, bool ViewerState::*shown) {
     return {info, [shown](ViewerState& s) { s.*shown = !(s.*shown); }, {}, [shown](const ViewerState& s) { return s.*shown; }};
 }
 
+// A command that switches a setting.
+Command setting(const CommandInfo& info, bool ViewerSettings::*on) {
+    return {info,
+            [on](ViewerState& s) { s.settings.*on = !(s.settings.*on); },
+            {},
+            [on](const ViewerState& s) { return s.settings.*on; }};
+}
+
 // A command that chooses one of several values.
 template <typename T>
 Command choice(const CommandInfo& info, T ViewerSettings::*setting, T value) {
@@ -255,6 +263,9 @@ std::vector<Command> make_commands() {
          change_projection,
          {},
          [](const ViewerState& s) { return s.camera.orthographic(); }},
+        setting({Id::trackball, "View", "Trackball", "T",
+                 "Orbits as if a ball were turned: no upright, and the poles can be passed. Else the world's y stays upright."},
+                &ViewerSettings::trackball),
         {{Id::use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home",
           "An edit like any other: Home returns here then.", true},
          edits(use_view_as_camera),
@@ -273,6 +284,14 @@ std::vector<Command> make_commands() {
         toggle({Id::toggle_export_area, "View", "Area of the export", "M",
                 "Marks what an export shows, where the window shows more or less."},
                &ViewerState::export_area_shown),
+        setting({Id::toggle_axes, "View", "Axes", "A", "Shows in a corner where x, y and z point; click an end to look along it."},
+                &ViewerSettings::axes_shown),
+        setting({Id::toggle_scale_bar, "View", "Scale bar", "B",
+                 "Shows how long a length of the scene is; in perspective as deep as the point that the view turns about."},
+                &ViewerSettings::scale_bar_shown),
+        setting({Id::toggle_exported_marks, "View", "Axes and scale bar in exports", "Shift+A",
+                 "Draws what is shown of the two into exports as well."},
+                &ViewerSettings::marks_exported),
         choice({Id::no_anti_aliasing, "View", "Anti-aliasing off", "Alt+1", "A pixel shows what is at its centre.", true},
                &ViewerSettings::samples, 1),
         choice({Id::anti_aliasing_4, "View", "4 samples a pixel", "Alt+4",

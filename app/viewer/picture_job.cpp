@@ -118,11 +118,12 @@ enum class Naming { as_said, next_free };
 // files: a FIFO that nobody reads, or a disk that hangs, holds up nobody else.
 void start_export(ViewerState& state, const std::string& path, Naming naming, PictureSize size,
                   std::function<void(const std::string& why)> fail) {
-    const PictureOptions options = picture_options(state, size);
-    const auto written = std::make_shared<std::string>(path);
+    PictureOptions options = picture_options(state, size);
+    options.marks = exported_marks(state);
+    const auto written = std::make_shared<FoundPath>(naming == Naming::as_said ? path : "");
     const auto done = [&state, written, options] {
         const auto& [width, height] = options.size;
-        announce(state, "Exported " + *written + " (" + std::to_string(width) + " x " + std::to_string(height) +
+        announce(state, "Exported " + written->get() + " (" + std::to_string(width) + " x " + std::to_string(height) +
                             (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples a pixel)" : ")"));
     };
     try {
@@ -132,14 +133,16 @@ void start_export(ViewerState& state, const std::string& path, Naming naming, Pi
         }
         std::shared_ptr<const Image> made;
         if (rest_picture_is_shown(state) && state.rest_picture->options == options) made = state.rest_picture->image;
-        BackgroundJob job([written, naming, made, options, scene = made ? nullptr : scene_snapshot(state)](WorkControl& control) {
-            if (naming == Naming::next_free) *written = next_free_name(*written);
-            check_output(*written);
-            const std::string png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
-            control.begin_to_write();
-            write_output(*written, png);
-        });
-        state.exporting.emplace(Work{.path = path, .job = std::move(job), .done = done, .fail = fail});
+        BackgroundJob job(
+            [written, usual = path, made, options, scene = made ? nullptr : scene_snapshot(state)](WorkControl& control) {
+                if (written->get().empty()) written->set(next_free_name(usual));
+                const std::string name = written->get();
+                check_output(name);
+                const std::string png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
+                control.begin_to_write();
+                write_output(name, png);
+            });
+        state.exporting.emplace(Work{.path = path, .job = std::move(job), .done = done, .fail = fail, .found_path = written});
     } catch (...) {
         fail(describe_current_exception().message);
     }
@@ -159,7 +162,7 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
         state.settings.export_width = size.width;
         state.settings.export_height = size.height;
         const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
-        if (state.exporting) return ask_again(state.exporting->path + " is not exported yet");
+        if (state.exporting) return ask_again(state.exporting->shown_path() + " is not exported yet");
         start_export(state, path, Naming::as_said, size, ask_again);
     };
     state.dialogs.push_back(std::move(form));

@@ -44,6 +44,12 @@ void read_scene(ViewerState& state, const std::string& path) {
     start_loading(state, {path, load_options(state, 0), accept, fail, [&state] { look_at_file(state); }});
 }
 
+void forget_file_messages(ViewerState& state) {
+    state.gone_at.reset();
+    state.messages.scene_gone.clear();
+    state.messages.scene_error.clear();
+}
+
 void after(Work& work, const std::function<void()>& next) {
     work.done = [done = std::move(work.done), next] {
         done();
@@ -59,7 +65,7 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         state.frame = 0;
         state.frames = 1;
         state.stamp = file_states(path);
-        state.messages.scene_error.clear();
+        forget_file_messages(state);
         add_recent(state.settings, path);
         announce(state, "Saved " + path);
         then();
@@ -158,7 +164,7 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         state.bounds_revision = 0;
         if (!same_spheres) state.selection.clear();
         state.hovered.reset();
-        state.messages.scene_error.clear();
+        forget_file_messages(state);
         state.frame = frame;
         state.frames = loaded.frames;
         state.stamp = stamp;
@@ -180,6 +186,21 @@ void reload(ViewerState& state, LoadedScene loaded) {
         announce(state, "Reloaded " + state.path);
     }
     state.document.mark_saved();
+}
+
+// The scene is in the window alone now: closing asks about it, and a copy is kept.
+void note_gone(ViewerState& state) {
+    state.gone_at = state.document.is_changed() ? 0 : state.document.revision();
+    state.document.mark_unsaved();
+    state.messages.scene_gone = state.path;
+}
+
+void note_back(ViewerState& state) {
+    if (!state.gone_at) return;
+    if (*state.gone_at == state.document.revision()) state.document.mark_saved();
+    state.gone_at.reset();
+    state.messages.scene_gone.clear();
+    announce(state, state.path + " is there again");
 }
 
 void offer_reload(ViewerState& state, LoadedScene loaded) {
@@ -216,7 +237,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.selection.clear();
     state.hovered.reset();
     state.side_panel = {};
-    state.messages.scene_error.clear();
+    forget_file_messages(state);
     const bool has_file = !path.empty() && path != standard_stream;
     state.path = has_file ? absolute_path(path) : "";
     state.format = loaded.format;
@@ -284,7 +305,11 @@ void show_frame(ViewerState& state, std::int64_t frame) {
 }
 
 void quit(ViewerState& state) {
-    if (state.exporting) return after(*state.exporting, [&state] { quit(state); });
+    if (state.exporting && !state.exporting->then_quit) {
+        state.exporting->then_quit = true;
+        announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
+        return after(*state.exporting, [&state] { quit(state); });
+    }
     with_edits_safe(state, [&state] { state.quits = true; });
 }
 
@@ -292,12 +317,21 @@ void look_at_file(ViewerState& state) {
     // What is being written is our own, and what is being opened will take its place.
     if (state.path.empty() || state.saving || (state.loading && !state.loading->reload)) return;
     FileStates stamp = file_states(state.path);
-    if (stamp.empty() || stamp == state.stamp) return;  // a file that is gone may be on its way back
+    if (stamp == state.stamp) return;
     state.stamp = std::move(stamp);
+    if (state.stamp.empty()) return note_gone(state);
     start_loading(state, {.path = state.path,
                           .options = load_options(state, state.frame),
-                          .accept = [&state](LoadedScene loaded) { offer_reload(state, std::move(loaded)); },
-                          .fail = [&state](const std::string& why) { state.messages.scene_error = why; },
+                          .accept =
+                              [&state](LoadedScene loaded) {
+                                  note_back(state);
+                                  offer_reload(state, std::move(loaded));
+                              },
+                          .fail =
+                              [&state](const std::string& why) {
+                                  note_back(state);
+                                  state.messages.scene_error = why;
+                              },
                           .cancel = [&state] { state.document.mark_unsaved(); },
                           .reload = true});
 }

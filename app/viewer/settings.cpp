@@ -56,6 +56,15 @@ void each_number(Settings& settings, const Visit& visit) {
     visit("samples", settings.samples, SettingRange<int>{sample_counts.front(), sample_counts.back()});
 }
 
+// Every switch with its key.
+template <typename Settings, typename Visit>
+void each_switch(Settings& settings, const Visit& visit) {
+    visit("trackball", settings.trackball);
+    visit("axes", settings.axes_shown);
+    visit("scale_bar", settings.scale_bar_shown);
+    visit("marks_in_exports", settings.marks_exported);
+}
+
 void read_place(const Json& json, WindowPlace& place) {
     const Json window = json["window"];
     read(window, "x", window_place_range, place.x);
@@ -89,6 +98,7 @@ void update(Json& json, const ViewerSettings& settings) {
     window.set("maximized", settings.place.maximized);
     json.set("window", window);
     each_number(settings, [&](const char* key, auto value, auto) { json.set(key, value); });
+    each_switch(settings, [&](const char* key, bool on) { json.set(key, on); });
     json.set("shading", name_of(settings.shading));
     Json recent = Json::array();
     for (const std::string& path : settings.recent) {
@@ -121,6 +131,7 @@ ViewerSettings load_settings(std::string* fault) {
     ViewerSettings settings;
     read_place(json, settings.place);
     each_number(settings, [&](const char* key, auto& setting, auto range) { read(json, key, range, setting); });
+    each_switch(settings, [&](const char* key, bool& on) { on = json[key].boolean().value_or(on); });
     if (std::int64_t{settings.export_width} * settings.export_height > most_pixels) {
         settings.export_width = ViewerSettings{}.export_width;
         settings.export_height = ViewerSettings{}.export_height;

@@ -14,6 +14,7 @@
 
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
+#include "base/background_job.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/memory.hpp"
@@ -33,6 +34,9 @@ ViewerState* open_state = nullptr;
 
 constexpr std::chrono::milliseconds patience_without_window{300};
 constexpr std::chrono::seconds patience{2};  // with a window that does not act on a signal, and a disk that does not write
+
+constexpr std::chrono::seconds patience_with_disk{20};  // from a signal to the end of the process, whatever hangs
+constexpr const char* disk_hangs = "sphereview: the folder of unsaved changes does not answer; the last ones may be lost";
 
 // What is said when the loop hangs while it changes the document, so that nobody else can read that.
 constexpr const char* hangs_in_change =
@@ -158,6 +162,12 @@ ExitCode run_view(const ViewOptions& options) {
         pass_interrupts_to([&state](int signal_number) {
             interrupted = signal_number;
             Window::wake();
+            // The disk of the unsaved changes may not answer either. What stands there stays whole.
+            const BackgroundJob bound([signal_number](WorkControl&) {
+                std::this_thread::sleep_for(patience_with_disk);
+                say(disk_hangs);
+                std::_Exit(128 + signal_number);
+            });
             const std::future<void> ended = loop_ended.get_future();
             const auto has_ended = [&](std::chrono::seconds limit) { return ended.wait_for(limit) == std::future_status::ready; };
             if (!has_ended(patience)) {

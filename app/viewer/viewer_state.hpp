@@ -24,6 +24,7 @@
 #include "viewer/recovery.hpp"
 #include "viewer/scene_work.hpp"
 #include "viewer/settings.hpp"
+#include "viewer/view_marks.hpp"
 
 namespace sphereview {
 
@@ -56,6 +57,8 @@ struct ViewerState {
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
+    // While the file is gone: the document's revision then, if that was what the file held; else 0.
+    std::optional<std::uint64_t> gone_at;
     std::optional<Work> loading;
     std::optional<Work> saving;
     std::optional<Work> exporting;
@@ -64,7 +67,8 @@ struct ViewerState {
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;
     glm::dvec3 pivot{0.0};
-    std::optional<CameraFlight> flight;    // where the view moves by itself
+    std::optional<CameraFlight> flight;  // where the view moves by itself
+    AxesInHand axes_in_hand;
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
     LightOptions light;                    // instead of the scene's, as --sun and its like ask

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Builds what sphereview links on Windows, with Debian's mingw-w64: packaging/windows/parts.sh FOLDER
-# GLFW, Dear ImGui, ISA-L and libpng come from the source packages of the Debian that this runs on, as apt has and verifies them; zlib
+# GLFW, Dear ImGui, libdeflate and libpng come from the source packages of the Debian that this runs on, as apt has and verifies them; zlib
 # is Debian's own for mingw; what is headers alone is linked from /usr/include. FOLDER is then the only place that the cross compiler
 # looks in (mingw.cmake). A folder that is complete already is left as it is.
 set -eu
@@ -61,17 +61,12 @@ build() {
     cmake_part "$sources/googletest-0" -DBUILD_GMOCK=OFF
     cp "$here/imgui.cmake" "$(unpacked imgui)/CMakeLists.txt"
     cmake_part "$(unpacked imgui)"
-    (
-        cd "$(unpacked libisal)"
-        make -f Makefile.unx arch=mingw units=igzip lib CC=$target-gcc-posix AR=$target-gcc-ar-posix STRIP=true AS=nasm
-        mkdir -p "$folder/include/isa-l"
-        cp include/igzip_lib.h include/crc.h include/types.h "$folder/include/isa-l"
-        cp bin/isa-l.a "$folder/lib/libisal.a"
-    )
+    cp "$here/libdeflate.cmake" "$(unpacked libdeflate)/CMakeLists.txt"  # its own came with release 1.15
+    cmake_part "$(unpacked libdeflate)"
 }
 
-say "building GLFW, Dear ImGui, ISA-L and libpng in $folder"
+say "building GLFW, Dear ImGui, libdeflate and libpng in $folder"
 rm -rf "$sources"
-fetch glfw3 imgui libisal libpng1.6
+fetch glfw3 imgui libdeflate libpng1.6
 build >"$folder/build.log" 2>&1 || { tail -n 40 "$folder/build.log" >&2; say "failed; the whole log is $folder/build.log"; exit 1; }
 touch "$folder/complete"

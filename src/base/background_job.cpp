@@ -16,6 +16,7 @@ BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work) : control_(
     auto run = [control = control_, work = std::move(work), end]() mutable {
         std::exception_ptr error;
         try {
+            give_way();
             cancel_loops_by(&control->cancelled);
             work(*control);
         } catch (...) {

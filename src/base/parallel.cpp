@@ -14,6 +14,12 @@
 
 #ifdef __linux__
 #include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
+#elif defined(__APPLE__)
+#include <pthread.h>
+#elif defined(_WIN32)
+#include <windows.h>
 #endif
 
 namespace sphereview {
@@ -21,6 +27,7 @@ namespace sphereview {
 namespace {
 
 thread_local bool inside_work = false;
+thread_local bool gives_way = false;
 thread_local const std::atomic<bool>* cancelled_by = nullptr;       // the loops that this thread begins
 thread_local const std::atomic<bool>* work_cancelled_by = nullptr;  // that in whose work it is
 
@@ -73,9 +80,14 @@ struct Job {
 // helper looks anew for the job that has the fewest.
 class Pool {
 public:
-    Pool() {
+    explicit Pool(bool background) {
         try {
-            for (int i = 1; i < worker_count(); ++i) threads_.emplace_back([this] { serve(); });
+            for (int i = 1; i < worker_count(); ++i) {
+                threads_.emplace_back([this, background] {
+                    if (background) give_way();
+                    serve();
+                });
+            }
         } catch (const std::system_error&) {
             // The system allows no more threads: those there are do the work.
         }
@@ -135,6 +147,18 @@ int worker_count() {
     return count;
 }
 
+void give_way() {
+    gives_way = true;
+#ifdef __linux__
+    constexpr int nicer = 10;  // a tenth of the time of a thread that competes
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), nicer);
+#elif defined(__APPLE__)
+    pthread_set_qos_class_self_np(QOS_CLASS_UTILITY, 0);
+#elif defined(_WIN32)
+    SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_BELOW_NORMAL);
+#endif
+}
+
 void check_cancelled() { check(inside_work ? work_cancelled_by : cancelled_by); }
 
 void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
@@ -142,10 +166,15 @@ void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
 void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t), const void* work) {
     if (count > 1 && !inside_work && worker_count() > 1) {
         // Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the
-        // pool.
-        static Pool& pool = *new Pool;
+        // pool. Two, because a thread that gives way does so for good.
         Job job{count, call, work};
-        pool.run(job);
+        if (gives_way) {
+            static Pool& pool = *new Pool(true);
+            pool.run(job);
+        } else {
+            static Pool& pool = *new Pool(false);
+            pool.run(job);
+        }
         if (job.error) std::rethrow_exception(job.error);
         return;
     }

@@ -13,9 +13,8 @@
 
 namespace sphereview {
 
-// The picture as an 8-bit RGB or RGBA PNG, of at most `most_pixels`. The pixels are those of the picture; how they are packed
-// depends on the processor, whose instructions the compressor uses, and in pictures of a few dozen bytes on chance: compare pixels,
-// not files. Throws std::bad_alloc when memory does not suffice.
+// The picture as an 8-bit RGB or RGBA PNG, of at most `most_pixels`. The same picture gives the same bytes
+// on every processor; another release of the compressor may pack differently. Throws std::bad_alloc when memory does not suffice.
 std::string encode_png(const Image& image);
 
 // Pixels of one row: first_x, first_x + step and so on. Only an interlaced PNG has steps other than 1.

@@ -66,6 +66,19 @@ TEST_F(Output, BeyondAFileSizeLimitLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(folder_.names(), (Names{"old.png", "red.txt"}));
 }
 
+// A compressor whose choices depended on where its memory lies packed this picture in one of three ways: one of 40 processes
+// differed.
+TEST(Png, IsTheSameBytesInEveryProcess) {
+    const TemporaryFolder folder;
+    folder.write("empty.txt", "0");
+    for (int process = 0; process < 100; ++process) {
+        const std::string path = process == 0 ? "first.png" : "next.png";
+        const Outcome outcome = render(folder, {"empty.txt", "-s", "8x2", "--background", "white", "--no-sync", "-o", path});
+        ASSERT_EQ(outcome.status, 0) << outcome;
+        ASSERT_EQ(folder.read(path), folder.read("first.png")) << "process " << process;
+    }
+}
+
 TEST(Batch, WritesEachScenesPictureIntoTheCurrentFolderByDefault) {
     const TemporaryFolder folder;
     folder.write("sub/red.txt", red_scene);

@@ -3,6 +3,7 @@
 
 #include "support/json.hpp"
 #include "support/render.hpp"
+#include "support/sha256.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
@@ -49,6 +50,46 @@ TEST(Background, OfTheOptionCountsMoreThanTheScenes) {
     EXPECT_EQ(picture_of(scene, "cpu", {"-s", "2x1"}), plain_picture(2, 1, {1, 2, 3}));
     EXPECT_EQ(picture_of(scene, "cpu", {"-s", "2x1", "--background", "white"}), plain_picture(2, 1, {255, 255, 255}));
     EXPECT_EQ(picture_of("background = 'transparent'", "cpu", {"-s", "1x2"}), plain_picture(1, 2, {0, 0, 0, 0}));
+}
+
+// Over the finished picture, and nowhere else; the same bytes with any backend and any samples around them.
+TEST(Marks, AreDrawnInTheCornersInWholeNumbers) {
+    const std::vector<std::string> size = {"-s", "400x300"};
+    const auto with = [&](std::vector<std::string> options) {
+        options.insert(options.end(), size.begin(), size.end());
+        return picture_of(red_scene, "cpu", options);
+    };
+    const Picture plain = with({});
+    const auto differs = [&](const Picture& picture, int left, int right) {
+        int count = 0;
+        for (int y = 0; y < 300; ++y) {
+            for (int x = left; x < right; ++x) count += picture.at(x, y) == plain.at(x, y) ? 0 : 1;
+        }
+        return count;
+    };
+    const Picture axes = with({"--axes"});
+    EXPECT_GT(differs(axes, 0, 64), 500);
+    EXPECT_EQ(differs(axes, 64, 400), 0);
+    const Picture bar = with({"--scale-bar"});
+    EXPECT_GT(differs(bar, 300, 400), 200);
+    EXPECT_EQ(differs(bar, 0, 260), 0);
+    const Picture both = with({"--axes", "--scale-bar"});
+    EXPECT_EQ(differs(both, 0, 400), differs(axes, 0, 400) + differs(bar, 0, 400));
+    EXPECT_EQ(picture_of(red_scene, "auto", {"--axes", "--scale-bar", "-s", "400x300"}), both);
+    // A true length: 50 at the sphere's depth, where the picture's shorter side shows 200, are a quarter of that.
+    int white = 0;
+    for (int x = 300; x < 400; ++x) white += bar.at(x, 288) == std::vector<int>{245, 246, 248} ? 1 : 0;
+    EXPECT_NEAR(white, 75, 3);
+    EXPECT_EQ(picture_of(red_scene, "cpu", {"-s", "40x40", "--axes", "--scale-bar"}), picture_of(red_scene, "cpu", {"-s", "40x40"}))
+        << "too small for them";
+}
+
+TEST(Marks, HaveTheSameBytesEverywhere) {
+    const TemporaryFolder folder;
+    folder.write("scene.txt", red_scene);
+    const Outcome outcome = render(folder, {"scene.txt", "-s", "640x480", "--axes", "--scale-bar", "--view", "iso", "-o", "-"});
+    ASSERT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(sha256(decode_png(outcome.output).bytes), "SUM");
 }
 
 struct BackendCase {

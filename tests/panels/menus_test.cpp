@@ -186,6 +186,7 @@ TEST_F(MenuBar, NamesTheStepsToUndoAndRedo) {
     harness.click("menu Edit");
     // The second "#" is set apart, for ImGui shows nothing from "##" on.
     EXPECT_NE(harness.text().find("Undo Add sphere # #0"), std::string::npos) << harness.text();
+    EXPECT_NE(harness.text().find("History: 0.0 of 64 MB"), std::string::npos) << harness.text();
     harness.document.undo();
     harness.frames(2);
     EXPECT_NE(harness.text().find("Redo Add sphere # #0"), std::string::npos) << harness.text();

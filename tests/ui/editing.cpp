@@ -36,15 +36,19 @@ void answer(ViewerWindow& window, const std::string& question, const std::string
     window.click_widget("answer " + answer);
 }
 
-std::string kept_changes(const TemporaryFolder& folder) {
-    const std::string kept = "home/state/sphereview/";
+std::string kept_file(const TemporaryFolder& folder) {
     std::error_code none;
-    for (const auto& file : std::filesystem::directory_iterator(folder.path(kept), none)) {
+    for (const auto& file : std::filesystem::directory_iterator(folder.path("home/state/sphereview"), none)) {
         const std::string name = file.path().filename().string();
         if (name.starts_with("recovery-") && name.ends_with(".toml"))
-            return folder.read(kept + name);  // before, its name is hidden
+            return "home/state/sphereview/" + name;  // before, it is hidden
     }
     return "";
+}
+
+std::string kept_changes(const TemporaryFolder& folder) {
+    const std::string file = kept_file(folder);
+    return file.empty() ? "" : folder.read(file);
 }
 
 void wait_for_no_dialogs(ViewerWindow& window) { window.wait_for("dialogs", Json::array()); }

@@ -22,7 +22,9 @@ void choose_file(ViewerWindow& window, const std::string& name);
 // Answers the question that is asked, or about to be.
 void answer(ViewerWindow& window, const std::string& question, const std::string& answer);
 
-// What a window with this folder has kept of unsaved changes; "" when there are none.
+// The file in which a window with this folder keeps unsaved changes, relative to the folder, and what it holds; "" when there are
+// none.
+std::string kept_file(const TemporaryFolder& folder);
 std::string kept_changes(const TemporaryFolder& folder);
 
 void wait_for_no_dialogs(ViewerWindow& window);

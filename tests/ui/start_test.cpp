@@ -1,5 +1,6 @@
 // Ends that nobody asked for, and shaders that are edited while the program runs.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <csignal>
 #include <filesystem>
@@ -24,6 +25,22 @@ void kill(ViewerWindow& window) {
 }
 
 }  // namespace
+
+// The file of the unsaved changes becomes a pipe that nobody reads: whoever writes there waits for good.
+TEST(Recovery, OnADiskThatHangsDoesNotKeepASignalFromEndingTheWindow) {
+    const TemporaryFolder folder;
+    ViewerWindow window(folder, {folder.write("scene.txt", one_sphere)});
+    edit(window);
+    wait_for_kept(window, folder, true);
+    const std::string kept = folder.path(kept_file(folder));
+    std::filesystem::remove(kept);
+    ASSERT_EQ(mkfifo(kept.c_str(), 0600), 0);
+    edit(window);
+    window.send(SIGTERM);
+    const Outcome outcome = window.wait_for_end();
+    EXPECT_EQ(outcome.status, 128 + SIGTERM) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "does not answer")) << outcome;
+}
 
 // Each start offers what the last end has kept.
 TEST(Recovery, OffersChangesUntilTheyAreSavedOrDiscarded) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "support/temporary_folder.hpp"
 #include "viewer/perform.hpp"
@@ -140,6 +141,53 @@ TEST_F(DataInViewer, AChangedFileIsReadAgainAtTheSameFrame) {
     EXPECT_EQ(state.frame, 0);
     EXPECT_TRUE(state.scene().spheres.empty());
     EXPECT_EQ(state.messages.scene_error, "");
+}
+
+TEST_F(DataInViewer, AFileThatIsGoneIsSaidAndAFileThatIsBackToo) {
+    const std::string bytes = folder.read("a.xyz");
+    std::filesystem::remove(path);
+    look_at_file(state);
+    EXPECT_EQ(state.messages.scene_gone, path);
+    EXPECT_TRUE(state.document.is_changed()) << "the scene is in the window alone";
+    look_at_file(state);
+    EXPECT_EQ(state.messages.announcement, "") << "nothing is new";
+    folder.write("a.xyz", bytes);
+    look_at_file(state);
+    finish_reading();
+    EXPECT_EQ(state.messages.scene_gone, "");
+    EXPECT_EQ(state.messages.announcement, path + " is there again");
+    EXPECT_FALSE(state.document.is_changed());
+    // Another content is taken without a question, for there are no edits.
+    std::filesystem::remove(path);
+    look_at_file(state);
+    folder.write("a.xyz", "1\n\nO 9 0 100\n");
+    look_at_file(state);
+    finish_reading();
+    EXPECT_EQ(x(), 9.0);
+    EXPECT_TRUE(state.dialogs.empty());
+    // Edits stay edits.
+    add_sphere();
+    std::filesystem::remove(path);
+    look_at_file(state);
+    folder.write("a.xyz", "1\n\nO 8 0 100\n");
+    look_at_file(state);
+    finish_reading();
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "reload");
+    EXPECT_TRUE(state.document.is_changed());
+}
+
+TEST_F(DataInViewer, SavingEndsThatTheFileIsGone) {
+    adopt(state, load_scene(folder.write("b.toml", "")), folder.path("b.toml"));
+    std::filesystem::remove(folder.path("b.toml"));
+    look_at_file(state);
+    EXPECT_EQ(state.messages.scene_gone, folder.path("b.toml"));
+    save_scene(state);
+    finish_writing(state, std::chrono::seconds(30));
+    EXPECT_TRUE(folder.has("b.toml"));
+    EXPECT_EQ(state.messages.scene_gone, "");
+    look_at_file(state);
+    EXPECT_FALSE(state.document.is_changed());
 }
 
 TEST(RadiusOption, HoldsForEveryFileThatIsOpened) {

@@ -80,6 +80,17 @@ TEST_F(Outputs, AnExportThatIsCancelledWhileItIsWrittenSaysSo) {
     take("pipe.png");
 }
 
+TEST_F(Outputs, AreWaitedForByAWindowThatIsClosedOnceButNotTwice) {
+    choose(CommandId::export_picture, "pipe.png");
+    ASSERT_TRUE(test::eventually([&] { return state.exporting->job.control().writes.load(); }));
+    run_command(state, CommandId::quit);
+    EXPECT_FALSE(state.quits);
+    EXPECT_NE(state.messages.announcement.find("close again"), std::string::npos) << state.messages.announcement;
+    run_command(state, CommandId::quit);
+    EXPECT_TRUE(state.quits);
+    take("pipe.png");
+}
+
 TEST_F(Outputs, TheEndOfTheWindowWaitsSomeTimeForThem) {
     choose(CommandId::export_picture, "pipe.png");
     choose(CommandId::file_save_as, "pipe.toml");
@@ -94,6 +105,9 @@ TEST_F(Outputs, TheEndOfTheWindowWaitsSomeTimeForThem) {
 TEST_F(Outputs, TheNextFreeNameIsFoundBesideTheLoop) {
     folder.write("scene.png", "mine");
     run_command(state, CommandId::export_now);
+    ASSERT_TRUE(state.exporting.has_value());
+    state.exporting->job.wait();
+    EXPECT_EQ(state.exporting->shown_path(), folder.path("scene-1.png")) << "what the bar names";
     EXPECT_TRUE(test::eventually([&] { return is_finished(); }));
     EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("scene-1.png") + " (64 x 64, 16 samples a pixel)");
     EXPECT_EQ(folder.read("scene.png"), "mine");
