@@ -51,8 +51,8 @@ struct Drafts {
 
 // Traces block by block, certifies, colours and averages on the CPU, and draws the marks. An OpenBackend without a GPU renderer
 // stands for the CPU's. `drawn` is as the options' camera sees it. Calls progress() with how much is done, 0..1, and shows drafts
-// in the shading `studio`, in which `kept` is given which lights shine where. Throws TooLarge when the GPU renderer cannot hold
-// the scene.
+// in the shading `studio`, in which `kept` is given which lights shine where. Throws TooLarge when the GPU renderer cannot hold the
+// scene.
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress,
                      const Drafts* drafts = nullptr, KeptLight* kept = nullptr);

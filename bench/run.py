@@ -248,6 +248,8 @@ def lights(bench: Bench) -> tuple[list[Row], dict]:
         wall = result["light"]["wall_ms"]
         rows.append(Row(f"{scene_set}, {count:,} spheres, {many} lights", f"{wall:.0f} ms"))
         rows.append(at_most("  a light", wall / many, limit, " ms"))
+        first = result["first light"]
+        rows.append(Row("  until there is a first one to show", f"{first['wall_ms']:.0f} ms, {first['cpu_ms']:.0f} ms of CPU time"))
     for count in [1000, MILLION]:
         scene = bench.scene("volume", count)
         flat, lit = (bench.render(f"{scene.stem}-{name}", scene, "--backend", "cpu", *options)

@@ -34,7 +34,7 @@ private:
     std::shared_ptr<const Image> uploaded_;   // what the window's context holds
     std::shared_ptr<const Image> previewed_;  // the latest draft that a redraw was asked for
     bool exact_ = false;
-    bool kept_ = false;   // there was a picture when the redraw began,
+    bool kept_ = false;   // the picture is the one that there was when the redraw began,
     bool ended_ = false;  // and its job had ended
     bool works_ = false;
 };

@@ -129,7 +129,7 @@ private:
 void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const LightPreviews& previews, std::size_t pixels) {
     const auto begin = std::chrono::steady_clock::now();
     const auto seconds = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-    std::vector<LightVector> of_sun(pixels);
+    std::vector<LightVector> of_sun(sun ? pixels : 0);
     const std::size_t suns = sun ? 1 : 0;
     if (sun) {
         sums.add(1);
@@ -156,7 +156,7 @@ void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const Li
         const double factor = all / so_far;
         std::vector<LightVector> lit(pixels);
         sums.for_each_point([&](std::size_t place, const LightVector& sum) {
-            const LightVector& from_sun = of_sun[place];
+            const LightVector from_sun = sun ? of_sun[place] : LightVector{};
             const auto scaled = [&](std::int32_t of_all, std::int32_t part) {
                 constexpr double most = std::numeric_limits<std::int32_t>::max();
                 const double value = static_cast<double>(part) + factor * static_cast<double>(of_all - part);

@@ -68,6 +68,13 @@ TEST_F(LightPanel, MovesTheSunInOneStepThatIsSaved) {
     expect_rendered();
     const std::string saved = folder_.read(name_);
     EXPECT_TRUE(contains(saved, "[light]\nlights = 16\nsky = 0.4\nsun = [")) << saved;
+    window_.step("another strength, of lights that were decided before");
+    window_.drag(window_.widget("slider sky", 0.3), window_.widget("slider sky", 0.8));
+    window_.wait_for("undo", "Change the sky");
+    expect_rendered();
+    window_.key("ctrl+z");
+    window_.wait_for("undo", "Change the number of lights");
+    expect_rendered();
     for (const char* step : {"Move the sun", "Switch the sun on", ""}) {
         window_.key("ctrl+z");
         window_.wait_for("undo", step);
