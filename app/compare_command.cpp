@@ -36,10 +36,11 @@ std::vector<CompareJob> plan(const CompareOptions& options) {
     taken.insert(file_identity(options.scene));
     for (const std::string& picture : options.pictures) taken.insert(file_identity(picture));
     std::vector<CompareJob> jobs;
+    const std::string pattern = png_name(options.difference.value_or("{name}-difference"));
     for (const std::string& picture : options.pictures) {
         CompareJob job{picture, ""};
         if (options.writes_difference) {
-            job.difference = fill_in(options.difference.value_or("{name}-difference.png"), name_in_patterns(picture));
+            job.difference = fill_in(pattern, name_in_patterns(picture));
             check_output(job.difference);
             const std::string file = file_identity(job.difference);
             if (!file.empty() && !taken.insert(file).second) {
@@ -191,7 +192,7 @@ private:
     std::string explain_command() const {
         const FitOptions& fit = options_.fit;
         const bool usual = !fit.wanted && !fit.view && !fit.projection && options_.data.frame == 0 && !options_.data.radius &&
-                           !options_.background && options_.scene != standard_stream;
+                           options_.data.columns.empty() && !options_.background && options_.scene != standard_stream;
         const auto is_plain = [](unsigned char c) {
             return std::isalnum(c) != 0 || std::string_view("._/+-").find(static_cast<char>(c)) != std::string_view::npos;
         };
@@ -210,6 +211,7 @@ private:
 ExitCode run_compare(const CompareOptions& options) {
     const std::vector<CompareJob> jobs = plan(options);
     const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    say_of(loaded, loaded.warnings);
     Comparing comparing(options, loaded);
     ExitCode worst = ExitCode::done;
     for (const CompareJob& job : jobs) worst = std::max(worst, comparing.run(job));

@@ -26,6 +26,7 @@ ExitCode run_convert(const ConvertOptions& options) {
         Progress progress;
         return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
     }();
+    say_of(loaded, loaded.warnings);
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
         say(loaded.name + ": the " + std::string(format.name) + " format cannot hold " + lost + "; left out");
     }

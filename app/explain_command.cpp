@@ -188,6 +188,7 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
 
 ExitCode run_explain(const ExplainOptions& options) {
     const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    say_of(loaded, loaded.warnings);
     write_output(std::string(standard_stream), explain(loaded.scene, loaded.name, options));
     return ExitCode::done;
 }

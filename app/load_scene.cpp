@@ -4,6 +4,7 @@
 
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
+#include "base/standard_streams.hpp"
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -29,6 +30,8 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded;
     loaded.name = stream.name();
     loaded.format = detect_format(stream.bytes(), stream.name());
+    // Only a table has columns: a name that says nothing does not speak against one.
+    if (!options.data.columns.empty() && loaded.format == SceneFormat::text) loaded.format = *find_format("CSV");
     if (!loaded.format.has_frames) require_frame(loaded.name, options.data.frame, 1);
     if (loaded.format.stream != nullptr) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
@@ -41,6 +44,8 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
+    loaded.warnings = std::move(data.warnings);
+    loaded.notes = std::move(data.notes);
     return loaded;
 }
 
@@ -56,7 +61,12 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     Camera& camera = loaded.scene.camera;
     const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
     camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present)), camera.projection).value_or(camera);
+    loaded.fitted = true;
     return loaded;
+}
+
+void say_of(const LoadedScene& scene, const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) say(scene.name + ": " + line);
 }
 
 }  // namespace sphereview

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/background_job.hpp"
 #include "base/progress.hpp"
@@ -20,7 +21,10 @@ struct LoadedScene {
     Scene scene{};
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    std::int64_t frames = 1;  // in the file
+    std::int64_t frames = 1;              // in the file
+    std::vector<std::string> warnings{};  // as of SphereData
+    std::vector<std::string> notes{};
+    bool fitted = false;  // its camera was moved to see everything
 
     // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
@@ -45,5 +49,8 @@ struct LoadOptions {
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
 // InputError, MemoryError when it cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
+
+// Writes a line to standard error for each of `lines`, which begins with the scene's name.
+void say_of(const LoadedScene& scene, const std::vector<std::string>& lines);
 
 }  // namespace sphereview

@@ -1,6 +1,7 @@
 // sphereview render: scenes in, PNG files out.
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct RenderReport {
     Timings timings;
     PictureFacts facts;
     std::optional<Comparison> comparison;
+    std::vector<std::string> warnings;  // of the scene and its picture, not yet made safe to print
+    std::vector<std::string> notes;     // likewise, for those who ask
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
 };
@@ -46,6 +49,8 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
         {"scene", report.job.label},
         {"status", static_cast<int>(report.status)},
         {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
+        {"warnings", report.warnings},
+        {"notes", report.notes},
         {"output", report.job.output},
         {"size", {options.size.width, options.size.height}},
         {"samples", options.samples},
@@ -119,6 +124,10 @@ void print_timings(const RenderReport& report) {
 
 // On stderr: what `options` ask for (--verbose, --timings), and the error if there is one.
 void print_words(const RenderReport& report, const RenderOptions& options) {
+    for (const std::string& warning : report.warnings) say(report.job.label + ": " + warning);
+    for (const std::string& note : report.notes) {
+        if (options.verbose) say(report.job.label + ": " + note);
+    }
     if (options.verbose && !report.renderer.empty()) print_backend(report, options);
     if (options.timings) print_timings(report);
     if (options.verbose || options.timings) {
@@ -174,7 +183,10 @@ private:
         if (job.diff) check_output(*job.diff);
         std::optional<PngReader> golden;
         if (job.expect) golden.emplace(open_png(*job.expect));
-        const Scene scene = read_scene(job.scene, report);
+        LoadedScene loaded = read_scene(job.scene, report);
+        const Scene& scene = loaded.scene;
+        report.warnings = std::move(loaded.warnings);
+        report.notes = std::move(loaded.notes);
         report.spheres = scene.spheres.size();
 
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
@@ -188,6 +200,11 @@ private:
                                      options_.shading,
                                      with_options(scene, options_.light)};
         const Image picture = render(scene, drawn, options, report);
+        if (loaded.fitted && !report.facts.shows_sphere && std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden))) {
+            report.warnings.emplace_back(
+                "no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
+                "a larger --size, or --radius where the file says none, shows them");
+        }
 
         // Before anything is written: the rest of the golden may be damaged.
         Image difference;
@@ -196,9 +213,9 @@ private:
         if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability);
     }
 
-    Scene read_scene(const std::string& path, RenderReport& report) {
+    LoadedScene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit}).scene;
+        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
     }
 
     Image render(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options, RenderReport& report) {

@@ -22,7 +22,7 @@ namespace {
 class PictureInProgress {
 public:
     PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
-                      Timings& timings, DecisionCounts& counts, const std::function<void(double)>& progress, const Drafts* drafts)
+                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress, const Drafts* drafts)
         : options_(options),
           side_(sample_side(options.samples)),
           size_(sampled_size(options.size, side_)),
@@ -31,7 +31,7 @@ public:
           picture_(drafts != nullptr && drafts->under.width() > 0 ? drafts->under.copy()
                                                                   : make_picture(options.size, options.background)),
           timings_(timings),
-          counts_(counts),
+          facts_(facts),
           progress_(progress),
           drafts_(drafts) {
         if (options.shading == Shading::studio) lighting_.emplace(scene, drawn, options.camera, size_, side_, options.light);
@@ -116,10 +116,12 @@ private:
 
     void finish_strip(const Block& strip, std::span<std::int32_t> visible, const std::function<void(double)>& progress) {
         if (options_.certify) {
-            counts_ += resolver_.certify(strip, visible, progress);
+            facts_.decisions += resolver_.certify(strip, visible, progress);
         } else {
             resolver_.accept_guesses(visible);
         }
+        const auto is_sphere = [](std::int32_t number) { return number != visible_background; };
+        facts_.shows_sphere = facts_.shows_sphere || std::ranges::any_of(visible, is_sphere);
         if (!lighting_) color(strip, visible, {});
     }
 
@@ -161,7 +163,7 @@ private:
     Image picture_;
     Image points_;  // colours that are not averaged yet
     Timings& timings_;
-    DecisionCounts& counts_;
+    PictureFacts& facts_;
     const std::function<void(double)>& progress_;
     const Drafts* drafts_;
 };
@@ -208,7 +210,7 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     const PictureSize size = sampled_size(options.size, sample_side(options.samples));
     const CandidateLists lists =
         timed(timings, Phase::lists, [&] { return build_lists(drawn, options.camera, size, backend.tile_costs); });
-    PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress, drafts);
+    PictureInProgress picture(scene, drawn, lists, options, timings, facts, progress, drafts);
     describe(lists, facts);
     const bool lit = options.shading == Shading::studio;
     if (!backend.gpu) {

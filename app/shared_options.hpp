@@ -27,8 +27,13 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
                 "the number of a frame, from 0"},
                [](const std::string& text) { return whole_number<std::int64_t>(text, 0); });
     add_option(command, data.radius,
-               {"--radius", "R", "Of spheres for which the file says none [the element's, in CSV 1]", "a number above 0"},
+               {"--radius", "R", "Of spheres for which the file says none [the element's, or by the distances of points]",
+                "a number above 0"},
                [](const std::string& text) { return number_above_0(text); });
+    add_option(command, data.columns,
+               {"--columns", "LIST", "Columns of a CSV file: x=NAME,y=NAME,z=NAME,radius=NAME; numbers from 1 do as well",
+                column_choices_syntax},
+               [](const std::string& text) { return parse_column_choices(text); });
     CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
                                    "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
     CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);

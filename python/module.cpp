@@ -148,7 +148,7 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
     if (frame < 0) wrong("frame", std::to_string(frame), "the number of a frame, from 0");
     if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong("radius", shortest(*radius), "a number above 0");
     const FitOptions fit{view ? std::optional(true) : wanted, view_from(view)};
-    const LoadedScene loaded = beside_python([path, data = DataOptions{frame, radius}, fit](WorkControl& control) {
+    const LoadedScene loaded = beside_python([path, data = DataOptions{frame, radius, {}}, fit](WorkControl& control) {
         LoadOptions options;
         options.more_per_sphere = sizeof(Sphere);  // the arrays
         options.data = data;
@@ -156,6 +156,10 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
         options.control = &control;
         return load_scene(path, options);
     });
+    for (const std::string& warning : loaded.warnings) {
+        const std::string line = on_one_line(loaded.name + ": " + warning);
+        if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
+    }
     const Scene& scene = loaded.scene;
     const SphereArrays arrays = arrays_of(scene);
     py::dict read;

@@ -41,7 +41,7 @@ void read_scene(ViewerState& state, const std::string& path) {
         report_error(state, "The scene cannot be opened", why);
         look_at_file(state);
     };
-    start_loading(state, {path, load_options(state, 0), accept, fail, [&state] { look_at_file(state); }});
+    start_loading(state, {path, load_options(state, path, 0), accept, fail, [&state] { look_at_file(state); }});
 }
 
 void after(Work& work, const std::function<void()>& next) {
@@ -167,7 +167,15 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         report_error(state, "The frame cannot be read", why);
         look_at_file(state);
     };
-    start_loading(state, {state.path, load_options(state, frame), accept, fail, [&state] { look_at_file(state); }});
+    start_loading(state, {state.path, load_options(state, state.path, frame), accept, fail, [&state] { look_at_file(state); }});
+}
+
+// `first`, and below it what the file's reader has to say.
+std::string joined_lines(const std::string& first, const LoadedScene& loaded) {
+    std::vector<std::string> lines = {first};
+    lines.insert(lines.end(), loaded.warnings.begin(), loaded.warnings.end());
+    lines.insert(lines.end(), loaded.notes.begin(), loaded.notes.end());
+    return joined(lines, "\n");
 }
 
 void reload(ViewerState& state, LoadedScene loaded) {
@@ -177,7 +185,7 @@ void reload(ViewerState& state, LoadedScene loaded) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
         state.hovered.reset();
-        announce(state, "Reloaded " + state.path);
+        announce(state, joined_lines("Reloaded " + state.path, loaded));
     }
     state.document.mark_saved();
 }
@@ -199,10 +207,14 @@ void offer_reload(ViewerState& state, LoadedScene loaded) {
 
 }  // namespace
 
-LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
+LoadOptions load_options(const ViewerState& state, const std::string& path, std::int64_t frame) {
     LoadOptions options;
     options.data_background = quiet_background;
-    options.data = {frame, state.options.data.radius};
+    options.data = state.options.data;
+    options.data.frame = frame;
+    // The columns are those of the table that the command line names.
+    const auto& first = state.options.scene;
+    if (!first || absolute_path(*first) != absolute_path(path)) options.data.columns.clear();
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
     options.fit.projection.reset();  // of the first view, not of scenes
@@ -222,6 +234,8 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.format = loaded.format;
     state.frame = 0;
     state.frames = loaded.frames;
+    if (!loaded.warnings.empty() || !loaded.notes.empty()) announce(state, joined_lines(loaded.name, loaded));
+    say_of(loaded, loaded.warnings);
     state.stamp.clear();
     if (has_file) {
         state.stamp = file_states(state.path);
@@ -299,7 +313,7 @@ void look_at_file(ViewerState& state) {
     if (stamp.empty() || stamp == state.stamp) return;  // a file that is gone may be on its way back
     state.stamp = std::move(stamp);
     start_loading(state, {.path = state.path,
-                          .options = load_options(state, state.frame),
+                          .options = load_options(state, state.path, state.frame),
                           .accept = [&state](LoadedScene loaded) { offer_reload(state, std::move(loaded)); },
                           .fail = [&state](const std::string& why) { state.messages.scene_error = why; },
                           .cancel = [&state] { state.document.mark_unsaved(); },

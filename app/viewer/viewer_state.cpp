@@ -1,5 +1,6 @@
 #include "viewer/viewer_state.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/path.hpp"
@@ -8,7 +9,8 @@ namespace sphereview {
 
 namespace {
 
-constexpr auto announcement_time = std::chrono::seconds(5);
+constexpr std::chrono::milliseconds announcement_time{5000};
+constexpr std::chrono::milliseconds reading_time{60};  // of each character: what is long stays longer
 
 }  // namespace
 
@@ -22,7 +24,7 @@ Light ViewerState::shown_light() const {
 
 void announce(ViewerState& state, const std::string& text) {
     state.messages.announcement = text;
-    state.announcement_ends = Clock::now() + announcement_time;
+    state.announcement_ends = Clock::now() + std::max(announcement_time, static_cast<int>(text.size()) * reading_time);
 }
 
 void report_error(ViewerState& state, const std::string& title, const std::string& text) {

@@ -37,8 +37,8 @@ struct Utf8Character {
 };
 Utf8Character first_character(std::string_view text);
 
-// Text from outside, made safe to print and to show: control characters, line separators, marks that reorder text and bytes that are
-// no UTF-8 become \xNN for each byte. Of a longer text the first `most` characters stay, with "..." behind them.
+// Text from outside, made safe to print and to show: control characters, line separators, marks that reorder text and bytes that
+// are no UTF-8 become \xNN for each byte. Of a longer text the first `most` characters stay, with "..." behind them.
 std::string on_one_line(std::string_view text, std::size_t most = std::string_view::npos);
 // The same, but line feeds stay.
 std::string on_lines(std::string_view text, std::size_t most = std::string_view::npos);
@@ -64,6 +64,12 @@ std::string_view trimmed(std::string_view text, std::string_view white = " \t\r\
 
 // `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
 std::string_view without_byte_order_mark(std::string_view text);
+
+// Whether `bytes` begin with the byte-order mark of UTF-16, of either order.
+bool is_utf16(std::string_view bytes);
+
+// The text in such bytes, without the mark, as UTF-8; U+FFFD for what is half a character.
+std::string utf8_of_utf16(std::string_view bytes);
 
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
