@@ -36,7 +36,7 @@ CLI::Option* add_option(CLI::App& command, Field& field, const Words& words, Rea
         const bool option = found[0].starts_with('-') && find_option(command, found[0]) != nullptr;
         if (option) wrong(name, "the option " + in_quotes(found[0]), expected);
         auto value = read(found[0]);
-        if (!value) wrong(name, in_quotes(found[0]), expected);
+        if (!value) wrong(name, in_quotes(found[0]), expected + did_you_mean(found[0], words_listed(expected)));
         field = *std::move(value);
         return true;
     };

@@ -68,6 +68,8 @@ constexpr const char* doctor_examples =
     "  sphereview doctor\n"
     "  sphereview doctor --json | jq .\n";
 
+const std::string program_and_version = "sphereview " + std::string(version);
+
 std::string backends_listed() { return listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or"); }
 
 std::optional<Backend> backend_named(const std::string& name) {
@@ -95,6 +97,7 @@ void declare(CLI::App& command, ViewOptions& options) {
                    return std::filesystem::is_directory(path_from(text), ignored) ? std::optional(text) : std::nullopt;
                });
     add_file(command, options.redraw_log, "--redraw-log", "FILE", "")->group("");  // hidden: for tests
+    options.program = {program_and_version, licenses};
     command.footer(std::string(view_examples) + exit_codes);
 }
 
@@ -108,6 +111,10 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
+    add_flag(command, options.axes, "--axes", "Draw the directions of the axes in the lower left corner");
+    add_flag(command, options.scale_bar, "--scale-bar",
+             "Draw the length of a number of the scene's units in the lower right corner; in perspective as it is as deep as the "
+             "scene's middle");
     add_option(command, options.backend,
                {"--backend", "NAME", backends_listed() + " [auto, or SPHEREVIEW_BACKEND]", backends_listed()}, backend_named);
     add_option(command, options.device,
@@ -248,8 +255,6 @@ Run print(const std::string& text) {
     };
 }
 
-const std::string program_and_version = "sphereview " + std::string(version);
-
 // Options of the program itself that print a text, as --version does.
 void declare_texts(CLI::App& app) {
     const auto print_text = [](const std::string& text) { throw CLI::CallForVersion(text, 0); };
@@ -275,9 +280,12 @@ CLI::App& named_command(CLI::App& app, std::vector<std::string>& words) {
     if (std::ranges::find(names, first) != names.end()) return *app.get_subcommand(first);
     if (is_option(first) && find_option(app, first.substr(0, first.find('='))) != nullptr) return app;
     std::error_code ignored;
-    const bool path = first.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(first, ignored);
+    const bool path = first.find_first_of("/\\.") != std::string::npos || std::filesystem::exists(path_from(first), ignored);
     if (!words.empty() && !first.starts_with('-') && !path) {
-        throw CLI::ValidationError("unknown command " + in_quotes(first) + did_you_mean(first, names));
+        const std::string option = "--" + first;  // such as help
+        throw CLI::ValidationError(
+            "unknown command " + in_quotes(first) +
+            (find_option(app, option) != nullptr ? "; did you mean '" + option + "'?" : did_you_mean(first, names)));
     }
     words.insert(words.begin(), "view");
     return *app.get_subcommand("view");

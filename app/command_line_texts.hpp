@@ -12,7 +12,12 @@ inline constexpr const char* a_file = "the name of a file";
 inline constexpr const char* a_folder = "a folder";
 
 // The options and positional arguments that --help shows.
-std::vector<const CLI::Option*> shown_options(const CLI::App& command);
+template <typename App>
+auto shown_options(App& command) {
+    auto options = command.get_options();
+    std::erase_if(options, [](const CLI::Option* option) { return option->get_group().empty(); });
+    return options;
+}
 
 // The manual page, in roff, without an end of line behind the last line.
 std::string man_page(const CLI::App& app, const std::string& program_and_version);

@@ -28,21 +28,22 @@ namespace {
 struct CompareJob {
     std::string picture;
     std::string difference;  // where its picture goes; "" for nowhere
+    MissingFolder missing;   // of the difference
 };
 
 // One job a picture. Throws InputError where a difference would overwrite a picture, the scene or another difference.
 std::vector<CompareJob> plan(const CompareOptions& options) {
     std::set<std::string> taken;
-    taken.insert(file_identity(options.scene));
-    for (const std::string& picture : options.pictures) taken.insert(file_identity(picture));
+    taken.insert(file_identity(options.scene, FileUse::input));
+    for (const std::string& picture : options.pictures) taken.insert(file_identity(picture, FileUse::input));
     std::vector<CompareJob> jobs;
     const std::string pattern = png_name(options.difference.value_or("{name}-difference"));
     for (const std::string& picture : options.pictures) {
-        CompareJob job{picture, ""};
+        CompareJob job{picture, "", missing_folder(pattern)};
         if (options.writes_difference) {
             job.difference = fill_in(pattern, name_in_patterns(picture));
-            check_output(job.difference);
-            const std::string file = file_identity(job.difference);
+            check_output(job.difference, job.missing);
+            const std::string file = file_identity(job.difference, FileUse::output);
             if (!file.empty() && !taken.insert(file).second) {
                 throw InputError(job.difference + ": the picture of the difference of " + picture +
                                  " would overwrite another file of these; use --diff with a pattern such as out/{name}.png, or "
@@ -168,7 +169,8 @@ public:
             const Diagnosis diagnosis =
                 diagnose(picture, loaded_.scene, background, *wrong_, job.difference.empty() ? nullptr : &marked);
             const bool equal = diagnosis.different == 0;
-            if (!equal && !job.difference.empty()) write_output(job.difference, encode_png(marked));
+            if (!equal && !job.difference.empty())
+                write_output(job.difference, encode_png(marked), Durability::on_disk, job.missing);
             report(options_.json ? to_json(diagnosis, job, loaded_, size).dump() + "\n"
                                  : in_words(diagnosis, job, loaded_, size, explain_command()));
             return equal ? ExitCode::done : ExitCode::differs;
@@ -191,8 +193,9 @@ private:
     // For a scene by its own name and camera: of a name with other characters the shell might make something else.
     std::string explain_command() const {
         const FitOptions& fit = options_.fit;
-        const bool usual = !fit.wanted && !fit.view && !fit.projection && options_.data.frame == 0 && !options_.data.radius &&
-                           options_.data.columns.empty() && !options_.background && options_.scene != standard_stream;
+        const bool usual = !fit.wanted && !fit.view && !fit.projection && !fit.saved_view && options_.data.frame == 0 &&
+                           !options_.data.radius && options_.data.columns.empty() && !options_.background &&
+                           options_.scene != standard_stream;
         const auto is_plain = [](unsigned char c) {
             return std::isalnum(c) != 0 || std::string_view("._/+-").find(static_cast<char>(c)) != std::string_view::npos;
         };
@@ -211,7 +214,7 @@ private:
 ExitCode run_compare(const CompareOptions& options) {
     const std::vector<CompareJob> jobs = plan(options);
     const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
-    say_of(loaded, loaded.warnings);
+    say_warnings(loaded);
     Comparing comparing(options, loaded);
     ExitCode worst = ExitCode::done;
     for (const CompareJob& job : jobs) worst = std::max(worst, comparing.run(job));

@@ -32,19 +32,6 @@ std::string replaced(std::string text, std::string_view from, std::string_view t
     return text;
 }
 
-// "auto, egl or #rrggbb" -> auto, egl: the parts that a person would type as they stand.
-std::vector<std::string> choices_in(const std::string& list) {
-    const std::string text = replaced(list, " or ", ", ");
-    std::vector<std::string> choices;
-    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 2) {
-        end = text.find(", ", begin);
-        const std::string part = text.substr(begin, end - begin);
-        const bool is_word = !part.empty() && part.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789") == std::string::npos;
-        if (is_word) choices.push_back(part);
-    }
-    return choices;
-}
-
 Argument argument_of(CLI::Option& option) {
     Argument argument{
         {}, option.get_type_name(), option.get_description(), Argument::Value::none, {}, option.get_items_expected_max() > 1};
@@ -56,15 +43,13 @@ Argument argument_of(CLI::Option& option) {
     argument.value = expected == a_file     ? Argument::Value::file
                      : expected == a_folder ? Argument::Value::folder
                                             : Argument::Value::word;
-    if (argument.value == Argument::Value::word) argument.choices = choices_in(expected);
+    if (argument.value == Argument::Value::word) argument.choices = words_listed(expected);
     return argument;
 }
 
 Command command_of(CLI::App& app) {
     Command command{app.get_parent() == nullptr ? "" : app.get_name(), app.get_description(), {}};
-    for (CLI::Option* option : app.get_options([](const CLI::Option* any) { return !any->get_group().empty(); })) {
-        command.arguments.push_back(argument_of(*option));
-    }
+    for (CLI::Option* option : shown_options(app)) command.arguments.push_back(argument_of(*option));
     return command;
 }
 

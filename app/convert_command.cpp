@@ -9,8 +9,8 @@
 namespace sphereview {
 
 ExitCode run_convert(const ConvertOptions& options) {
-    const std::string input = options.input == standard_stream ? "" : file_identity(options.input);
-    if (!input.empty() && input == file_identity(options.output)) {
+    const std::string input = options.input == standard_stream ? "" : file_identity(options.input, FileUse::input);
+    if (!input.empty() && input == file_identity(options.output, FileUse::output)) {
         throw InputError(options.output + ": the output is also the input");
     }
     // Whatever --to says: no command could open the file.
@@ -26,7 +26,7 @@ ExitCode run_convert(const ConvertOptions& options) {
         Progress progress;
         return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
     }();
-    say_of(loaded, loaded.warnings);
+    say_warnings(loaded);
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
         say(loaded.name + ": the " + std::string(format.name) + " format cannot hold " + lost + "; left out");
     }

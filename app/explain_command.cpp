@@ -74,7 +74,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
     for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);
     text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) +
             " spheres: " + std::to_string(e.missed) + " missed (discriminant < 0), " + std::to_string(e.behind) +
-            " without a positive root (behind the eye)";
+            " without a positive root (" + behind_in_words(e) + ")";
     if (e.hidden > 0) text += "; hidden: " + std::to_string(e.hidden);
     text += "\n\n";
     const std::int32_t visible = e.visible();
@@ -188,7 +188,7 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
 
 ExitCode run_explain(const ExplainOptions& options) {
     const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
-    say_of(loaded, loaded.warnings);
+    say_warnings(loaded);
     write_output(std::string(standard_stream), explain(loaded.scene, loaded.name, options));
     return ExitCode::done;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
 #include "base/standard_streams.hpp"
@@ -51,12 +52,35 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
 
 }  // namespace
 
+std::optional<FitOptions> fit_from(const std::string& view) {
+    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}};
+    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view}) : std::nullopt;
+}
+
+Camera saved_view(const LoadedScene& loaded, const std::string& name) {
+    const std::vector<SavedView>& views = loaded.scene.views;
+    const auto view = std::ranges::find(views, name, &SavedView::name);
+    if (view != views.end()) return view->camera;
+    std::vector<std::string> candidates(view_sides.begin(), view_sides.end());
+    std::vector<std::string> saved;
+    for (const SavedView& one : views) {
+        candidates.push_back(one.name);
+        saved.push_back(in_quotes(one.name));
+    }
+    throw InputError(loaded.name + ": found no view " + in_quotes(name) + ", expected " +
+                     (saved.empty() ? std::string(view_syntax) + "; it has no saved views"
+                                    : "one of its saved views, " + joined(saved, ", ") + ", or " + std::string(view_syntax)) +
+                     did_you_mean(name, candidates));
+}
+
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
     if (loaded.format.is_data && options.data_background) loaded.scene.background = *options.data_background;
     const FitOptions& fit = options.fit;
+    if (fit.saved_view) loaded.scene.camera = saved_view(loaded, *fit.saved_view);
     if (fit.projection) loaded.scene.camera.projection = *fit.projection;
+    if (fit.saved_view) return loaded;
     if (!fit.wanted.value_or(!loaded.has_camera())) return loaded;
     Camera& camera = loaded.scene.camera;
     const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
@@ -65,8 +89,8 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     return loaded;
 }
 
-void say_of(const LoadedScene& scene, const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) say(scene.name + ": " + line);
+void say_warnings(const LoadedScene& loaded) {
+    for (const std::string& warning : loaded.warnings) say(warning);
 }
 
 }  // namespace sphereview

@@ -22,9 +22,9 @@ struct LoadedScene {
     std::string name{};
     SceneFormat format = SceneFormat::text;
     std::int64_t frames = 1;              // in the file
-    std::vector<std::string> warnings{};  // as of SphereData
-    std::vector<std::string> notes{};
-    bool fitted = false;  // its camera was moved to see everything
+    std::vector<std::string> warnings{};  // SphereData::warnings
+    std::vector<std::string> notes{};     // SphereData::notes
+    bool fitted = false;                  // its camera was moved to see everything
 
     // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
@@ -32,10 +32,14 @@ struct LoadedScene {
 
 // From where a scene is seen, if not by its own camera.
 struct FitOptions {
-    std::optional<bool> wanted{};            // to everything; none: only if nobody has chosen the scene's camera
-    std::optional<ViewAxes> view{};          // none: the way that the scene's camera looks
-    std::optional<Projection> projection{};  // instead of the camera's
+    std::optional<bool> wanted{};             // to everything; none: only if nobody has chosen the scene's camera
+    std::optional<ViewAxes> view{};           // none: the way that the scene's camera looks
+    std::optional<Projection> projection{};   // instead of the camera's
+    std::optional<std::string> saved_view{};  // by the camera of the scene's view of that name, not fitted
 };
+
+// What `--view TEXT` asks for: a side, an azimuth and an elevation, or else a saved view; nothing for what none can be called.
+std::optional<FitOptions> fit_from(const std::string& view);
 
 struct LoadOptions {
     Progress* progress = nullptr;
@@ -46,11 +50,14 @@ struct LoadOptions {
     WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
 };
 
+// The camera of the scene's view of that name. Throws InputError where there is none.
+Camera saved_view(const LoadedScene& loaded, const std::string& name);
+
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
-// InputError, MemoryError when it cannot fit, and Cancelled.
+// InputError, also for a saved view that the scene has not, MemoryError when it cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
-// Writes a line to standard error for each of `lines`, which begins with the scene's name.
-void say_of(const LoadedScene& scene, const std::vector<std::string>& lines);
+// Says the warnings on stderr, a line each.
+void say_warnings(const LoadedScene& loaded);
 
 }  // namespace sphereview

@@ -73,14 +73,6 @@ std::string described_options(const CLI::App& command) {
 
 }  // namespace
 
-std::vector<const CLI::Option*> shown_options(const CLI::App& command) {
-    std::vector<const CLI::Option*> options;
-    for (const CLI::Option* option : command.get_options()) {
-        if (!option->get_group().empty()) options.push_back(option);
-    }
-    return options;
-}
-
 std::string man_page(const CLI::App& app, const std::string& program_and_version) {
     const auto commands = app.get_subcommands({});
     const std::string exit_status = app.get_footer();

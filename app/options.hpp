@@ -36,6 +36,8 @@ struct RenderOptions {
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
     LightOptions light;  // instead of the scene's own
+    bool axes = false;   // drawn in a corner
+    bool scale_bar = false;
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
     std::optional<std::string> expect;  // a golden image, may hold {name}
@@ -84,6 +86,12 @@ struct DoctorOptions {
     std::optional<std::string> probe;  // that one alone, for another process of the program
 };
 
+// What the program says of itself.
+struct ProgramTexts {
+    std::string name_and_version = "sphereview";
+    std::string (*licenses)() = nullptr;  // a long text
+};
+
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     DataOptions data;                  // of the scene; its radius of every one that is opened
@@ -95,6 +103,7 @@ struct ViewOptions {
     std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those
     std::string redraw_log;           // hidden: a JSON line for each frame goes there
+    ProgramTexts program{};           // for Help > About
 };
 
 ExitCode run_view(const ViewOptions& options);  // in app/viewer/

@@ -13,6 +13,7 @@
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/output_file.hpp"
 #include "base/progress.hpp"
 #include "base/standard_streams.hpp"
@@ -36,8 +37,8 @@ struct RenderReport {
     Timings timings;
     PictureFacts facts;
     std::optional<Comparison> comparison;
-    std::vector<std::string> warnings;  // of the scene and its picture, not yet made safe to print
-    std::vector<std::string> notes;     // likewise, for those who ask
+    std::vector<std::string> warnings;  // of the scene's file, and of the picture
+    std::vector<std::string> notes;     // of the file
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
 };
@@ -124,9 +125,8 @@ void print_timings(const RenderReport& report) {
 
 // On stderr: what `options` ask for (--verbose, --timings), and the error if there is one.
 void print_words(const RenderReport& report, const RenderOptions& options) {
-    for (const std::string& warning : report.warnings) say(report.job.label + ": " + warning);
     for (const std::string& note : report.notes) {
-        if (options.verbose) say(report.job.label + ": " + note);
+        if (options.verbose) say(note);
     }
     if (options.verbose && !report.renderer.empty()) print_backend(report, options);
     if (options.timings) print_timings(report);
@@ -179,14 +179,12 @@ private:
     }
 
     void work(const RenderJob& job, RenderReport& report) {
-        if (job.output) check_output(*job.output);
-        if (job.diff) check_output(*job.diff);
+        if (job.output) check_output(*job.output, missing_folder(options_.output.value_or("")));
+        if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         std::optional<PngReader> golden;
         if (job.expect) golden.emplace(open_png(*job.expect));
-        LoadedScene loaded = read_scene(job.scene, report);
+        const LoadedScene loaded = read_scene(job.scene, report);
         const Scene& scene = loaded.scene;
-        report.warnings = std::move(loaded.warnings);
-        report.notes = std::move(loaded.notes);
         report.spheres = scene.spheres.size();
 
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
@@ -198,24 +196,37 @@ private:
                                      options_.certify,
                                      options_.samples,
                                      options_.shading,
-                                     with_options(scene, options_.light)};
+                                     with_options(scene, options_.light),
+                                     {options_.axes, options_.scale_bar, middle_for_scale(scene)}};
         const Image picture = render(scene, drawn, options, report);
         if (loaded.fitted && !report.facts.shows_sphere && std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden))) {
-            report.warnings.emplace_back(
-                "no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
-                "a larger --size, or --radius where the file says none, shows them");
+            report.warnings.push_back(job.label +
+                                      ": no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
+                                      "a larger --size, or --radius where the file says none, shows them");
+            progress_.clear();
+            say(report.warnings.back());
         }
 
         // Before anything is written: the rest of the golden may be damaged.
         Image difference;
         if (golden) check(picture, *golden, job.diff ? &difference : nullptr, report);
         if (job.output) write_png(picture, *job.output, report.timings);
-        if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability);
+        if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability, missing_folder(*options_.diff));
+    }
+
+    // Where in depth the bar holds. It is not looked for without need: that takes time for millions of spheres.
+    glm::dvec3 middle_for_scale(const Scene& scene) const {
+        return options_.scale_bar ? bounds_of(scene).middle() : glm::dvec3(0.0);
     }
 
     LoadedScene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        return load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
+        LoadedScene loaded = load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
+        progress_.clear();
+        say_warnings(loaded);
+        report.warnings = loaded.warnings;
+        report.notes = loaded.notes;
+        return loaded;
     }
 
     Image render(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options, RenderReport& report) {
@@ -242,7 +253,8 @@ private:
 
     void write_png(const Image& picture, const std::string& path, Timings& timings) const {
         const std::string png = timed(timings, Phase::encode, [&] { return encode_png(picture); });
-        timed(timings, Phase::write, [&] { write_output(path, png, options_.durability); });
+        timed(timings, Phase::write,
+              [&] { write_output(path, png, options_.durability, missing_folder(options_.output.value_or(""))); });
     }
 
     static void check(const Image& picture, PngReader& golden, Image* difference, RenderReport& report) {
@@ -263,6 +275,8 @@ private:
 }  // namespace
 
 ExitCode run_render(const RenderOptions& options) {
+    // Light needs megabytes of its own, when what was needed before it is given back.
+    if (options.shading == Shading::studio) return_large_blocks();
     const std::vector<RenderJob> jobs = plan_render(options);
     Batch batch(options, jobs.size());
     ExitCode worst = ExitCode::done;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "cpu/cpu_renderer.hpp"
 #include "light/lighting.hpp"
 #include "shade/picture_shader.hpp"
@@ -17,24 +18,77 @@ namespace sphereview {
 
 namespace {
 
+// The colours of a picture's blocks: those of points, averaged where a pixel has several.
+class ColoredPicture {
+public:
+    // What is passed in must outlive it; `picture` has the options' size.
+    ColoredPicture(const Scene& scene, const PictureOptions& options, Image picture)
+        : options_(options),
+          side_(sample_side(options.samples)),
+          shader_(scene, options.camera, sampled_size(options.size, side_), options.shading, options.background),
+          picture_(std::move(picture)) {}
+
+    const Image& image() const { return picture_; }
+    Image take() { return std::move(picture_); }
+
+    void color(const Block& block, std::span<const std::int32_t> visible, std::span<const LightVector> light) {
+        if (side_ == 1) {
+            shader_.shade(block, visible, picture_, {}, light);
+        } else {
+            average(block, visible, light);
+        }
+    }
+
+private:
+    // Some rows at a time: their colours stay in the processor's cache.
+    void average(const Block& strip, std::span<const std::int32_t> visible, std::span<const LightVector> light) {
+        constexpr int points_at_once = 1 << 18;
+        const auto width = static_cast<std::size_t>(strip.width);
+        const int most_rows = std::max(points_at_once / strip.width / side_, 1) * side_;
+        for (int y = 0; y < strip.height; y += most_rows) {
+            const Block rows{strip.x, strip.y + y, strip.width, std::min(most_rows, strip.height - y)};
+            if (points_.width() != rows.width || points_.height() != rows.height) {
+                points_ = make_picture({rows.width, rows.height}, options_.background);
+            }
+            const std::size_t begin = static_cast<std::size_t>(y) * width;
+            const std::size_t count = static_cast<std::size_t>(rows.height) * width;
+            shader_.shade(rows, visible.subspan(begin, count), points_, {rows.x, rows.y},
+                          light.empty() ? light : light.subspan(begin, count));
+            average_into(points_, side_, picture_, rows.x / side_, rows.y / side_);
+        }
+    }
+
+    const PictureOptions& options_;
+    int side_;  // points along a side of a pixel
+    PictureShader shader_;
+    Image picture_;
+    Image points_;  // colours that are not averaged yet
+};
+
 // What happens to each block of a picture after it was traced. Its pixels are points here, unless something else is said: with
 // samples, blocks are those of a picture of `side` times the size, of which only as much as is traced at once is ever there.
 class PictureInProgress {
 public:
-    PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, const CandidateLists& lists, const PictureOptions& options,
-                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress, const Drafts* drafts)
+    // `lists` are given back as soon as no pixel is to be decided any more.
+    PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, CandidateLists& lists, const PictureOptions& options,
+                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress, const Drafts* drafts,
+                      KeptLight* kept)
         : options_(options),
           side_(sample_side(options.samples)),
           size_(sampled_size(options.size, side_)),
+          lists_(lists),
           resolver_(scene, drawn, options.camera, size_, &lists),
-          shader_(scene, options.camera, size_, options.shading, options.background),
-          picture_(drafts != nullptr && drafts->under.width() > 0 ? drafts->under.copy()
+          colored_(scene, options,
+                   drafts != nullptr && drafts->under.width() > 0 ? drafts->under.copy()
                                                                   : make_picture(options.size, options.background)),
           timings_(timings),
           facts_(facts),
           progress_(progress),
-          drafts_(drafts) {
-        if (options.shading == Shading::studio) lighting_.emplace(scene, drawn, options.camera, size_, side_, options.light);
+          drafts_(drafts),
+          kept_(kept) {
+        if (options.shading != Shading::studio) return;
+        lighting_.emplace(scene, drawn, options.camera, size_, side_, options.light);
+        if (kept_ != nullptr) kept_->begin(lighting_->sets(), side_);
     }
 
     // Calls trace(block, visible) for blocks of at most this size, one after the other, and finishes each. Width and height must
@@ -54,7 +108,10 @@ public:
                 finish(block, visible);
             }
         }
-        return std::move(picture_);
+        if (kept_ != nullptr) kept_->finish();
+        Image picture = colored_.take();
+        draw_marks(options_.marks, options_.camera, picture);
+        return picture;
     }
 
 private:
@@ -63,28 +120,33 @@ private:
         if (!lighting_) return finish_strips(block, visible, 1.0);
         constexpr double part_of_visibility = 0.1;
         finish_strips(block, visible, part_of_visibility);
+        if (is_last(block)) {  // light takes memory, too
+            lists_.begins = {0, 0};
+            UninitializedVector<Candidate>().swap(lists_.candidates);
+        }
         std::vector<LightVector> light;
         {
             const PhaseTimer timer(timings_, Phase::light);
             const LightPreviews previews{.show =
                                              [&](std::span<const LightVector> some) {
-                                                 color(block, visible, some);
-                                                 drafts_->show(picture_.copy());
+                                                 colored_.color(block, visible, some);
+                                                 drafts_->show(colored_.image().copy());
                                              },
                                          .fewest = fewest_lights};
             light = lighting_->light(
                 block, visible, [&](double done) { report(block, part_of_visibility + (1.0 - part_of_visibility) * done); },
-                is_shown(block) ? &previews : nullptr);
+                is_shown(block) ? &previews : nullptr, kept_);
         }
         const PhaseTimer timer(timings_, Phase::resolve);
-        color(block, visible, light);
-        if (is_shown(block)) drafts_->show(picture_.copy());
+        colored_.color(block, visible, light);
+        if (is_shown(block)) drafts_->show(colored_.image().copy());
     }
 
     // Whether there is something to see also where nothing is finished.
-    bool is_shown(const Block& block) const {
-        const bool last = block.x + block.width == size_.width && block.y + block.height == size_.height;
-        return drafts_ != nullptr && (last || drafts_->under.width() > 0);
+    bool is_shown(const Block& block) const { return drafts_ != nullptr && (is_last(block) || drafts_->under.width() > 0); }
+
+    bool is_last(const Block& block) const {
+        return block.x + block.width == size_.width && block.y + block.height == size_.height;
     }
 
     void report(const Block& block, double block_part) const {
@@ -122,33 +184,7 @@ private:
         }
         const auto is_sphere = [](std::int32_t number) { return number != visible_background; };
         facts_.shows_sphere = facts_.shows_sphere || std::ranges::any_of(visible, is_sphere);
-        if (!lighting_) color(strip, visible, {});
-    }
-
-    void color(const Block& block, std::span<const std::int32_t> visible, std::span<const LightVector> light) {
-        if (side_ == 1) {
-            shader_.shade(block, visible, picture_, {}, light);
-        } else {
-            average(block, visible, light);
-        }
-    }
-
-    // Some rows at a time: their colours stay in the processor's cache.
-    void average(const Block& strip, std::span<const std::int32_t> visible, std::span<const LightVector> light) {
-        constexpr int points_at_once = 1 << 18;
-        const auto width = static_cast<std::size_t>(strip.width);
-        const int most_rows = std::max(points_at_once / strip.width / side_, 1) * side_;
-        for (int y = 0; y < strip.height; y += most_rows) {
-            const Block rows{strip.x, strip.y + y, strip.width, std::min(most_rows, strip.height - y)};
-            if (points_.width() != rows.width || points_.height() != rows.height) {
-                points_ = make_picture({rows.width, rows.height}, options_.background);
-            }
-            const std::size_t begin = static_cast<std::size_t>(y) * width;
-            const std::size_t count = static_cast<std::size_t>(rows.height) * width;
-            shader_.shade(rows, visible.subspan(begin, count), points_, {rows.x, rows.y},
-                          light.empty() ? light : light.subspan(begin, count));
-            average_into(points_, side_, picture_, rows.x / side_, rows.y / side_);
-        }
+        if (!lighting_) colored_.color(strip, visible, {});
     }
 
     static constexpr int fewest_rows = 8;
@@ -157,15 +193,15 @@ private:
     const PictureOptions& options_;
     int side_;          // points along a side of a pixel
     PictureSize size_;  // in points
+    CandidateLists& lists_;
     Resolver resolver_;
-    PictureShader shader_;
     std::optional<Lighting> lighting_;  // in the shading that has light
-    Image picture_;
-    Image points_;  // colours that are not averaged yet
+    ColoredPicture colored_;
     Timings& timings_;
     PictureFacts& facts_;
     const std::function<void(double)>& progress_;
     const Drafts* drafts_;
+    KeptLight* kept_;
 };
 
 // Columns of a CPU block: all of any usual picture. Its 8 rows at least may take so much memory.
@@ -206,11 +242,12 @@ void describe(const CandidateLists& lists, PictureFacts& facts) {
 }  // namespace
 
 Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options,
-                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress, const Drafts* drafts) {
+                     Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress, const Drafts* drafts,
+                     KeptLight* kept) {
     const PictureSize size = sampled_size(options.size, sample_side(options.samples));
-    const CandidateLists lists =
+    CandidateLists lists =
         timed(timings, Phase::lists, [&] { return build_lists(drawn, options.camera, size, backend.tile_costs); });
-    PictureInProgress picture(scene, drawn, lists, options, timings, facts, progress, drafts);
+    PictureInProgress picture(scene, drawn, lists, options, timings, facts, progress, drafts, kept);
     describe(lists, facts);
     const bool lit = options.shading == Shading::studio;
     if (!backend.gpu) {
@@ -229,6 +266,20 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     const int width = std::min(side, size.width);
     return picture.draw(side, lit ? std::min(side, lit_block_height(width)) : gpu_block_height(width, side),
                         [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
+}
+
+std::optional<Image> relit_picture(const Scene& scene, const PictureOptions& options, const KeptLight& kept) {
+    const auto sets = light_sets(options.light, scene.spheres.size(), options.camera, sample_side(options.samples));
+    const std::optional<KeptLight::Shares> shares = kept.is_complete() ? kept.shares(sets) : std::nullopt;
+    if (!shares) return std::nullopt;
+    ColoredPicture colored(scene, options, make_picture(options.size, options.background));
+    for (const KeptLight::Piece& piece : kept.pieces()) {
+        check_cancelled();
+        colored.color(piece.block, piece.visible, kept.light(piece, *shares));
+    }
+    Image picture = colored.take();
+    draw_marks(options.marks, options.camera, picture);
+    return picture;
 }
 
 Image render_by_what_holds_it(OpenBackend& opened, Backend asked_for, const std::function<Image(OpenBackend&)>& render) {

@@ -6,7 +6,6 @@
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
-#include "base/output_file.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
 #include "image/png.hpp"
@@ -28,7 +27,7 @@ public:
         if (path == standard_stream) {
             if (!stdin_use_.empty()) throw InputError("sphereview: stdin cannot be both " + stdin_use_ + " and " + as);
             stdin_use_ = as;
-        } else if (const std::string file = file_identity(path); !file.empty()) {
+        } else if (const std::string file = file_identity(path, FileUse::input); !file.empty()) {
             inputs_.emplace(file, as);
         }
     }
@@ -41,7 +40,7 @@ public:
     // `path` is `pattern` with the job's name filled in.
     void write(const std::string& path, const std::string& as, const RenderJob& job, const std::string& pattern) {
         if (path == standard_stream) return write_stdout(as);
-        const std::string file = file_identity(path);
+        const std::string file = file_identity(path, FileUse::output);
         if (file.empty()) return;
         if (const auto input = inputs_.find(file); input != inputs_.end()) {
             throw InputError(path + ": cannot be both " + as + " and " + input->second);
@@ -78,6 +77,10 @@ std::string fill_in(std::string pattern, const std::string& name) {
         pattern.replace(at, placeholder.size(), name);
     }
     return pattern;
+}
+
+MissingFolder missing_folder(const std::string& pattern) {
+    return pattern.find(placeholder) == std::string::npos ? MissingFolder::refused : MissingFolder::made;
 }
 
 std::string name_in_patterns(const std::string& path) {

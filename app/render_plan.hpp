@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/options.hpp"
+#include "base/output_file.hpp"
 
 namespace sphereview {
 
@@ -21,6 +22,9 @@ struct RenderJob {
 
 // `pattern` with `name` for each {name}.
 std::string fill_in(std::string pattern, const std::string& name);
+
+// The folder of outputs of a pattern with {name} is made: a batch needs no `mkdir`. A file that is named whole may be a slip.
+MissingFolder missing_folder(const std::string& pattern);
 
 // What {name} stands for: the file's name without its folder, .gz and the ending before that; "stdin" for "-".
 std::string name_in_patterns(const std::string& path);

@@ -34,20 +34,25 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
                {"--columns", "LIST", "Columns of a CSV file: x=NAME,y=NAME,z=NAME,radius=NAME; numbers from 1 do as well",
                 column_choices_syntax},
                [](const std::string& text) { return parse_column_choices(text); });
+    add_flag(command, data.virtual_sites, "--no-virtual",
+             "Leave out what files of atoms call one and is none: virtual sites, lone pairs, Drude particles, ghosts, dummies",
+             false);
     CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
                                    "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
     CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);
-    const std::string sides(view_syntax);
-    CLI::Option* side = add_option(command, fit, {"--view", "SIDE", "Fit, from another side: " + sides, sides},
-                                   [&fit](const std::string& text) -> std::optional<FitOptions> {
-                                       const std::optional<ViewAxes> view = parse_view(text);
-                                       if (!view) return std::nullopt;
-                                       return FitOptions{true, view, fit.projection};
-                                   });
-    add_option(
-        command, fit.projection,
-        {"--projection", "NAME", "perspective or orthographic, instead of the scene's camera's", "perspective or orthographic"},
-        [](const std::string& text) { return projection_named(text); });
+    const std::string views(any_view_syntax);
+    CLI::Option* side =
+        add_option(command, fit, {"--view", "VIEW", "Fit, from another side, or show a saved view: " + views, views},
+                   [&fit](const std::string& text) -> std::optional<FitOptions> {
+                       std::optional<FitOptions> asked = fit_from(text);
+                       if (asked) asked->projection = fit.projection;
+                       return asked;
+                   });
+    add_option(command, fit.projection,
+               {"--projection", "NAME",
+                "perspective or orthographic, instead of the scene's camera's; with --fit the screen, too, is made for it",
+                "perspective or orthographic"},
+               [](const std::string& text) { return projection_named(text); });
     forbidden->excludes(wanted)->excludes(side);
 }
 
@@ -101,11 +106,12 @@ inline void add_light(CLI::App& command, LightOptions& light) {
             return good ? std::optional(number) : std::nullopt;
         };
     };
-    add_option(command, light.sky,
-               {"--sky", "S", "Strength of the sky and the key light in it, 0 to 1 [1]", "a number from 0 to 1"}, part(most_sky));
-    add_option(command, light.key,
-               {"--key", "S", "How much brighter the sky is around the key light, 0 to 1 [1]", "a number from 0 to 1"},
-               part(most_key));
+    const auto add_part = [&](std::optional<double>& value, const char* name, const std::string& help, double most) {
+        const std::string range = "0 to " + shortest(most);
+        add_option(command, value, {name, "S", help + ", " + range + " [1]", "a number from " + range}, part(most));
+    };
+    add_part(light.sky, "--sky", "Strength of the sky and the key light in it", most_sky);
+    add_part(light.key, "--key", "How much brighter the sky is around the key light", most_key);
     const std::string directions(sun_syntax);
     add_option(command, light.sun, {"--sun", "DIR", "A sun: " + directions, directions},
                [](const std::string& text) { return parse_sun(text); });

@@ -19,9 +19,14 @@ std::string similar_option(const CLI::App& command, const std::string& unknown) 
             for (const std::string& name : option->get_snames()) names.push_back("-" + name);
         }
     }
-    // Of two letters every other option is near: only the other case was likely meant.
-    if (unknown.size() == 2) std::erase_if(names, [&](const std::string& name) { return lower_case(name) != lower_case(unknown); });
-    return did_you_mean(unknown, names);
+    if (unknown.size() != 2) return did_you_mean(unknown, names);
+    // Of two letters every other option is near. Likely meant were the other case, or words that begin so.
+    std::vector<std::string> alike;
+    for (const std::string& name : names) {
+        if (lower_case(name) == lower_case(unknown)) return did_you_mean(unknown, std::span(&name, 1));
+        if (name.starts_with("-" + unknown)) alike.push_back("'" + name + "'");
+    }
+    return alike.empty() ? "" : "; did you mean " + listed(alike, "or") + "?";
 }
 
 // What the option says of an empty value; "" if it has no objection.

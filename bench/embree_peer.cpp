@@ -1,8 +1,8 @@
 // The fastest known way to draw many spheres on a CPU, to measure against: Embree's own sphere geometry, packets of eight rays,
 // all cores, the text format read in parallel, and this project's PNG encoder. In float, so some pixels at the edges differ.
 // Single rays are slower; packets of sixteen, rows of eight, and other build qualities and
-// flags make no difference.
-// usage: embree_peer SCENE.txt OUT.png
+// flags make no difference. With a number of lights: lit by so many directions of `--shade studio`, the very same, a packet of
+// shadow rays for each, where any of its points face the light. usage: embree_peer SCENE.txt OUT.png [LIGHTS]
 #include <embree3/rtcore.h>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -10,18 +10,23 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "base/output_file.hpp"
 #include "image/png.hpp"
+#include "light/light_set.hpp"
+#include "scene/vectors.hpp"
 
 namespace {
 
@@ -100,12 +105,79 @@ Scene read_scene(RTCDevice device, std::string_view text) {
     return scene;
 }
 
-// From the eye at 0 through the square from (-50, -50, 100) to (50, 50, 100); row 0 is on top.
-void trace_packet(RTCScene scene, const std::uint8_t* colors, int left, int top, sphereview::Image& picture) {
-    alignas(32) static constexpr int all[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+alignas(32) constexpr int all_rays[8] = {-1, -1, -1, -1, -1, -1, -1, -1};
+
+RTCIntersectContext coherent() {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    return context;
+}
+
+// A light as floats: its direction, of length 1, and what it adds.
+struct FloatLight {
+    std::array<float, 3> direction;
+    std::array<float, 3> share;
+};
+
+std::vector<FloatLight> lights_of(int count) {
+    std::vector<FloatLight> lights;
+    for (const sphereview::DirectedLight& light : sphereview::light_set({}, count, {}, 0)) {
+        const glm::dvec3 l = sphereview::unit(light.direction);
+        const auto part = [](std::int32_t share) { return static_cast<float>(share / sphereview::light_one); };
+        lights.push_back({{static_cast<float>(l.x), static_cast<float>(l.y), static_cast<float>(l.z)},
+                          {part(light.share.x), part(light.share.y), part(light.share.z)}});
+    }
+    return lights;
+}
+
+// How bright the points of a packet are, that were hit.
+std::array<float, 8> brightness(RTCScene scene, const RTCRayHit8& rays, std::span<const FloatLight> lights) {
+    constexpr float off_the_surface = 1e-4F;  // of the distance
+    std::array<float, 8> bright{};
+    std::array<std::array<float, 8>, 3> normal{};
+    RTCRay8 points{};
+    for (std::size_t k = 0; k < 8; ++k) {
+        const float length = std::sqrt(rays.hit.Ng_x[k] * rays.hit.Ng_x[k] + rays.hit.Ng_y[k] * rays.hit.Ng_y[k] +
+                                       rays.hit.Ng_z[k] * rays.hit.Ng_z[k]);
+        normal[0][k] = rays.hit.Ng_x[k] / length;
+        normal[1][k] = rays.hit.Ng_y[k] / length;
+        normal[2][k] = rays.hit.Ng_z[k] / length;
+        points.org_x[k] = rays.ray.tfar[k] * rays.ray.dir_x[k];
+        points.org_y[k] = rays.ray.tfar[k] * rays.ray.dir_y[k];
+        points.org_z[k] = rays.ray.tfar[k] * rays.ray.dir_z[k];
+        points.tnear[k] = off_the_surface * points.org_z[k];
+        points.mask[k] = ~0U;
+    }
+    RTCIntersectContext context = coherent();
+    for (const FloatLight& light : lights) {
+        alignas(32) std::array<int, 8> facing{};
+        int any = 0;
+        for (std::size_t k = 0; k < 8; ++k) {
+            const bool hit = rays.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
+            const float along =
+                normal[0][k] * light.direction[0] + normal[1][k] * light.direction[1] + normal[2][k] * light.direction[2];
+            facing[k] = hit && along > 0.0F ? -1 : 0;
+            any |= facing[k];
+            points.dir_x[k] = light.direction[0];
+            points.dir_y[k] = light.direction[1];
+            points.dir_z[k] = light.direction[2];
+            points.tfar[k] = std::numeric_limits<float>::infinity();
+        }
+        if (any == 0) continue;
+        rtcOccluded8(facing.data(), scene, &context, &points);
+        for (std::size_t k = 0; k < 8; ++k) {
+            const float along = normal[0][k] * light.share[0] + normal[1][k] * light.share[1] + normal[2][k] * light.share[2];
+            bright[k] += facing[k] != 0 && points.tfar[k] > 0.0F ? along : 0.0F;
+        }
+    }
+    return bright;
+}
+
+// From the eye at 0 through the square from (-50, -50, 100) to (50, 50, 100); row 0 is on top.
+void trace_packet(RTCScene scene, const std::uint8_t* colors, std::span<const FloatLight> lights, int left, int top,
+                  sphereview::Image& picture) {
+    RTCIntersectContext context = coherent();
     RTCRayHit8 rays{};
     for (int k = 0; k < 8; ++k) {
         rays.ray.dir_x[k] = static_cast<float>(50.0 / side * (2 * (left + k % packet_width) + 1 - side));
@@ -115,19 +187,25 @@ void trace_packet(RTCScene scene, const std::uint8_t* colors, int left, int top,
         rays.ray.mask[k] = ~0U;
         rays.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
     }
-    rtcIntersect8(all, scene, &context, &rays);
+    rtcIntersect8(all_rays, scene, &context, &rays);
+    const std::array<float, 8> bright = lights.empty() ? std::array<float, 8>{} : brightness(scene, rays, lights);
     for (int k = 0; k < 8; ++k) {
         const bool hit = rays.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
         const std::uint8_t* color = colors + 3 * static_cast<std::size_t>(rays.hit.primID[k]);
+        const auto e = static_cast<double>(bright[static_cast<std::size_t>(k)]);
+        const double part = lights.empty() ? 1.0 : std::min(sphereview::shown_part(e), 1.0);
         std::uint8_t* pixel = picture.at(left + k % packet_width, top + k / packet_width);
-        for (int channel = 0; channel < 3; ++channel) pixel[channel] = hit ? color[channel] : std::uint8_t{0};
+        for (int channel = 0; channel < 3; ++channel) {
+            pixel[channel] = hit ? static_cast<std::uint8_t>(part * color[channel] + 0.5) : std::uint8_t{0};
+        }
     }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 3) fail("usage: embree_peer SCENE.txt OUT.png");
+    if (argc != 3 && argc != 4) fail("usage: embree_peer SCENE.txt OUT.png [LIGHTS]");
+    const std::vector<FloatLight> lights = argc == 4 ? lights_of(std::atoi(argv[3])) : std::vector<FloatLight>{};
     RTCDevice device = rtcNewDevice(nullptr);
     const Scene read = read_scene(device, map_file(argv[1]));
     rtcCommitGeometry(read.geometry);
@@ -141,7 +219,7 @@ int main(int argc, char** argv) {
     tbb::parallel_for(packets, [&](const tbb::blocked_range2d<int>& tile) {
         for (int row = tile.rows().begin(); row < tile.rows().end(); ++row) {
             for (int column = tile.cols().begin(); column < tile.cols().end(); ++column) {
-                trace_packet(scene, read.colors.get(), column * packet_width, row * packet_height, picture);
+                trace_packet(scene, read.colors.get(), lights, column * packet_width, row * packet_height, picture);
             }
         }
     });

@@ -1,4 +1,5 @@
-"""Writes scenes for Tachyon and POV-Ray: the picture that sphereview draws of them, in flat colours, without shadows."""
+"""Writes scenes for Tachyon and POV-Ray: the picture that sphereview draws of them, in flat colours without shadows, or lit from
+many directions."""
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -27,23 +28,33 @@ def spheres(scene: Path) -> Iterator[tuple[list[int], list[str], str]]:
             yield [int(channel) for channel in color.split()], center.split(), radius.strip()
 
 
-def write_tachyon(scene: Path, path: Path) -> None:
+# An area light that is this wide, from where the key light comes: so many lights along a side, all of them asked for each point.
+POVRAY_LIGHT = """#default { finish { ambient 0.1 diffuse 0.8 } }
+light_source { <-45e3, 75e3, -55e3> rgb 1 parallel point_at <0, 0, 400> area_light <40e3, 0, 0>, <0, 0, 40e3>, {side}, {side} }
+"""
+
+
+def write_tachyon(scene: Path, path: Path, lit: bool = False) -> None:
     # Its rays go through the corners of the pixels; the whole scene is sheared by half a pixel to make up for that. It rounds
     # colours down.
     half_pixel = 0.5 / SIDE
+    finish = "AMBIENT 0 DIFFUSE 1" if lit else "AMBIENT 1 DIFFUSE 0"
     with path.open("w") as out:
         out.write(TACHYON_BEGIN)
         for color, center, radius in spheres(scene):
             x, y, z = (float(coordinate) for coordinate in center)
             rgb = " ".join(f"{(channel + 0.5) / 255:.6f}" for channel in color)
             out.write(f"SPHERE CENTER {x + half_pixel * z!r} {y + half_pixel * z!r} {z!r} RAD {radius} "
-                      f"TEXTURE AMBIENT 1 DIFFUSE 0 SPECULAR 0 OPACITY 1 COLOR {rgb} TEXFUNC 0\n")
+                      f"TEXTURE {finish} SPECULAR 0 OPACITY 1 COLOR {rgb} TEXFUNC 0\n")
         out.write("END_SCENE\n")
 
 
-def write_povray(scene: Path, path: Path) -> None:
+def write_povray(scene: Path, path: Path, lights_along: int = 0) -> None:
+    """Lit by lights_along x lights_along lights, if there are any."""
     with path.open("w") as out:
         out.write(POVRAY_BEGIN)
+        if lights_along:
+            out.write(POVRAY_LIGHT.replace("{side}", str(lights_along)))
         for color, center, radius in spheres(scene):
             rgb = ",".join(f"{channel / 255:.6f}" for channel in color)
             out.write(f"sphere{{<{','.join(center)}>,{radius} pigment{{rgb<{rgb}>}}}}\n")

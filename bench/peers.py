@@ -107,6 +107,75 @@ def against(results: dict[str, dict], ours: str, theirs: list[str], limit: float
     return at_most(what, results[ours]["wall_s"] / min(known), limit)
 
 
+# Of sphereview's directions half face a point, on average: so many rays are asked for. The others ask for this many at each point.
+LIGHTS = 64
+RAYS = LIGHTS // 2
+POVRAY_SIDE = 8  # of its area light; half of the points face that
+
+
+def lit_cases(bench: Bench, scene: Path) -> dict[str, tuple[Case, Case]]:
+    """Of each program a run without light and a run with it."""
+    files = {name: bench.out / f"{name}.{kind}" for name, kind in
+             [("tachyon", "dat"), ("tachyon-lit", "dat"), ("povray", "pov"), ("povray-lit", "pov")]}
+    write_tachyon(scene, files["tachyon"])
+    write_tachyon(scene, files["tachyon-lit"], lit=True)
+    write_povray(scene, files["povray"])
+    write_povray(scene, files["povray-lit"], POVRAY_SIDE)
+
+    def out(name: str) -> str:
+        return str(bench.out / f"{name}.png")
+
+    def tachyon(name: str, *options: str) -> Case:
+        return Case(name, ["tachyon", str(files[name]), *options, "-format", "PNG", "-o", out(name)])
+
+    def povray(name: str, quality: int) -> Case:
+        return Case(name, ["povray", str(files[name]), f"+W{SIDE}", f"+H{SIDE}", f"+WT{os.cpu_count()}", "-D", "-GA", "-A",
+                           f"+Q{quality}", "+BM2", "+FN", "File_Gamma=1", f"+O{out(name)}"])
+
+    embree = [bench.program("embree_peer"), str(scene)]
+    return {
+        "sphereview": (bench.render("sphereview", scene, "--backend", "cpu"),
+                       bench.render("sphereview-lit", scene, "--backend", "cpu", "--shade", "studio", "--lights", str(LIGHTS))),
+        "embree": (Case("embree", [*embree, out("embree")]), Case("embree-lit", [*embree, out("embree-lit"), str(LIGHTS)])),
+        # Ambient occlusion: each of its rays goes to the upper side.
+        "tachyon": (tachyon("tachyon", "-lowshade"),
+                    tachyon("tachyon-lit", "-fullshade", "-auto_skylight", "1", "-skylight_samples", str(RAYS))),
+        # Quality 5: shadows of area lights.
+        "povray": (povray("povray", 0), povray("povray-lit", 5)),
+    }
+
+
+def light_peers(bench: Bench, counts: list[int]) -> tuple[list[Row], dict]:
+    """What light costs, at equal numbers of shadow rays: whole runs with light less those without, in seconds of CPU time, because
+    that is what other work on the machine disturbs least. Of Embree the very same directions."""
+    limits = {"embree": 1.0, "tachyon": 1 / 3, "povray": 1.0}
+    rows, data = [], {"lights": LIGHTS, "counts": counts, "versions": versions(), "sets": {name: {} for name in SETS}}
+    for scene_set in SETS:
+        for count in counts:
+            scene = bench.scene(scene_set, count)
+            cases = lit_cases(bench, scene)
+            results = measure(bench, [case for pair in cases.values() for case in pair])
+            light = {}
+            for name, (flat, lit) in cases.items():
+                if "wall_s" in results[flat.name] and "wall_s" in results[lit.name]:
+                    light[name] = {key: results[lit.name][key] - results[flat.name][key] for key in ["wall_s", "cpu_s"]}
+                data["sets"][scene_set].setdefault(name, []).append(
+                    {"spheres": count, "flat": results[flat.name], "lit": results[lit.name], "light": light.get(name)})
+            rows.append(Row(f"light of {scene_set}, {count:,}", ", ".join(
+                f"{name} {light[name]['cpu_s']:.2f} s" if name in light else f"{name} {shown(results[lit.name])}"
+                for name, (_, lit) in cases.items())))
+            for name, limit in limits.items():
+                if "sphereview" in light and name in light:
+                    rows.append(at_most(f"  sphereview / {name}", light["sphereview"]["cpu_s"] / light[name]["cpu_s"], limit))
+                elif "sphereview" in light and "more_than_s" in results[cases[name][1].name]:
+                    rows.append(at_most(f"  sphereview / {name}, at most", light["sphereview"]["cpu_s"] / LIMIT_S, limit))
+                else:
+                    rows.append(Row(f"  sphereview / {name}", "not known", f"at most {limit:.3g}", False))
+            for path in [scene, *bench.out.glob("*.dat"), *bench.out.glob("*.pov")]:
+                path.unlink()
+    return rows, data
+
+
 def peers(bench: Bench, counts: list[int]) -> tuple[list[Row], dict]:
     """Both backends against Embree, Tachyon and POV-Ray, with more and more spheres."""
     rows, data = [], {"counts": counts, "limit_s": LIMIT_S, "versions": versions(), "sets": {name: {} for name in SETS}}

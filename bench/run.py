@@ -19,7 +19,7 @@ from pathlib import Path
 from harness import (MILLION, NOTHING_COULD_RENDER, ROOT, Bench, CannotRun, Case, Row, at_most, first_line, machine, median,
                      phases)
 from large import large
-from peers import COUNTS, SETS, peers
+from peers import COUNTS, SETS, light_peers, peers
 from plot import draw_large, draw_peers
 from window import window
 
@@ -265,6 +265,7 @@ def lights(bench: Bench) -> tuple[list[Row], dict]:
 
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "stress": stress, "frames": frames, "live": live,
             "samples": samples, "lights": lights, "window": window, "large": large, "micro": micro}
+PEER_SECTIONS = {"peers": peers, "light-peers": light_peers}
 
 
 def numbers(text: str) -> list[int]:
@@ -275,7 +276,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "bench", help="where the bench preset was built")
     parser.add_argument("--runs", type=int, default=20, help="runs of each case (default: %(default)s)")
-    parser.add_argument("--only", choices=[*SECTIONS, "peers"], action="append", help="only this section; may be repeated")
+    parser.add_argument("--only", choices=[*SECTIONS, *PEER_SECTIONS], action="append", help="only this section; may be repeated")
     parser.add_argument("--peers", action="store_true", help="compare with Embree, Tachyon and POV-Ray too")
     parser.add_argument("--counts", type=numbers, default=COUNTS, metavar="N,N,...",
                         help="how many spheres the comparison with peers draws (default: %(default)s)")
@@ -284,9 +285,12 @@ def main() -> int:
     options = parser.parse_args()
     if options.runs < 1 or min(options.counts) < 1:
         parser.error("--runs, --counts: expected at least 1")
-    sections = {**SECTIONS, "peers": lambda bench: peers(bench, options.counts)} if options.peers else SECTIONS
-    if not options.peers and "peers" in (options.only or []):
-        parser.error("--only peers: expected with --peers")
+    sections = dict(SECTIONS)
+    if options.peers:
+        sections |= {name: lambda bench, section=section: section(bench, options.counts) for name, section in PEER_SECTIONS.items()}
+    for name in set(options.only or []) & set(PEER_SECTIONS):
+        if not options.peers:
+            parser.error(f"--only {name}: expected with --peers")
     if not (options.build / "measure").exists():
         parser.error(f"--build: {options.build} is not built: cmake --preset bench && cmake --build --preset bench")
 

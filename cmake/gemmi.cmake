@@ -1,4 +1,4 @@
-# gemmi reads PDB and mmCIF; without it the program says that it cannot. Up to 0.5 it is headers only. Its headers for CIF need PEGTL,
+# gemmi reads mmCIF; without it the program says that it cannot. Up to 0.5 it is headers only. Its headers for CIF need PEGTL,
 # which some packages of gemmi hold and others leave to the system: so they are tried, not looked for. Nor are gemmi's own CMake files asked:
 # Debian 13's name a program that is in another package.
 include(CheckCXXSourceCompiles)
@@ -24,7 +24,7 @@ function(mend_gemmi headers copy)
     endif()
 endfunction()
 
-option(SPHEREVIEW_WANT_GEMMI "Read PDB and mmCIF, if gemmi is there" ON)
+option(SPHEREVIEW_WANT_GEMMI "Read mmCIF, if gemmi is there" ON)
 set(SPHEREVIEW_GEMMI FALSE)
 if(SPHEREVIEW_WANT_GEMMI)
     add_library(gemmi_library INTERFACE)
@@ -48,5 +48,5 @@ if(SPHEREVIEW_WANT_GEMMI)
     endif()
 endif()
 if(NOT SPHEREVIEW_GEMMI)
-    message(STATUS "Without gemmi: PDB and mmCIF will not be read")
+    message(STATUS "Without gemmi: mmCIF will not be read")
 endif()

@@ -5,12 +5,13 @@ add_library(sphereview_options INTERFACE)
 target_link_libraries(sphereview_options INTERFACE sphereview_plain_options)
 if(MSVC)
     target_compile_options(sphereview_plain_options INTERFACE /W4 /fp:precise $<$<BOOL:${SPHEREVIEW_WERROR}>:/WX>)
+    target_compile_definitions(sphereview_plain_options INTERFACE NOMINMAX)  # std::min and std::max beside windows.h, as MinGW has it
 else()
     target_compile_options(sphereview_plain_options INTERFACE
         -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
         $<$<BOOL:${SPHEREVIEW_WERROR}>:-Werror>
-        # False alarms in the standard library's strings (GCC bug 105651) and, of GCC 14, in Boost's integers, which no SYSTEM stills:
-        # the optimiser makes them. The sanitizers look for such faults.
+        # GCC's optimiser warns falsely of the standard library's strings (restrict: GCC bug 105651) and, in GCC 14, of Boost's integers (the
+        # other two). That their headers are SYSTEM does not silence it. The sanitizers look for such faults.
         $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict> $<$<CXX_COMPILER_ID:GNU>:-Wno-stringop-overflow> $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
         # Part of -Wconversion for Clang alone.
         $<$<CXX_COMPILER_ID:Clang,AppleClang>:-Wno-sign-conversion>
@@ -93,7 +94,7 @@ function(add_room name)
         target_link_libraries(${name} PRIVATE optimised_${room_LEVEL})
         use_precompiled(${name} precompiled_${room_LEVEL})
     endif()
-    if(room_FAST AND CMAKE_BUILD_TYPE STREQUAL Release AND NOT MSVC)
-        set_source_files_properties(${room_FAST} PROPERTIES COMPILE_OPTIONS -O3 SKIP_PRECOMPILE_HEADERS ON)
+    if(room_FAST AND NOT MSVC AND (CMAKE_BUILD_TYPE STREQUAL Release OR CMAKE_CONFIGURATION_TYPES))
+        set_source_files_properties(${room_FAST} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O3> SKIP_PRECOMPILE_HEADERS ON)
     endif()
 endfunction()

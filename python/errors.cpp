@@ -8,6 +8,7 @@
 
 #include "app/failure.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -15,9 +16,12 @@ namespace py = pybind11;
 
 namespace {
 
-// A subclass that tells more, such as FileNotFoundError, where the number is known: Python chooses that by itself.
-void set_os_error(const std::string& message, int number) {
-    const py::object error = number == 0 ? py::handle(PyExc_OSError)(message) : py::handle(PyExc_OSError)(number, message);
+// Python chooses a subclass that tells more, such as FileNotFoundError, by itself.
+void set_os_error(const FileFault& fault) {
+    const auto file = py::reinterpret_steal<py::object>(
+        PyUnicode_DecodeFSDefaultAndSize(fault.file.data(), static_cast<py::ssize_t>(fault.file.size())));
+    if (!file) return;  // Python has its own error then
+    const py::object error = py::handle(PyExc_OSError)(fault.number, on_one_line(fault.why), file);
     PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error.ptr())), error.ptr());
 }
 
@@ -26,9 +30,9 @@ void translate(std::exception_ptr thrown) {
     try {
         std::rethrow_exception(thrown);
     } catch (const ReadError& error) {
-        set_os_error(describe_current_exception().message, error.number);
-    } catch (const OutputError&) {
-        set_os_error(describe_current_exception().message, 0);
+        set_os_error(error.fault);
+    } catch (const OutputError& error) {
+        set_os_error(error.fault);
     } catch (const InputError&) {
         PyErr_SetString(PyExc_ValueError, describe_current_exception().message.c_str());
     } catch (const MemoryError&) {

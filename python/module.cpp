@@ -31,7 +31,7 @@ namespace {
 
 // Of arguments, in the words that the command line has for its options.
 [[noreturn]] void wrong(const char* name, const std::string& found, const std::string& expected) {
-    throw InputError(std::string(name) + ": " + found_expected(found, expected));
+    throw InputError(std::string(name) + ": " + found_expected(found, expected) + did_you_mean(found, words_listed(expected)));
 }
 
 PictureSize size_from(const std::pair<std::int64_t, std::int64_t>& sides, int samples) {
@@ -143,21 +143,35 @@ CameraNumbers fit(const SphereArrays& arrays, const CameraNumbers& camera, bool 
     return numbers_of(fitted(scene, axes, given.projection).value_or(given));
 }
 
-py::dict read(const std::string& path, std::int64_t frame, std::optional<double> radius, std::optional<bool> wanted,
-              const std::optional<std::string>& view) {
+// As the command line says them.
+std::vector<std::string> words_of_warnings(const LoadedScene& loaded) {
+    std::vector<std::string> words;
+    for (const std::string& warning : loaded.warnings) words.push_back(on_one_line(warning));
+    return words;
+}
+
+py::dict read(const std::string& path, std::int64_t frame, std::optional<double> radius, bool virtual_sites,
+              std::optional<bool> wanted, const std::optional<std::string>& view) {
     if (frame < 0) wrong("frame", std::to_string(frame), "the number of a frame, from 0");
     if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong("radius", shortest(*radius), "a number above 0");
-    const FitOptions fit{view ? std::optional(true) : wanted, view_from(view)};
-    const LoadedScene loaded = beside_python([path, data = DataOptions{frame, radius, {}}, fit](WorkControl& control) {
-        LoadOptions options;
-        options.more_per_sphere = sizeof(Sphere);  // the arrays
-        options.data = data;
-        options.fit = fit;
-        options.control = &control;
-        return load_scene(path, options);
-    });
+    FitOptions fit;
+    fit.wanted = wanted;
+    if (view) {
+        const auto asked = fit_from(*view);
+        if (!asked) wrong("view", *view, std::string(any_view_syntax));
+        fit = *asked;
+    }
+    const LoadedScene loaded =
+        beside_python([path, data = DataOptions{frame, radius, virtual_sites, {}}, fit](WorkControl& control) {
+            LoadOptions options;
+            options.more_per_sphere = sizeof(Sphere);  // the arrays
+            options.data = data;
+            options.fit = fit;
+            options.control = &control;
+            return load_scene(path, options);
+        });
     for (const std::string& warning : loaded.warnings) {
-        const std::string line = on_one_line(loaded.name + ": " + warning);
+        const std::string line = on_one_line(warning);
         if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
     }
     const Scene& scene = loaded.scene;
@@ -173,6 +187,7 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
     read["frames"] = loaded.frames;
     read["format"] = loaded.format.name;
     read["source"] = py::bytes(loaded.name);
+    read["warnings"] = words_of_warnings(loaded);
     return read;
 }
 
@@ -225,7 +240,8 @@ void define(py::module_& module) {
     module.def("explain", &explain_pixel_of, py::arg("arrays"), py::arg("camera"), py::arg("names"), py::arg("background"),
                py::arg("pixel"), py::arg("size"), py::arg("shade"), py::arg("name"));
     module.def("fit", &fit, py::arg("arrays"), py::arg("camera"), py::arg("right_handed"), py::arg("view"));
-    module.def("read", &read, py::arg("path"), py::arg("frame"), py::arg("radius"), py::arg("fit"), py::arg("view"));
+    module.def("read", &read, py::arg("path"), py::arg("frame"), py::arg("radius"), py::arg("virtual"), py::arg("fit"),
+               py::arg("view"));
     module.def(
         "check_camera", [](const CameraNumbers& numbers) { camera_from(numbers); }, py::arg("camera"));
     module.def(

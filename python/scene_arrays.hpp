@@ -12,7 +12,7 @@
 
 namespace sphereview {
 
-// A camera as Python passes it: eye, center, right, up.
+// A camera as Python passes it: eye, center, right and up, three numbers each, and the projection's value.
 using CameraNumbers = std::array<double, 13>;
 
 // Throws InputError for a camera that nothing can be seen with.

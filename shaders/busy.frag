@@ -7,10 +7,10 @@ uniform isampler2D marks;
 out int busy;
 
 void main() {
-    int reach = (outline_reach() >> grid_shift) + 1;
+    int reach = outline_reach() + 1;
     ivec2 cell = ivec2(gl_FragCoord.xy) << cell_shift;
     ivec2 first = max(cell - reach, 0);
-    ivec2 last = min(cell + (1 << cell_shift) - 1 + reach, (picture_size - 1) >> grid_shift);
+    ivec2 last = min(cell + (1 << cell_shift) - 1 + reach, picture_size - 1);
     int mark = texelFetch(marks, first, 0).r;
     bool calm = true;
     for (int y = first.y; calm && y <= last.y; ++y) {

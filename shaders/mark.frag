@@ -1,16 +1,20 @@
 #version 330 core
-// Picks the spheres that have an outline from the visible-sphere buffer, so that outline.frag need look only once a pixel.
+// Picks the pixels of spheres that have an outline, so that outline.frag need look only once a pixel.
 #include "colors.glsl"
 #include "marks.glsl"
-#include "visible.glsl"
-
-uniform isampler2D visible_spheres;
+#include "seen.glsl"
 
 out int mark;
 
 void main() {
-    int number = best_guess(texelFetch(visible_spheres, ivec2(gl_FragCoord.xy), 0).r);
-    bool selected = number > visible_background && color_at(max(number, 0)).a > 0.0;
-    bool under_pointer = number > visible_background && number == hovered;
-    mark = selected ? number : under_pointer ? hovered_mark : no_mark;
+    int index = seen_at(ivec2(gl_FragCoord.xy));
+    float selected = index > visible_background ? color_at(max(index, 0)).a : 0.0;
+    bool under_pointer = index > visible_background && index == hovered;
+    if (selected > alone) {
+        mark = index;
+    } else if (selected > 0.0) {
+        mark = under_pointer ? hovered_set_mark : set_mark;
+    } else {
+        mark = under_pointer ? hovered_mark : no_mark;
+    }
 }

@@ -1,6 +1,6 @@
 #version 330 core
 // Outlines around spheres, over the picture in a window: a light line beside the sphere's pixels, which keep their colours, between
-// two dark ones, so that something shows on any colour.
+// two dark ones, so that something shows on any colour. Spheres that are outlined as one set are tinted, and between them is no line.
 #include "marks.glsl"
 #include "window.glsl"
 
@@ -15,19 +15,18 @@ const float far = 1.0e6;
 float selected = far;
 float under_pointer = far;
 
-// Among the pixels so many columns and rows away or less; a texel's nearest pixel stands for all of its.
+// Among the pixels so many columns and rows away or less.
 void look_around(ivec2 pixel, int own, int reach) {
-    ivec2 first = texel_of(pixel - reach);
-    ivec2 last = texel_of(pixel + reach);
-    int side = (1 << grid_shift) - 1;
+    ivec2 first = max(pixel - reach, ivec2(0));
+    ivec2 last = min(pixel + reach, picture_size - 1);
     for (int y = first.y; y <= last.y; ++y) {
         for (int x = first.x; x <= last.x; ++x) {
             int mark = texelFetch(marks, ivec2(x, y), 0).r;
-            ivec2 corner = ivec2(x, y) << grid_shift;
-            vec2 away = vec2(pixel - clamp(pixel, corner, corner + side));
+            vec2 away = vec2(pixel - ivec2(x, y));
             float distance = mark == own || mark == no_mark ? far : dot(away, away);
-            bool is_hovered = mark == hovered_mark || mark == hovered;
-            selected = min(selected, mark == hovered_mark ? far : distance);
+            bool is_hovered = mark == hovered_mark || mark == hovered_set_mark || mark == hovered;
+            bool has_no_line = mark == hovered_mark || (is_of_set(mark) && is_of_set(own));
+            selected = min(selected, has_no_line ? far : distance);
             under_pointer = min(under_pointer, is_hovered ? distance : far);
         }
     }
@@ -35,12 +34,13 @@ void look_around(ivec2 pixel, int own, int reach) {
 
 void main() {
     ivec2 pixel = window_pixel();
-    ivec2 texel = texel_of(pixel);
-    if (texelFetch(busy_cells, texel >> cell_shift, 0).r == 0) discard;
-    int own = texelFetch(marks, texel, 0).r;
+    ivec2 at = clamp(pixel, ivec2(0), picture_size - 1);
+    int own = texelFetch(marks, at, 0).r;
+    bool calm = texelFetch(busy_cells, at >> cell_shift, 0).r == 0;
+    if (calm && !is_of_set(own)) discard;
     // Where many small spheres are selected most pixels are beside another one: then nothing more has to be known.
-    look_around(pixel, own, 1);
-    if (min(selected, under_pointer) > 2.0) look_around(pixel, own, outline_reach());
+    if (!calm) look_around(pixel, own, 1);
+    if (!calm && min(selected, under_pointer) > 2.0) look_around(pixel, own, outline_reach());
     // Half a pixel more: the distances are those of pixels' centres.
     const float inner = 1.5;
     float wide = inner + outline;
@@ -54,6 +54,8 @@ void main() {
         color = vec4(1.0, 0.65, 0.0, 1.0);
     } else if (dark || to_hovered < thin + 1.0 || to_selected < wide + 1.0) {
         color = vec4(0.0, 0.0, 0.0, 0.7);
+    } else if (is_of_set(own)) {
+        color = vec4(1.0, 0.65, 0.0, 0.3);
     } else {
         discard;
     }

@@ -3,12 +3,7 @@
 // Twin: src/shade/picture_shader.cpp.
 #include "background.glsl"
 #include "colors.glsl"
-#include "rays.glsl"
-#include "spheres.glsl"
-#include "visible.glsl"
-#include "window.glsl"
-
-uniform isampler2D visible_spheres;
+#include "seen.glsl"
 
 out vec4 color;
 
@@ -21,17 +16,15 @@ float between_0_and_1(float value) { return clamp(value, 0.0, 1.0); }
 
 void main() {
     ivec2 pixel = window_pixel();
-    ivec2 texel = texel_of(pixel);
-    int index = best_guess(texelFetch(visible_spheres, texel, 0).r);  // a window has no holes
+    int index = seen_at(pixel);
     if (index <= visible_background) {
         color = background_at(pixel);
         return;
     }
-    // In a coarse grid a texel stands for the pixels around the one that was traced.
-    ivec2 traced = min((texel << grid_shift) + ((1 << grid_shift) >> 1), picture_size - 1);
-    vec3 ray = ray_direction(traced, picture_size);
+    ivec2 at = clamp(pixel, ivec2(0), picture_size - 1);
+    vec3 ray = ray_direction(at, picture_size);
     vec4 sphere = sphere_at(index);
-    vec3 center = sphere.xyz - ray_origin(traced, picture_size);
+    vec3 center = sphere.xyz - ray_origin(at, picture_size);
     float radius = sphere.w != 0.0 ? abs(sphere.w) : length(center);  // 0: the eye is on the surface
     bool outside = sphere.w > 0.0;
 #ifdef ORTHOGRAPHIC
@@ -54,7 +47,8 @@ void main() {
     } else if (shading == headlight) {
         shaded = color_at(index).rgb * (0.3 + 0.7 * facing / (1.0 + depth));
     } else if (shading == studio) {
-        // What moves has no shadows: the sky and the key light of a free surface, and the sun. docs/shading.md.
+        // What moves has no shadows: the sky and the key light of a free surface, and the sun. docs/shading.md. Twin:
+        // brightness_of_free_sky() and shown_part() in src/scene/light.hpp.
         vec3 normal = -(side * q) - facing * ray;
         float toward_key = 0.5 + 0.5 * dot(normal, key_light.xyz);
         float sky = 0.62 + 0.45 * sun_light.w * toward_key * toward_key * (0.5 + 0.5 * toward_key);

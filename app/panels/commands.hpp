@@ -40,24 +40,35 @@ enum class CommandId {
     center_on_selection,
     fit_all,  // the way the view looks
     view_front,
+    view_back,
     view_right,
+    view_left,
     view_top,
+    view_bottom,
     view_iso,
     orthographic,  // or perspective again
+    trackball,     // or turntable again
     use_view_as_camera,
+    save_view,
     next_frame,  // of a file of several
     previous_frame,
     first_shading,  // one for each of shading_modes, in their order
     last_shading = first_shading + static_cast<int>(shading_modes.size()) - 1,
     toggle_panel,
     toggle_inspector,
+    measure,
     toggle_export_area,
+    toggle_axes,
+    toggle_scale_bar,
+    toggle_exported_marks,
     no_anti_aliasing,
     anti_aliasing_4,
     anti_aliasing_16,
+    light_theme,
     larger_text,
     smaller_text,
     help,
+    about,
 };
 
 struct CommandInfo {

@@ -100,7 +100,7 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
 
 void draw_fault(const std::string& text, float width) {
     if (text.empty()) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0F, 0.48F, 0.44F, 1.0F));
+    ImGui::PushStyleColor(ImGuiCol_Text, on_panel({1.0F, 0.48F, 0.44F, 1.0F}));
     draw_text(text, width, highest_fault());
     ImGui::PopStyleColor();
 }

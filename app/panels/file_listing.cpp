@@ -20,9 +20,10 @@ fs::path typed_path(std::string_view typed, const fs::path& folder) {
         text.remove_prefix(text == "~" ? 1 : 2);
         path = home_folder() / path_from(text);
     } else {
-        path = folder / path_from(text);  // an absolute path replaces the folder
+        path = path_from(text);
+        if (!is_network_name(path)) path = folder / path;  // an absolute path replaces the folder
     }
-    path = path.lexically_normal();
+    path = normal_path(path);
     // "/a/b/" is the folder "/a/b".
     return path.has_filename() || !path.has_relative_path() ? path : path.parent_path();
 }

@@ -16,7 +16,7 @@ const ImVec4 zero{1.00F, 0.75F, 0.25F, 1.0F};
 const ImVec4 below_zero{1.00F, 0.42F, 0.40F, 1.0F};
 
 void colored_line(const std::string& text, const ImVec4& color) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushStyleColor(ImGuiCol_Text, on_panel(color));
     wrapped_text(text);
     ImGui::PopStyleColor();
 }
@@ -44,7 +44,7 @@ void draw_title(const PanelContext& context, const ExplainedHit& hit, bool seen)
     note_widget(context, "hit " + std::to_string(number));
     if (seen) {
         ImGui::SameLine();
-        ImGui::TextColored(above_zero, "seen");
+        ImGui::TextColored(on_panel(above_zero), "seen");
     }
     dim_text("C = " + vector_in_words(sphere.center) + ", r = " + shortest(sphere.radius));
 }
@@ -76,8 +76,9 @@ void draw_sun(const PanelContext& context, const InspectedPixel& pixel) {
 
 void draw_rest(const PixelExplanation& e) {
     if (e.missed > 0) colored_line(in_groups(static_cast<std::uint64_t>(e.missed)) + " missed: discriminant < 0", below_zero);
-    if (e.elsewhere > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.elsewhere)) + " elsewhere or behind the eye: not hit");
-    if (e.behind > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.behind)) + " behind the eye: no positive root");
+    const std::string behind = behind_in_words(e);
+    if (e.elsewhere > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.elsewhere)) + " elsewhere or " + behind + ": not hit");
+    if (e.behind > 0) wrapped_text(in_groups(static_cast<std::uint64_t>(e.behind)) + " " + behind + ": no positive root");
     if (e.hidden > 0) dim_text(in_groups(static_cast<std::uint64_t>(e.hidden)) + " hidden");
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "camera/fit.hpp"
+#include "panels/number_field.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/widgets.hpp"
 #include "scene/vectors.hpp"
@@ -20,6 +21,9 @@ constexpr double degrees = 180.0 / std::numbers::pi;
 
 // Suns behind the ball are in a ring around it, this much wider than the ball.
 constexpr float outer_radius = 1.45F;
+
+// Angles are shown without what turning a direction into them adds: an exponent of ten.
+constexpr int last_degree = -6;
 
 // How a sun is called that nobody has placed yet: from the upper right, in the view's directions.
 constexpr glm::dvec3 first_sun{0.55, 0.6, 0.58};
@@ -109,13 +113,15 @@ private:
         const float radius = 0.5F * side / outer_radius;
         const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
         if (hovered && !ImGui::IsItemActive()) {
+            // Beside the panel: the ball stays in sight.
+            ImGui::SetNextWindowPos({low.x - ImGui::GetStyle().WindowPadding.x, low.y}, ImGuiCond_Always, {1.0F, 0.0F});
             ImGui::SetTooltip("Drag the sun to where it shines from;\nin the ring around the ball, from behind.");
         }
         if (ImGui::IsItemActivated()) ++context_.gesture;
         if (ImGui::IsItemActive()) {
             const ImVec2 mouse = ImGui::GetIO().MousePos;
             const glm::dvec3 direction = direction_at({(mouse.x - middle.x) / radius, (mouse.y - middle.y) / radius});
-            if (!light_.sun) light_.sun = Sun{.direction = {}, .strength = state_.last_sun.value_or(Sun{}).strength};
+            if (!light_.sun) switch_on(rounded(in_scene(direction)));
             light_.sun->direction = rounded(in_scene(direction));
             if (light_ != context_.light) change("Move the sun", context_.gesture);
         }
@@ -136,11 +142,9 @@ private:
     // As the window shades a grey sphere that moves: docs/shading.md.
     double brightness(const glm::dvec3& normal) const {
         constexpr double own = 0.85;
-        const glm::dvec3 key = unit(glm::dvec3{-0.45, 0.75, 0.55});
-        const double x = 0.5 + 0.5 * dot(normal, key);
-        double e = light_.sky * (0.62 + 0.45 * light_.key * x * x * (0.5 + 0.5 * x));
+        double e = brightness_of_free_sky(light_, dot(normal, unit(key_in_view)));
         if (light_.sun) e += light_.sun->strength * std::max(dot(normal, in_view(unit(light_.sun->direction))), 0.0);
-        return own * std::min(1.8 * e / (0.8 + e), 1.0);
+        return own * std::min(shown_part(e), 1.0);
     }
 
     // Rings of triangles, each corner in its own brightness.
@@ -180,7 +184,11 @@ private:
         const bool toggled = ImGui::Checkbox("##sun", &on);
         note_widget(context_, "sun");
         if (toggled) {
-            light_.sun = on ? std::optional(state_.last_sun.value_or(Sun{rounded(in_scene(unit(first_sun)))})) : std::nullopt;
+            if (on) {
+                switch_on(state_.last_sun ? state_.last_sun->direction : rounded(in_scene(unit(first_sun))));
+            } else {
+                light_ = without_sun(light_);
+            }
             change(on ? "Switch the sun on" : "Switch the sun off", 0);
         }
         ImGui::BeginDisabled(!light_.sun);
@@ -188,19 +196,25 @@ private:
         const glm::dvec3 direction = unit(sun.direction);
         // As --view has them: where data is seen right-handed, z points the other way.
         const double ahead = camera_axes(context_.document.scene().camera).mirrored ? -1.0 : 1.0;
-        double azimuth = std::atan2(direction.x, -ahead * direction.z) * degrees + 0.0;
-        double elevation = std::asin(std::clamp(direction.y, -1.0, 1.0)) * degrees;
-        const bool turned = number("azimuth", {.low = -180.0, .high = 180.0, .digits = 4}, azimuth);
-        const bool raised = number("elevation", {.low = -90.0, .high = 90.0, .digits = 3}, elevation);
+        double azimuth = rounded_to(std::atan2(direction.x, -ahead * direction.z) * degrees, last_degree) + 0.0;
+        double elevation = rounded_to(std::asin(std::clamp(direction.y, -1.0, 1.0)) * degrees, last_degree);
+        const bool turned = number("azimuth", {.usual_size = 100.0}, azimuth);
+        const bool raised = number("elevation", {.low = -90.0, .high = 90.0, .usual_size = 50.0}, elevation);
         if (turned || raised) {
             const glm::dvec3 view = axes_from(azimuth, elevation).ahead;
             sun.direction = {-view.x, -view.y, -ahead * view.z};
             set_sun(sun, "Move the sun");
         }
-        if (number("strength", {.low = weakest_sun, .high = strongest_sun, .above_zero = true, .digits = 3}, sun.strength)) {
+        if (number("strength", {.low = weakest_sun, .high = strongest_sun, .usual_size = 0.5}, sun.strength)) {
             set_sun(sun, "Change the sun");
         }
         ImGui::EndDisabled();
+    }
+
+    // As strong as it was last.
+    void switch_on(const glm::dvec3& direction) {
+        light_ = with_sun(light_, direction);
+        if (state_.last_sun) light_.sun->strength = state_.last_sun->strength;
     }
 
     void set_sun(const Sun& sun, const std::string& name) {
@@ -210,17 +224,15 @@ private:
 
     void part(const char* name, const char* help, double& value, double most) {
         const std::string step = std::string("Change the ") + name + (std::string_view(name) == "key" ? " light" : "");
-        if (number(name, {.low = 0.0, .high = most, .digits = 2}, value)) change(step, gesture_);
-        if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s\nCtrl+click to type a number.", help);
+        if (number(name, {.low = 0.0, .high = most, .usual_size = 0.5, .help = help}, value)) change(step, gesture_);
     }
 
-    // A slider; what is typed beyond its range is brought into it.
-    bool number(const char* name, const SliderRange& range, double& value) {
+    bool number(const char* name, const NumberRule& rule, double& value) {
         begin_field(context_, name);
-        const SliderChange changed = draw_value_slider(context_, state_.typed, name, range, value);
-        value = std::clamp(value, range.low, range.high);
-        gesture_ = changed == SliderChange::dragged ? context_.gesture : 0;
-        return changed != SliderChange::none;
+        const NumberChange changed = draw_number(context_, state_.numbers, name, rule, value);
+        draw_refusal(context_, state_.numbers, name);
+        gesture_ = changed == NumberChange::dragged ? context_.gesture : 0;
+        return changed != NumberChange::none;
     }
 
     void draw_lights() {

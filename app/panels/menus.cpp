@@ -23,16 +23,15 @@ constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"Ctrl+click on a sphere", "Adds it to the selection, or takes it out."},
     {"Ctrl+left-drag", "Selects the spheres that are seen in the box; with Shift they join, or if all were selected, leave."},
     {"Double-click on a sphere", "Brings it to the middle of the picture."},
-    {"Ctrl+click on a slider", "Types the value."},
+    {"Click on an end of the axes", "Looks along that axis; a drag there turns the view about its pivot."},
+    {"Drag of a number", "Changes it by a part of its own size; with Shift finer, with Ctrl coarser. Escape takes it back."},
+    {"Click on a number", "Types it, or a calculation such as 50+3*2."},
     {"File dropped on the window", "Opens the scene in it."},
 });
 
 // Words side by side under a title; the last column gets the width that the others leave. All lines have as many words.
-void draw_table(const std::string& title, const std::vector<std::vector<std::string>>& lines) {
-    ImGui::Dummy(ImVec2(0.0F, 0.3F * ImGui::GetTextLineHeight()));
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    wrapped_text(title);
-    ImGui::PopStyleColor();
+void draw_table(const PanelContext& context, const std::string& title, const std::vector<std::vector<std::string>>& lines) {
+    draw_title(context, title);
     const auto columns = static_cast<int>(lines.front().size());
     if (!ImGui::BeginTable(title.c_str(), columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return;
     for (std::size_t i = 0; i + 1 < lines.front().size(); ++i) {
@@ -50,14 +49,15 @@ void draw_table(const std::string& title, const std::vector<std::vector<std::str
     ImGui::EndTable();
 }
 
-void draw_mouse() {
+void draw_mouse(const PanelContext& context) {
     std::vector<std::vector<std::string>> lines;
     for (const MouseHelp& line : mouse_table) lines.push_back({std::string(line.mouse), std::string(line.help)});
-    draw_table("Mouse", lines);
+    draw_table(context, "Mouse", lines);
 }
 
 // A table for each menu.
-void draw_commands(std::span<const CommandInfo> commands) {
+void draw_commands(const PanelContext& context) {
+    std::span<const CommandInfo> commands = context.commands;
     while (!commands.empty()) {
         const std::string menu(commands.front().menu);
         std::vector<std::vector<std::string>> lines;
@@ -65,7 +65,7 @@ void draw_commands(std::span<const CommandInfo> commands) {
             const CommandInfo& info = commands.front();
             lines.push_back({every_shortcut(info.shortcut), std::string(info.label), std::string(info.help)});
         }
-        draw_table(menu, lines);
+        draw_table(context, menu, lines);
     }
 }
 
@@ -79,8 +79,8 @@ std::string label_of(const PanelContext& context, const CommandInfo& info) {
 
 std::string history_text(const PanelContext& context) {
     const auto megabytes = [](std::size_t bytes) { return static_cast<double>(bytes) / 1048576.0; };
-    return "Steps to undo: " + fixed(megabytes(context.document.history_bytes()), 1) + " of " +
-           fixed(megabytes(context.document.most_history_bytes()), 0) + " MB; beyond that the oldest are forgotten.";
+    return "History: " + fixed(megabytes(context.document.history_bytes()), 1) + " of " +
+           fixed(megabytes(context.document.most_history_bytes()), 0) + " MB";
 }
 
 void draw_item(const PanelContext& context, const CommandInfo& info) {
@@ -90,8 +90,15 @@ void draw_item(const PanelContext& context, const CommandInfo& info) {
         context.actions.emplace_back(RunCommand{info.id});
     }
     note_widget(context, "item " + std::string(info.label));
-    if (info.id != CommandId::undo && info.id != CommandId::redo) return;
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", history_text(context).c_str());
+}
+
+// How much of what the steps to undo may take is used.
+void draw_history(const PanelContext& context) {
+    ImGui::MenuItem((history_text(context) + "###history").c_str(), nullptr, false, false);
+    note_widget(context, "history");
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        ImGui::SetTooltip("What the steps to undo take; beyond that the oldest are forgotten.");
+    }
 }
 
 // Notes a menu's title before it is drawn: ImGui's last item is another once the menu is open.
@@ -112,6 +119,23 @@ void draw_recent(const PanelContext& context, const std::vector<std::string>& re
         if (ImGui::MenuItem(label.c_str(), folder.c_str())) context.actions.emplace_back(OpenFile{recent[i]});
         note_widget(context, "recent " + std::to_string(i));
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shown_text(recent[i]).c_str());
+        ImGui::PopID();
+    }
+    ImGui::EndMenu();
+}
+
+void draw_views(const PanelContext& context, MenuKeys& keys) {
+    const std::vector<SavedView>& views = context.document.scene().views;
+    note_menu(context, "Saved views");
+    if (!ImGui::BeginMenu("Saved views", !views.empty())) return;
+    keys.in_submenu = true;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        const std::string label = as_label(views[i].name) + "###view";
+        if (ImGui::MenuItem(label.c_str(), nullptr, views[i].camera == context.camera)) {
+            context.actions.emplace_back(ShowView{views[i].camera});
+        }
+        note_widget(context, "item view " + std::to_string(i));
         ImGui::PopID();
     }
     ImGui::EndMenu();
@@ -146,6 +170,8 @@ void draw_menu(const PanelContext& context, const std::string& menu, const std::
         }
         submenu = info.submenu;
         if (info.id == CommandId::file_open) draw_recent(context, recent, keys);
+        if (info.id == CommandId::save_view) draw_views(context, keys);
+        if (info.id == CommandId::redo) draw_history(context);
         first = false;
     }
     ImGui::EndMenu();
@@ -163,8 +189,8 @@ void draw_help(const PanelContext& context, bool& open) {
     ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5F, 0.5F));
     ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     if (ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
-        draw_mouse();
-        draw_commands(context.commands);
+        draw_mouse(context);
+        draw_commands(context);
     }
     ImGui::End();
 }

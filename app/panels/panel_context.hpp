@@ -38,7 +38,14 @@ struct OpenFile {
 struct ShowFrame {
     std::int64_t frame = 0;  // of the scene's file
 };
-using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame>;
+struct MeasureSphere {
+    std::uint32_t number = 0;
+};
+// The view flies there.
+struct ShowView {
+    Camera camera;
+};
+using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere, ShowView>;
 
 // Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
 struct WidgetRectangle {
@@ -60,7 +67,7 @@ struct Rectangle {
 struct PanelContext {
     const Document& document;
     const Selection& selection;
-    const SceneBounds& bounds;               // what the sliders' ranges come from: of the scene, but still during a drag
+    const SceneBounds& bounds;               // what drags of numbers are scaled by: of the scene, but still during a drag
     std::span<const CommandInfo> commands;   // as they are now, in the order of the menus
     float scale = 1.0F;                      // sizes that are not text are times this
     std::uint64_t& gesture;                  // the number of the current drag; whoever begins one adds 1
@@ -71,6 +78,7 @@ struct PanelContext {
     std::int64_t frames = 1;
     Light light{};      // as the picture shows it: the scene's, or what the command line asks for instead
     CameraAxes view{};  // of the view
+    Camera camera{};    // the view's own
 };
 
 // Notes a rectangle, or that of ImGui's last widget, where `rectangles` are collected.

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 #include "base/text.hpp"
+#include "panels/widgets.hpp"
 
 namespace sphereview {
 
@@ -49,42 +52,31 @@ void draw_background(const PanelContext& context) {
     if (gesture) change_background(context, edited, *gesture);
 }
 
-void draw_frame_slider(const PanelContext& context) {
+void draw_frame_slider(const PanelContext& context, SidePanelState& state) {
     begin_field(context, "frame");
     std::int64_t frame = context.frame;
     const std::int64_t first = 0;
     const std::int64_t last = context.frames - 1;
-    ImGui::SetNextItemWidth(-1.0F);
-    if (ImGui::SliderScalar("##frame", ImGuiDataType_S64, &frame, &first, &last, nullptr, ImGuiSliderFlags_AlwaysClamp)) {
-        if (frame != context.frame) context.actions.emplace_back(ShowFrame{frame});
-    }
+    // The number stands beside the knob, not under it, with room for the longest.
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float number = width_of(std::to_string(last)) + 2.0F * ImGui::GetStyle().FramePadding.x;
+    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - number - gap));
+    ImGui::SliderScalar("##frame", ImGuiDataType_S64, &frame, &first, &last, "",
+                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
     note_widget(context, "frame");
+    ImGui::SameLine(0.0F, gap);
+    ImGui::SetNextItemWidth(number);
+    const std::string help = "Frames are counted from 0 to " + std::to_string(last) + ".";
+    auto typed = static_cast<double>(frame);
+    const NumberRule rule{.low = 0.0, .high = static_cast<double>(last), .usual_size = 100.0, .help = help.c_str()};
+    if (draw_number(context, state.numbers, "frame", rule, typed) != NumberChange::none) frame = std::llround(typed);
+    draw_refusal(context, state.numbers, "frame");
+    if (frame != context.frame) context.actions.emplace_back(ShowFrame{frame});
 }
 
-// Shortened; in full as a tooltip.
-void draw_vector(const PanelContext& context, const char* label, const glm::dvec3& v) {
-    begin_field(context, label);
-    ImGui::TextDisabled("%s, %s, %s", short_text(v.x).c_str(), short_text(v.y).c_str(), short_text(v.z).c_str());
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s\n%s\n%s", shortest(v.x).c_str(), shortest(v.y).c_str(), shortest(v.z).c_str());
-    }
-}
-
-void draw_scene_panel(const PanelContext& context) {
-    const Scene& scene = context.document.scene();
-    if (context.frames > 1) draw_frame_slider(context);
+void draw_scene_panel(const PanelContext& context, SidePanelState& state) {
+    if (context.frames > 1) draw_frame_slider(context, state);
     draw_background(context);
-    draw_command_buttons(context,
-                         {{CommandId::use_view_as_camera, "Use this view", "use view"}, {CommandId::go_home, "Home", "home"}});
-    const bool open = ImGui::TreeNodeEx("camera", ImGuiTreeNodeFlags_NoTreePushOnOpen);
-    note_widget(context, "camera");
-    if (!open) return;
-    draw_vector(context, "eye", scene.camera.eye);
-    draw_vector(context, "centre", scene.camera.center);
-    draw_vector(context, "right", scene.camera.right);
-    draw_vector(context, "up", scene.camera.up);
-    begin_field(context, "projection");
-    ImGui::TextDisabled("%s", std::string(name_of(scene.camera.projection)).c_str());
 }
 
 constexpr float fewest_rows = 5.0F;
@@ -157,7 +149,14 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     const bool light = ImGui::CollapsingHeader("Light");
     note_widget(context, "light");
     if (light) draw_light_panel(context, state);
-    if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_scene_panel(context);
+    if (std::exchange(state.open_camera, false)) ImGui::SetNextItemOpen(true);
+    const bool camera = ImGui::CollapsingHeader("Camera");
+    note_widget(context, "camera");
+    if (camera) {
+        draw_camera_panel(context, state);
+        draw_saved_views(context, state);
+    }
+    if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_scene_panel(context, state);
     state.below_list = ImGui::GetCursorPosY() - below + ImGui::GetStyle().ItemSpacing.y;
 }
 

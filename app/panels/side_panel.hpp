@@ -5,18 +5,24 @@
 
 #include "edit/selection.hpp"
 #include "panels/listed_spheres.hpp"
+#include "panels/number_field.hpp"
 #include "panels/panel_context.hpp"
-#include "panels/widgets.hpp"
 
 namespace sphereview {
 
-// The values of a slider's field when its drag began, of the selected spheres in order. A drag moves from these and not from the
+// The values of a number's field when its drag began, of the selected spheres in order. A drag moves from these and not from the
 // last redraw's: nothing adds up, and back is back to the bit.
 struct ValueDrag {
     std::uint64_t gesture = 0;
     std::uint64_t selection = 0;  // its version
     std::vector<double> values;
-    std::size_t primary = 0;  // the place of the one that the slider shows
+    std::size_t primary = 0;  // the place of the one that the field shows
+};
+
+// The camera when the drag of one of its numbers began.
+struct CameraDrag {
+    std::uint64_t gesture = 0;
+    Camera camera;
 };
 
 // What the side panel remembers from frame to frame.
@@ -37,13 +43,19 @@ struct SidePanelState {
     bool drag_cancelled = false;
     std::uint64_t drawn_revision = 0;     // of the scene in which these are numbers
     std::optional<std::uint32_t> edited;  // the sphere that the fields below show
-    TypedNumber typed;
+    NumberFields numbers;
     ValueDrag value_drag;
+    CameraDrag camera_drag;
     SharedValues shared;  // of the scene and the selection of these revisions
     std::uint64_t shared_revision = 0;
     std::uint64_t shared_selection = 0;
     std::string name;
     bool name_active = false;
+    bool open_camera = false;                 // its part is opened in the next frame
+    std::optional<std::size_t> renamed_view;  // the saved view whose name is being typed
+    std::string view_name;
+    bool focus_view_name = false;
+    std::string view_fault;       // why the name that was typed last was refused
     std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
     float below_list = 0.0F;      // how high what comes below the list was
 };
@@ -54,17 +66,28 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state);
 // Begins typing the name of a sphere in the list.
 void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number);
 
+// A step that keeps the camera as a view of the scene, by the first of "view 1", "view 2" and so on that is free.
+EditScene saved_view_of(const Scene& scene, const Camera& camera);
+// Begins typing the name of a saved view; its part of the panel opens.
+void start_renaming_view(SidePanelState& state, const Scene& scene, std::size_t view);
+
 // Its parts, in files of their own. The list is as wide as the window and so high, and scrolls in itself. It does work for the
 // visible rows alone, and for what changed when there is a filter.
 void draw_sphere_list(const PanelContext& context, SidePanelState& state, float height);
 
-// The editor is of all selected spheres: where their values differ, the ranges are shown, and the sliders and the colour stand at
+// The editor is of all selected spheres: where their values differ, the ranges are shown, and the colour is
 // the primary sphere's. A drag moves all by the same difference or scales all by the same factor; a typed number is set for all.
 // Each is one step.
 void draw_sphere_editor(const PanelContext& context, SidePanelState& state);
 
 // The scene's light, and the sun as a handle on a ball, which is lit as the view sees it.
 void draw_light_panel(const PanelContext& context, SidePanelState& state);
+
+// The view's camera, in numbers. An edit makes it the scene's.
+void draw_camera_panel(const PanelContext& context, SidePanelState& state);
+
+// The scene's saved views: to go to, rename, set to what is seen, and delete.
+void draw_saved_views(const PanelContext& context, SidePanelState& state);
 
 // What the selected spheres have in common; nothing while the selection is not of the scene. Kept until either changes.
 const SharedValues& shared_of_selection(const PanelContext& context, SidePanelState& state);

@@ -1,10 +1,10 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 
 #include "base/text.hpp"
+#include "panels/number_field.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/widgets.hpp"
 
@@ -12,16 +12,8 @@ namespace sphereview {
 
 namespace {
 
-// Beyond what the scene takes up by its own size.
-SliderRange center_range(const SceneBounds& bounds, glm::length_t axis) {
-    const double more = std::min(bounds.extent(), DBL_MAX);
-    return {std::max(-DBL_MAX, bounds.low[axis] - more), std::min(DBL_MAX, bounds.high[axis] + more)};
-}
-
-SliderRange radius_range(const SceneBounds& bounds) {
-    const double largest = std::clamp(bounds.extent(), 1e-290, DBL_MAX);
-    return {.low = largest / 10000.0, .high = largest, .logarithmic = true, .above_zero = true};
-}
+// Where a coordinate is 0, a drag moves as where it is this: by a part of what the scene takes up.
+double usual_coordinate(const SceneBounds& bounds) { return std::max(0.25 * bounds.extent(), 1e-290); }
 
 class SphereEditor {
 public:
@@ -36,12 +28,13 @@ public:
 
     void draw() {
         if (numbers_.size() == 1) draw_name();
-        slider("x", center_range(context_.bounds, 0), SphereValue::x);
-        slider("y", center_range(context_.bounds, 1), SphereValue::y);
-        slider("z", center_range(context_.bounds, 2), SphereValue::z);
-        slider("radius", radius_range(context_.bounds), SphereValue::radius);
+        const NumberRule coordinate{.usual_size = usual_coordinate(context_.bounds)};
+        number("x", coordinate, SphereValue::x);
+        number("y", coordinate, SphereValue::y);
+        number("z", coordinate, SphereValue::z);
+        number("radius", {.above_zero = true}, SphereValue::radius);
         begin_field(context_, "colour");
-        if (takes_keyboard(state_.typed)) ImGui::SetKeyboardFocusHere();
+        if (takes_keyboard(state_.numbers)) ImGui::SetKeyboardFocusHere();
         const auto gesture = draw_color_edit(context_, "##color", sphere_.color);
         note_widget(context_, "color");
         if (gesture) change_all("Recolour ", *gesture, [&](Sphere& sphere, std::size_t) { sphere.color = sphere_.color; });
@@ -60,7 +53,7 @@ private:
         const std::string old = name_of(scene, number_);
         if (!state_.name_active) state_.name = old;
         begin_field(context_, "name");
-        if (draw_text_box("##name", "none", state_.name) > 0) state_.typed.passes_on = true;
+        if (draw_text_box("##name", "none", state_.name) > 0) state_.numbers.passes_on = true;
         note_widget(context_, "name");
         state_.name_active = ImGui::IsItemActive();
         if (ImGui::IsItemDeactivated() && state_.name != old) {  // Escape gave the old name back
@@ -68,16 +61,17 @@ private:
         }
     }
 
-    void slider(const char* name, const SliderRange& range, SphereValue which) {
+    void number(const char* name, const NumberRule& rule, SphereValue which) {
         begin_field(context_, name);
         const SharedValues::Range& values = shared_.range(which);
-        const std::string several = values.low == values.high ? "" : range_text(range, values.low, values.high);
+        const std::string several = values.low == values.high ? "" : range_text(values.low, values.high);
         double value = value_of(sphere_, which);
-        const SliderChange change = draw_value_slider(context_, state_.typed, name, range, value, several);
-        if (change == SliderChange::none) return;
+        const NumberChange change = draw_number(context_, state_.numbers, name, rule, value, several);
+        draw_refusal(context_, state_.numbers, name);
+        if (change == NumberChange::none) return;
         const std::string what = which == SphereValue::radius ? "Change radius of " : "Move ";
         value_of(sphere_, which) = value;
-        if (change == SliderChange::typed) {
+        if (change == NumberChange::typed) {
             change_all(what, 0, [&](Sphere& sphere, std::size_t) { value_of(sphere, which) = value; });
             return;
         }
@@ -94,7 +88,7 @@ private:
         change_all(what, context_.gesture, [&](Sphere& sphere, std::size_t i) { value_of(sphere, which) = dragged(i); });
     }
 
-    // What the spheres had when the slider's drag began, so that nothing adds up.
+    // What the spheres had when the drag began, so that nothing adds up.
     const ValueDrag& drag_of(SphereValue which) {
         ValueDrag& drag = state_.value_drag;
         if (drag.gesture == context_.gesture && drag.selection == context_.selection.version()) return drag;
@@ -111,7 +105,7 @@ private:
     template <typename Change>
     void change_all(const std::string& what, std::uint64_t gesture, const Change& change) {
         const Scene& scene = context_.document.scene();
-        // Leaving a typed number by a click on another slider changes two values in one frame.
+        // Leaving a typed number by a drag of another changes two values in one frame.
         const ChangeSpheres* earlier =
             last_ ? &std::get<ChangeSpheres>(std::get<EditScene>(context_.actions[*last_]).edit) : nullptr;
         ChangeSpheres edit;
@@ -138,7 +132,7 @@ std::string in_words(const SharedValues& shared) {
     std::string text = spheres_in_words(shared.count);
     if (!shared.color) text += ", of several colours";
     if (shared.hidden > 0) text += ", " + (shared.hidden == shared.count ? "all" : in_groups(shared.hidden)) + " hidden";
-    return text + ". Sliders move all by as much and scale all alike; a number that is typed is set for all.";
+    return text + ". A drag moves all by as much, or scales all alike; a number that is typed is set for all.";
 }
 
 }  // namespace
@@ -148,7 +142,7 @@ void draw_sphere_editor(const PanelContext& context, SidePanelState& state) {
     const std::size_t count = context.document.scene().spheres.size();
     if (state.edited != primary) {
         state.edited = primary;
-        state.typed = {};
+        state.numbers = {};
         state.name_active = false;
     }
     if (!primary || *primary >= count || context.selection.numbers().back() >= count) {

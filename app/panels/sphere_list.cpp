@@ -324,7 +324,7 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
     ImGui::BeginChild("spheres", {0.0F, height}, true, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     state.list_hovered = ImGui::IsWindowHovered();
-    const float row_height = std::round(ImGui::GetFrameHeight());
+    const float row_height = sphereview::row_height();
     const float inner_height = std::max(1.0F, ImGui::GetWindowHeight() - 2.0F * padding);
     const double seen = static_cast<double>(inner_height) / row_height;
     state.scroll.set_size(listed.size(), seen);

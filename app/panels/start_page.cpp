@@ -65,7 +65,7 @@ void draw_ball(ImVec2 middle, float radius, const ImVec4& color) {
 }
 
 // Three balls, the program's name and what it does.
-void draw_heading(const PanelContext& context) {
+void draw_name(const PanelContext& context) {
     const float height = 3.4F * ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const auto ball = [&](float across, float down, float radius, const ImVec4& color) {
@@ -77,12 +77,8 @@ void draw_heading(const PanelContext& context) {
     const float left = ImGui::GetCursorPosX() + 1.5F * height;
     const float top = ImGui::GetCursorPosY();
     ImGui::SetCursorPos({left, top + 0.1F * height});
-    ImGui::SetWindowFontScale(1.6F);
-    ImGui::TextUnformatted("sphereview");
-    ImGui::SetWindowFontScale(1.0F);
-    ImGui::SetCursorPosX(left);
-    dim_text("Ray traced spheres, exact to the pixel");
-    ImGui::SetCursorPosY(top + height + 10.0F * context.scale);
+    draw_heading(context, "sphereview", "Ray traced spheres, exact to the pixel");
+    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + height + 4.0F * context.scale));
 }
 
 // The rows of the page, from top to bottom: the pointer and the arrow keys choose among the same ones.
@@ -96,12 +92,17 @@ public:
         ImGui::PushID(count_);
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
-        const float height = ImGui::GetTextLineHeight() + 8.0F * context_.scale;
+        const float height = row_height();
+        // As in the list of spheres, one right below the other.
+        ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.0F});
         const bool clicked = ImGui::Selectable("##row", chosen, 0, {width, height});
+        ImGui::PopStyleVar();
         note_widget(context_, widget);
         ImGui::PopID();
         const float inset = 6.0F * context_.scale;
-        const float right = more.empty() ? 0.0F : std::min(width_of(more), 0.5F * width);
+        // Where there is no room for both, the words alone stay.
+        const bool fits = !more.empty() && width_of(words) + width_of(more) + 3.0F * inset <= width;
+        const float right = fits ? width_of(more) : 0.0F;
         put({low.x + inset, low.y}, width - right - 3.0F * inset, height, words, ImGuiCol_Text);
         put({low.x + width - right - inset, low.y}, right, height, more, ImGuiCol_TextDisabled);
         ++count_;
@@ -121,7 +122,7 @@ private:
         if (width <= 0.0F) return;
         ImDrawList* draw = ImGui::GetWindowDrawList();
         draw->PushClipRect(low, {low.x + width, low.y + height}, true);
-        const float down = 0.5F * (height - ImGui::GetTextLineHeight()) - 0.5F * ImGui::GetStyle().ItemSpacing.y;
+        const float down = 0.5F * (height - ImGui::GetTextLineHeight());
         draw->AddText({low.x, low.y + std::max(down, 0.0F)}, ImGui::GetColorU32(color), text.c_str());
         draw->PopClipRect();
     }
@@ -131,13 +132,6 @@ private:
     bool has_keys_;
     int count_ = 0;
 };
-
-void draw_title(const PanelContext& context, const char* title) {
-    ImGui::Dummy({1.0F, 4.0F * context.scale});
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    ImGui::TextUnformatted(title);
-    ImGui::PopStyleColor();
-}
 
 void draw_recent(const PanelContext& context, Rows& rows, const std::vector<std::string>& recent) {
     draw_title(context, "Recent");
@@ -202,7 +196,7 @@ void draw_start_page(const PanelContext& context, StartPage& page, const std::ve
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - margin, 1.0F)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20.0F * context.scale, 18.0F * context.scale});
     if (ImGui::Begin("###start page", nullptr, start_window)) {
-        draw_heading(context);
+        draw_name(context);
         Rows rows(context, page, has_keys);
         const std::string keys = first_shortcut(info_of(context.commands, CommandId::file_open).shortcut);
         if (rows.add("Drop a file here, or open one...", keys, "start open"))

@@ -167,7 +167,12 @@ std::string under_pointer(const PanelContext& context, const Status& status) {
 bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area) {
     const Trouble scene{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error, false,
                         area.y};
-    const float below = draw_trouble(context, scene, area);
+    float below = draw_trouble(context, scene, area);
+    below =
+        draw_trouble(context,
+                     {"scene gone", "The scene's file is gone: the scene is in this window alone. Saving writes the file again.",
+                      messages.scene_gone, false, below},
+                     area);
     draw_trouble(context,
                  {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
                  area);

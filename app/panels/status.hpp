@@ -22,13 +22,14 @@ struct Messages {
     std::string scene_error;   // FILE:LINE:COLUMN: ... while the file is broken; stays until it is not
     std::string shader_error;  // the log, while a shader is broken
     std::optional<WorkShown> work{};
-    std::string hint{};  // shown where there is no announcement
+    std::string hint{};        // shown where there is no announcement
+    std::string scene_gone{};  // the scene's file, while it is not there
 };
 
 // Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. Returns
 // whether the work is to be cancelled. The log is in the second font of ImGui's atlas, if there is one: a monospaced one. Widgets:
-// "message announcement", also for the hint, "message scene error", "message shader error", "close scene error", "close shader
-// error", "message work", "cancel work".
+// "message announcement", also for the hint, "message scene error", "message shader error", "message scene gone", "close scene
+// error", "close shader error", "close scene gone", "message work", "cancel work".
 bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area);
 
 struct Status {

@@ -6,7 +6,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -22,108 +21,52 @@ ImVec4 grey(float brightness, float opacity = 1.0F) {
 
 ImVec4 accent(float opacity) { return {0.29F, 0.56F, 0.89F, opacity}; }
 
-void set_colors(ImGuiStyle& style) {
-    const auto set = [&style](ImGuiCol what, const ImVec4& color) { style.Colors[what] = color; };
-    set(ImGuiCol_Text, grey(0.90F));
-    set(ImGuiCol_TextDisabled, grey(0.58F));
-    set(ImGuiCol_WindowBg, grey(0.125F));
-    set(ImGuiCol_ChildBg, grey(0.10F, 0.0F));
-    set(ImGuiCol_PopupBg, grey(0.15F));
-    set(ImGuiCol_MenuBarBg, grey(0.16F));
-    set(ImGuiCol_Border, grey(0.30F));
-    set(ImGuiCol_Separator, grey(0.26F));
-    set(ImGuiCol_TitleBg, grey(0.11F));
-    set(ImGuiCol_TitleBgActive, grey(0.18F));
-    set(ImGuiCol_FrameBg, grey(0.20F));
-    set(ImGuiCol_FrameBgHovered, grey(0.25F));
-    set(ImGuiCol_FrameBgActive, grey(0.28F));
-    set(ImGuiCol_Button, grey(0.25F));
-    set(ImGuiCol_ButtonHovered, grey(0.31F));
-    set(ImGuiCol_ButtonActive, grey(0.37F));
-    set(ImGuiCol_Header, accent(0.38F));
-    set(ImGuiCol_HeaderHovered, accent(0.26F));
-    set(ImGuiCol_HeaderActive, accent(0.50F));
-    set(ImGuiCol_CheckMark, {0.45F, 0.68F, 0.96F, 1.0F});
-    set(ImGuiCol_SliderGrab, accent(0.85F));
-    set(ImGuiCol_SliderGrabActive, accent(1.0F));
-    set(ImGuiCol_ScrollbarBg, grey(0.10F, 0.5F));
-    set(ImGuiCol_ScrollbarGrab, grey(0.32F));
-    set(ImGuiCol_ScrollbarGrabHovered, grey(0.40F));
-    set(ImGuiCol_ScrollbarGrabActive, grey(0.46F));
-    set(ImGuiCol_TableRowBgAlt, {1.0F, 1.0F, 1.0F, 0.03F});
-    set(ImGuiCol_TableBorderLight, grey(0.22F));
-    set(ImGuiCol_TableHeaderBg, grey(0.17F));
-    set(ImGuiCol_TextSelectedBg, accent(0.45F));
-    set(ImGuiCol_ModalWindowDimBg, {0.0F, 0.0F, 0.0F, 0.50F});
+// A row for each colour that is not ImGui's own: in the dark theme and in the light one.
+struct ThemeColor {
+    ImGuiCol what;
+    ImVec4 dark;
+    ImVec4 light;
+};
+
+void set_colors(ImGuiStyle& style, Theme theme) {
+    const std::array<ThemeColor, 29> colors = {{
+        {ImGuiCol_Text, grey(0.90F), grey(0.12F)},
+        {ImGuiCol_TextDisabled, grey(0.58F), grey(0.39F)},
+        {ImGuiCol_WindowBg, grey(0.125F), grey(0.94F)},
+        {ImGuiCol_ChildBg, grey(0.10F, 0.0F), grey(0.94F, 0.0F)},
+        {ImGuiCol_PopupBg, grey(0.15F), grey(0.97F)},
+        {ImGuiCol_MenuBarBg, grey(0.16F), grey(0.90F)},
+        {ImGuiCol_Border, grey(0.30F), grey(0.70F)},
+        {ImGuiCol_Separator, grey(0.26F), grey(0.76F)},
+        {ImGuiCol_TitleBg, grey(0.11F), grey(0.86F)},
+        {ImGuiCol_TitleBgActive, grey(0.18F), grey(0.82F)},
+        {ImGuiCol_FrameBg, grey(0.20F), grey(0.85F)},
+        {ImGuiCol_FrameBgHovered, grey(0.25F), grey(0.80F)},
+        {ImGuiCol_FrameBgActive, grey(0.28F), grey(0.76F)},
+        {ImGuiCol_Button, grey(0.25F), grey(0.80F)},
+        {ImGuiCol_ButtonHovered, grey(0.31F), grey(0.74F)},
+        {ImGuiCol_ButtonActive, grey(0.37F), grey(0.68F)},
+        {ImGuiCol_Header, accent(0.38F), accent(0.34F)},
+        {ImGuiCol_HeaderHovered, accent(0.26F), accent(0.22F)},
+        {ImGuiCol_HeaderActive, accent(0.50F), accent(0.46F)},
+        {ImGuiCol_CheckMark, {0.45F, 0.68F, 0.96F, 1.0F}, {0.10F, 0.36F, 0.70F, 1.0F}},
+        {ImGuiCol_SliderGrab, accent(0.85F), accent(0.85F)},
+        {ImGuiCol_SliderGrabActive, accent(1.0F), accent(1.0F)},
+        {ImGuiCol_ScrollbarBg, grey(0.10F, 0.5F), grey(0.88F, 0.5F)},
+        {ImGuiCol_ScrollbarGrab, grey(0.32F), grey(0.70F)},
+        {ImGuiCol_ScrollbarGrabHovered, grey(0.40F), grey(0.62F)},
+        {ImGuiCol_ScrollbarGrabActive, grey(0.46F), grey(0.54F)},
+        {ImGuiCol_TableRowBgAlt, {1.0F, 1.0F, 1.0F, 0.03F}, {0.0F, 0.0F, 0.0F, 0.03F}},
+        {ImGuiCol_TextSelectedBg, accent(0.45F), accent(0.40F)},
+        {ImGuiCol_ModalWindowDimBg, {0.0F, 0.0F, 0.0F, 0.50F}, {0.0F, 0.0F, 0.0F, 0.30F}},
+    }};
+    for (const ThemeColor& color : colors) style.Colors[color.what] = theme == Theme::light ? color.light : color.dark;
+    style.Colors[ImGuiCol_TableBorderLight] = style.Colors[ImGuiCol_Separator];
+    style.Colors[ImGuiCol_TableHeaderBg] = style.Colors[ImGuiCol_TitleBgActive];
 }
 
 int leading_digit(double value) {
     return value == 0.0 || !std::isfinite(value) ? 0 : static_cast<int>(std::floor(std::log10(std::fabs(value))));
-}
-
-constexpr int radius_digits = 4;  // significant, of what a logarithmic slider gives
-
-// ImGui's own sliders take no range as wide as a double's, and round to a format. So ours slides from 0 to 1.
-double part_of(const SliderRange& range, double value) {
-    const double part = range.logarithmic ? std::log(value / range.low) / std::log(range.high / range.low)
-                                          : (0.5 * value - 0.5 * range.low) / (0.5 * range.high - 0.5 * range.low);
-    return std::clamp(part, 0.0, 1.0);
-}
-
-// The last digit that a drag gives.
-int digit_of(const SliderRange& range, double value) {
-    if (range.logarithmic) return last_digit(value, radius_digits);
-    return last_digit(0.5 * range.high - 0.5 * range.low, range.digits);
-}
-
-double value_at(const SliderRange& range, double part) {
-    const double value =
-        range.logarithmic ? range.low * std::pow(range.high / range.low, part) : (1.0 - part) * range.low + part * range.high;
-    return rounded_to(value, digit_of(range, value)) + 0.0;  // -0 becomes 0
-}
-
-std::optional<double> parsed(std::string_view text, const SliderRange& range) {
-    double value = 0.0;
-    if (parse_double(trimmed(text), value) != NumberFault::none || !std::isfinite(value)) return std::nullopt;
-    return range.above_zero && !(value > 0.0) ? std::nullopt : std::optional(value);
-}
-
-// The mouse went down with Ctrl where the next item will be.
-bool is_ctrl_clicked() {
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high{low.x + ImGui::CalcItemWidth(), low.y + ImGui::GetFrameHeight()};
-    return ImGui::GetIO().KeyCtrl && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsWindowHovered() &&
-           ImGui::IsMouseHoveringRect(low, high);
-}
-
-void open_box(TypedNumber& typed, const std::string& name) {
-    typed.field = name;
-    typed.focus = true;
-    typed.opens = true;
-}
-
-SliderChange draw_typed(const PanelContext& context, TypedNumber& typed, const SliderRange& range, double& value, bool several) {
-    const bool refused = !parsed(typed.text, range);
-    if (typed.focus) {
-        ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
-        ImGui::SetKeyboardFocusHere();
-    }
-    ImGui::PushStyleColor(ImGuiCol_Text, refused ? ImVec4(1.0F, 0.4F, 0.4F, 1.0F) : ImGui::GetStyleColorVec4(ImGuiCol_Text));
-    const int step = draw_text_box("##typed", "", typed.text, ImGuiInputTextFlags_AutoSelectAll);
-    ImGui::PopStyleColor();
-    note_widget(context, "slider " + typed.field);
-    if (ImGui::IsItemActive()) typed.focus = false;
-    const bool ended = ImGui::IsItemDeactivated() || step != 0;
-    if (refused && !ended) ImGui::SetTooltip("%s", range.above_zero ? "A number above 0 is expected." : "A number is expected.");
-    if (!ended) return SliderChange::none;
-    const std::optional<double> given = parsed(typed.text, range);  // Escape gave the old text back
-    const std::string before = typed.last_drawn;
-    typed = {};
-    typed.passes_on = step > 0;
-    if (step < 0) open_box(typed, before);
-    if (!given || (*given == value && !several)) return SliderChange::none;
-    value = *given;
-    return SliderChange::typed;
 }
 
 void draw_command_button(const PanelContext& context, const CommandButton& button, float width) {
@@ -139,10 +82,14 @@ void draw_command_button(const PanelContext& context, const CommandButton& butto
 
 }  // namespace
 
-void apply_style(float scale) {
+void apply_style(float scale, Theme theme) {
     ImGuiStyle style;
-    ImGui::StyleColorsDark(&style);
-    set_colors(style);
+    if (theme == Theme::light) {
+        ImGui::StyleColorsLight(&style);
+    } else {
+        ImGui::StyleColorsDark(&style);
+    }
+    set_colors(style, theme);
     style.WindowPadding = ImVec2(10.0F, 10.0F);
     style.FramePadding = ImVec2(8.0F, 4.0F);
     style.ItemSpacing = ImVec2(8.0F, 6.0F);
@@ -166,6 +113,31 @@ void apply_style(float scale) {
     style.FrameBorderSize = 0.0F;
     ImGui::GetStyle() = style;
 }
+
+ImVec4 on_panel(const ImVec4& on_dark) {
+    const bool is_light = ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5F;
+    constexpr float darker = 0.5F;
+    return is_light ? ImVec4(darker * on_dark.x, darker * on_dark.y, darker * on_dark.z, on_dark.w) : on_dark;
+}
+
+void draw_heading(const PanelContext& context, const std::string& name, const std::string& words) {
+    ImGui::BeginGroup();
+    ImGui::SetWindowFontScale(1.6F);
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::SetWindowFontScale(1.0F);
+    dim_text(words);
+    ImGui::EndGroup();
+    ImGui::Dummy({1.0F, 2.0F * context.scale});
+}
+
+void draw_title(const PanelContext& context, const std::string& title) {
+    ImGui::Dummy({1.0F, 4.0F * context.scale});
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
+    wrapped_text(title);
+    ImGui::PopStyleColor();
+}
+
+float row_height() { return std::round(ImGui::GetFrameHeight()); }
 
 void begin_field(const PanelContext& context, const char* label) {
     const float column = ImGui::CalcTextSize("background").x + 10.0F * context.scale;  // the longest
@@ -216,6 +188,14 @@ void dim_text(const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+void fault_text(const std::string& text) {
+    ImGui::BeginGroup();
+    ImGui::PushStyleColor(ImGuiCol_Text, fault_color());
+    wrapped_text(text);
+    ImGui::PopStyleColor();
+    ImGui::EndGroup();
+}
+
 float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
 void draw_swatch(const Color& color, ImVec2 place, float side, float scale, float opacity) {
@@ -253,8 +233,6 @@ std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const 
     return ImGui::IsItemActive() || ImGui::IsItemDeactivated() ? context.gesture : 0;
 }
 
-bool takes_keyboard(TypedNumber& typed) { return std::exchange(typed.passes_on, false); }
-
 int draw_text_box(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
     int step = 0;
     const auto note_tab = [](ImGuiInputTextCallbackData* data) {
@@ -288,42 +266,5 @@ std::string rounded_text(double value, int exponent) {
 }
 
 std::string short_text(double value, int digits) { return decimal(value + 0.0, std::chars_format::general, digits); }
-
-SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
-                               double& value, const std::string& several) {
-    ImGui::PushID(name.c_str());
-    SliderChange change = SliderChange::none;
-    if ((typed.field.empty() && takes_keyboard(typed)) || (typed.field != name && is_ctrl_clicked())) open_box(typed, name);
-    if (typed.field == name) {
-        if (typed.opens) typed.text = several.empty() ? shortest(value) : "";
-        typed.opens = false;
-        change = draw_typed(context, typed, range, value, !several.empty());
-    } else {
-        constexpr double zero = 0.0;
-        constexpr double one = 1.0;
-        double part = part_of(range, value);
-        const std::string shown = several.empty() ? rounded_text(value, digit_of(range, value)) : several;
-        const bool moved = ImGui::SliderScalar("##slider", ImGuiDataType_Double, &part, &zero, &one, shown.c_str(),
-                                               ImGuiSliderFlags_NoRoundToFormat | ImGuiSliderFlags_NoInput);
-        note_widget(context, "slider " + name);
-        if (ImGui::IsItemActivated()) ++context.gesture;
-        const double dragged = moved ? value_at(range, part) : value;
-        if (dragged != value) {
-            value = dragged;
-            change = SliderChange::dragged;
-        }
-        if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-            ImGui::SetTooltip("%s = %s\nCtrl+click to type a number.", name.c_str(),
-                              several.empty() ? shortest(value).c_str() : several.c_str());
-        }
-    }
-    ImGui::PopID();
-    typed.last_drawn = name;
-    return change;
-}
-
-std::string range_text(const SliderRange& range, double low, double high) {
-    return rounded_text(low, digit_of(range, low)) + " to " + rounded_text(high, digit_of(range, high));
-}
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// How panels look and what they are made of: the theme, fields, buttons, sliders, numbers as text.
+// How panels look and what they are made of: the theme, fields, buttons, colours, numbers as text.
 #pragma once
 
 #include <imgui.h>
@@ -12,8 +12,19 @@
 
 namespace sphereview {
 
-// Gives the current ImGui context our dark theme. Sizes are times `scale`; may be called again for another.
-void apply_style(float scale);
+enum class Theme { dark, light };
+
+// Gives the current ImGui context our look. Sizes are times `scale`; may be called again for another.
+void apply_style(float scale, Theme theme = Theme::dark);
+
+// A colour of text that is readable on the dark theme's panels, as it has to be on those of the theme that is there.
+ImVec4 on_panel(const ImVec4& on_dark);
+
+// The one scale of type and room: a heading (a large line, and dim words below it), the title of a part, text, and rows in which
+// text can be chosen, as high as fields.
+void draw_heading(const PanelContext& context, const std::string& name, const std::string& words);
+void draw_title(const PanelContext& context, const std::string& title);
+float row_height();
 
 // Writes the label at the left; the next item takes the rest of the line, or, where the line is short, the one below.
 void begin_field(const PanelContext& context, const char* label);
@@ -31,6 +42,9 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
 // Text that is continued below where the line ends, or at a place in the window.
 void wrapped_text(std::string_view text, float wrap_at = 0.0F);
 void dim_text(const std::string& text);
+// As one item.
+inline ImVec4 fault_color() { return {1.0F, 0.45F, 0.42F, 1.0F}; }
+void fault_text(const std::string& text);
 
 // Of a text on one line, in pixels.
 float width_of(std::string_view text);
@@ -57,41 +71,7 @@ std::string rounded_text(double value, int exponent);
 // With so many significant digits at most: "0.3333", "1e+20".
 std::string short_text(double value, int digits = 4);
 
-// The number that is being typed instead of dragged. Tab ends one number and begins the next that is drawn: ImGui's own Tab
-// would pass over the sliders, which are no text boxes until they are typed into.
-struct TypedNumber {
-    std::string field;  // the slider's name; "" for none
-    std::string text;
-    bool focus = false;      // the box is to get the keyboard
-    bool opens = false;      // the box is to get the slider's value as its text
-    bool passes_on = false;  // what is drawn next gets the keyboard
-    std::string last_drawn;  // the slider that Shift+Tab goes back to
-};
-
-// Whether Tab left the number before for what is drawn next; true once.
-bool takes_keyboard(TypedNumber& typed);
-
 // ImGui::InputText() whose Tab is ours: 1 where Tab was pressed in it, -1 for Shift+Tab, else 0.
 int draw_text_box(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags = 0);
-
-// What a drag covers; values outside are shown as they are, and can be typed.
-struct SliderRange {
-    double low = 0.0;
-    double high = 1.0;         // more than low
-    bool logarithmic = false;  // low > 0
-    bool above_zero = false;   // what may be typed
-    int digits = 5;            // of half the range, that a drag gives: 5 make some 10,000 steps or more for all
-};
-
-enum class SliderChange { none, dragged, typed };
-
-// As wide as the next item's width. A drag gives `value` a short number of the range and begins a gesture of its own; Ctrl+click,
-// or Tab from another number, types any finite number in full, and what is none, or not allowed, is refused. Noted as "slider
-// NAME". `several`: where the value stands for others, too, which differ from it, what is shown instead; "" where they do not.
-SliderChange draw_value_slider(const PanelContext& context, TypedNumber& typed, const std::string& name, const SliderRange& range,
-                               double& value, const std::string& several = "");
-
-// "1.5 to 20", rounded as the slider rounds.
-std::string range_text(const SliderRange& range, double low, double high);
 
 }  // namespace sphereview

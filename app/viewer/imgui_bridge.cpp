@@ -8,7 +8,6 @@
 #include <string_view>
 #include <utility>
 
-#include "panels/widgets.hpp"
 #include "platform/font_file.hpp"
 
 namespace sphereview {
@@ -92,8 +91,8 @@ const char* clipboard_text(void* user) {
 
 }  // namespace
 
-ImguiBridge::ImguiBridge(Window& window, double text_scale)
-    : window_(window), context_(ImGui::CreateContext()), text_scale_(text_scale) {
+ImguiBridge::ImguiBridge(Window& window, double text_scale, Theme theme)
+    : window_(window), context_(ImGui::CreateContext()), text_scale_(text_scale), theme_(theme) {
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;  // nothing is written to the current folder
     io.LogFilename = nullptr;
@@ -125,7 +124,11 @@ ImguiBridge::~ImguiBridge() {
     ImGui::DestroyContext(context_);
 }
 
-void ImguiBridge::set_text_scale(double text_scale) { text_scale_ = text_scale; }
+void ImguiBridge::set_theme(Theme theme) {
+    if (theme == theme_) return;
+    theme_ = theme;
+    font_pixels_ = 0.0F;  // the next frame gives the style anew
+}
 
 void ImguiBridge::build_fonts() {
     ImGuiIO& io = ImGui::GetIO();
@@ -193,7 +196,7 @@ void ImguiBridge::begin_frame(const std::vector<InputEvent>& events, double seco
     if (text_pixels != font_pixels_) {
         font_pixels_ = text_pixels;
         scale_ = text_pixels / usual_font_size / pixels;
-        apply_style(scale_);
+        apply_style(scale_, theme_);
 #if IMGUI_VERSION_NUM >= 19200
         ImGui::GetStyle().FontScaleMain = 1.0F / pixels;
 #else

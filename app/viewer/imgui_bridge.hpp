@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "panels/widgets.hpp"
 #include "platform/window.hpp"
 
 struct ImGuiContext;
@@ -13,12 +14,13 @@ namespace sphereview {
 class ImguiBridge {
 public:
     // Needs the window's context to be current. `text_scale`: what the person wants besides the system's scale.
-    ImguiBridge(Window& window, double text_scale);
+    ImguiBridge(Window& window, double text_scale, Theme theme);
     ~ImguiBridge();
     ImguiBridge(const ImguiBridge&) = delete;
     ImguiBridge& operator=(const ImguiBridge&) = delete;
 
-    void set_text_scale(double text_scale);
+    void set_text_scale(double text_scale) { text_scale_ = text_scale; }
+    void set_theme(Theme theme);
 
     // Begins a frame with these events. A change of the screen's scale builds the fonts anew.
     // `navigates`: arrows, Enter and Escape move through what has popped up, such as a menu.
@@ -37,6 +39,7 @@ private:
     Window& window_;
     ImGuiContext* context_;
     double text_scale_;
+    Theme theme_;
     float scale_ = 0.0F;
     float font_pixels_ = 0.0F;  // that the fonts were built for
 };

@@ -63,8 +63,10 @@ double panel_width_within(double wanted, double room) {
 }
 
 Rectangle draw_panels(ViewerState& state, const PanelContext& context, const RedrawFacts& facts) {
-    // The windows around the picture have no border: ImGui's, if it is wider than a pixel, reaches beyond its window.
+    // The windows around the picture have no border: ImGui's, if it is wider than a pixel, reaches beyond its window. And no round
+    // corners: nothing is behind them.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
     const float menu_height =
         std::ceil(draw_menu_bar(context, state.settings.recent, state.menu_keys));  // the picture has whole pixels
@@ -90,21 +92,23 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
 
     place_window({0.0F, whole.y - status_height, whole.x, status_height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(8.0F * context.scale, 1.0F * context.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, 1.0F * context.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
     ImGui::Begin("##status", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_status_bar(context, facts.status);
     ImGui::End();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleVar(4);
 
     if (draw_messages(context, state.messages, picture)) cancel_work(state);
     if (state.is_at_start()) {
-        const bool has_keys = state.dialogs.empty() && !state.help_shown && !ImGui::GetIO().WantTextInput &&
+        const bool has_keys = state.dialogs.empty() && !state.help_shown && !state.about.shown && !ImGui::GetIO().WantTextInput &&
                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
+    draw_measuring(context, state.measuring, picture);
     if (state.inspector_shown) draw_inspector_window(state, context, facts, picture);
     if (state.help_shown) draw_help(context, state.help_shown);
+    draw_about(context, state.about, state.options.program.name_and_version, state.options.program.licenses, facts.status.renderer);
     draw_dialogs(context, state.dialogs, facts.keys);
     return picture;
 }

@@ -24,21 +24,30 @@ std::int32_t believed(const Scene& scene, const DrawnSpheres& drawn, const HitPl
     return index && std::isfinite(places.at(pixel, sphere, drawn.side(*index)).error) ? guess : visible_background;
 }
 
+int rows_at_once(PictureSize size) { return std::clamp(most_points / size.width, 1, size.height); }
+
 }  // namespace
 
-Image lit_draft(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen,
-                const std::function<void(Image)>& show) {
-    const auto& [width, height] = options.size;
-    const int rows = std::clamp(most_points / width, 1, height);
-    Light light = options.light;
+PictureOptions draft_options(const Scene& scene, PictureOptions options) {
     // Light by light where all is lit at once; a larger picture is lit part by part.
-    const bool grows = rows == height;
+    const bool grows = rows_at_once(options.size) == options.size.height;
     const bool finishes = options.samples > 1;  // nobody sees it with more lights
-    light.lights = grows && finishes ? sky_lights(options.light, scene.spheres.size(), options.samples) : fewest_lights;
+    options.light.lights = grows && finishes ? sky_lights(options.light, scene.spheres.size(), options.samples) : fewest_lights;
+    options.samples = 1;
+    return options;
+}
+
+Image lit_draft(const Scene& scene, const PictureOptions& picture_options, std::span<const std::int32_t> seen,
+                const std::function<void(Image)>& show, KeptLight* kept) {
+    const PictureOptions options = draft_options(scene, picture_options);
+    const auto& [width, height] = options.size;
+    const int rows = rows_at_once(options.size);
+    const bool grows = rows == height;
 
     const DrawnSpheres drawn = drawn_spheres(scene, options.camera);
     const HitPlaces places(options.camera, options.size);
-    const Lighting lighting(scene, drawn, options.camera, options.size, 1, light);
+    const Lighting lighting(scene, drawn, options.camera, options.size, 1, options.light);
+    if (kept != nullptr) kept->begin(lighting.sets(), 1);
     const PictureShader shader(scene, options.camera, options.size, Shading::studio, options.background);
     Image picture = make_picture(options.size, options.background);
     for (int y = 0; y < height; y += rows) {
@@ -53,8 +62,9 @@ Image lit_draft(const Scene& scene, const PictureOptions& options, std::span<con
             shader.shade(block, visible, picture, {}, some);
             show(picture.copy());
         }};
-        shader.shade(block, visible, picture, {}, lighting.light(block, visible, nullptr, grows ? &previews : nullptr));
+        shader.shade(block, visible, picture, {}, lighting.light(block, visible, nullptr, grows ? &previews : nullptr, kept));
     }
+    if (kept != nullptr) kept->finish();
     show(picture.copy());
     return picture;
 }

@@ -83,7 +83,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
             if (mouse.pressed[static_cast<std::size_t>(button)] && mode_ == Mode::none) press(button, mouse, state);
         }
         // With Control a second click takes the sphere out of the selection again.
-        if (mouse.double_clicked && !mouse.control && grabbed_ >= 0) {
+        if (mouse.double_clicked && !mouse.control && !state.measures && grabbed_ >= 0) {
             const glm::dvec3 center = state.scene.spheres[static_cast<std::size_t>(grabbed_)].center;
             consequences.camera = centered_on(state.camera, center);
             consequences.pivot = center;
@@ -129,7 +129,7 @@ void MouseControl::press(int button, const PictureMouse& mouse, const PictureSta
         mode_ = Mode::pan;
     } else if (mouse.control) {
         mode_ = Mode::box;
-    } else if (grabbed_ >= 0 && state.selection.contains(static_cast<std::uint32_t>(grabbed_))) {
+    } else if (grabbed_ >= 0 && !state.measures && state.selection.contains(static_cast<std::uint32_t>(grabbed_))) {
         mode_ = Mode::move_spheres;
     } else {
         mode_ = mouse.shift ? Mode::pan : Mode::orbit;
@@ -160,7 +160,8 @@ void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, Pi
         const double angle = std::numbers::pi / state.size.shorter_side();
         if (!orbit_point_) orbit_point_ = grabbed_ >= 0 ? grabbed_point_ : middle_of_seen(state);
         consequences.pivot = orbit_point_;
-        consequences.camera = orbited(state.camera, *orbit_point_, moved.x * angle, moved.y * angle);
+        const auto turn = state.trackball ? tumbled : orbited;
+        consequences.camera = turn(state.camera, *orbit_point_, moved.x * angle, moved.y * angle);
     } else if (mode_ == Mode::pan) {
         const double depth = depth_of(state.camera, grabbed_point_);
         consequences.camera = panned(state.camera, state.size, moved, depth > 0.0 ? depth : 1.0);
@@ -170,6 +171,10 @@ void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, Pi
 }
 
 void MouseControl::click(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const {
+    if (state.measures && !mouse.control) {
+        if (grabbed_ >= 0) actions.push_back(MeasureSphere{static_cast<std::uint32_t>(grabbed_)});
+        return;
+    }
     Selection selection = state.selection;
     if (grabbed_ < 0) {
         if (mouse.control || mouse.shift) return;

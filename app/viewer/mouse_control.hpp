@@ -37,7 +37,9 @@ struct PictureState {
     // Selects the spheres that are seen in a rectangle, its upper left and lower right pixel included, or toggles them. A box
     // selects what is seen: what the picture does not show could not be judged there. "Select all" and the filter reach the rest.
     std::function<void(Pixel, Pixel, bool toggles)> select_seen{};
-    SceneBounds bounds{};  // zooming out ends where these are small
+    SceneBounds bounds{};    // zooming out ends where these are small
+    bool trackball = false;  // a drag turns the view as a ball, without an upright
+    bool measures = false;   // a click measures a sphere instead of selecting it, and no drag moves one
 };
 
 // What the mouse did to the view; edits are in `actions`.

@@ -125,13 +125,42 @@ void change_projection(ViewerState& state) {
     state.camera = with_projection(state.camera, other, depth > 0.0 ? depth : 1.0);
 }
 
+void show_scene_camera(ViewerState& state) {
+    state.flight.reset();
+    state.camera = state.scene().camera;
+}
+
+void save_view(ViewerState& state) {
+    const std::size_t view = state.scene().views.size();
+    EditScene step = saved_view_of(state.scene(), state.camera);
+    state.document.apply(std::move(step.edit), std::move(step.name));
+    state.panel_shown = true;
+    start_renaming_view(state.side_panel, state.scene(), view);
+}
+
+// A view that shows the scene's camera goes along where that was edited as a view.
+void undo(ViewerState& state) {
+    const bool follows = state.document.undo_moves_view() && state.camera == state.scene().camera;
+    select_touched(state, state.document.undo());
+    if (follows) show_scene_camera(state);
+}
+
+void redo(ViewerState& state) {
+    const bool follows = state.document.redo_moves_view() && state.camera == state.scene().camera;
+    select_touched(state, state.document.redo());
+    if (follows) show_scene_camera(state);
+}
+
 void apply(ViewerState& state, EditScene action) {
     const bool adds_or_removes =
         std::holds_alternative<InsertSpheres>(action.edit) || std::holds_alternative<RemoveSpheres>(action.edit);
     const bool reorders = std::holds_alternative<ReorderSphere>(action.edit);
     if (std::holds_alternative<ChangeBackground>(action.edit)) state.background.reset();
     if (std::holds_alternative<ChangeLight>(action.edit)) state.light = {};
+    const auto* camera = std::get_if<ChangeCamera>(&action.edit);
+    const bool moves_view = camera != nullptr && camera->moves_view;
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
+    if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);
 }
@@ -151,9 +180,22 @@ std::function<void(ViewerState&)> edits(EditScene (*edit)(const ViewerState&)) {
 
 bool selects_any(const ViewerState& state) { return !state.selection.empty(); }
 
+// A command that fits everything, seen from an azimuth and an elevation.
+Command side(const CommandInfo& info, double azimuth, double elevation) {
+    return {info, [azimuth, elevation](ViewerState& s) { fly_to_fit(s, axes_from(azimuth, elevation)); }};
+}
+
 // A command that shows and hides something.
 Command toggle(const CommandInfo& info, bool ViewerState::*shown) {
     return {info, [shown](ViewerState& s) { s.*shown = !(s.*shown); }, {}, [shown](const ViewerState& s) { return s.*shown; }};
+}
+
+// A command that switches a setting.
+Command setting(const CommandInfo& info, bool ViewerSettings::*on) {
+    return {info,
+            [on](ViewerState& s) { s.settings.*on = !(s.settings.*on); },
+            {},
+            [on](const ViewerState& s) { return s.settings.*on; }};
 }
 
 // A command that chooses one of several values.
@@ -190,10 +232,10 @@ std::vector<Command> make_commands() {
          export_now},
         {{Id::quit, "File", "Quit", "Ctrl+Q", "Closes the window.", true}, quit},
         {{Id::undo, "Edit", "Undo", "Ctrl+Z", "Takes the last change of the scene back."},
-         [](ViewerState& s) { select_touched(s, s.document.undo()); },
+         undo,
          [](const ViewerState& s) { return s.document.can_undo(); }},
         {{Id::redo, "Edit", "Redo", "Ctrl+Shift+Z|Ctrl+Y", "Makes the change again that was taken back."},
-         [](ViewerState& s) { select_touched(s, s.document.redo()); },
+         redo,
          [](const ViewerState& s) { return s.document.can_redo(); }},
         {{Id::cut, "Edit", "Cut", "Ctrl+X", "Copies the selected spheres, then deletes them.", true}, cut_selected, selects_any},
         {{Id::copy, "Edit", "Copy", "Ctrl+C", "Puts the selected spheres on the clipboard, as the text of a scene."},
@@ -242,12 +284,12 @@ std::vector<Command> make_commands() {
          selects_any},
         {{Id::fit_all, "View", "Fit everything", "F", "Moves the view so that it sees everything, the way it looks.", true},
          [](ViewerState& s) { fly_to_fit(s, axes_of(s.camera)); }},
-        {{Id::view_front, "View", "From the front", "1", "Fits everything, seen along z."},
-         [](ViewerState& s) { fly_to_fit(s, axes_from(0.0, 0.0)); }},
-        {{Id::view_right, "View", "From the right", "2", "Fits everything, seen against x."},
-         [](ViewerState& s) { fly_to_fit(s, axes_from(90.0, 0.0)); }},
-        {{Id::view_top, "View", "From the top", "3", "Fits everything, seen from above."},
-         [](ViewerState& s) { fly_to_fit(s, axes_from(0.0, 90.0)); }},
+        side({Id::view_front, "View", "From the front", "1", "Fits everything, seen along z."}, 0.0, 0.0),
+        side({Id::view_back, "View", "From the back", "Shift+1", "Fits everything, seen against z."}, 180.0, 0.0),
+        side({Id::view_right, "View", "From the right", "2", "Fits everything, seen against x."}, 90.0, 0.0),
+        side({Id::view_left, "View", "From the left", "Shift+2", "Fits everything, seen along x."}, 270.0, 0.0),
+        side({Id::view_top, "View", "From the top", "3", "Fits everything, seen from above."}, 0.0, 90.0),
+        side({Id::view_bottom, "View", "From the bottom", "Shift+3", "Fits everything, seen from below."}, 0.0, -90.0),
         {{Id::view_iso, "View", "From a corner", "4", "Fits everything, seen isometrically: all three axes equally long."},
          [](ViewerState& s) { fly_to_fit(s, isometric_axes()); }},
         {{Id::orthographic, "View", "Orthographic", "O",
@@ -255,10 +297,15 @@ std::vector<Command> make_commands() {
          change_projection,
          {},
          [](const ViewerState& s) { return s.camera.orthographic(); }},
+        setting({Id::trackball, "View", "Trackball", "T",
+                 "Orbits as if a ball were turned: no upright, and the poles can be passed. Else the world's y stays upright."},
+                &ViewerSettings::trackball),
         {{Id::use_view_as_camera, "View", "Use this view as the scene's camera", "Ctrl+Home",
           "An edit like any other: Home returns here then.", true},
          edits(use_view_as_camera),
          [](const ViewerState& s) { return s.camera != s.scene().camera; }},
+        {{Id::save_view, "View", "Save this view", "V", "Keeps the view under a name, in the scene: to come back to it."},
+         save_view},
         {{Id::next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays.", true},
          [](ViewerState& s) { show_frame(s, s.frame + 1); },
          [](const ViewerState& s) { return has_frame(s, s.frame + 1); }},
@@ -270,9 +317,22 @@ std::vector<Command> make_commands() {
         toggle(
             {Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of the pixel under the pointer."},
             &ViewerState::inspector_shown),
+        {{Id::measure, "View", "Measure", "D",
+          "Clicks on spheres give distances, and of three the angle, of four the dihedral; Escape ends it."},
+         [](ViewerState& s) { s.measuring = Measuring{.on = !s.measuring.on}; },
+         {},
+         [](const ViewerState& s) { return s.measuring.on; }},
         toggle({Id::toggle_export_area, "View", "Area of the export", "M",
                 "Marks what an export shows, where the window shows more or less."},
                &ViewerState::export_area_shown),
+        setting({Id::toggle_axes, "View", "Axes", "A", "Shows in a corner where x, y and z point; click an end to look along it."},
+                &ViewerSettings::axes_shown),
+        setting({Id::toggle_scale_bar, "View", "Scale bar", "B",
+                 "Shows how long a length of the scene is; in perspective as deep as the point that the view turns about."},
+                &ViewerSettings::scale_bar_shown),
+        setting({Id::toggle_exported_marks, "View", "Axes and scale bar in exports", "Shift+A",
+                 "Draws what is shown of the two into exports as well."},
+                &ViewerSettings::marks_exported),
         choice({Id::no_anti_aliasing, "View", "Anti-aliasing off", "Alt+1", "A pixel shows what is at its centre.", true},
                &ViewerSettings::samples, 1),
         choice({Id::anti_aliasing_4, "View", "4 samples a pixel", "Alt+4",
@@ -280,12 +340,18 @@ std::vector<Command> make_commands() {
                &ViewerSettings::samples, 4),
         choice({Id::anti_aliasing_16, "View", "16 samples a pixel", "Alt+6", "The average of 16 points."}, &ViewerSettings::samples,
                16),
-        {{Id::larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger.", true},
+        setting({Id::light_theme, "View", "Light theme", "Ctrl+T", "Dark text on light panels, instead of light on dark.", true},
+                &ViewerSettings::light_theme),
+        {{Id::larger_text, "View", "Larger text", "Ctrl++|Ctrl+=", "Makes text and panels larger."},
          [](ViewerState& s) { scale_text(s, 1.1); }},
         {{Id::smaller_text, "View", "Smaller text", "Ctrl+-", "Makes text and panels smaller."},
          [](ViewerState& s) { scale_text(s, 1.0 / 1.1); }},
         toggle({Id::help, "Help", "Keys and mouse", "F1|?", "Lists every shortcut and what the mouse does."},
                &ViewerState::help_shown),
+        {{Id::about, "Help", "About", "Shift+F1", "The version, what renders, and the licences of the parts."},
+         [](ViewerState& s) { s.about.shown = !s.about.shown; },
+         {},
+         [](const ViewerState& s) { return s.about.shown; }},
     };
     auto place = std::ranges::find(commands, Id::toggle_panel, [](const Command& command) { return command.info.id; });
     for (std::size_t mode = 0; mode < shading_modes.size(); ++mode) place = commands.insert(place, shade(mode)) + 1;
@@ -334,6 +400,10 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             open_scene(state, file->path);
         } else if (const auto* frame = std::get_if<ShowFrame>(&action)) {
             show_frame(state, frame->frame);
+        } else if (const auto* measured = std::get_if<MeasureSphere>(&action)) {
+            measure(state.measuring, state.document, measured->number);
+        } else if (const auto* view = std::get_if<ShowView>(&action)) {
+            fly_to(state, view->camera);
         }
     }
 }

@@ -9,6 +9,7 @@
 #include "app/failure.hpp"
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
+#include "base/memory.hpp"
 #include "base/output_file.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
@@ -32,7 +33,8 @@ bool same_spheres(const Document& document, std::uint64_t& revision) {
 }
 
 // The very function that `render` calls.
-Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts = nullptr) {
+Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts = nullptr,
+                    KeptLight* kept = nullptr) {
     constexpr double parts = 1000.0;
     control.total = static_cast<std::uint64_t>(parts);
     OpenBackend cpu;
@@ -42,17 +44,47 @@ Image render_beside(const Scene& scene, const PictureOptions& options, WorkContr
         control.check();
         control.done = static_cast<std::uint64_t>(parts * done);
     };
-    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts);
+    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts, kept);
+}
+
+// Of what is available: so much, at most, may be kept of lights.
+constexpr std::uint64_t part_for_lights = 8;
+constexpr std::uint64_t most_for_lights = std::uint64_t{512} << 20;
+
+std::size_t bytes_for_lights() {
+    const std::uint64_t part = available_memory().value_or(part_for_lights * most_for_lights) / part_for_lights;
+    return static_cast<std::size_t>(std::min(part, most_for_lights));
 }
 
 // Coarse, then fine: where light takes time, the picture grows under the eyes of whoever waits for it. `seen` is what the window
-// shows.
+// shows. Of what is kept nothing is decided anew, and the rest is added.
 Image render_growing(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen, WorkControl& control,
-                     Preview& preview) {
+                     Preview& preview, KeptLights& kept) {
     if (options.shading != Shading::studio) return render_beside(scene, options, control);
     Drafts drafts{.under = {}, .show = [&](Image image) { preview.set(std::move(image)); }};
-    if (!seen.empty()) drafts.under = lit_draft(scene, options, seen, drafts.show);
-    return render_beside(scene, options, control, &drafts);
+    const auto kept_draft = kept.draft();
+    const auto kept_picture = kept.picture();
+    std::optional<Image> relit_draft;
+    if (kept_draft) relit_draft = relit_picture(scene, draft_options(scene, options), *kept_draft);
+    if (relit_draft) {
+        drafts.show(relit_draft->copy());
+        drafts.under = std::move(*relit_draft);
+    }
+    if (kept_picture) {
+        if (auto picture = relit_picture(scene, options, *kept_picture)) return std::move(*picture);
+    }
+    kept.set_picture(nullptr);
+    if (!relit_draft) kept.set_draft(nullptr);
+    const auto found = std::make_shared<KeptLight>(bytes_for_lights());
+    if (!relit_draft && !seen.empty()) {
+        const bool differs = options.samples > 1;  // else the picture itself is as soon there
+        drafts.under = lit_draft(scene, options, seen, drafts.show, differs ? found.get() : nullptr);
+        if (found->is_complete()) kept.set_draft(std::make_shared<const KeptLight>(std::move(*found)));
+    }
+    *found = KeptLight(bytes_for_lights());
+    Image image = render_beside(scene, options, control, &drafts, found.get());
+    if (found->is_complete()) kept.set_picture(found);
+    return image;
 }
 
 // What `render` would be asked for the picture in the window, or for one of another size.
@@ -86,11 +118,12 @@ enum class Naming { as_said, next_free };
 // files: a FIFO that nobody reads, or a disk that hangs, holds up nobody else.
 void start_export(ViewerState& state, const std::string& path, Naming naming, PictureSize size,
                   std::function<void(const std::string& why)> fail) {
-    const PictureOptions options = picture_options(state, size);
-    const auto written = std::make_shared<std::string>(path);
+    PictureOptions options = picture_options(state, size);
+    options.marks = exported_marks(state);
+    const auto written = std::make_shared<FoundPath>(naming == Naming::as_said ? path : "");
     const auto done = [&state, written, options] {
         const auto& [width, height] = options.size;
-        announce(state, "Exported " + *written + " (" + std::to_string(width) + " x " + std::to_string(height) +
+        announce(state, "Exported " + written->get() + " (" + std::to_string(width) + " x " + std::to_string(height) +
                             (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples a pixel)" : ")"));
     };
     try {
@@ -100,14 +133,16 @@ void start_export(ViewerState& state, const std::string& path, Naming naming, Pi
         }
         std::shared_ptr<const Image> made;
         if (rest_picture_is_shown(state) && state.rest_picture->options == options) made = state.rest_picture->image;
-        BackgroundJob job([written, naming, made, options, scene = made ? nullptr : scene_snapshot(state)](WorkControl& control) {
-            if (naming == Naming::next_free) *written = next_free_name(*written);
-            check_output(*written);
-            const std::string png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
-            control.begin_to_write();
-            write_output(*written, png);
-        });
-        state.exporting.emplace(Work{.path = path, .job = std::move(job), .done = done, .fail = fail});
+        BackgroundJob job(
+            [written, usual = path, made, options, scene = made ? nullptr : scene_snapshot(state)](WorkControl& control) {
+                if (written->get().empty()) written->set(next_free_name(usual));
+                const std::string name = written->get();
+                check_output(name);
+                const std::string png = made ? encode_png(*made) : encode_png(render_beside(*scene, options, control));
+                control.begin_to_write();
+                write_output(name, png);
+            });
+        state.exporting.emplace(Work{.path = path, .job = std::move(job), .done = done, .fail = fail, .found_path = written});
     } catch (...) {
         fail(describe_current_exception().message);
     }
@@ -127,7 +162,7 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
         state.settings.export_width = size.width;
         state.settings.export_height = size.height;
         const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
-        if (state.exporting) return ask_again(state.exporting->path + " is not exported yet");
+        if (state.exporting) return ask_again(state.exporting->shown_path() + " is not exported yet");
         try {
             start_export(state, png_name(path), Naming::as_said, size, ask_again);
         } catch (const InputError& error) {
@@ -149,18 +184,26 @@ std::shared_ptr<const Scene> scene_snapshot(ViewerState& state) {
     return kept.scene;
 }
 
-bool rest_picture_is_shown(ViewerState& state) {
-    if (!state.rest_picture) return false;
-    RestPicture& picture = *state.rest_picture;
-    const bool same = same_spheres(state.document, picture.revision);
-    if (!same || picture.options != picture_options(state, state.picture_size)) state.rest_picture.reset();
-    if (!same) state.snapshot = {};
-    return state.rest_picture && picture.is_made();
+bool KeptLights::are_of(const Document& document, const PictureOptions& options) {
+    if (!same_spheres(document, revision_)) return false;
+    const Light& kept = options_.light;
+    if (kept.sky == 0.0 && options.light.sky > 0.0) return false;  // nobody asked where the sky shines
+    PictureOptions otherwise = options;
+    otherwise.light.sky = kept.sky;
+    otherwise.light.key = kept.key;
+    if (!otherwise.light.sun) {
+        otherwise.light.sun = kept.sun;
+    } else if (kept.sun) {
+        otherwise.light.sun->strength = kept.sun->strength;
+    }
+    return otherwise == options_;
 }
 
-void make_rest_picture(ViewerState& state, const std::function<std::vector<std::int32_t>()>& seen) {
-    // Shaders of a folder are there to be looked at; and one picture at a time is made.
-    if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
+namespace {
+
+// Begins to make the window's picture. `before`: what to show until there is something of it.
+void begin_rest_picture(ViewerState& state, const std::function<std::vector<std::int32_t>()>& seen,
+                        std::shared_ptr<const Image> before) {
     const PictureOptions options = picture_options(state, state.picture_size);
     std::shared_ptr<const Scene> scene;
     try {
@@ -170,12 +213,52 @@ void make_rest_picture(ViewerState& state, const std::function<std::vector<std::
     }
     auto image = std::make_shared<Image>();
     auto preview = std::make_shared<Preview>();
-    auto numbers = options.shading == Shading::studio ? seen() : std::vector<std::int32_t>{};
-    BackgroundJob job([image, preview, options, numbers = std::move(numbers), scene](WorkControl& control) {
-        *image = render_growing(*scene, options, numbers, control, *preview);
+    const bool grows = options.shading == Shading::studio;
+    if (!state.kept_lights || !state.kept_lights->are_of(state.document, options)) {
+        state.kept_lights = std::make_shared<KeptLights>(state.document.revision(), options);
+    }
+    const auto kept = state.kept_lights;
+    auto numbers = grows && !kept->draft() ? seen() : std::vector<std::int32_t>{};
+    BackgroundJob job([image, preview, options, kept, numbers = std::move(numbers), scene](WorkControl& control) {
+        *image = render_growing(*scene, options, numbers, control, *preview, *kept);
     });
     state.rest_picture.emplace(
-        RestPicture{state.document.revision(), options, std::move(image), std::move(preview), std::move(job)});
+        RestPicture{state.document.revision(), options, std::move(image), std::move(preview), std::move(job), std::move(before)});
+}
+
+}  // namespace
+
+bool rest_picture_is_shown(ViewerState& state) {
+    if (!state.rest_picture) return false;
+    RestPicture& picture = *state.rest_picture;
+    const PictureOptions options = picture_options(state, state.picture_size);
+    const bool same = same_spheres(state.document, picture.revision);
+    if (same && picture.options == options) return picture.is_made();
+    const auto& kept = state.kept_lights;
+    const bool relit =
+        kept && (kept->draft() || kept->picture()) && options.shading == Shading::studio && kept->are_of(state.document, options);
+    if (!same) state.snapshot = {};
+    if (!relit) {
+        state.rest_picture.reset();
+        if (kept && !kept->are_of(state.document, options)) state.kept_lights.reset();
+        return false;
+    }
+    // Whoever drags a slider sees how the light changes: what is on its way is shown before the next is begun.
+    const auto shown = picture.is_made() ? picture.image : picture.draft();
+    if (!picture.job.ended() && shown == picture.before) return false;
+    if (state.exporting) {
+        state.rest_picture.reset();
+        return false;
+    }
+    begin_rest_picture(
+        state, [] { return std::vector<std::int32_t>{}; }, shown);
+    return false;
+}
+
+void make_rest_picture(ViewerState& state, const std::function<std::vector<std::int32_t>()>& seen) {
+    // Shaders of a folder are there to be looked at; and one picture at a time is made.
+    if (state.rest_picture || state.exporting || !state.options.shader_folder.empty()) return;
+    begin_rest_picture(state, seen, nullptr);
 }
 
 void export_now(ViewerState& state) {

@@ -17,6 +17,7 @@
 
 namespace sphereview {
 
+class Document;
 struct ViewerState;
 
 // The spheres as they were, for other threads.
@@ -46,6 +47,38 @@ private:
     std::shared_ptr<const Image> image_;  // null until it is made
 };
 
+// Which lights shine where in the window's picture: where only their strengths change it is there again at once. Both threads use
+// it.
+class KeptLights {
+public:
+    KeptLights(std::uint64_t revision, PictureOptions options) : revision_(revision), options_(std::move(options)) {}
+
+    // Whether they are of this picture, but for the strengths of the lights. The revision becomes the present one.
+    bool are_of(const Document& document, const PictureOptions& options);
+
+    // Of the draft and of the picture itself: null until they are decided, and where they take too much memory.
+    std::shared_ptr<const KeptLight> draft() const { return get(draft_); }
+    std::shared_ptr<const KeptLight> picture() const { return get(picture_); }
+    void set_draft(std::shared_ptr<const KeptLight> light) { set(draft_, std::move(light)); }
+    void set_picture(std::shared_ptr<const KeptLight> light) { set(picture_, std::move(light)); }
+
+private:
+    std::shared_ptr<const KeptLight> get(const std::shared_ptr<const KeptLight>& light) const {
+        const std::lock_guard lock(mutex_);
+        return light;
+    }
+    void set(std::shared_ptr<const KeptLight>& light, std::shared_ptr<const KeptLight> found) {
+        const std::lock_guard lock(mutex_);
+        light = std::move(found);
+    }
+
+    std::uint64_t revision_;  // of the document
+    PictureOptions options_;
+    mutable std::mutex mutex_;
+    std::shared_ptr<const KeptLight> draft_;
+    std::shared_ptr<const KeptLight> picture_;
+};
+
 // The picture that the window shows at rest.
 struct RestPicture {
     std::uint64_t revision;  // of the document that it is of
@@ -53,13 +86,20 @@ struct RestPicture {
     std::shared_ptr<Image> image;  // empty until the job has ended, and if it failed
     std::shared_ptr<Preview> preview;
     BackgroundJob job;
+    std::shared_ptr<const Image> before{};  // of other strengths of the lights: shown until there is a better one
     std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
 
     bool is_made() const { return job.ended() && image->width() > 0; }
+    // The best that there is before it is made; null before there is anything.
+    std::shared_ptr<const Image> draft() const {
+        const auto better = preview->image();
+        return better ? better : before;
+    }
 };
 
-// Forgets the window's rest picture, and cancels its job, if the window has come to show something else. Returns whether what is
-// left is finished: then the window shows that.
+// Forgets the window's rest picture, and cancels its job, if the window has come to show something else. Where that differs in the
+// strengths of lights alone, and it is kept which of them shine where, begins to make it anew; until there is something of that,
+// what there was stays. Returns whether what is left is finished: then the window shows that.
 bool rest_picture_is_shown(ViewerState& state);
 
 // Begins to make it, if it is not there, nor any other picture being made. To be called when the window rests. `seen` returns what

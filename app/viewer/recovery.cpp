@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "base/user_folders.hpp"
 #include "formats/scene_format.hpp"
+#include "viewer/settings.hpp"
 
 namespace sphereview {
 
@@ -138,7 +139,7 @@ bool write_recovery(const Scene& scene, const std::string& original) noexcept {
         text += std::to_string(std::chrono::duration_cast<Milliseconds>(now).count());
         text += '\n';
         text += original_mark;
-        text += escaped(original.empty() ? "" : text_from(fs::absolute(path_from(original))));
+        text += escaped(original.empty() ? "" : absolute_path(original));
         text += '\n';
         text += write_scene(scene, SceneFormat::toml);
         write_output(text_from(own().in(folder)), text);

@@ -1,9 +1,12 @@
 #include "viewer/redraw_log.hpp"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 
 #include "app/json.hpp"
 #include "base/error.hpp"
+#include "base/standard_streams.hpp"
 
 namespace sphereview {
 
@@ -21,8 +24,8 @@ std::vector<std::uint32_t> first_of(const std::vector<std::uint32_t>& numbers) {
 
 RedrawLog::RedrawLog(const std::string& path) : file_(nullptr, std::fclose) {
     if (path.empty()) return;
-    file_.reset(std::fopen(path.c_str(), "w"));
-    if (!file_) throw OutputError(path + ": the frame log cannot be written");
+    file_.reset(open_file(path, "w"));
+    if (!file_) throw OutputError(path, std::strerror(errno), errno);
 }
 
 void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& frame,
@@ -56,6 +59,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"selection", first_of(state.selection.numbers())},
         {"selected", state.selection.size()},
         {"hovered", state.hovered},
+        {"measured", first_of(state.measuring.spheres)},
         {"undo", state.document.undo_name()},
         {"redo", state.document.redo_name()},
         {"picture", {p.x, p.y, p.width, p.height}},
@@ -70,7 +74,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
           {"help", state.help_shown}}},
         {"loading", state.messages.work && state.loading ? Json(state.messages.work->fraction.value_or(0.0)) : Json(nullptr)},
         {"saving", state.saving.has_value()},
-        {"exporting", state.exporting ? Json(state.exporting->path) : Json(nullptr)},
+        {"exporting", state.exporting ? Json(state.exporting->shown_path()) : Json(nullptr)},
         {"announcement", state.messages.announcement},
         {"scene_error", state.messages.scene_error},
         {"shader_error", state.messages.shader_error},

@@ -1,10 +1,12 @@
 #include "viewer/scene_file.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <system_error>
 
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
+#include "base/nesting.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
@@ -29,6 +31,15 @@ void ask(ViewerState& state, Question question) {
     state.dialogs.push_back(std::move(question));
 }
 
+// What is to be said of a file that was read all the same, below `first`, if that is not "".
+void announce_reading(ViewerState& state, const std::string& first, const LoadedScene& loaded) {
+    std::vector<std::string> lines = {first};
+    lines.insert(lines.end(), loaded.warnings.begin(), loaded.warnings.end());
+    lines.insert(lines.end(), loaded.notes.begin(), loaded.notes.end());
+    std::erase(lines, "");
+    if (!lines.empty()) announce(state, joined(lines, "\n"));
+}
+
 void read_scene(ViewerState& state, const std::string& path) {
     // The stamp is of before the reading: what is written meanwhile shows as a change.
     const auto accept = unless_edited(state, [&state, path, stamp = file_states(path)](LoadedScene loaded) {
@@ -42,6 +53,12 @@ void read_scene(ViewerState& state, const std::string& path) {
         look_at_file(state);
     };
     start_loading(state, {path, load_options(state, path, 0), accept, fail, [&state] { look_at_file(state); }});
+}
+
+void forget_file_messages(ViewerState& state) {
+    state.gone_at.reset();
+    state.messages.scene_gone.clear();
+    state.messages.scene_error.clear();
 }
 
 void after(Work& work, const std::function<void()>& next) {
@@ -59,7 +76,7 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         state.frame = 0;
         state.frames = 1;
         state.stamp = file_states(path);
-        state.messages.scene_error.clear();
+        forget_file_messages(state);
         add_recent(state.settings, path);
         announce(state, "Saved " + path);
         then();
@@ -129,6 +146,18 @@ void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat 
                                      }});
 }
 
+// Whether the file has comments of a person's, which the native format's tree does not hold. Looked for in the file and not kept
+// from its reading: it may have been changed, or its edits recovered. Large files are no person's.
+bool has_comments(const std::string& path) {
+    if (std::error_code error; !is_read_at_once(path) || !fs::is_regular_file(path_from(path), error)) return false;
+    try {
+        const InputFile file(path);
+        return file.bytes() != SceneFormat::toml.write(Scene{}) && has_comment(file.bytes());
+    } catch (const std::runtime_error&) {
+        return false;
+    }
+}
+
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
     const std::string ending(is_written(format) ? format.endings[0] : SceneFormat::toml.endings[0]);
     const fs::path stem = state.path.empty() ? "scene" : path_from(without_gzip_ending(state.path)).stem();
@@ -158,24 +187,17 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         state.bounds_revision = 0;
         if (!same_spheres) state.selection.clear();
         state.hovered.reset();
-        state.messages.scene_error.clear();
+        forget_file_messages(state);
         state.frame = frame;
         state.frames = loaded.frames;
         state.stamp = stamp;
+        announce_reading(state, "", loaded);
     });
     const auto fail = [&state](const std::string& why) {
         report_error(state, "The frame cannot be read", why);
         look_at_file(state);
     };
     start_loading(state, {state.path, load_options(state, state.path, frame), accept, fail, [&state] { look_at_file(state); }});
-}
-
-// `first`, and below it what the file's reader has to say.
-std::string joined_lines(const std::string& first, const LoadedScene& loaded) {
-    std::vector<std::string> lines = {first};
-    lines.insert(lines.end(), loaded.warnings.begin(), loaded.warnings.end());
-    lines.insert(lines.end(), loaded.notes.begin(), loaded.notes.end());
-    return joined(lines, "\n");
 }
 
 void reload(ViewerState& state, LoadedScene loaded) {
@@ -185,9 +207,24 @@ void reload(ViewerState& state, LoadedScene loaded) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
         state.hovered.reset();
-        announce(state, joined_lines("Reloaded " + state.path, loaded));
+        announce_reading(state, "Reloaded " + state.path, loaded);
     }
     state.document.mark_saved();
+}
+
+// The scene is in the window alone now: closing asks about it, and a copy is kept.
+void note_gone(ViewerState& state) {
+    state.gone_at = state.document.is_changed() ? 0 : state.document.revision();
+    state.document.mark_unsaved();
+    state.messages.scene_gone = state.path;
+}
+
+void note_back(ViewerState& state) {
+    if (!state.gone_at) return;
+    if (*state.gone_at == state.document.revision()) state.document.mark_saved();
+    state.gone_at.reset();
+    state.messages.scene_gone.clear();
+    announce(state, state.path + " is there again");
 }
 
 void offer_reload(ViewerState& state, LoadedScene loaded) {
@@ -217,7 +254,9 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
     if (!first || absolute_path(*first) != absolute_path(path)) options.data.columns.clear();
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
-    options.fit.projection.reset();  // of the first view, not of scenes
+    // Of the first view, not of scenes.
+    options.fit.projection.reset();
+    options.fit.saved_view.reset();
     return options;
 }
 
@@ -228,20 +267,19 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.selection.clear();
     state.hovered.reset();
     state.side_panel = {};
-    state.messages.scene_error.clear();
+    forget_file_messages(state);
     const bool has_file = !path.empty() && path != standard_stream;
     state.path = has_file ? absolute_path(path) : "";
     state.format = loaded.format;
     state.frame = 0;
     state.frames = loaded.frames;
-    if (!loaded.warnings.empty() || !loaded.notes.empty()) announce(state, joined_lines(loaded.name, loaded));
-    say_of(loaded, loaded.warnings);
     state.stamp.clear();
     if (has_file) {
         state.stamp = file_states(state.path);
         add_recent(state.settings, state.path);
     }
     go_home(state);
+    announce_reading(state, "", loaded);
 }
 
 void with_edits_safe(ViewerState& state, std::function<void()> then) {
@@ -283,7 +321,17 @@ void ask_for_scene(ViewerState& state) {
 
 void save_scene(ViewerState& state, const std::function<void()>& then) {
     if (state.path.empty() || !is_written(state.format) || !name_fault(state.path).empty()) return save_scene_as(state, then);
-    write_unless_lost(state, state.path, state.format, then);
+    if (state.format != SceneFormat::toml || !has_comments(state.path))
+        return write_unless_lost(state, state.path, state.format, then);
+    state.dialogs.push_back(Question{.id = "drops-comments",
+                                     .title = "Saving leaves the comments out",
+                                     .text = in_quotes(state.name()) + " has comments. A save writes the file anew, without them.",
+                                     .answers = {"Save as...", "Save without comments", "Cancel"},
+                                     .cancel = 2,
+                                     .answer = [&state, then](int answer) {
+                                         if (answer == 0) save_scene_as(state, then);
+                                         if (answer == 1) write(state, state.path, state.format, then);
+                                     }});
 }
 
 void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }
@@ -300,7 +348,7 @@ void show_frame(ViewerState& state, std::int64_t frame) {
 void quit(ViewerState& state) {
     if (state.exporting && !state.exporting->then_quit) {
         state.exporting->then_quit = true;
-        announce(state, "Closes when " + state.exporting->path + " is written; close again to close without it");
+        announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
         return after(*state.exporting, [&state] { quit(state); });
     }
     with_edits_safe(state, [&state] { state.quits = true; });
@@ -310,12 +358,21 @@ void look_at_file(ViewerState& state) {
     // What is being written is our own, and what is being opened will take its place.
     if (state.path.empty() || state.saving || (state.loading && !state.loading->reload)) return;
     FileStates stamp = file_states(state.path);
-    if (stamp.empty() || stamp == state.stamp) return;  // a file that is gone may be on its way back
+    if (stamp == state.stamp) return;
     state.stamp = std::move(stamp);
+    if (state.stamp.empty()) return note_gone(state);
     start_loading(state, {.path = state.path,
                           .options = load_options(state, state.path, state.frame),
-                          .accept = [&state](LoadedScene loaded) { offer_reload(state, std::move(loaded)); },
-                          .fail = [&state](const std::string& why) { state.messages.scene_error = why; },
+                          .accept =
+                              [&state](LoadedScene loaded) {
+                                  note_back(state);
+                                  offer_reload(state, std::move(loaded));
+                              },
+                          .fail =
+                              [&state](const std::string& why) {
+                                  note_back(state);
+                                  state.messages.scene_error = why;
+                              },
                           .cancel = [&state] { state.document.mark_unsaved(); },
                           .reload = true});
 }

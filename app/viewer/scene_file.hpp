@@ -38,8 +38,8 @@ void show_frame(ViewerState& state, std::int64_t frame);
 // Whether the file has that frame.
 bool has_frame(const ViewerState& state, std::int64_t frame);
 
-// Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so; edits that are
-// not saved are lost only if the person says so.
+// Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so, and so does one
+// that is gone; edits that are not saved are lost only if the person says so.
 void look_at_file(ViewerState& state);
 
 }  // namespace sphereview

@@ -3,7 +3,10 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
@@ -23,6 +26,24 @@ struct LoadRequest {
     bool reload = false;  // of the file that is shown
 };
 
+// The name that a job finds for its file; "" until then. From any thread.
+class FoundPath {
+public:
+    explicit FoundPath(std::string path) : path_(std::move(path)) {}
+    std::string get() const {
+        const std::lock_guard lock(mutex_);
+        return path_;
+    }
+    void set(std::string path) {
+        const std::lock_guard lock(mutex_);
+        path_ = std::move(path);
+    }
+
+private:
+    mutable std::mutex mutex_;
+    std::string path_;
+};
+
 // What a thread beside the window's loop does with a file, and what the loop does once it has ended: done(), or fail() where the
 // thread throws. Work that is cancelled calls neither.
 struct Work {
@@ -31,8 +52,11 @@ struct Work {
     std::function<void()> done;
     std::function<void(const std::string& why)> fail;
     std::function<void()> cancel = [] {};
-    bool reload = false;     // it reads the file that is shown
-    bool then_quit = false;  // the person has closed the window meanwhile
+    bool reload = false;                            // it reads the file that is shown
+    bool then_quit = false;                         // the person has closed the window meanwhile
+    std::shared_ptr<const FoundPath> found_path{};  // instead of `path`, where the job chooses
+
+    std::string shown_path() const { return found_path ? found_path->get() : path; }
 };
 
 // Whether to read it at once: a regular file that takes no time that anyone sees, or what is missing and says so.

@@ -56,6 +56,16 @@ void each_number(Settings& settings, const Visit& visit) {
     visit("samples", settings.samples, SettingRange<int>{sample_counts.front(), sample_counts.back()});
 }
 
+// Every switch with its key.
+template <typename Settings, typename Visit>
+void each_switch(Settings& settings, const Visit& visit) {
+    visit("trackball", settings.trackball);
+    visit("light_theme", settings.light_theme);
+    visit("axes", settings.axes_shown);
+    visit("scale_bar", settings.scale_bar_shown);
+    visit("marks_in_exports", settings.marks_exported);
+}
+
 void read_place(const Json& json, WindowPlace& place) {
     const Json window = json["window"];
     read(window, "x", window_place_range, place.x);
@@ -70,7 +80,9 @@ void read_recent(const Json& json, std::vector<std::string>& recent) {
     for (const Json& entry : json["recent"].list()) {
         const auto path = entry.text();
         if (!path || recent.size() == most_recent) continue;
-        if (path_from(*path).is_absolute() && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
+        const fs::path file = path_from(*path);
+        const bool whole = file.is_absolute() || is_network_name(file);
+        if (whole && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
     }
 }
 
@@ -89,6 +101,7 @@ void update(Json& json, const ViewerSettings& settings) {
     window.set("maximized", settings.place.maximized);
     json.set("window", window);
     each_number(settings, [&](const char* key, auto value, auto) { json.set(key, value); });
+    each_switch(settings, [&](const char* key, bool on) { json.set(key, on); });
     json.set("shading", name_of(settings.shading));
     Json recent = Json::array();
     for (const std::string& path : settings.recent) {
@@ -101,8 +114,9 @@ void update(Json& json, const ViewerSettings& settings) {
 
 std::string absolute_path(const std::string& path) {
     std::error_code error;
-    const fs::path full = fs::absolute(path_from(path), error).lexically_normal();
-    return error ? path : text_from(full);
+    const fs::path given = path_from(path);
+    const fs::path full = is_network_name(given) ? given : fs::absolute(given, error);
+    return error ? path : text_from(normal_path(full));
 }
 
 void add_recent(ViewerSettings& settings, const std::string& path) {
@@ -121,6 +135,7 @@ ViewerSettings load_settings(std::string* fault) {
     ViewerSettings settings;
     read_place(json, settings.place);
     each_number(settings, [&](const char* key, auto& setting, auto range) { read(json, key, range, setting); });
+    each_switch(settings, [&](const char* key, bool& on) { on = json[key].boolean().value_or(on); });
     if (std::int64_t{settings.export_width} * settings.export_height > most_pixels) {
         settings.export_width = ViewerSettings{}.export_width;
         settings.export_height = ViewerSettings{}.export_height;

@@ -24,6 +24,7 @@
 #include "viewer/scene_file.hpp"
 #include "viewer/unsaved_edits.hpp"
 #include "viewer/viewer.hpp"
+#include "viewer/window_icon.hpp"
 
 namespace sphereview {
 
@@ -99,16 +100,25 @@ void offer_recovery(ViewerState& state) {
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {
     with_options(loaded.scene, state.light);  // what does not fit the scene is said now
     const FitOptions& fit = state.options.fit;
+    const std::optional<Camera> view =
+        fit.saved_view ? std::optional(saved_view(loaded, *fit.saved_view)) : std::nullopt;  // likewise
     // Data is fitted already, in perspective.
     const bool fits_view = loaded.has_camera() ? fit.wanted.value_or(false) : fit.projection && fit.wanted.value_or(true);
     adopt(state, std::move(loaded), *state.options.scene);
     state.frame = state.options.data.frame;
+    state.camera = view.value_or(state.camera);
     state.camera.projection = fit.projection.value_or(state.camera.projection);
     if (fits_view) {
         const ViewAxes present = axes_of(state.camera);
         const ViewAxes axes = with_hand_of(present, fit.view.value_or(present));
         state.camera = fitted(state.scene(), axes, state.camera.projection).value_or(state.camera);
     }
+}
+
+void set_icon(Window& window) {
+    std::vector<Window::Icon> sizes;
+    for (const Image& icon : window_icons()) sizes.push_back({icon.width(), {icon.bytes().begin(), icon.bytes().end()}});
+    window.set_icon(std::move(sizes));
 }
 
 // A small scene is there, or refused, before there is a window; of another one this much is waited for.
@@ -185,6 +195,7 @@ ExitCode run_view(const ViewOptions& options) {
             std::_Exit(128 + signal_number);
         });
         Viewer viewer(state, window);
+        set_icon(window);
         window.show();
         leave_own_console();
         // Held to the end: from here on, this thread alone keeps the edits.

@@ -61,13 +61,18 @@ std::string title_for(const ViewerState& state) {
     return shown_text(state.name()) + (state.document.is_changed() ? " *" : "") + " - sphereview";
 }
 
+Theme theme_of(const ViewerSettings& settings) { return settings.light_theme ? Theme::light : Theme::dark; }
+
 std::optional<WorkShown> work_of(const ViewerState& state) {
     if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
     if (!state.loading && !state.exporting) return {};
     const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
-    if (!state.loading) return WorkShown{"Exporting " + state.exporting->path, total > 0.0 ? done / total : 0.0, true};
+    if (!state.loading) {
+        const std::string path = state.exporting->shown_path();
+        return WorkShown{"Exporting " + (path.empty() ? "the view" : path), total > 0.0 ? done / total : 0.0, true};
+    }
     std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
@@ -78,7 +83,7 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
 Viewer::Viewer(ViewerState& state, Window& window)
     : state_(state),
       window_(window),
-      imgui_(window, state.settings.text_scale),
+      imgui_(window, state.settings.text_scale, theme_of(state.settings)),
       picture_(state.options.shader_folder),
       log_(state.options.redraw_log) {
     facts_.status.renderer = shown_text(window.renderer());
@@ -93,9 +98,19 @@ void Viewer::run(const std::function<bool()>& interrupted) {
             const std::lock_guard lock(state_.changing);
             state_.autosave.look(state_.document, state_.path, Clock::now());
         }
+        keep_recent_files();
         wait_for_work();
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
+    // What the end writes is not to be replaced by what was written before.
+    if (settings_kept_) settings_kept_->wait_for(std::chrono::seconds(1));
+}
+
+void Viewer::keep_recent_files() {
+    if (state_.settings.recent == kept_recent_ || (settings_kept_ && !settings_kept_->ended())) return;
+    kept_recent_ = state_.settings.recent;
+    settings_kept_.reset();
+    settings_kept_.emplace([settings = state_.settings](WorkControl&) { save_settings(settings); });
 }
 
 // Not what is being saved: what is kept of that stays until the file is whole. But what is edited meanwhile.
@@ -112,7 +127,7 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_picture_works_ || state_.box_selection || shaders_changed_;
+    const bool looks_again = is_working(state_) || rest_.works() || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
@@ -148,14 +163,9 @@ void Viewer::follow_work() {
         work_shown_ = Clock::now();
         pacing_.touch();
     }
-    if (rest_picture_works_ && (!state_.rest_picture || state_.rest_picture->job.ended())) {
-        rest_picture_works_ = false;
-        pacing_.touch();
-    }
-    if (rest_picture_works_ && state_.rest_picture && state_.rest_picture->preview->image() != previewed_) {
-        previewed_ = state_.rest_picture->preview->image();
-        if (previewed_) pacing_.show_once();
-    }
+    const RestView::News news = rest_.look(state_);
+    if (news == RestView::News::end) pacing_.touch();
+    if (news == RestView::News::draft) pacing_.show_once();
     if (finish_box_selection(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
@@ -178,7 +188,16 @@ bool Viewer::is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys
         keys.escape = false;
         return true;
     }
-    return state_.loading || state_.exporting;
+    if (state_.about.shown) {
+        state_.about.shown = false;
+        keys.escape = false;
+        return true;
+    }
+    if (state_.loading || state_.exporting) return true;
+    if (!state_.measuring.on) return false;
+    state_.measuring = {};
+    keys.escape = false;
+    return true;
 }
 
 bool Viewer::is_lone_alt(const InputEvent& event) {
@@ -195,7 +214,9 @@ bool Viewer::is_lone_alt(const InputEvent& event) {
 std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action>& actions) {
     std::vector<InputEvent> events = input_.take_frame();
     if (!events.empty()) pacing_.touch();
-    const bool typing = ImGui::GetIO().WantTextInput;
+    // A box that gets the keyboard in the next frames has it for the person who saved a view and types its name.
+    const bool awaits_name = state_.panel_shown && state_.side_panel.renamed_view && state_.side_panel.focus_view_name;
+    const bool typing = ImGui::GetIO().WantTextInput || awaits_name;
     const bool popped_up = has_popped_up(state_);
     const std::vector<CommandInfo> commands = commands_of(state_);
     for (const InputEvent& event : events) {
@@ -271,7 +292,9 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                                [this](Pixel low, Pixel high, bool toggles) {
                                    select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
                                },
-                               state_.bounds};
+                               state_.bounds,
+                               state_.settings.trackball,
+                               state_.measuring.on};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
@@ -293,18 +316,6 @@ void Viewer::draw_orbit_point() const {
     if (!point) return;
     const auto place = place_of(state_.camera, state_.picture_size, *point);
     if (place) draw_cross(area_, on_screen(*place), imgui_.scale());
-}
-
-void Viewer::look_for_nothing() {
-    if (looked_at_ == state_.document.revision() && looked_from_ == state_.camera) return;
-    looked_at_ = state_.document.revision();
-    looked_from_ = state_.camera;
-    const bool shows_any = state_.scene().spheres.size() > state_.bounds.hidden;
-    const auto is_background = [](std::int32_t seen) { return seen == visible_background; };
-    const std::vector<std::int32_t> seen = shows_any ? picture_.seen_numbers() : std::vector<std::int32_t>{};
-    if (seen.empty() || !std::ranges::all_of(seen, is_background)) return;
-    state_.messages.hint = "Nothing of the scene is in view. F shows everything, Home returns to the scene's camera.";
-    pacing_.touch();
 }
 
 void Viewer::draw_box() const {
@@ -343,7 +354,8 @@ void Viewer::redraw() {
                                state_.frame,
                                state_.frames,
                                state_.shown_light(),
-                               camera_axes(state_.camera)};
+                               camera_axes(state_.camera),
+                               state_.camera};
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs
@@ -353,6 +365,8 @@ void Viewer::redraw() {
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
+    draw_view_marks(state_, context, area_, pixels_);
+    draw_measured(state_, context, area_, pixels_);
     use_mouse(context, facts_.keys.escape);
     draw_box();
     draw_orbit_point();
@@ -369,38 +383,28 @@ void Viewer::redraw() {
     }
     if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
+    imgui_.set_theme(theme_of(state_.settings));
     window_.set_title(title_for(state_));
 
-    // Asked before: a picture that is made from now on is shown by the next redraw.
-    const bool ended = state_.rest_picture && state_.rest_picture->job.ended();
-    const bool exact = rest_picture_is_shown(state_);
-    const bool kept = state_.rest_picture.has_value();
+    rest_.settle(state_);
     update_picture(refines ? 1 : pacing_.moving_step());
     note_facts();
-    show(area_, exact);
+    show(area_);
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
-    if (looked_from_ != state_.camera || looked_at_ != state_.document.revision()) state_.messages.hint.clear();
-    if (pacing_.rests() && input_.empty()) look_for_nothing();
-    if (pacing_.rests() && input_.empty()) make_rest_picture(state_, [&] { return picture_.seen_numbers(); });
-    rest_picture_works_ = state_.rest_picture && !(kept && ended);
+    if (lost_hint_.update(state_, picture_, pacing_.rests() && input_.empty())) pacing_.touch();
+    rest_.end_redraw(state_, picture_, pacing_.rests() && input_.empty());
     if (log_.wanted()) {
-        const bool resting =
-            pacing_.rests() && input_.empty() && !is_working(state_) && !rest_picture_works_ && !state_.box_selection;
+        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !state_.box_selection;
         log_.add(state_, facts_,
-                 {++redraw_number_, picture_.builds(), explanations_, exact, rest_picture_works_, draft_seconds(exact), resting,
-                  area_, seconds_between(begin, Clock::now()), title_for(state_)},
+                 {++redraw_number_, picture_.builds(), explanations_, rest_.is_exact(), rest_.works(), rest_.draft_seconds(state_),
+                  resting, area_, seconds_between(begin, Clock::now()), title_for(state_)},
                  widgets_);
     }
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
     constexpr std::chrono::milliseconds most_counted{50};
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
-}
-
-std::optional<double> Viewer::draft_seconds(bool exact) const {
-    if (exact || !state_.rest_picture || !uploaded_ || uploaded_ != previewed_) return std::nullopt;
-    return seconds_between(state_.rest_picture->begun, Clock::now());
 }
 
 void Viewer::note_facts() {
@@ -435,14 +439,8 @@ void Viewer::note_facts() {
     ++explanations_;
 }
 
-void Viewer::show(const Rectangle& area, bool finished) {
-    // A preview is as right as the picture is: both are forgotten when something changes.
-    std::shared_ptr<const Image> image;
-    if (state_.rest_picture) image = finished ? state_.rest_picture->image : state_.rest_picture->preview->image();
-    if (image && uploaded_ != image) {
-        uploaded_ = image;
-        picture_.upload(*uploaded_);
-    }
+void Viewer::show(const Rectangle& area) {
+    const bool finished = rest_.upload(state_, picture_);
     const Window::Extent framebuffer = window_.framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     const int left = static_cast<int>(std::lround(area.x * pixels_));
@@ -450,7 +448,7 @@ void Viewer::show(const Rectangle& area, bool finished) {
     const PictureSize size = state_.picture_size;
     picture_.show({left, framebuffer.height - top - size.height, size.width, size.height}, state_.shown_background(),
                   {&state_.selection, state_.hovered, static_cast<float>(2.0 * static_cast<double>(imgui_.scale()) * pixels_)},
-                  image != nullptr);
+                  finished);
 }
 
 }  // namespace sphereview

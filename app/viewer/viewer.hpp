@@ -14,6 +14,7 @@
 #include "viewer/mouse_control.hpp"
 #include "viewer/pacing.hpp"
 #include "viewer/redraw_log.hpp"
+#include "viewer/rest_view.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -28,6 +29,8 @@ public:
 
 private:
     bool autosaves() const;  // whether unsaved edits are to be kept now
+    // Writes the settings when another file was opened: other windows offer it too, and a window that is killed has remembered it.
+    void keep_recent_files();
     void wait_for_work();
     void redraw();
     // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
@@ -42,14 +45,9 @@ private:
     void draw_box() const;
     // Marks what the view is being turned about.
     void draw_orbit_point() const;
-    // Whether the picture shows nothing of a scene that has something to show: then a hint says what to do. At rest.
-    void look_for_nothing();
     void use_mouse(const PanelContext& context, bool cancelled);
-    // `finished`: the rest picture, which is there.
-    void show(const Rectangle& area, bool finished);
+    void show(const Rectangle& area);
     void note_facts();
-    // When a draft of the rest picture has come to be shown, since that was begun; nothing while none is shown.
-    std::optional<double> draft_seconds(bool exact) const;
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
@@ -64,14 +62,13 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
-    std::shared_ptr<const Image> uploaded_;   // the rest picture that the window's context holds
-    std::shared_ptr<const Image> previewed_;  // the latest preview that a redraw was asked for
-    std::uint64_t looked_at_ = 0;             // the document's revision when look_for_nothing() looked
-    Camera looked_from_;
-    bool rest_picture_works_ = false;  // it is being made
-    bool alt_alone_ = false;           // Alt is down, and nothing came after it
-    bool shaders_changed_ = false;     // they are read once the edits are kept
+    RestView rest_;
+    LostHint lost_hint_;
+    bool alt_alone_ = false;        // Alt is down, and nothing came after it
+    bool shaders_changed_ = false;  // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
+    std::vector<std::string> kept_recent_;          // the recent files as they were written last
+    std::optional<BackgroundJob> settings_kept_{};  // a disk that hangs holds up nobody
 
     Clock::time_point last_redraw_ = Clock::now();
     std::uint64_t redraw_number_ = 0;

@@ -39,10 +39,13 @@ void go_home(ViewerState& state) {
 
 void fly_to_fit(ViewerState& state, const ViewAxes& axes) {
     const std::optional<Camera> camera = fitted(state.scene(), with_hand_of(axes_of(state.camera), axes), state.camera.projection);
-    if (!camera) return;
+    if (camera) fly_to(state, *camera);
+}
+
+void fly_to(ViewerState& state, const Camera& camera) {
     update_bounds(state);
     state.pivot = state.bounds.middle();
-    state.flight.emplace(state.camera, *camera, state.pivot);
+    state.flight.emplace(state.camera, camera, state.pivot);
 }
 
 bool fly_on(ViewerState& state, Clock::time_point now) {

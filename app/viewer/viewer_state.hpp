@@ -4,6 +4,7 @@
 #include <chrono>
 #include <functional>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -11,8 +12,10 @@
 #include "app/options.hpp"
 #include "base/file_watcher.hpp"
 #include "camera/fit.hpp"
+#include "panels/about.hpp"
 #include "panels/dialogs.hpp"
 #include "panels/inspector.hpp"
+#include "panels/measuring.hpp"
 #include "panels/menus.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/start_page.hpp"
@@ -23,6 +26,7 @@
 #include "viewer/recovery.hpp"
 #include "viewer/scene_work.hpp"
 #include "viewer/settings.hpp"
+#include "viewer/view_marks.hpp"
 
 namespace sphereview {
 
@@ -55,6 +59,8 @@ struct ViewerState {
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
     FileStates stamp;  // of what was read or written last
+    // While the file is gone: the document's revision then, if that was what the file held; else 0.
+    std::optional<std::uint64_t> gone_at;
     std::optional<Work> loading;
     std::optional<Work> saving;
     std::optional<Work> exporting;
@@ -63,12 +69,14 @@ struct ViewerState {
     // The view: what the window shows, which need not be the scene's own camera.
     Camera camera;
     glm::dvec3 pivot{0.0};
-    std::optional<CameraFlight> flight;    // where the view moves by itself
+    std::optional<CameraFlight> flight;  // where the view moves by itself
+    AxesInHand axes_in_hand;
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
     LightOptions light;                    // instead of the scene's, as --sun and its like ask
     SceneSnapshot snapshot;
     std::optional<RestPicture> rest_picture;    // of that, being made or there
+    std::shared_ptr<KeptLights> kept_lights;    // of that, or null
     std::optional<BoxSelection> box_selection;  // under way
 
     // The system's; without a window there is none.
@@ -87,6 +95,8 @@ struct ViewerState {
     bool inspector_shown = false;
     bool export_area_shown = true;
     bool help_shown = false;
+    Measuring measuring{};
+    About about{};
     SidePanelState side_panel;
     StartPage start_page{example_scenes()};
     bool quits = false;
@@ -115,11 +125,14 @@ void go_home(ViewerState& state);
 // Begins to move the view to where it sees everything that way; not if there is nothing to see.
 void fly_to_fit(ViewerState& state, const ViewAxes& axes);
 
+// Begins to move the view to that camera.
+void fly_to(ViewerState& state, const Camera& camera);
+
 // Moves the view on, and ends the flight if it has arrived or something else has moved the view. Returns whether it moved.
 bool fly_on(ViewerState& state, Clock::time_point now);
 
-// Brings bounds up to date; they are left as they are while something is dragged, so that no slider's range moves under the
-// pointer.
+// Brings bounds up to date; they are left as they are while something is dragged, so that what a drag is scaled by does not
+// change under the pointer.
 void update_bounds(ViewerState& state);
 
 }  // namespace sphereview

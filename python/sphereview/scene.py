@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -87,6 +88,7 @@ def read(
     *,
     frame: int = 0,
     radius: float | None = None,
+    virtual: bool = True,
     fit: bool | None = None,
     view: View | None = None,
 ) -> Scene:
@@ -94,16 +96,20 @@ def read(
 
     frame: which of several frames or models, from 0.
     radius: of each sphere for which a data file says none; None: the element's, and 1 in CSV.
+    virtual: False leaves out what files of atoms call one and is none: virtual sites, lone pairs, Drude particles, ghosts, dummies.
     fit: True moves the camera until it sees everything; False looks at data, too, from (0, 0, 0) along z. None: data is fitted, a scene
         keeps its camera.
-    view: fits from a side: as for the function `fit`.
+    view: fits from a side: as for the function `fit`. Or the name of one of the file's saved views, whose camera is taken as it is.
 
     The scene's arrays are new and yours: centers float64 (N, 3), radii float64 (N,), colors uint8 (N, 3), hidden bool (N,) or None. Its
     camera is the one that `sphereview render` takes with the same options, so `read(path).render()` is that picture.
 
     ValueError: what is wrong with the file, with its line and column. OSError, such as FileNotFoundError: it cannot be read.
+    UserWarning: what is wrong with a file that is read all the same.
     """
-    found: dict[str, Any] = _native.read(path_bytes(path), frame, radius, fit, view_text(view))
+    found: dict[str, Any] = _native.read(path_bytes(path), frame, radius, virtual, fit, view_text(view))
+    for warning in found.pop("warnings"):
+        warnings.warn(warning, stacklevel=2)
     found["camera"] = Camera.from_numbers(found["camera"])
     found["source"] = os.fsdecode(found["source"])
     return Scene(**found)

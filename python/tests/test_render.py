@@ -244,6 +244,32 @@ sys.exit(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
 """
 
 
+FORKED_AT_WORK = """
+import os, sys, threading, numpy, sphereview
+def draw():
+    return sphereview.render([[0, 0, 300]], 50, (255, 0, 0), size=(400, 300), backend="cpu")
+expected = draw()
+ended = threading.Event()
+def work():
+    while not ended.is_set():
+        draw()
+threads = [threading.Thread(target=work) for _ in range(2)]
+for thread in threads:
+    thread.start()
+statuses = set()
+for _ in range(20):
+    child = os.fork()
+    if child == 0:
+        os._exit(7 if all(numpy.array_equal(draw(), expected) for _ in range(5)) else 1)
+    statuses.add(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+ended.set()
+for thread in threads:
+    thread.join()
+sys.exit(statuses.pop() if len(statuses) == 1 else 1)
+"""
+
+
 @pytest.mark.skipif(not hasattr(signal, "pthread_sigmask"), reason="needs fork()")
-def test_a_forked_process_renders():
-    assert subprocess.run([sys.executable, "-W", "ignore", "-c", FORKED], timeout=60).returncode == 7
+@pytest.mark.parametrize("script", [FORKED, FORKED_AT_WORK], ids=["after", "during"])
+def test_a_forked_process_renders(script):
+    assert subprocess.run([sys.executable, "-W", "ignore", "-c", script], timeout=120).returncode == 7

@@ -1,5 +1,6 @@
 """Reading files, cameras, explanations and PNGs."""
 
+import errno
 import os
 import subprocess
 import sys
@@ -60,6 +61,13 @@ def test_a_native_scene_has_all_its_properties(tmp_path, run_program):
     assert numpy.array_equal(scene.render((60, 40), background="black")[..., :3], scene.render((60, 40))[..., :3])
 
 
+def test_a_saved_view_is_seen_by_its_name(tmp_path):
+    path = tmp_path / "scene.toml"
+    path.write_text(TOML + "\n[[view]]\nname = 'from behind'\neye = [0, 0, 900]\ncenter = [0, 0, 800]\nup = [0, -50, 0]\n")
+    assert sphereview.read(path, view="from behind").camera == sphereview.Camera((0, 0, 900), (0, 0, 800), up=(0, -50, 0))
+    assert sphereview.read(path).camera.eye == (0, 0, -10)
+
+
 @pytest.mark.parametrize(
     "options, words",
     [
@@ -79,6 +87,18 @@ def test_data_is_seen_as_the_program_sees_it(tmp_path, run_program, options, wor
     assert numpy.array_equal(scene.render((60, 40)), sphereview.read_png(tmp_path / "picture.png"))
 
 
+def test_what_the_command_line_warns_of_is_a_warning(tmp_path, run_program):
+    path = tmp_path / "cut.xyz"
+    path.write_text("2\n\nO 0 0 0\nMW 0 0 1\n1\n")
+    with pytest.warns(UserWarning) as caught:
+        scene = sphereview.read(path)
+    assert list(scene.radii) == [0.66, 0.2]
+    words = [str(warning.message) for warning in caught]
+    assert words == run_program("convert", path, tmp_path / "x.toml")[2].splitlines() and len(words) == 2
+    with pytest.warns(UserWarning, match="left out"):
+        assert list(sphereview.read(path, virtual=False).radii) == [0.66]
+
+
 def test_a_bad_scene_has_the_command_lines_words(tmp_path, run_program):
     path = tmp_path / "bad.txt"
     path.write_text("1\n255 0 0\n0 0 x\n5\n")
@@ -91,22 +111,29 @@ def test_a_bad_scene_has_the_command_lines_words(tmp_path, run_program):
         ({"frame": 9}, "frame"),
         ({"frame": -1}, "frame: found '-1'"),
         ({"radius": 0}, "radius: found '0'"),
-        ({"view": "under"}, "view: found 'under', expected front, back"),
+        ({"view": "under"}, "found no view 'under', expected front, back"),
+        ({"view": "0,91"}, "view: found '0,91', expected front, back"),
     ]:
         with pytest.raises(ValueError, match=words):
             sphereview.read(path, **options)
 
 
 def test_files_that_cannot_be_read_or_written_are_os_errors(tmp_path):
-    with pytest.raises(FileNotFoundError) as caught:
-        sphereview.read(tmp_path / "missing.txt")
-    assert str(tmp_path / "missing.txt") in str(caught.value)
-    with pytest.raises(IsADirectoryError):
-        sphereview.read(tmp_path)
-    with pytest.raises(FileNotFoundError):
-        sphereview.read_png(tmp_path / "missing.png")
-    with pytest.raises(OSError):
-        sphereview.write_png(tmp_path / "none" / "x.png", numpy.zeros((2, 2, 3), numpy.uint8))
+    image = numpy.zeros((2, 2, 3), numpy.uint8)
+    missing, name = tmp_path / "missing", os.fsdecode(b"no utf-8 \xff") if os.name == "posix" else "missing"
+    for kind, number, file, call in [
+        (FileNotFoundError, errno.ENOENT, missing, sphereview.read),
+        (FileNotFoundError, errno.ENOENT, tmp_path / name, sphereview.read),
+        (IsADirectoryError, errno.EISDIR, tmp_path, sphereview.read),
+        (FileNotFoundError, errno.ENOENT, missing, sphereview.read_png),
+        (FileNotFoundError, errno.ENOENT, missing / "x.png", lambda path: sphereview.write_png(path, image)),
+        (IsADirectoryError, errno.EISDIR, tmp_path, lambda path: sphereview.write_png(path, image)),
+    ]:
+        with pytest.raises(kind) as caught:
+            call(file)
+        assert (caught.value.errno, caught.value.filename) == (number, str(file))
+        assert caught.value.strerror.startswith("cannot be ")
+        assert str(caught.value).endswith(repr(str(file)))
     with pytest.raises(ValueError):
         sphereview.read("")
 

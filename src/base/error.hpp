@@ -12,11 +12,19 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+// Which file cannot be read or written, and why: in words that follow its name, and as errno has it.
+struct FileFault {
+    std::string file;
+    std::string why;
+    int number;
+};
+
 // An input file cannot be read at all, which the file's content has no part in.
 struct ReadError : InputError {
-    ReadError(const std::string& message, int error) : InputError(message), number(error) {}
+    ReadError(const std::string& file, const std::string& why, int number)
+        : InputError(file + ": cannot be read: " + why), fault{file, "cannot be read: " + why, number} {}
 
-    int number;  // errno, or 0 where the system gives none
+    FileFault fault;
 };
 
 // What is wrong with something that renders, as far as a person can do something about that.
@@ -36,7 +44,10 @@ struct MemoryError : std::runtime_error {
 
 // An output could not be written, and why.
 struct OutputError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    OutputError(const std::string& file, const std::string& why, int number)
+        : std::runtime_error(file + ": cannot be written: " + why), fault{file, "cannot be written: " + why, number} {}
+
+    FileFault fault;
 };
 
 }  // namespace sphereview

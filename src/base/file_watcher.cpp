@@ -56,7 +56,7 @@ std::vector<std::string> FileWatcher::look(Time now) {
         if (states != watched.last) {
             watched.unsettled = true;
             watched.last = std::move(states);
-        } else if (std::exchange(watched.unsettled, false) && !states.empty()) {
+        } else if (std::exchange(watched.unsettled, false)) {
             changed.push_back(watched.path);
         }
     }

@@ -32,9 +32,9 @@ public:
     // The files to watch from now on, instead of those before; "" stands for none. A folder stands for all files in it.
     void watch(const std::vector<std::string>& paths);
 
-    // Which of them were written, replaced or created, or folders whose files went, and then left alone from one look to the next:
-    // a file that is half written is not told of, nor one that is gone. Looks at most four times a second. Whether the content is
-    // another is for the caller to see.
+    // Which of them were written, replaced, created or deleted, and then left alone from one look to the next: a file that is half
+    // written is not told of, nor one that is gone for a moment. Looks at most four times a second. Whether the content is another
+    // is for the caller to see.
     std::vector<std::string> look(Time now);
 
     // When to call look(); nothing while there is nothing to watch.

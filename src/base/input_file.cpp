@@ -26,13 +26,9 @@ constexpr std::size_t most_at_once = std::size_t{1} << 22;  // so that a watcher
 int leave_open(std::FILE*) { return 0; }
 
 // `error`: errno, or 0 where the system gives none.
-[[noreturn]] void fail_to_read(const std::string& name, const std::string& why, int error) {
-    throw ReadError(name + ": cannot be read: " + why, error);
-}
-
 [[noreturn]] void fail_to_read(const std::string& name, int error) {
     if (error == ENOMEM) throw std::bad_alloc();
-    fail_to_read(name, error != 0 ? std::strerror(error) : "a read error", error);
+    throw ReadError(name, error != 0 ? std::strerror(error) : "a read error", error != 0 ? error : EIO);
 }
 
 // Up to `most` bytes; 0 only at the file's end.
@@ -53,7 +49,8 @@ InputStream::InputStream(const std::string& path, Content content)
     : name_(path == standard_stream ? "stdin" : path), file_(nullptr, &leave_open), content_(content) {
     const bool from_stdin = path == standard_stream;
     std::error_code ignored;
-    if (!from_stdin && fs::is_directory(path_from(path), ignored)) fail_to_read(name_, "it is a folder; expected a file", EISDIR);
+    if (!from_stdin && fs::is_directory(path_from(path), ignored))
+        throw ReadError(name_, "it is a folder; expected a file", EISDIR);
     std::FILE* file = from_stdin ? binary(stdin) : open_file(path, "rb");
     if (file == nullptr) fail_to_read(name_, errno);
     file_ = {file, from_stdin ? &leave_open : &std::fclose};
@@ -67,8 +64,6 @@ InputStream::InputStream(const std::string& path, Content content)
     look_for_gzip();
     if (!gunzip_) size_ = static_cast<std::size_t>(size);
 }
-
-void InputStream::fail(const std::string& why) const { fail_to_read(name_, why, 0); }
 
 void InputStream::drop_first(std::size_t count) {
     assert(count <= end_ - begin_);
@@ -140,7 +135,7 @@ void InputStream::fill() {
     // One more than the size, so that the end is met without growing.
     fill(size_ ? *size_ + 1 : std::size_t{1} << 16);
     while (!ended_) {
-        if (may_be_endless_ && bytes().size() > most_streamed) fail("it does not end within 2 GiB");
+        if (may_be_endless_ && bytes().size() > most_streamed) throw ReadError(name_, "it does not end within 2 GiB", EFBIG);
         fill(2 * bytes().size());
     }
 }

@@ -48,7 +48,6 @@ public:
     void fill();
 
 private:
-    [[noreturn]] void fail(const std::string& why) const;
     void make_room(std::size_t capacity);
     void look_for_gzip();
     std::size_t read_text(char* to, std::size_t most);

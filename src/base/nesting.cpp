@@ -59,4 +59,12 @@ std::optional<TooDeep> find_too_deep(std::string_view text) {
     return std::nullopt;
 }
 
+bool has_comment(std::string_view text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '#') return true;
+        if (text[i] == '"' || text[i] == '\'') i = behind_string(text, i) - 1;
+    }
+    return false;
+}
+
 }  // namespace sphereview

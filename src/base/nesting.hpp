@@ -1,4 +1,5 @@
-// How deep a text in TOML or JSON nests: foreign parsers and the trees that they make recurse, so what they get is bounded.
+// What can be told of a text in TOML or JSON without parsing it. How deep it nests: foreign parsers and the trees that they make
+// recurse, so what they get is bounded. And whether it has comments, which those trees do not hold.
 #pragma once
 
 #include <cstddef>
@@ -17,5 +18,8 @@ struct TooDeep {
 
 // Strings and comments count for nothing. What is no TOML may be judged wrongly behind its first fault, which parsers end at.
 std::optional<TooDeep> find_too_deep(std::string_view text);
+
+// Whether a comment of TOML stands in the text, outside its strings.
+bool has_comment(std::string_view text);
 
 }  // namespace sphereview

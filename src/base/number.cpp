@@ -32,6 +32,23 @@ NumberFault parse_double(std::string_view token, double& value) {
     return NumberFault::none;
 }
 
+NumberFault parse_any_double(std::string_view token, double& value) {
+    const NumberFault fault = parse_double(token, value);
+    if (fault != NumberFault::not_a_number) return fault;
+    const std::size_t mantissa = token.find_first_not_of("0123456789.", token.find_first_of("0123456789."));
+    if (mantissa == std::string_view::npos) return fault;
+    std::string_view exponent = token.substr(mantissa);
+    const bool is_signed = exponent[0] == '+' || exponent[0] == '-';
+    if (exponent.starts_with("*^")) {
+        exponent.remove_prefix(2);
+    } else if (exponent[0] == 'D' || exponent[0] == 'd') {
+        exponent.remove_prefix(1);
+    } else if (!is_signed || exponent.size() != 4 || token.find('.') == std::string_view::npos) {
+        return fault;
+    }
+    return parse_double(std::string(token.substr(0, mantissa)).append("e").append(exponent), value);
+}
+
 const char* expected_instead_of(NumberFault fault) {
     if (fault == NumberFault::not_a_number) return "a number";
     return fault == NumberFault::not_finite ? "a finite number" : "a number that a double can hold (at most 1.8e308)";

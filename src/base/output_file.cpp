@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <io.h>
 #include <sys/stat.h>
+#include <windows.h>
 #else
 #include <fcntl.h>
 #include <poll.h>
@@ -33,23 +34,39 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const std::string& path, const std::string& why) {
-    throw OutputError((path == standard_stream ? "stdout" : path) + ": cannot be written: " + why);
+[[noreturn]] void fail(const std::string& path, const std::string& why, std::errc error) {
+    throw OutputError(path == standard_stream ? "stdout" : path, why, static_cast<int>(error));
 }
 
 // Of a step that failed just now. Memory that ran out is another kind of error.
 [[noreturn]] void fail_by_errno(const std::string& path) {
     if (errno == ENOMEM) throw std::bad_alloc();
-    fail(path, errno != 0 ? std::strerror(errno) : "a write error");
+    if (errno == 0) fail(path, "a write error", std::errc::io_error);
+    fail(path, std::strerror(errno), static_cast<std::errc>(errno));
 }
+
+// As errno has it, also where the system has numbers of its own.
+int errno_of(const std::error_code& error) { return error.default_error_condition().value(); }
 
 [[noreturn]] void fail_by(const std::string& path, const std::error_code& error) {
     if (error == std::errc::not_enough_memory) throw std::bad_alloc();
-    fail(path, error.message());
+    fail(path, error.message(), static_cast<std::errc>(errno_of(error)));
 }
 
 // Something other than a regular file stands there: it is written into, not replaced.
 bool is_special(const fs::file_status& status) { return fs::exists(status) && !fs::is_regular_file(status); }
+
+// Windows has devices under names such as NUL in every folder, and does not show them as files.
+bool is_device_name([[maybe_unused]] const fs::path& path) {
+#ifdef _WIN32
+    constexpr DWORD longest = 32768;
+    std::wstring full(longest, L'\0');
+    full.resize(std::min(longest, GetFullPathNameW(path.c_str(), longest, full.data(), nullptr)));
+    return full.starts_with(L"\\\\.\\");
+#else
+    return false;
+#endif
+}
 
 // The file that `path` leads to, through symbolic links, also dangling ones. `error`: why that cannot be told.
 fs::path follow_links(fs::path path, std::error_code& error) {
@@ -74,12 +91,14 @@ struct Target {
 
 // Throws when that cannot be told: a guess could replace a link or a device, or let others read what was private.
 Target target_of(const std::string& path) {
+    if (is_device_name(path_from(path))) return {path_from(path), fs::file_status(fs::file_type::character)};
     std::error_code error;
     Target target;
     target.path = follow_links(path_from(path), error);
     if (error) fail_by(path, error);
     target.status = fs::status(target.path, error);
-    if (error && error != std::errc::no_such_file_or_directory) fail_by(path, error);
+    // Of a file that is no folder, what would be below it is said by check().
+    if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) fail_by(path, error);
     return target;
 }
 
@@ -211,6 +230,15 @@ bool are_names_on_disk(const fs::path& folder) {
 #endif
 }
 
+// With those above it, for the output `path`.
+void make_folder(const std::string& path, const fs::path& folder, Durability durability) {
+    std::error_code error;
+    if (folder.empty() || fs::is_directory(folder, error)) return;
+    make_folder(path, folder.parent_path(), durability);
+    if (!fs::create_directory(folder, error) && error) fail_by(path, error);
+    if (durability == Durability::on_disk && !are_names_on_disk(folder.parent_path())) fail_by_errno(path);
+}
+
 void replace(const std::string& path, const Target& target, std::string_view bytes, Durability durability) {
     const fs::path temporary = hidden_sibling(target.path);
     const Unfinished unfinished;
@@ -226,67 +254,83 @@ void replace(const std::string& path, const Target& target, std::string_view byt
     if (file == not_opened) fail_by_errno(path);
     if (!write_and_close(file, bytes, durability)) give_up(errno);
     std::error_code error;
-    if (fs::exists(target.status)) fs::permissions(temporary, target.status.permissions(), error);
+    if (fs::exists(target.status)) {
+        fs::permissions(temporary, target.status.permissions(), error);
+        // Some file systems refuse to set what every file of theirs has anyway.
+        std::error_code untold;
+        if (error && fs::status(temporary, untold).permissions() != target.status.permissions()) give_up(errno_of(error));
+    }
     fs::rename(temporary, target.path, error);
-    if (error) give_up(error.default_error_condition().value());
+    if (error) give_up(errno_of(error));
     if (durability == Durability::on_disk && !are_names_on_disk(target.path.parent_path())) fail_by_errno(path);
 }
 
 // Throws OutputError when that plainly cannot become an output.
-void check(const std::string& path, const Target& target) {
-    if (fs::is_directory(target.status)) fail(path, "it is a folder");
-    if (!target.path.has_filename()) fail(path, "it names a folder");
+void check(const std::string& path, const Target& target, MissingFolder missing) {
+    if (fs::is_directory(target.status)) fail(path, "it is a folder", std::errc::is_a_directory);
+    if (!target.path.has_filename()) fail(path, "it names a folder", std::errc::is_a_directory);
     if (fs::is_regular_file(target.status)) {
         // A rename would replace a file that its owner has protected.
         std::FILE* file = open_file(text_from(target.path), "r+b");
         if (file == nullptr) fail_by_errno(path);
         std::fclose(file);
     } else if (!fs::exists(target.status)) {
-        const fs::path folder = target.path.parent_path().empty() ? fs::path(".") : target.path.parent_path();
+        const auto above = [](const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); };
+        fs::path folder = above(target.path);
         std::error_code error;
-        const fs::file_status status = fs::status(folder, error);
-        if (status.type() == fs::file_type::not_found) fail(path, "the folder " + text_from(folder) + " does not exist");
+        fs::file_status status = fs::status(folder, error);
+        while (missing == MissingFolder::made && status.type() == fs::file_type::not_found && folder != above(folder)) {
+            folder = above(folder);
+            status = fs::status(folder, error);
+        }
+        if (status.type() == fs::file_type::not_found) {
+            fail(path, "the folder " + text_from(folder) + " does not exist", std::errc::no_such_file_or_directory);
+        }
         if (error) fail_by(path, error);
-        if (!fs::is_directory(status)) fail(path, text_from(folder) + " is not a folder");
+        if (!fs::is_directory(status)) fail(path, text_from(folder) + " is not a folder", std::errc::not_a_directory);
     }
 }
 
 // As check_output(), and says where the output goes.
-Target checked_target_of(const std::string& path) {
-    if (path.empty()) fail("''", "it has no name");
+Target checked_target_of(const std::string& path, MissingFolder missing) {
+    if (path.empty()) fail("''", "it has no name", std::errc::no_such_file_or_directory);
     Target target = target_of(path);
-    check(path, target);
+    check(path, target, missing);
     return target;
 }
 
 }  // namespace
 
-void write_output(const std::string& path, std::string_view bytes, Durability durability) {
+void write_output(const std::string& path, std::string_view bytes, Durability durability, MissingFolder missing) {
     if (path == standard_stream) {
         if (!write_to_stdout(bytes)) fail_by_errno(path);
         return;
     }
-    const Target target = checked_target_of(path);
+    const Target target = checked_target_of(path, missing);
     if (is_special(target.status)) {
         const Opened file = open_special(path);
         if (file == not_opened || !write_and_close(file, bytes, Durability::in_system)) fail_by_errno(path);
     } else {
+        if (missing == MissingFolder::made) make_folder(path, target.path.parent_path(), durability);
         replace(path, target, bytes, durability);
     }
 }
 
-void check_output(const std::string& path) {
-    if (path != standard_stream) checked_target_of(path);
+void check_output(const std::string& path, MissingFolder missing) {
+    if (path != standard_stream) checked_target_of(path, missing);
 }
 
-std::string file_identity(const std::string& path) {
+std::string file_identity(const std::string& path, FileUse use) {
     std::error_code error;
-    if (path == standard_stream || is_special(fs::status(path_from(path), error))) return "";
+    if (path == standard_stream || is_device_name(path_from(path)) || is_special(fs::status(path_from(path), error))) return "";
     const fs::path target = follow_links(path_from(path), error);
-    const fs::path absolute = fs::absolute(target, error);
-    if (error) throw OutputError(path + ": the folder that it is in cannot be told: " + error.message());
+    // An input is as far as its links could be followed: reading it fails then, and says why.
+    if (error && use == FileUse::output) fail_by(path, error);
+    error.clear();
+    const fs::path absolute = is_network_name(target) ? target : fs::absolute(target, error);
+    if (error) fail(path, "the folder that it is in cannot be told: " + error.message(), static_cast<std::errc>(errno_of(error)));
     const fs::path canonical = fs::weakly_canonical(absolute, error);
-    return text_from(error ? absolute.lexically_normal() : canonical);
+    return text_from(error ? normal_path(absolute) : canonical);
 }
 
 }  // namespace sphereview

@@ -10,19 +10,25 @@ namespace sphereview {
 // has them: then a power cut may lose the file, or leave it empty.
 enum class Durability { on_disk, in_system };
 
+// What happens where the folder of an output is not there.
+enum class MissingFolder { refused, made };
+
 // Puts `bytes` into `path`, or onto standard output for "-", which is waited for where it is non-blocking. A regular file is
 // written beside under a hidden name and renamed, keeping the mode of the file it replaces and following symbolic links; devices
 // and FIFOs are written directly. Of a file with several names (hard links) only this one gets the bytes: the others keep the old
 // ones. Throws OutputError.
-void write_output(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk);
+void write_output(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk,
+                  MissingFolder missing = MissingFolder::refused);
 
 // Throws OutputError when `path` plainly cannot become an output: a folder, below no folder, or not to be written to.
-// For saying so before long work; write_output checks again.
-void check_output(const std::string& path);
+// For saying so before long work, and makes nothing; write_output checks again.
+void check_output(const std::string& path, MissingFolder missing = MissingFolder::refused);
+
+enum class FileUse { input, output };
 
 // What tells whether two paths lead to one file: the absolute path with links followed, existing or yet to be made. Empty
 // for devices, FIFOs and "-": nothing in them is lost when two things use them. Hard links differ: a rename parts them. Throws
-// OutputError when the system does not say what the current folder is.
-std::string file_identity(const std::string& path);
+// OutputError when the system does not say what the current folder is, or where the links of an output lead.
+std::string file_identity(const std::string& path, FileUse use);
 
 }  // namespace sphereview

@@ -12,12 +12,13 @@
 
 #include "base/background_job.hpp"
 
+#ifndef _WIN32
+#include <pthread.h>
+#endif
 #ifdef __linux__
 #include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
-#elif defined(__APPLE__)
-#include <pthread.h>
 #elif defined(_WIN32)
 #include <windows.h>
 #endif
@@ -140,10 +141,35 @@ private:
     std::vector<std::thread> threads_;  // last: they use what is above
 };
 
+std::mutex pool_mutex;
+// Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the pool.
+// Of threads that give way and of others, since a thread gives way for good; guarded by pool_mutex.
+Pool* background_pool = nullptr;
+Pool* usual_pool = nullptr;
+
+#ifndef _WIN32
+// A child of fork() has none of its parent's threads, and what one of them had locked stays locked there: it gets a pool of its
+// own. From the program's start on, since the first use may be on another thread than the fork.
+[[maybe_unused]] const int children_have_their_own_pool = pthread_atfork([] { pool_mutex.lock(); }, [] { pool_mutex.unlock(); },
+                                                                         [] {
+                                                                             background_pool = usual_pool = nullptr;
+                                                                             pool_mutex.unlock();
+                                                                         });
+#endif
+
+Pool& pool() {
+    const std::lock_guard lock(pool_mutex);
+    Pool*& pool = gives_way ? background_pool : usual_pool;
+    if (pool == nullptr) pool = new Pool(gives_way);
+    return *pool;
+}
+
 }  // namespace
 
 int worker_count() {
-    static const int count = std::max(1, usable_cores());
+    // Not initialised by the first call, which might be under way on another thread when the process is copied.
+    static std::atomic<int> count = 0;
+    if (count == 0) count = std::max(1, usable_cores());
     return count;
 }
 
@@ -165,16 +191,8 @@ void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
 
 void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t), const void* work) {
     if (count > 1 && !inside_work && worker_count() > 1) {
-        // Never destroyed: where the process ends while another thread still works, as in Python's, its loops must not lose the
-        // pool. Two, because a thread that gives way does so for good.
         Job job{count, call, work};
-        if (gives_way) {
-            static Pool& pool = *new Pool(true);
-            pool.run(job);
-        } else {
-            static Pool& pool = *new Pool(false);
-            pool.run(job);
-        }
+        pool().run(job);
         if (job.error) std::rethrow_exception(job.error);
         return;
     }

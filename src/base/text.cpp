@@ -1,7 +1,5 @@
 #include "base/text.hpp"
 
-#include <vector>
-
 namespace sphereview {
 
 TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin) {
@@ -201,6 +199,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> can
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
+        if (candidate.find_first_of("0123456789") == 0) continue;  // of numbers every one is like another
         const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
         if (distance < best_distance) {
             best_distance = distance;
@@ -219,6 +218,19 @@ std::string joined(std::span<const std::string> words, std::string_view between)
 std::string listed(std::span<const std::string> words, std::string_view last) {
     if (words.size() < 2) return joined(words, "");
     return joined(words.first(words.size() - 1), ", ") + " " + std::string(last) + " " + words.back();
+}
+
+std::vector<std::string> words_listed(std::string_view list) {
+    std::vector<std::string> words;
+    while (!list.empty()) {
+        const std::size_t comma = std::min(list.find(", "), list.size());
+        const std::size_t last = std::min(list.find(" or "), list.size());
+        const std::string_view part = list.substr(0, std::min(comma, last));
+        const bool is_word = part.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789") == std::string_view::npos;
+        if (is_word && !part.empty()) words.emplace_back(part);
+        list.remove_prefix(std::min(part.size() + (comma < last ? 2 : 4), list.size()));
+    }
+    return words;
 }
 
 std::string in_groups(std::uint64_t value) {

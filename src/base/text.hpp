@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/number.hpp"
 
@@ -52,6 +53,9 @@ std::string joined(std::span<const std::string> words, std::string_view between)
 
 // "a, b or c", when `last` is "or".
 std::string listed(std::span<const std::string> words, std::string_view last);
+
+// Of such a list with "or" the parts that a person would type as they stand: "auto, egl or #rrggbb" -> auto, egl.
+std::vector<std::string> words_listed(std::string_view list);
 
 // 1234567 as "1,234,567".
 std::string in_groups(std::uint64_t value);

@@ -52,9 +52,6 @@ double cosine_series(double x) {
     return 1.0 + (-0.5 * s + s * (s * sum));
 }
 
-// -0 becomes 0: the order of the spheres decides which of the two an empty sum gives.
-glm::dvec3 without_negative_zero(const glm::dvec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
-
 ViewAxes axes_from(const SineCosine& azimuth, const SineCosine& elevation) {
     const auto [sa, ca] = azimuth;
     const auto [se, ce] = elevation;

@@ -43,8 +43,10 @@ ViewAxes axes_of(const Camera& camera);
 // other never shows a mirror image.
 ViewAxes with_hand_of(const ViewAxes& present, const ViewAxes& view);
 
-// How a view is written, for messages and help.
+// How a view is written, for messages and help; and what may stand there where a scene's saved views are meant as well.
 inline constexpr std::string_view view_syntax = "front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in degrees";
+inline constexpr std::string_view any_view_syntax =
+    "front, back, left, right, top, bottom, iso, AZIMUTH,ELEVATION in degrees or a saved view's name";
 
 // Reads what view_syntax says: a finite azimuth, an elevation from -90 to 90. Nothing for anything else.
 std::optional<ViewAxes> parse_view(std::string_view text);

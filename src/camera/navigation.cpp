@@ -135,6 +135,25 @@ Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, doubl
                    rotated(camera.up));
 }
 
+Camera tumbled(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt) {
+    const CameraAxes directions = camera_axes(camera);
+    const double hand = directions.mirrored ? -1.0 : 1.0;
+    const auto rotated = [&](const glm::dvec3& v) {
+        return turned(turned(v, directions.right, hand * tilt), directions.up, hand * turn);
+    };
+    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(camera.center - camera.eye), rotated(camera.right),
+                   rotated(camera.up));
+}
+
+Camera turned_to(const Camera& camera, const glm::dvec3& pivot, const CameraAxes& axes) {
+    const CameraAxes before = camera_axes(camera);
+    const auto rotated = [&](const glm::dvec3& v) {
+        return glm::dot(v, before.right) * axes.right + glm::dot(v, before.up) * axes.up + glm::dot(v, before.ahead) * axes.ahead;
+    };
+    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(camera.center - camera.eye), rotated(camera.right),
+                   rotated(camera.up));
+}
+
 Camera panned(const Camera& camera, PictureSize size, const glm::dvec2& pixels, double depth) {
     const glm::dvec2 screen = on_screen(size, pixels);
     if (camera.orthographic()) return moved_to(camera, camera.eye - (screen.x * camera.right + screen.y * camera.up));

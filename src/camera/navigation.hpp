@@ -35,6 +35,12 @@ std::optional<glm::dvec2> place_of(const Camera& camera, PictureSize size, const
 // along y, or as nearly as its roll lets it; a camera that is upside down stays so.
 Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt);
 
+// The same for a ball in the hand: `turn` is about the camera's own up, and nothing ends at a pole. What went round may lean.
+Camera tumbled(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt);
+
+// Turned about the pivot until the camera's axes are these; of the same hand as the camera's.
+Camera turned_to(const Camera& camera, const glm::dvec3& pivot, const CameraAxes& axes);
+
 // Moved parallel to the screen so that what lies at `depth` follows a pointer that moved by so many pixels (y down).
 Camera panned(const Camera& camera, PictureSize size, const glm::dvec2& pixels, double depth);
 

@@ -78,7 +78,7 @@ LoggedChange change_undone_by(const Edit& inverse, const Scene& scene) {
         change.order = replace->scene.spheres.size() != scene.spheres.size();
         if (!change.order) note_spheres(differing(replace->scene.spheres, scene.spheres), scene, change);
     } else {
-        change.order = !std::holds_alternative<RenameSphere>(inverse);
+        change.order = !std::holds_alternative<RenameSphere>(inverse) && !std::holds_alternative<ChangeViews>(inverse);
         const auto* insert = std::get_if<InsertSpheres>(&inverse);
         const auto* remove = std::get_if<RemoveSpheres>(&inverse);
         if (insert != nullptr && insert->numbers.size() <= ChangeLog::most_spheres) change.went = insert->numbers;

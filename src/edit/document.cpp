@@ -20,9 +20,17 @@ const std::string& name_of(const HistoryStep* step) {
     return step == nullptr ? none : step->name;
 }
 
+bool moves_view(const HistoryStep* step) {
+    return step != nullptr && std::ranges::any_of(step->edits, [](const Edit& edit) {
+               const auto* camera = std::get_if<ChangeCamera>(&edit);
+               return camera != nullptr && camera->moves_view;
+           });
+}
+
 bool changes_names(const Edit& edit) {
     return !std::holds_alternative<ChangeSpheres>(edit) && !std::holds_alternative<ChangeCamera>(edit) &&
-           !std::holds_alternative<ChangeBackground>(edit) && !std::holds_alternative<ChangeLight>(edit);
+           !std::holds_alternative<ChangeBackground>(edit) && !std::holds_alternative<ChangeLight>(edit) &&
+           !std::holds_alternative<ChangeViews>(edit);
 }
 
 }  // namespace
@@ -32,6 +40,9 @@ Document::Document(Scene scene, std::size_t history_bytes)
 
 const std::string& Document::undo_name() const { return name_of(history_.last_done()); }
 const std::string& Document::redo_name() const { return name_of(history_.last_undone()); }
+
+bool Document::undo_moves_view() const { return moves_view(history_.last_done()); }
+bool Document::redo_moves_view() const { return moves_view(history_.last_undone()); }
 
 void Document::advance(LoggedChange change) {
     log_.add(revision_, std::move(change));

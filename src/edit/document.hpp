@@ -45,6 +45,9 @@ public:
     // Of the step that would be undone or redone; "" if there is none.
     const std::string& undo_name() const;
     const std::string& redo_name() const;
+    // Whether that step changed the camera of a view that showed it.
+    bool undo_moves_view() const;
+    bool redo_moves_view() const;
     // What the steps to undo take, about, and what they may take; those to redo may take as much again.
     std::size_t history_bytes() const { return history_.bytes(); }
     std::size_t most_history_bytes() const { return history_.most_bytes(); }

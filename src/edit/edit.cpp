@@ -157,11 +157,16 @@ struct Apply {
     Edit operator()(ChangeCamera& edit) const { return std::swap(scene.camera, edit.camera), edit; }
     Edit operator()(ChangeBackground& edit) const { return std::swap(scene.background, edit.background), edit; }
     Edit operator()(ChangeLight& edit) const { return std::swap(scene.light, edit.light), edit; }
+    Edit operator()(ChangeViews& edit) const { return std::swap(scene.views, edit.views), std::move(edit); }
     Edit operator()(ReplaceScene& edit) const { return std::swap(scene, edit.scene), std::move(edit); }
 };
 
 struct ChangesNothing {
     const Scene& scene;
+
+    static bool same_views(const std::vector<SavedView>& a, const std::vector<SavedView>& b) {
+        return std::ranges::equal(a, b, [](const SavedView& one, const SavedView& other) { return same_bits(one, other); });
+    }
 
     bool operator()(const ChangeSpheres& edit) const {
         for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
@@ -179,11 +184,12 @@ struct ChangesNothing {
     bool operator()(const ChangeCamera& edit) const { return same_bits(edit.camera, scene.camera); }
     bool operator()(const ChangeBackground& edit) const { return edit.background == scene.background; }
     bool operator()(const ChangeLight& edit) const { return same_bits(edit.light, scene.light); }
+    bool operator()(const ChangeViews& edit) const { return same_views(edit.views, scene.views); }
     bool operator()(const ReplaceScene& edit) const {
         const auto same = [](const Sphere& a, const Sphere& b) { return same_bits(a, b); };
         return std::ranges::equal(edit.scene.spheres, scene.spheres, same) && edit.scene.names == scene.names &&
                edit.scene.background == scene.background && same_bits(edit.scene.camera, scene.camera) &&
-               same_bits(edit.scene.light, scene.light);
+               same_bits(edit.scene.light, scene.light) && same_views(edit.scene.views, scene.views);
     }
 };
 

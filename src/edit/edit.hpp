@@ -48,6 +48,8 @@ struct RenameSphere {
 
 struct ChangeCamera {
     Camera camera;
+    bool moves_view =
+        false;  // whoever looks from the scene's camera looks from the new one afterwards, as when its numbers are edited
 };
 
 struct ChangeBackground {
@@ -58,13 +60,18 @@ struct ChangeLight {
     Light light;
 };
 
+// All of them: they are few.
+struct ChangeViews {
+    std::vector<SavedView> views;
+};
+
 // Everything becomes another scene, as when a file is read anew.
 struct ReplaceScene {
     Scene scene;
 };
 
 using Edit = std::variant<ChangeSpheres, InsertSpheres, RemoveSpheres, ReorderSphere, RenameSphere, ChangeCamera, ChangeBackground,
-                          ChangeLight, ReplaceScene>;
+                          ChangeLight, ChangeViews, ReplaceScene>;
 
 // Applies an edit, whose numbers must fit the scene, and returns its inverse: applied next, it gives the same scene back,
 // and its own inverse is the edit. Moves what it can; copies nothing that the edit does not touch.

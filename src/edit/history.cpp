@@ -14,7 +14,7 @@ bool says_more(const Edit& older, const Edit& newer) {
     if (const auto* change = std::get_if<ChangeSpheres>(&older)) return change->numbers == std::get<ChangeSpheres>(newer).numbers;
     if (const auto* rename = std::get_if<RenameSphere>(&older)) return rename->number == std::get<RenameSphere>(newer).number;
     return std::holds_alternative<ChangeCamera>(older) || std::holds_alternative<ChangeBackground>(older) ||
-           std::holds_alternative<ChangeLight>(older);
+           std::holds_alternative<ChangeLight>(older) || std::holds_alternative<ChangeViews>(older);
 }
 
 bool keeps_numbers(const Edit& edit) {
@@ -25,6 +25,7 @@ bool keeps_numbers(const Edit& edit) {
 // What an edit keeps in memory, about.
 std::size_t bytes_of(const Edit& edit) {
     constexpr std::size_t for_a_name = 80;
+    constexpr std::size_t for_a_view = sizeof(SavedView) + 32;
     std::size_t bytes = sizeof(Edit);
     if (const auto* change = std::get_if<ChangeSpheres>(&edit)) {
         bytes += change->numbers.size() * (sizeof(std::uint32_t) + sizeof(Sphere));
@@ -33,7 +34,10 @@ std::size_t bytes_of(const Edit& edit) {
     } else if (const auto* remove = std::get_if<RemoveSpheres>(&edit)) {
         bytes += remove->numbers.size() * sizeof(std::uint32_t);
     } else if (const auto* replace = std::get_if<ReplaceScene>(&edit)) {
-        bytes += replace->scene.spheres.size() * sizeof(Sphere) + replace->scene.names.size() * for_a_name;
+        bytes += replace->scene.spheres.size() * sizeof(Sphere) + replace->scene.names.size() * for_a_name +
+                 replace->scene.views.size() * for_a_view;
+    } else if (const auto* views = std::get_if<ChangeViews>(&edit)) {
+        bytes += views->views.size() * for_a_view;
     }
     return bytes;
 }

@@ -33,7 +33,7 @@ inline PixelRange united(const PixelRange& a, const PixelRange& b) {
 // A sphere in the list of a tile.
 struct Candidate {
     std::uint32_t index = 0;  // among the drawn spheres
-    float nearest = 0.0F;     // its hits are not nearer to the eye than this, in the units of DrawnSpheres; at least 0
+    float nearest = 0.0F;  // no ray is shorter than this from where it begins to its hit, in the units of DrawnSpheres; at least 0
 
     bool operator==(const Candidate&) const = default;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "exact/rays.hpp"
 #include "exact/visible.hpp"
 #include "scene/vectors.hpp"
 
@@ -83,6 +84,16 @@ EyeSide EyeSides::operator()(const Sphere& sphere) const {
 
 EyeSide origin_side(const Sphere& sphere, EyeSide side, const Camera& camera, PictureSize size, Pixel pixel) {
     if (side != EyeSide::in_plane) return side;
+    const RayBasis<double> rays = ray_basis<double>(camera, size);
+    const glm::dvec3 from_eye = sphere.center - camera.eye;
+    const double reach = taxicab_length(from_eye) + sphere.radius + rays.reach;
+    if (rays.in_range && reach > smallest_double_size && reach < largest_double_size) {
+        // docs/exactness.md, "Orthographic rays": off by less than 17 units of the size's square.
+        const glm::dvec3 c = from_eye - ray_origin(rays, size, pixel);
+        const double difference = dot(c, c) - sphere.radius * sphere.radius;
+        const double doubt = 64.0 * double_unit * (reach * reach);
+        if (std::fabs(difference) > doubt) return difference > 0.0 ? EyeSide::outside : EyeSide::inside;
+    }
     CommonScale scale;
     scale.include_origins(camera);
     scale.include(sphere);

@@ -235,6 +235,10 @@ std::string direction_in_words(const PixelExplanation& explanation) {
            (parallel ? "  the same for all pixels" : "  through the pixel's centre");
 }
 
+const char* behind_in_words(const PixelExplanation& explanation) {
+    return explanation.projection == Projection::orthographic ? "behind where the ray begins" : "behind the eye";
+}
+
 const char* why(const ExplainedHit& hit) {
     const bool tangent = hit.discriminant_sign == 0;
     if (hit.projection == Projection::orthographic && !tangent) {

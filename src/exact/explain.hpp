@@ -74,6 +74,9 @@ std::string vector_in_words(const glm::dvec3& v);
 std::string origin_in_words(const PixelExplanation& explanation);
 std::string direction_in_words(const PixelExplanation& explanation);
 
+// Where a sphere without a positive root is.
+const char* behind_in_words(const PixelExplanation& explanation);
+
 // Which root counts, and why.
 const char* why(const ExplainedHit& hit);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 #include "base/square_root.hpp"
@@ -11,7 +12,7 @@ namespace sphereview {
 
 // Where the eye is, seen from a sphere: the sign of |C|^2 - r^2, decided exactly once for the sphere. An orthographic eye is the
 // plane that its rays begin in: outside where the plane passes by the sphere, else in_plane: which root counts, each ray must tell.
-enum class EyeSide { outside, inside, on_surface, in_plane };
+enum class EyeSide : std::uint8_t { outside, inside, on_surface, in_plane };
 
 // The arithmetic that a bound is for: `unit` bounds the relative error of + - x and of the inputs; square roots, inverse
 // square roots and division may err by twice as much.
@@ -88,6 +89,18 @@ inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Rea
             return {missed ? never : along - longest - w, sure ? along - shortest + w : never};
         }
     }
+}
+
+// The same for a side that is known only now.
+template <typename Real>
+inline HitBounds<Real> hit_bounds(EyeSide side, Real cx, Real cy, Real cz, Real r, Real w, Real nx, Real ny, Real nz) {
+    switch (side) {
+        case EyeSide::outside: return hit_bounds<EyeSide::outside>(cx, cy, cz, r, w, nx, ny, nz);
+        case EyeSide::inside: return hit_bounds<EyeSide::inside>(cx, cy, cz, r, w, nx, ny, nz);
+        case EyeSide::on_surface: return hit_bounds<EyeSide::on_surface>(cx, cy, cz, r, w, nx, ny, nz);
+        case EyeSide::in_plane: return hit_bounds<EyeSide::in_plane>(cx, cy, cz, r, w, nx, ny, nz);
+    }
+    return {};
 }
 
 // What is known of a pixel's nearest hits after some spheres: enough to tell whether one of them is surely the visible one.

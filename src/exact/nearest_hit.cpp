@@ -161,34 +161,32 @@ ExactBasis::ExactBasis(const Camera& camera) {
     for (Approximate& component : forward) component.error = 2.0 * error;
 }
 
-ApproximateVector ExactBasis::origin(PictureSize size, Pixel pixel, int exponent) const {
-    if (!orthographic) return {};
+ApproximateVector ExactBasis::in_plane(PictureSize size, Pixel pixel) const {
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
-    const Approximate m(size.shorter_side());
     const Approximate across(static_cast<double>(coefficients.across));
     const Approximate upward(static_cast<double>(coefficients.upward));
     const auto within = [&](double value) { return Approximate({value, 0.0}, error); };
     ApproximateVector out;
     for (std::size_t i = 0; i < 3; ++i) {
         const int axis = static_cast<int>(i);
-        const Approximate place = (across * within(right[axis]) + upward * within(up[axis])) / m;
-        out[i] = moved(place, edge_exponent + exponent);
+        out[i] = across * within(right[axis]) + upward * within(up[axis]);
     }
+    return out;
+}
+
+ApproximateVector ExactBasis::origin(PictureSize size, Pixel pixel, int exponent) const {
+    if (!orthographic) return {};
+    const Approximate m(size.shorter_side());
+    ApproximateVector out = in_plane(size, pixel);
+    for (Approximate& component : out) component = moved(component / m, edge_exponent + exponent);
     return out;
 }
 
 ApproximateVector ExactBasis::ray(PictureSize size, Pixel pixel) const {
     if (orthographic) return forward;
-    const RayCoefficients coefficients = ray_coefficients(size, pixel);
     const Approximate m(size.shorter_side());
-    const Approximate across(static_cast<double>(coefficients.across));
-    const Approximate upward(static_cast<double>(coefficients.upward));
-    const auto within = [&](double value) { return Approximate({value, 0.0}, error); };
-    ApproximateVector out;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const int axis = static_cast<int>(i);
-        out[i] = m * forward[i] + across * within(right[axis]) + upward * within(up[axis]);
-    }
+    ApproximateVector out = in_plane(size, pixel);
+    for (std::size_t i = 0; i < 3; ++i) out[i] = m * forward[i] + out[i];
     return out;
 }
 

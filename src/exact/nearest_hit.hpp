@@ -69,6 +69,8 @@ struct ExactBasis {
 
     explicit ExactBasis(const Camera& camera);
 
+    // across right + upward up of a pixel.
+    ApproximateVector in_plane(PictureSize size, Pixel pixel) const;
     // m D of a pixel; orthographic: D.
     ApproximateVector ray(PictureSize size, Pixel pixel) const;
     // Where the ray begins, relative to the eye, times 2^exponent.

@@ -19,17 +19,6 @@ namespace sphereview {
 
 namespace {
 
-template <typename Real>
-HitBounds<Real> bounds_of_side(EyeSide side, const glm::vec<3, Real>& c, Real r, Real w, const glm::vec<3, Real>& ray) {
-    switch (side) {
-        case EyeSide::outside: return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-        case EyeSide::inside: return hit_bounds<EyeSide::inside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-        case EyeSide::on_surface: return hit_bounds<EyeSide::on_surface>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-        case EyeSide::in_plane: return hit_bounds<EyeSide::in_plane>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-    }
-    return {};
-}
-
 constexpr int cells_in_piece = 32;
 constexpr std::size_t tried_between_checks = 4096;  // a millisecond
 constexpr double condition_of_rounded_rays = 2.0;   // 4 roundings are less than 5 times this
@@ -247,7 +236,8 @@ DecisionLevel decision_level(const Scene& scene, const DrawnSpheres& drawn, cons
         }
         const float size_of_sphere = std::fabs(s.x) + std::fabs(s.y) + std::fabs(s.z) + std::fabs(s.w) + view.rays.reach;
         const float w = view.error_scale * size_of_sphere;
-        nearest.add(static_cast<int>(i), bounds_of_side<float>(drawn.side(i), glm::vec3(s) - origin, std::fabs(s.w), w, ray));
+        const glm::vec3 c = glm::vec3(s) - origin;
+        nearest.add(static_cast<int>(i), hit_bounds(drawn.side(i), c.x, c.y, c.z, std::fabs(s.w), w, ray.x, ray.y, ray.z));
         return nearest.smallest_high;
     });
     if (!view.all_doubtful && nearest.decided()) return DecisionLevel::in_float;

@@ -9,6 +9,7 @@
 #include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/atoms.hpp"
 #include "formats/csv_table.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
@@ -49,11 +50,7 @@ class RowReader {
 public:
     // colors_to_1: red, green and blue are parts of 1; else of 255. names_elements: an atom without a name gets its element's.
     RowReader(const CsvRecords& records, const CsvTable& table, const DataOptions& options, bool colors_to_1, bool names_elements)
-        : records_(records),
-          table_(table),
-          default_radius_(options.radius),
-          colors_to_1_(colors_to_1),
-          names_elements_(names_elements) {
+        : records_(records), table_(table), options_(options), colors_to_1_(colors_to_1), names_elements_(names_elements) {
         std::ranges::transform(table.columns.places, places_.begin(), [](const auto& place) { return place.value_or(nowhere); });
     }
 
@@ -77,7 +74,7 @@ public:
         }
         const Element* element = has(CsvColumn::element) ? &element_of_species(field(CsvColumn::element).text) : nullptr;
         if (!set_radius(sphere.radius)) {
-            sphere.radius = default_radius_.value_or(element == nullptr ? usual_radius : element->radius);
+            sphere.radius = element == nullptr ? options_.radius.value_or(usual_radius) : radius_of(*element, options_);
         } else {
             ++read.counts.radii;
         }
@@ -179,7 +176,7 @@ private:
 
     const CsvRecords& records_;
     const CsvTable& table_;
-    std::optional<double> default_radius_;
+    const DataOptions& options_;
     bool colors_to_1_;
     bool names_elements_;
     std::array<std::size_t, csv_column_names.size()> places_{};  // of the columns among the fields, for each row
@@ -318,17 +315,17 @@ SphereData read_csv(std::string_view content, const std::string& name, const Dat
     if (colors_to_1 != table.colors_to_1 && table.columns.has(CsvColumn::red)) counts = rows.read(data.scene, colors_to_1);
 
     if (!table.has_header && options.columns.empty()) {
-        data.warnings.emplace_back("no header: the first columns are taken for x, y" +
-                                   std::string(table.columns.has(CsvColumn::z) ? " and z" : "") +
-                                   (table.columns.has(CsvColumn::red) ? ", and three more for red, green and blue" : ""));
+        data.warnings.push_back(name + ": no header: the first columns are taken for x, y" +
+                                std::string(table.columns.has(CsvColumn::z) ? " and z" : "") +
+                                (table.columns.has(CsvColumn::red) ? ", and three more for red, green and blue" : ""));
     }
-    if (!table.columns.has(CsvColumn::z)) data.warnings.emplace_back("no column for z: all lie in the plane z = 0");
+    if (!table.columns.has(CsvColumn::z)) data.warnings.push_back(name + ": no column for z: all lie in the plane z = 0");
     if (counts.no_center > 0) {
-        data.warnings.push_back(in_groups(counts.no_center) + (counts.no_center == 1 ? " row has" : " rows have") +
+        data.warnings.push_back(name + ": " + in_groups(counts.no_center) + (counts.no_center == 1 ? " row has" : " rows have") +
                                 " no coordinates and " + (counts.no_center == 1 ? "is" : "are") + " left out");
     }
-    if (counts.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data);
-    if (std::string words = passed_over_in_words(table); !words.empty()) data.notes.push_back(std::move(words));
+    if (counts.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name);
+    if (const std::string words = passed_over_in_words(table); !words.empty()) data.notes.push_back(name + ": " + words);
     return data;
 }
 

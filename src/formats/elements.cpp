@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 #include "base/number.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -61,7 +63,8 @@ constexpr auto elements = std::to_array<Element>({
     {"Og", {0xEB, 0x00, 0x26}, 1.69},
 });
 
-constexpr Element unknown{"", {0xFF, 0x14, 0x93}, 1.0};  // Jmol's colour for it
+constexpr Element unknown{"", {0xFF, 0x14, 0x93}, 0.76};  // Jmol's colour for it
+constexpr Element no_element{"", {0xFF, 0x14, 0x93}, 0.2};
 
 constexpr bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
@@ -92,7 +95,25 @@ const Element* find_element(std::string_view symbol) {
 
 const Element& unknown_element() { return unknown; }
 
+const Element& virtual_site() { return no_element; }
+
+bool is_dummy(std::string_view species) {
+    constexpr auto names = std::to_array<std::string_view>(
+        {"du", "dum", "dummy", "ep", "epw", "gh", "ghost", "lp", "lpa", "lpb", "m", "mw", "tv", "virt", "vs"});
+    if (species.empty()) return false;
+    const std::string name = lower_case(species);
+    const std::string_view letters(name.data(), static_cast<std::size_t>(std::ranges::find_if_not(name, is_letter) - name.begin()));
+    if (letters.starts_with('x')) return letters != "xe";
+    return letters.starts_with("bq") || std::ranges::find(names, letters) != names.end() || name[0] == '@' || name == "0" ||
+           name.find("ghost") != std::string::npos;
+}
+
 const Element& element_of_species(std::string_view species) {
+    // Most species begin with another character, and need no closer look.
+    constexpr std::string_view firsts = "BDEGLMTVXbdeglmtvx@0";
+    constexpr std::size_t longest_symbol = 5;  // with a charge or a number: longer ones may end in _ghost
+    const bool may_be = !species.empty() && (species.size() > longest_symbol || firsts.find(species[0]) != std::string_view::npos);
+    if (may_be && is_dummy(species)) return no_element;
     std::size_t letters = 0;
     while (letters < species.size() && is_letter(species[letters])) ++letters;
     if (letters == 0) {

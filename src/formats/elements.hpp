@@ -16,11 +16,21 @@ struct Element {
 // By its symbol in any letter case; D and T are hydrogen. Null if there is no such element.
 const Element* find_element(std::string_view symbol);
 
-// What is drawn for atoms whose element is not known.
+// What is drawn for atoms whose element is not known: not larger than carbon.
 const Element& unknown_element();
 
+// What is drawn for what files of atoms call one and is none: virtual sites of models of water, lone pairs, Drude particles,
+// ghosts, dummies. Smaller than any atom, so that it hides none.
+const Element& virtual_site();
+
+inline bool is_virtual(const Element& element) { return &element == &virtual_site(); }
+
+// Whether `species` is what programs call that: X, Xx, Bq, Gh(O), @O, O_ghost, Du, LP, EP, M, MW, Tv (a vector of the lattice), or
+// the atomic number 0.
+bool is_dummy(std::string_view species);
+
 // What files call an atom: a symbol, a symbol with more behind its letters ("C1", "Fe2+", "O_w"), two letters of which the first
-// is a symbol ("OW", "CG1"), or an atomic number. Else the unknown element.
+// is a symbol ("OW", "CG1"), or an atomic number; the virtual site for what is_dummy(). Else the unknown element.
 const Element& element_of_species(std::string_view species);
 
 }  // namespace sphereview

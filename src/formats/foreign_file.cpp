@@ -176,11 +176,11 @@ bool is_stl(const FirstLines& lines) {
     return lower_case(lines[0].substr(0, 5)) == "solid" && lower_case(trimmed(lines[1])).starts_with("facet ");
 }
 
-// "100 atoms" within the first lines.
+// "2 atom types" within the first lines; an XYZ may begin with "100 atoms".
 bool is_lammps_data(const FirstLines& lines) {
     return std::ranges::any_of(lines, [](std::string_view line) {
         const auto words = words_of(line);
-        return words.size() == 2 && is_whole(words[0]) && words[1] == "atoms";
+        return words.size() == 3 && is_whole(words[0]) && words[1] == "atom" && words[2] == "types";
     });
 }
 

@@ -86,12 +86,15 @@ constexpr bool is_space(char c) { return (c == ' ') | (static_cast<unsigned char
 // what should stand there: its words are only made for a message.
 class TokenReader {
 public:
-    // Begins at the first token at or after `offset`, which lies between two tokens. `end_found`: how messages call the end.
-    TokenReader(const TextSource& source, std::size_t offset, const char* end_found = "the text ends")
+    // Begins at the first token at or after `offset`, which lies between two tokens. `end_found`: how messages call the end;
+    // `parse`: what reads a number that read_double() does not read whole.
+    TokenReader(const TextSource& source, std::size_t offset, const char* end_found = "the text ends",
+                NumberFault (*parse)(std::string_view token, double& value) = parse_double)
         : source_(source),
           next_(source.text.data() + offset),
           end_(source.text.data() + source.text.size()),
-          end_found_(end_found) {
+          end_found_(end_found),
+          parse_(parse) {
         skip_space();
     }
 
@@ -138,10 +141,27 @@ public:
         const char* last = result.ptr;
         if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
             last = next_ + token().size();
-            const NumberFault fault = parse_double(token(), value);
+            const NumberFault fault = parse_(token(), value);
             if (fault != NumberFault::none) fail(expected() + ", " + expected_instead_of(fault));
         }
         if (!is_good(value)) fail(expected() + what_is_good);
+        step_to(last);
+        return value;
+    }
+
+    // A number of what is only decoration: one that is not finite is 0.
+    template <typename Expected>
+    double number_or_0(const Expected& expected) {
+        if (at_end()) fail_at_end(end_found_, expected());
+        double value = 0.0;
+        const auto result = read_double(next_, end_, value);
+        const char* last = result.ptr;
+        if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
+            last = next_ + token().size();
+            value = 0.0;
+            const NumberFault fault = parse_(token(), value);
+            if (fault == NumberFault::not_a_number) fail(expected() + ", " + expected_instead_of(fault));
+        }
         step_to(last);
         return value;
     }
@@ -176,6 +196,7 @@ private:
     const char* next_;
     const char* end_;
     const char* end_found_;
+    NumberFault (*parse_)(std::string_view token, double& value);
 };
 
 // Calls work(i) for each i below `count`, on all cores; of several exceptions that of the lowest i is thrown here.

@@ -1,9 +1,15 @@
 #include "formats/macromolecule.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <span>
+#include <tuple>
 #include <utility>
 
 #include "base/text.hpp"
+#include "formats/atom_names.hpp"
+#include "formats/atoms.hpp"
 
 namespace sphereview {
 
@@ -18,46 +24,121 @@ std::string name_of(const MoleculeAtom& atom) {
     return as_utf8(name);
 }
 
+using Places = std::vector<const AlternativePlace*>;
+
+// The places of one alternative of a residue.
+struct Alternative {
+    std::size_t group = 0;  // another alternative with an atom in common, or its own number
+    Places places{};
+
+    double occupancy() const {
+        const auto of_place = [](const AlternativePlace* place) { return place->occupancy; };
+        return of_place(*std::ranges::max_element(places, {}, of_place));
+    }
+};
+
+std::size_t group_of(std::vector<Alternative>& alternatives, std::size_t number) {
+    while (alternatives[number].group != number) {
+        alternatives[number].group = alternatives[alternatives[number].group].group;
+        number = alternatives[number].group;
+    }
+    return number;
+}
+
+// Appends the spheres of one residue's places that are not kept.
+void choose_places(const Places& places, std::vector<std::size_t>& surplus) {
+    std::vector<Alternative> alternatives;
+    std::map<std::string_view, std::size_t> numbers;  // of alternatives
+    std::map<std::string_view, std::size_t> firsts;   // the first alternative that has an atom
+    for (const AlternativePlace* place : places) {
+        const std::size_t number = numbers.emplace(place->alternative, alternatives.size()).first->second;
+        if (number == alternatives.size()) alternatives.push_back({number});
+        alternatives[number].places.push_back(place);
+        const std::size_t first = firsts.emplace(place->atom, number).first->second;
+        alternatives[group_of(alternatives, number)].group = group_of(alternatives, first);
+    }
+
+    std::vector<std::size_t> order;  // the fullest first
+    for (std::size_t i = 0; i < alternatives.size(); ++i) order.push_back(i);
+    std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return alternatives[i].occupancy(); });
+    std::map<std::size_t, std::string_view> residues;         // of each group
+    std::map<std::string_view, std::string_view> chosen_for;  // the alternative of each atom
+    for (const std::size_t number : order) {
+        for (const AlternativePlace* place : alternatives[number].places) {
+            const std::string_view residue = residues.emplace(group_of(alternatives, number), place->residue).first->second;
+            const bool is_kept = place->residue == residue &&
+                                 chosen_for.emplace(place->atom, place->alternative).first->second == place->alternative;
+            if (!is_kept) surplus.push_back(place->sphere);
+        }
+    }
+}
+
 }  // namespace
 
-MoleculeScene::MoleculeScene(std::size_t atoms, const DataOptions& options)
-    : named_(atoms <= most_named_atoms), radius_(options.radius) {
+std::vector<std::size_t> surplus_places(std::vector<AlternativePlace> places) {
+    const auto address = [](const AlternativePlace& place) { return std::tie(place.chain, place.number); };
+    std::ranges::stable_sort(places, {}, address);
+    std::vector<std::size_t> surplus;
+    for (auto begin = places.begin(); begin != places.end();) {
+        const auto is_elsewhere = [&](const AlternativePlace& place) { return address(place) != address(*begin); };
+        const auto end = std::find_if(begin, places.end(), is_elsewhere);
+        // Of the same number are a residue whose alternatives stand apart, two residues that share a place, and, without a
+        // relation, the waters of a chain that are counted from 1 again.
+        std::vector<Places> residues;
+        std::map<std::size_t, std::size_t> of_run;
+        std::map<std::string_view, std::size_t> of_residue;
+        for (; begin != end; ++begin) {
+            const auto same_run = of_run.find(begin->run);
+            const auto same_residue = of_residue.find(begin->residue);
+            const std::size_t number = same_run != of_run.end()           ? same_run->second
+                                       : same_residue != of_residue.end() ? same_residue->second
+                                                                          : residues.size();
+            if (number == residues.size()) residues.emplace_back();
+            of_run.emplace(begin->run, number);
+            of_residue.emplace(begin->residue, number);
+            residues[number].push_back(&*begin);
+        }
+        for (const Places& residue : residues) choose_places(residue, surplus);
+    }
+    std::ranges::sort(surplus);
+    return surplus;
+}
+
+MoleculeScene::MoleculeScene(std::size_t atoms, const DataOptions& options) : named_(atoms <= most_named_atoms), options_(options) {
     scene_.spheres.reserve(atoms);
 }
 
 void MoleculeScene::add(const MoleculeAtom& atom) {
     if (atom.chain != chain_ || atom.residue_number != number_) {
-        end_residue();
         chain_ = atom.chain;
         number_ = atom.residue_number;
+        ++run_;
     }
-    if (!atom.alternative.empty()) places_.push_back({scene_.spheres.size(), atom.alternative, atom.occupancy});
-    if (named_) names_.push_back(name_of(atom));
-    scene_.spheres.push_back(
-        {.center = atom.position, .radius = radius_.value_or(atom.element->radius), .color = atom.element->color});
+    const std::size_t number = scene_.spheres.size();
+    // Without numbers the waters and ions of a chain cannot be told from the places of one.
+    const bool is_itself = number_.empty() && (is_water(atom.residue) || is_ion(atom.atom, atom.residue));
+    if (!atom.alternative.empty() && !is_itself) {
+        places_.push_back(
+            {number, run_, atom.chain, atom.residue_number, atom.residue, atom.atom, atom.alternative, atom.occupancy});
+    }
+    if (is_virtual(*atom.element)) virtual_sites_.push_back(number);
+    if (named_) scene_.names.emplace_hint(scene_.names.end(), static_cast<std::uint32_t>(number), name_of(atom));
+    scene_.spheres.push_back({.center = atom.position, .radius = radius_of(*atom.element, options_), .color = atom.element->color});
 }
 
-// Removes the places that are not kept, and names what is left.
-void MoleculeScene::end_residue() {
-    const auto fullest = std::ranges::max_element(places_, {}, &Place::occupancy);  // the first of several
-    auto place = places_.begin();
-    std::size_t kept = first_;
-    for (std::size_t i = first_; (named_ || !places_.empty()) && i < scene_.spheres.size(); ++i) {
-        const bool has_others = place != places_.end() && place->sphere == i;
-        if (has_others && (place++)->alternative != fullest->alternative) continue;
-        scene_.spheres[kept] = scene_.spheres[i];
-        if (named_) scene_.names.emplace_hint(scene_.names.end(), static_cast<std::uint32_t>(kept), std::move(names_[i - first_]));
-        ++kept;
+SphereData MoleculeScene::take(const std::string& name) {
+    std::vector<std::size_t> removed = surplus_places(std::move(places_));
+    std::vector<std::size_t> sites;
+    std::ranges::set_difference(virtual_sites_, removed, std::back_inserter(sites));
+    SphereData data{std::move(scene_)};
+    warn_of_virtual_sites(data, sites.size(), name, options_);
+    if (!options_.virtual_sites) {
+        std::vector<std::size_t> all;
+        std::ranges::set_union(removed, sites, std::back_inserter(all));
+        removed = std::move(all);
     }
-    if (named_ || !places_.empty()) scene_.spheres.resize(kept);
-    first_ = scene_.spheres.size();
-    places_.clear();
-    names_.clear();
-}
-
-Scene MoleculeScene::take() {
-    end_residue();
-    return std::move(scene_);
+    remove_spheres(data.scene, removed);
+    return data;
 }
 
 bool shows_pdb(std::string_view head) {

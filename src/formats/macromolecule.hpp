@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,38 +20,46 @@ struct MoleculeAtom {
     std::string residue_number{};    // with the insertion code: "52A"
     std::string_view atom{};         // "CA"
     std::string_view alternative{};  // "A", "B"; "" of an atom with one place
-    double occupancy = 1.0;          // how much of the atom is there
+    double occupancy = 1.0;          // how much of the atom is there; finite
 };
 
-// Makes spheres of atoms, called "A/ALA 52A/CA" where they are not too many. Of the alternatives of a residue only that of the
-// highest occupancy is kept, the first of several, as ChimeraX does: all of them at once would overlap.
+// An atom of which the file may hold other places.
+struct AlternativePlace {
+    std::size_t sphere = 0;
+    std::size_t run = 0;  // of the atoms of one residue that stand together
+    std::string_view chain{};
+    std::string number{};
+    std::string_view residue{};
+    std::string_view atom{};
+    std::string_view alternative{};
+    double occupancy = 1.0;
+};
+
+// The spheres of places that are not kept, ascending: all places at once would overlap. The alternatives of a residue that have an
+// atom in common are a group, and each group is chosen for itself: the alternative with the highest occupancy, the first of
+// several, as ChimeraX does. What it lacks comes from the next, unless that is another residue.
+std::vector<std::size_t> surplus_places(std::vector<AlternativePlace> places);
+
+// Makes spheres of atoms, called "A/ALA 52A/CA" where they are not too many, each in one place.
 class MoleculeScene {
 public:
     // `atoms`: how many will be added, of which the texts stay where they are.
     MoleculeScene(std::size_t atoms, const DataOptions& options);
 
     void add(const MoleculeAtom& atom);
-    Scene take();
+    // `name`: of the file, for warnings.
+    SphereData take(const std::string& name);
 
 private:
-    // An atom of the residue that has other places.
-    struct Place {
-        std::size_t sphere;
-        std::string_view alternative;
-        double occupancy;
-    };
-
-    void end_residue();
-
     bool named_;
-    std::optional<double> radius_;
+    DataOptions options_;
     Scene scene_{};
+    std::vector<AlternativePlace> places_{};
+    std::vector<std::size_t> virtual_sites_{};  // their spheres
     // Of the residue that goes on:
-    std::size_t first_ = 0;  // its first sphere
     std::string_view chain_{};
     std::string number_{};
-    std::vector<Place> places_{};
-    std::vector<std::string> names_{};
+    std::size_t run_ = 0;
 };
 
 // Throws InputError for a file without an atom; `expected` says what one looks like.

@@ -3,12 +3,13 @@
 #include <cmath>
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
-#include <optional>
 #include <unordered_map>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/text.hpp"
+#include "formats/atom_names.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"
 
@@ -53,8 +54,12 @@ cif::Document read_document(const TextSource& source) {
 }
 
 // gemmi keeps only the line of a table, or of a pair of a tag and a value.
+std::string in_line(const TextSource& source, const cif::Item& item, const std::string& message) {
+    return source.name + ":" + std::to_string(item.line_number) + ": " + message;
+}
+
 [[noreturn]] void fail_in_line(const TextSource& source, const cif::Item& item, const std::string& message) {
-    throw InputError(source.name + ":" + std::to_string(item.line_number) + ": " + message);
+    throw InputError(in_line(source, item, message));
 }
 
 const cif::Item& first_item(cif::Table& table) {
@@ -73,26 +78,33 @@ cif::Table atoms_of(const TextSource& source, cif::Block& block) {
     return block.find_mmcif_category(atom_table);
 }
 
-// The one table of atoms.
-cif::Table find_atoms(const TextSource& source, cif::Document& document) {
+// The tables of atoms, of which each block may have one.
+struct AtomTables {
+    std::vector<cif::Table> tables{};
+    std::string fault{};  // of another one, which is passed over; "" where there is none
+};
+
+AtomTables find_atoms(const TextSource& source, cif::Document& document) {
     const auto words = words_of(atom_columns);
     const std::vector<std::string> columns(words.begin(), words.end());
-    std::optional<cif::Table> found;
+    AtomTables found;
     for (cif::Block& block : document.blocks) {
-        if (const cif::Item* item = block.find_loop_item("_atom_site_fract_x")) {
-            fail_in_line(source, *item, "found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
-        }
+        const cif::Item* crystal = block.find_loop_item("_atom_site_fract_x");
         cif::Table any = atoms_of(source, block);
-        if (!any.ok()) continue;
-        if (found) fail_in_line(source, first_item(any), "found a second table of atoms, expected one");
-        found.emplace(block.find(atom_table, columns));
-        if (!found->ok()) {
-            fail_in_line(source, first_item(any),
-                         "found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+        if (any.ok()) {
+            const cif::Table table = block.find(atom_table, columns);
+            if (table.ok() && table.length() > 0) found.tables.push_back(table);
+            if (table.ok() || !found.fault.empty()) continue;
+            found.fault = in_line(source, first_item(any),
+                                  "found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+        } else if (crystal != nullptr && found.fault.empty()) {
+            found.fault =
+                in_line(source, *crystal, "found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
         }
     }
-    if (!found || found->length() == 0) fail_without_atoms(source, table_syntax);
-    return *found;
+    if (!found.tables.empty()) return found;
+    if (!found.fault.empty()) throw InputError(found.fault);
+    fail_without_atoms(source, table_syntax);
 }
 
 // The text of a value without its quotes; "" where there is none.
@@ -131,18 +143,49 @@ std::uint64_t bytes_of_document(std::string_view text) {
     return words * bytes_of_word + 2 * std::uint64_t{text.size()};
 }
 
+const Element& element_of(std::string_view symbol, std::string_view atom, std::string_view residue) {
+    if (symbol.empty() || residue == "DUM") return element_of_name(atom, residue, NameColumns::unknown);
+    const Element& element = element_of_species(symbol);
+    return is_virtual(element) ? dummy_in(residue) : element;
+}
+
 MoleculeAtom atom_of(const TextSource& source, const cif::Table::Row& row) {
     MoleculeAtom atom;
     atom.position = {coordinate(source, row, x), coordinate(source, row, y), coordinate(source, row, z)};
     atom.atom = first_of(row, auth_atom, label_atom);
-    const std::string_view symbol = text_of(row, type_symbol);
-    atom.element = &element_of_species(symbol.empty() ? atom.atom : symbol);
     atom.chain = first_of(row, auth_chain, label_chain);
     atom.residue = first_of(row, auth_residue, label_residue);
+    atom.element = &element_of(text_of(row, type_symbol), atom.atom, atom.residue);
     atom.residue_number = std::string(first_of(row, auth_number, label_number)).append(text_of(row, insertion_code));
     atom.alternative = text_of(row, alternative);
     if (row.has2(occupancy)) atom.occupancy = cif::as_number(row[occupancy], 1.0);
+    if (!std::isfinite(atom.occupancy)) atom.occupancy = 1.0;
     return atom;
+}
+
+// The table and the model in it that are the wanted frame: the models of each block follow on those of the block before.
+struct WantedModel {
+    std::int64_t frames = 0;  // of all tables
+    std::size_t table = 0;
+    std::string_view model{};
+    std::size_t atoms = 0;
+};
+
+WantedModel find_model(std::vector<cif::Table>& tables, std::int64_t wanted) {
+    WantedModel found;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        std::unordered_map<std::string_view, std::int64_t> models;
+        for (const auto row : tables[i]) {
+            const std::string_view model = text_of(row, Column::model);
+            const std::int64_t frame = models.emplace(model, found.frames + static_cast<std::int64_t>(models.size())).first->second;
+            if (frame != wanted) continue;
+            found.table = i;
+            found.model = model;
+            ++found.atoms;
+        }
+        found.frames += static_cast<std::int64_t>(models.size());
+    }
+    return found;
 }
 
 }  // namespace
@@ -152,22 +195,18 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
     if (trimmed(source.text, white_space).empty()) fail_without_atoms(source, table_syntax);
     require_memory(bytes_of_document(source.text), name + ": its values need");
     cif::Document document = read_document(source);
-    cif::Table table = find_atoms(source, document);
-
-    std::unordered_map<std::string_view, std::int64_t> models;
-    std::size_t atoms = 0;  // of the wanted model
-    for (const auto row : table) {
-        const auto count = static_cast<std::int64_t>(models.size());
-        if (models.emplace(text_of(row, model), count).first->second == options.frame) ++atoms;
+    AtomTables found = find_atoms(source, document);
+    const WantedModel wanted = find_model(found.tables, options.frame);
+    require_frame(name, options.frame, wanted.frames);
+    require_memory(wanted.atoms * sizeof(Sphere), name + ": " + in_groups(wanted.atoms) + " spheres need");
+    MoleculeScene scene(wanted.atoms, options);
+    for (const auto row : found.tables[wanted.table]) {
+        if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row));
     }
-    const auto frames = static_cast<std::int64_t>(models.size());
-    require_frame(name, options.frame, frames);
-    require_memory(atoms * sizeof(Sphere), name + ": " + in_groups(atoms) + " spheres need");
-    MoleculeScene scene(atoms, options);
-    for (const auto row : table) {
-        if (models.at(text_of(row, model)) == options.frame) scene.add(atom_of(source, row));
-    }
-    return {scene.take(), frames};
+    SphereData data = scene.take(name);
+    data.frames = wanted.frames;
+    if (!found.fault.empty()) data.warnings.push_back(found.fault + "; passed over");
+    return data;
 }
 
 }  // namespace sphereview

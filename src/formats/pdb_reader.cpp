@@ -1,13 +1,13 @@
-// The Protein Data Bank's format 3.3, as gemmi reads it. gemmi reads a coordinate that is no number as 0. So this file checks the
-// coordinates of the wanted model's atoms and gives gemmi only those lines, none of which gemmi refuses: its messages would count
-// the lines that it got.
+// The Protein Data Bank's format 3.3, and what other programs write in its columns: names of atoms from column 13, no columns of
+// elements, residues of four letters, hydrogens as 1HB.
 #include <array>
-#include <gemmi/pdb.hpp>
+#include <cmath>
+#include <optional>
 
-#include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/atom_names.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"
 
@@ -26,105 +26,127 @@ constexpr std::size_t columns_read = 78;  // up to the element; the charge behin
 
 bool is_record(std::string_view line, std::string_view record) { return trimmed(line.substr(0, 6), " ") == record; }
 
-// Takes the atoms of one frame out of a file and sees that their places are numbers: gemmi takes what is none for 0.
-class FrameFilter {
-public:
-    FrameFilter(const TextSource& source, std::int64_t wanted) : source_(source), wanted_(wanted) {
-        atoms_.reserve(source.text.size() + source.text.size() / coordinates.back().end + 3);  // the blank at the end of each line
-        LineWalker lines(source.text, line_end_of(source.text));
-        while (!lines.at_end()) {
-            const std::size_t begin = lines.offset();
-            take_record(begin, source.text.substr(begin, lines.step() - begin));
-        }
-    }
+bool is_atom(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
-    // How many frames there are: models, or what END separates, as some programs do.
-    std::int64_t frames() const { return frames_; }
+// What the columns hold, without blanks; "" behind the line's end.
+std::string_view columns(std::string_view line, std::size_t begin, std::size_t end) {
+    return line.size() <= begin ? "" : trimmed(line.substr(begin, end - begin), " ");
+}
 
-    bool has_atoms() const { return has_atoms_; }
+// Where the atoms of the wanted frame stand. Frames are models, or what END separates, as some programs do.
+struct WantedFrame {
+    std::int64_t frames = 0;  // in the file
+    bool has_atoms = false;   // in any
+    std::size_t begin = 0;    // of its records
+    std::size_t end = 0;
+    std::size_t count = 0;  // of its atoms
+};
 
-    // How many atoms the wanted frame has, and their records.
-    std::size_t count() const { return count_; }
-    const std::string& atoms() const { return atoms_; }
-
-private:
-    void take_record(std::size_t begin, std::string_view line) {
-        if (line.starts_with("ATOM") || line.starts_with("HETATM")) {
-            if (!open_) ++frames_;
-            open_ = has_atoms_ = true;
-            if (frames_ - 1 != wanted_) return;
-            check(begin, line);
-            ++count_;
-            atoms_.append(line.substr(0, columns_read)) += " \n";  // gemmi wants a character behind the coordinates
+WantedFrame find_frame(std::string_view text, std::int64_t wanted) {
+    WantedFrame found;
+    bool open = false;  // more atoms are of the same frame
+    for (LineWalker lines(text, line_end_of(text)); !lines.at_end();) {
+        const std::size_t begin = lines.offset();
+        const std::string_view line = text.substr(begin, lines.step() - begin);
+        if (is_atom(line)) {
+            if (!open) ++found.frames;
+            open = found.has_atoms = true;
+            if (found.frames - 1 != wanted) continue;
+            if (found.count++ == 0) found.begin = begin;
+            found.end = lines.offset();
         } else if (is_record(line, "MODEL")) {
-            ++frames_;
-            open_ = true;
+            ++found.frames;
+            open = true;
         } else if (is_record(line, "ENDMDL") || is_record(line, "END")) {
-            open_ = false;
+            open = false;
         }
     }
+    return found;
+}
 
-    void check(std::size_t begin, std::string_view line) const {
+// Where no name of the file leaves column 13 to symbols of two letters, all of them may be written from there.
+NameColumns name_columns_of(std::string_view text) {
+    for (LineWalker lines(text, line_end_of(text)); !lines.at_end();) {
+        const std::size_t begin = lines.offset();
+        const std::string_view line = text.substr(begin, lines.step() - begin);
+        if (is_atom(line) && line.size() > 14 && line[12] == ' ' && line[13] != ' ') return NameColumns::aligned;
+    }
+    return NameColumns::unknown;
+}
+
+class PdbAtoms {
+public:
+    explicit PdbAtoms(const TextSource& source) : source_(source) {}
+
+    // The atom of the line that begins at `begin`.
+    MoleculeAtom atom(std::size_t begin, std::string_view line) {
         const std::size_t zero = line.substr(0, columns_read).find('\0');
         if (zero != std::string_view::npos) source_.fail(begin + zero, "found a zero byte, expected text");
-        for (const Field& field : coordinates) {
-            const std::string expected = std::string(", expected the atom's ") + field.what + " in columns " +
-                                         std::to_string(field.begin + 1) + " to " + std::to_string(field.end);
-            if (line.size() < field.end) source_.fail(begin + line.size(), "the line ends" + expected);
-            const std::string_view text = line.substr(field.begin, field.end - field.begin);
-            const std::string_view word = trimmed(text, " ");
-            double ignored = 0.0;
-            if (parse_double(word, ignored) == NumberFault::none) continue;
-            const std::size_t place = word.empty() ? field.begin : static_cast<std::size_t>(word.data() - line.data());
-            source_.fail(begin + place, "found " + in_quotes(word.empty() ? text : word) + expected + ", a number");
-        }
+        MoleculeAtom atom;
+        atom.position.x = coordinate(begin, line, coordinates[0]);
+        atom.position.y = coordinate(begin, line, coordinates[1]);
+        atom.position.z = coordinate(begin, line, coordinates[2]);
+        atom.atom = columns(line, 12, 16);
+        atom.alternative = columns(line, 16, 17);
+        // Residues of four letters (TIP3) take the column of chains of two.
+        const std::string_view four = columns(line, 17, 21);
+        const bool has_four = line[20] == ' ' || line[21] == ' ' || is_water(four);
+        atom.residue = has_four ? four : columns(line, 17, 20);
+        atom.chain = has_four ? columns(line, 21, 22) : columns(line, 20, 22);
+        atom.residue_number = columns(line, 22, 27);  // with the insertion code, or a fifth digit
+        const std::string_view occupancy = columns(line, 54, 60);
+        if (parse_double(occupancy, atom.occupancy) != NumberFault::none) atom.occupancy = 1.0;
+        atom.element = &element_of(line.substr(12, 4), atom.residue, columns(line, 76, 78));
+        return atom;
+    }
+
+private:
+    double coordinate(std::size_t begin, std::string_view line, const Field& field) const {
+        double value = 0.0;
+        const std::string_view text = line.substr(std::min(line.size(), field.begin), field.end - field.begin);
+        const std::string_view word = trimmed(text, " ");
+        if (line.size() >= field.end && parse_double(word, value) == NumberFault::none) return value;
+        const std::string expected = std::string(", expected the atom's ") + field.what + " in columns " +
+                                     std::to_string(field.begin + 1) + " to " + std::to_string(field.end);
+        if (line.size() < field.end) source_.fail(begin + line.size(), "the line ends" + expected);
+        const std::size_t place = word.empty() ? field.begin : static_cast<std::size_t>(word.data() - line.data());
+        source_.fail(begin + place, "found " + in_quotes(word.empty() ? text : word) + expected + ", a number");
+    }
+
+    // `symbol`: what the columns of elements hold, which may be something else altogether.
+    const Element& element_of(std::string_view name, std::string_view residue, std::string_view symbol) {
+        const Element* element = find_element(symbol);
+        const bool is_organic = is_water(residue) || is_polymer(residue);
+        const bool is_doubtful = residue == "DUM" || (symbol.size() == 2 && is_organic);  // CA of ALA is no calcium
+        if (element != nullptr && !is_doubtful) return *element;
+        if (element == nullptr && is_dummy(symbol)) return dummy_in(residue);
+        if (!name_columns_) name_columns_ = name_columns_of(source_.text);
+        return element_of_name(name, residue, *name_columns_);
     }
 
     const TextSource& source_;
-    std::int64_t wanted_;
-    std::int64_t frames_ = 0;
-    bool open_ = false;  // more atoms are of the same frame
-    bool has_atoms_ = false;
-    std::size_t count_ = 0;
-    std::string atoms_{};
+    std::optional<NameColumns> name_columns_{};  // once they count
 };
-
-std::string number_of(const gemmi::Residue& residue) { return residue.seqid.num.has_value() ? residue.seqid.str() : std::string(); }
 
 }  // namespace
 
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options) {
-    require_memory(content.size(), name + ": its atoms' lines need");
     const TextSource source{name, content};
-    const FrameFilter filter(source, options.frame);
-    if (!filter.has_atoms()) fail_without_atoms(source, "a record ATOM or HETATM");
-    require_frame(name, options.frame, filter.frames());
-
-    // Each atom may be a residue and a chain of its own, in arrays that grow. Measured: 13 bytes for each of the text then, and 5
-    // for proteins.
-    constexpr std::size_t bytes_per_atom =
-        2 * sizeof(gemmi::Atom) + 2 * sizeof(gemmi::Residue) + 2 * sizeof(gemmi::Chain) + sizeof(Sphere);
-    require_memory(filter.count() * bytes_per_atom, name + ": " + in_groups(filter.count()) + " atoms need");
-    const gemmi::Structure structure = gemmi::read_pdb_from_memory(filter.atoms().data(), filter.atoms().size(), name);
-    MoleculeScene scene(filter.count(), options);
-    for (const gemmi::Model& model : structure.models) {
-        for (const gemmi::Chain& chain : model.chains) {
-            for (const gemmi::Residue& residue : chain.residues) {
-                for (const gemmi::Atom& atom : residue.atoms) {
-                    const Element* element = find_element(atom.element.name());
-                    scene.add({.position = {atom.pos.x, atom.pos.y, atom.pos.z},
-                               .element = element != nullptr ? element : &unknown_element(),
-                               .chain = chain.name,
-                               .residue = residue.name,
-                               .residue_number = number_of(residue),
-                               .atom = atom.name,
-                               .alternative = std::string_view(&atom.altloc, atom.altloc == '\0' ? 0 : 1),
-                               .occupancy = atom.occ});
-                }
-            }
-        }
+    const WantedFrame frame = find_frame(content, options.frame);
+    if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
+    require_frame(name, options.frame, frame.frames);
+    require_memory(frame.count * sizeof(Sphere), name + ": " + in_groups(frame.count) + " spheres need");
+    MoleculeScene scene(frame.count, options);
+    PdbAtoms atoms(source);
+    LineWalker lines(content.substr(0, frame.end), line_end_of(content), frame.begin);
+    while (!lines.at_end()) {
+        const std::size_t begin = lines.offset();
+        const std::string_view line = content.substr(begin, lines.step() - begin);
+        if (is_atom(line)) scene.add(atoms.atom(begin, line));
     }
-    return {scene.take(), filter.frames()};
+    SphereData data = scene.take(name);
+    data.frames = frame.frames;
+    return data;
 }
 
 }  // namespace sphereview

@@ -178,11 +178,11 @@ std::optional<double> radius_of_points(const std::vector<Sphere>& points) {
     return radius > 0.0 && std::isfinite(radius) ? std::optional(radius) : std::nullopt;
 }
 
-void use_radius_of_points(SphereData& data) {
+void use_radius_of_points(SphereData& data, const std::string& name) {
     const std::optional<double> radius = radius_of_points(data.scene.spheres);
     if (!radius) return;
     for (Sphere& sphere : data.scene.spheres) sphere.radius = *radius;
-    data.warnings.push_back("no radius in the file: all get " + decimal(*radius, std::chars_format::general, 4) +
+    data.warnings.push_back(name + ": no radius in the file: all get " + decimal(*radius, std::chars_format::general, 4) +
                             ", a quarter of the median distance to the nearest neighbour; --radius gives another");
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "formats/sphere_data.hpp"
@@ -14,7 +15,8 @@ namespace sphereview {
 // Centres must be finite. Nothing where fewer than two places differ, or where their distances are beyond a double.
 std::optional<double> radius_of_points(const std::vector<Sphere>& points);
 
-// Gives all spheres of `data` that radius, and says so in a warning; where there is none they keep theirs.
-void use_radius_of_points(SphereData& data);
+// Gives all spheres of `data` that radius, and says so in a warning, which begins with the file's `name`; where there is none they
+// keep theirs.
+void use_radius_of_points(SphereData& data, const std::string& name);
 
 }  // namespace sphereview

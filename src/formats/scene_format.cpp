@@ -124,6 +124,7 @@ std::string lost_in(const Scene& scene, const SceneFormat& format) {
     if (scene.background != Background{}) lost.emplace_back("the background");
     if (scene.camera != Camera{}) lost.emplace_back("the camera");
     if (scene.light != Light{}) lost.emplace_back("the light");
+    if (!scene.views.empty()) lost.push_back("the views (" + std::to_string(scene.views.size()) + ")");
     if (!scene.names.empty()) lost.push_back("the names (" + std::to_string(scene.names.size()) + ")");
     const auto hidden = std::count_if(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
     if (hidden != 0) lost.push_back("the hidden spheres (" + std::to_string(hidden) + ")");

@@ -22,7 +22,7 @@ struct SceneFormat {
     bool is_data = false;                       // of another program: no camera of its own, and right-handed (data_axes)
     bool may_end_in_txt = false;                // also known by what it begins with where the name is one for text
     bool has_frames = false;
-    bool holds_only_spheres = false;  // no background, camera, names or hidden spheres
+    bool holds_only_spheres = false;  // no background, camera, light, views, names or hidden spheres
 
     // Whether a text that begins with `head`, without a byte-order mark, is of this format; true only where that is clear.
     bool (*sniff)(std::string_view head) = nullptr;

@@ -24,14 +24,19 @@ struct ColumnChoice {
 struct DataOptions {
     std::int64_t frame = 0;               // from 0
     std::optional<double> radius{};       // of spheres for which the file says none, instead of the usual one; > 0
+    bool virtual_sites = true;            // whether to show what a file of atoms calls one and is none (elements.hpp)
     std::vector<ColumnChoice> columns{};  // of CSV
 };
 
 struct SphereData {
-    Scene scene{};                        // of data: spheres and names, with the default camera and background
-    std::int64_t frames = 1;              // in the file
-    std::vector<std::string> warnings{};  // what a person should know, a line each, not yet made safe to print
-    std::vector<std::string> notes{};     // what helps where something is missing, likewise
+    Scene scene{};            // of data: spheres and names, with the default camera and background
+    std::int64_t frames = 1;  // in the file
+
+    // What a person should know of a file that was read all the same, a line each, which begins with the file's name:
+    // "NAME:LINE:COLUMN: found ..., expected ...; ...". Not yet made safe to print.
+    std::vector<std::string> warnings{};
+    // What helps where something is missing in the picture, likewise.
+    std::vector<std::string> notes{};
 };
 
 // Up to how many atoms each is named after its element. A name takes more memory and more time than its sphere, and nobody looks
@@ -41,8 +46,9 @@ inline constexpr std::size_t most_named_atoms = 100'000;
 // Throws InputError when a file of so many frames has not the one that is asked for.
 void require_frame(const std::string& name, std::int64_t frame, std::int64_t frames);
 
-// The native format, TOML: `background`, `[camera]`, `[[sphere]]`, or `spheres = """..."""` holding the text format. Beside that
-// text may stand `hidden = [3, 5]` and `[names]` with `7 = "sun"`: the numbers of spheres, from 0. Unknown keys are errors.
+// The native format, TOML: `background`, `[camera]`, `[light]`, `[[view]]`, `[[sphere]]`, or `spheres = """..."""` holding the text
+// format. Beside that text may stand `hidden = [3, 5]` and `[names]` with `7 = "sun"`: the numbers of spheres, from 0. Unknown keys
+// are errors.
 bool shows_toml(std::string_view head);
 SphereData read_toml(std::string_view content, const std::string& name, const DataOptions& options);
 
@@ -78,11 +84,11 @@ std::optional<std::vector<ColumnChoice>> parse_column_choices(const std::string&
 inline constexpr const char* column_choices_syntax =
     "COLUMN=NAME or COLUMN=NUMBER, with commas between, of x, y, z, radius, diameter, r, g, b, color, element and name";
 
-// PDB: models are frames; of alternative places the fullest is kept. Builds without gemmi say that they cannot read it.
+// PDB: models are frames; of alternative places the fullest is kept.
 bool shows_pdb(std::string_view head);
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options);
 
-// mmCIF (PDBx), likewise.
+// mmCIF (PDBx), likewise; the models of each data block follow on those before. Builds without gemmi say that they cannot read it.
 bool shows_mmcif(std::string_view head);
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options);
 

@@ -150,9 +150,8 @@ void read_sphere(const TomlText& document, const toml::table& table, std::size_t
     scene.spheres.push_back(sphere);
 }
 
-Camera read_camera(const TomlText& document, const toml::table& table) {
-    static const std::vector<std::string> keys = {"eye", "center", "right", "up", "projection"};
-    const TableReader reader(document, table, "[camera]", keys);
+// Of [camera], or of a [[view]].
+Camera read_camera(const TomlText& document, const toml::table& table, const TableReader& reader) {
     Camera camera;
     if (const auto* node = reader.find("eye")) camera.eye = reader.vector(*node, "eye");
     if (const auto* node = reader.find("center")) camera.center = reader.vector(*node, "center");
@@ -174,6 +173,33 @@ Camera read_camera(const TomlText& document, const toml::table& table) {
                  "; expected perpendicular, equally long 'right' and 'up' (within 1e-6) and an eye off the screen's plane");
     }
     return camera;
+}
+
+Camera read_camera(const TomlText& document, const toml::table& table) {
+    static const std::vector<std::string> keys = {"eye", "center", "right", "up", "projection"};
+    return read_camera(document, table, TableReader(document, table, "[camera]", keys));
+}
+
+std::vector<SavedView> read_views(const TomlText& document, const toml::node& node) {
+    static const std::vector<std::string> keys = {"name", "eye", "center", "right", "up", "projection"};
+    const std::string expected = "'view' as tables, each headed [[view]]";
+    const toml::array* array = node.as_array();
+    if (array == nullptr) wrong(document, node, expected);
+    std::vector<SavedView> views;
+    for (const toml::node& item : *array) {
+        const toml::table* table = item.as_table();
+        if (table == nullptr) wrong(document, item, expected);
+        const TableReader reader(document, *table, "[[view]] " + std::to_string(views.size() + 1), keys);
+        const toml::node& name = reader.require("name");
+        SavedView view{reader.value<std::string>(name, "'name' as a string"), {}};
+        if (const std::string fault = view_name_fault(view.name); !fault.empty())
+            fail(document, name, "found " + in_quotes(view.name) + ", " + fault + ", expected a name of its own for the view");
+        if (std::ranges::find(views, view.name, &SavedView::name) != views.end())
+            fail(document, name, "found " + in_quotes(view.name) + " again, expected each name once");
+        view.camera = read_camera(document, *table, reader);
+        views.push_back(std::move(view));
+    }
+    return views;
 }
 
 Light read_light(const TomlText& document, const toml::table& table) {
@@ -353,7 +379,7 @@ SphereData read_toml(std::string_view content, const std::string& name, const Da
         fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
     }
     const toml::table table = parse(document);
-    static const std::vector<std::string> keys = {"background", "camera", "light", "sphere", "spheres", "hidden", "names"};
+    static const std::vector<std::string> keys = {"background", "camera", "light", "view", "sphere", "spheres", "hidden", "names"};
     const TableReader reader(document, table, "the scene", keys);
 
     Scene scene;
@@ -369,6 +395,7 @@ SphereData read_toml(std::string_view content, const std::string& name, const Da
         if (!node->is_table()) wrong(document, *node, "the table [light]");
         scene.light = read_light(document, *node->as_table());
     }
+    if (const auto* node = reader.find("view")) scene.views = read_views(document, *node);
     read_spheres(document, reader, scene);
     return {std::move(scene), 1};
 }

@@ -88,6 +88,14 @@ void append_light(std::string& text, const Light& light) {
     if (light.sun->strength != Sun{}.strength) append("sun_strength", light.sun->strength);
 }
 
+void append_camera(std::string& text, const Camera& camera) {
+    append_vector(text, "eye", camera.eye);
+    append_vector(text, "center", camera.center);
+    append_vector(text, "right", camera.right);
+    append_vector(text, "up", camera.up);
+    if (camera.orthographic()) text += "projection = \"" + std::string(name_of(camera.projection)) + "\"\n";
+}
+
 }  // namespace
 
 std::string write_toml(const Scene& scene) {
@@ -102,13 +110,15 @@ std::string write_toml(const Scene& scene) {
 
     if (scene.camera != Camera{}) {
         text += text.empty() ? "[camera]\n" : "\n[camera]\n";
-        append_vector(text, "eye", scene.camera.eye);
-        append_vector(text, "center", scene.camera.center);
-        append_vector(text, "right", scene.camera.right);
-        append_vector(text, "up", scene.camera.up);
-        if (scene.camera.orthographic()) text += "projection = \"" + std::string(name_of(scene.camera.projection)) + "\"\n";
+        append_camera(text, scene.camera);
     }
     if (scene.light != Light{}) append_light(text, scene.light);
+    for (const SavedView& view : scene.views) {
+        text += text.empty() ? "[[view]]\nname = " : "\n[[view]]\nname = ";
+        append_string(text, view.name);
+        text += '\n';
+        append_camera(text, view.camera);
+    }
     if (as_text && !scene.names.empty()) {
         text += "\n[names]\n";
         for (const auto& [number, name] : scene.names) {

@@ -7,26 +7,39 @@
 #include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/atoms.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
+#include "formats/point_radius.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
 
 namespace {
 
-enum class XyzField { species, position, radius, real_color, byte_color };
+enum class XyzField { species, position, flat_position, radius, color };
 
 // How many columns each takes.
-constexpr std::size_t columns_of(XyzField field) { return field == XyzField::species || field == XyzField::radius ? 1 : 3; }
+constexpr std::size_t columns_of(XyzField field) {
+    if (field == XyzField::species || field == XyzField::radius) return 1;
+    return field == XyzField::flat_position ? 2 : 3;
+}
 
 struct XyzColumn {
     XyzField field;
     std::size_t first;  // of its columns, from 0
 };
 
+// The columns that are drawn, from left to right; a position is always among them.
+struct XyzLayout {
+    std::vector<XyzColumn> columns;
+    double full_color = 1.0;  // what stands for 255
+};
+
 constexpr std::size_t most_columns = 1'000'000;
 constexpr const char* example = "NAME:TYPE:COLUMNS for each property, as in species:S:1:pos:R:3";
+
+bool is_comment(std::string_view line) { return line.starts_with('#') || line.starts_with("//"); }
 
 void skip_blanks(std::string_view& text) { text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size())); }
 
@@ -69,12 +82,13 @@ class Properties {
 public:
     Properties(const TextSource& source, std::string_view value) : source_(source), value_(value), rest_(value) {}
 
-    std::vector<XyzColumn> layout() {
-        std::vector<XyzColumn> columns;
+    XyzLayout layout() {
+        XyzLayout layout;
+        std::vector<XyzColumn>& columns = layout.columns;
         std::size_t first = 0;
         do {
             entry_ = rest_;
-            const std::string name = lower_case(part());
+            const std::string name = lower_case(name_part());
             const std::string type = lower_case(part());
             const std::string_view digits = part();
             std::size_t count = 0;
@@ -82,14 +96,16 @@ public:
             if (name.empty() || !is_type || !parse_whole(digits, count) || count == 0) {
                 fail(example);
             }
-            if (const auto field = field_named(name, type)) {
-                if (count != columns_of(*field)) fail(name + " of " + std::to_string(columns_of(*field)) + " columns");
+            if (auto field = field_named(name, type)) {
+                if (*field == XyzField::position && count == 2) field = XyzField::flat_position;
+                if (count != columns_of(*field)) fail(name + " of " + columns_in_words(*field) + " columns");
                 if (!has(columns, *field)) columns.push_back({*field, first});
+                if (*field == XyzField::color && type == "i") layout.full_color = color_max;
             }
             if (count > most_columns - first) fail("at most " + std::to_string(most_columns) + " columns");
             first += count;
         } while (!ended_);
-        if (has(columns, XyzField::position)) return columns;
+        if (has(columns, XyzField::position) || has(columns, XyzField::flat_position)) return layout;
         throw InputError(source_.place(value_) + "found properties without a position, expected pos:R:3 among them");
     }
 
@@ -102,8 +118,7 @@ private:
         if (is({"species", "element", "symbol", "z", "numbers"}, "si")) return XyzField::species;
         if (is({"pos", "position", "positions"}, "ri")) return XyzField::position;
         if (is({"radius", "radii"}, "ri")) return XyzField::radius;
-        if (is({"color", "colour", "colors"}, "r")) return XyzField::real_color;
-        if (is({"color", "colour", "colors"}, "i")) return XyzField::byte_color;
+        if (is({"color", "colour", "colors"}, "ri")) return XyzField::color;
         return std::nullopt;
     }
 
@@ -111,8 +126,20 @@ private:
         return std::ranges::find(columns, field, &XyzColumn::field) != columns.end();
     }
 
-    std::string_view part() {
-        const std::size_t end = rest_.find(':');
+    static std::string columns_in_words(XyzField field) {
+        return field == XyzField::position ? "2 or 3" : std::to_string(columns_of(field));
+    }
+
+    // A name may hold "::", as in mtt::aux.
+    std::string_view name_part() {
+        std::size_t end = rest_.find(':');
+        while (end != std::string_view::npos && end > 0 && rest_.substr(end + 1).starts_with(':')) end = rest_.find(':', end + 2);
+        return part(end);
+    }
+
+    std::string_view part() { return part(rest_.find(':')); }
+
+    std::string_view part(std::size_t end) {
         const std::string_view found = take(rest_, end);
         ended_ = end == std::string_view::npos;
         if (!ended_) rest_.remove_prefix(1);
@@ -131,12 +158,11 @@ private:
     bool ended_ = false;
 };
 
-// The columns that are drawn, from left to right; a position is always among them. `source` ends with the frame's comment, which
-// begins at `begin`: `Properties=species:S:1:pos:R:3:...` names them; without it they are a species and a position. Other
-// properties are passed over. Throws InputError where Properties are wrong.
-std::vector<XyzColumn> xyz_layout(const TextSource& source, std::size_t begin) {
+// `source` ends with the frame's comment, which begins at `begin`: `Properties=species:S:1:pos:R:3:...` names the columns; without
+// it they are a species and a position. Other properties are passed over. Throws InputError where Properties are wrong.
+XyzLayout xyz_layout(const TextSource& source, std::size_t begin) {
     const auto properties = find_properties(source.text.substr(begin));
-    if (!properties) return {{XyzField::species, 0}, {XyzField::position, 1}};
+    if (!properties) return {.columns = {{XyzField::species, 0}, {XyzField::position, 1}}};
     return Properties(source, *properties).layout();
 }
 
@@ -164,16 +190,16 @@ public:
     bool next(Frame& frame, bool wanted) {
         TextSource line = source_;
         std::size_t begin = 0;
-        do {  // blank lines may stand between frames
+        do {
             if (walker_.at_end()) return false;
             begin = walker_.offset();
             line.text = source_.text.substr(0, walker_.step());
-        } while (TokenReader(line, begin).at_end());
+        } while (is_between_frames(line, begin));
         TokenReader reader(line, begin, line_ends);
         const std::string of_frame = " of frame " + std::to_string(frame.number);
         const auto expected = [&] { return "the number of atoms" + of_frame; };
         frame.atoms = static_cast<std::size_t>(reader.integer(0, most_spheres, expected));
-        if (!reader.at_end()) reader.fail("the end of the line after " + expected());
+        check_behind_count(line, reader, frame, expected);
 
         if (walker_.at_end()) fail_at_end("the comment" + of_frame);
         frame.comment = walker_.offset();
@@ -188,32 +214,70 @@ public:
         return true;
     }
 
+    // The first line of lattice vectors behind the atoms, for a warning; "" where there is none.
+    const std::string& vectors() const { return vectors_; }
+
 private:
+    // Blank lines, the `>` of ORCA, and the lattice as VEC1, VEC2 and VEC3.
+    bool is_between_frames(const TextSource& line, std::size_t begin) {
+        const TokenReader reader(line, begin);
+        if (reader.at_end() || reader.token() == ">") return true;
+        const std::string_view word = reader.token();
+        const bool is_vector = word == "VEC1" || word == "VEC2" || word == "VEC3";
+        if (is_vector && vectors_.empty()) vectors_ = source_.place(word) + "found " + in_quotes(word);
+        return is_vector;
+    }
+
+    // Many programs write more behind the number: words, an energy, the lengths of a box. But where it is as much as an atom has
+    // whose element is a number, and the first frame had less, one more atom stands there than was said.
+    template <typename Expected>
+    void check_behind_count(const TextSource& line, TokenReader& reader, const Frame& frame, const Expected& expected) {
+        const std::string_view rest = line.text.substr(reader.offset());
+        std::size_t numbers = 0;
+        double ignored = 0.0;
+        for (const std::string_view word : words_of(rest)) {
+            if (numbers == atom_numbers || parse_any_double(word, ignored) != NumberFault::none) break;
+            ++numbers;
+        }
+        if (frame.number == 0) numbers_behind_first_ = numbers;
+        if (numbers == atom_numbers && numbers_behind_first_ < numbers) {
+            reader.fail("the end of the line after " + expected());
+        }
+    }
+
     [[noreturn]] void fail_at_end(const std::string& expected) const {
         TokenReader(source_, source_.text.size()).fail_at_end("the text ends", expected);
     }
 
+    static constexpr std::size_t atom_numbers = 3;
+
     const TextSource& source_;
     char line_end_;
     LineWalker walker_;
+    std::size_t numbers_behind_first_ = 0;  // behind the number of atoms of the first frame
+    std::string vectors_{};
 };
 
 // What a line says beside the sphere itself.
 struct Atom {
     Sphere sphere{};
     std::string_view species{};
+    bool is_virtual = false;
 };
+
+// Colours that are no part of 1 by so much are of 255.
+constexpr double most_of_one = 1.5;
 
 // Reads the lines of one piece.
 class AtomReader {
 public:
-    AtomReader(const TextSource& source, const std::vector<XyzColumn>& layout, const Frame& frame, const DataOptions& options)
+    AtomReader(const TextSource& source, const XyzLayout& layout, const Frame& frame, const DataOptions& options)
         : text_(source.text), line_{source.name, {}, source.origin}, layout_(layout), frame_(frame), options_(options) {}
 
     // Atom `index` of the frame, which stands at [begin, end).
     Atom read(std::size_t begin, std::size_t end, std::size_t index) {
         line_.text = text_.substr(0, end);
-        TokenReader reader(line_, begin, line_ends);
+        TokenReader reader(line_, begin, line_ends, parse_any_double);
         const auto the = [&](const char* what) {
             return [this, what, index] {
                 return std::string(what) + " of atom " + std::to_string(index + 1) + " of " + std::to_string(frame_.atoms);
@@ -224,7 +288,7 @@ public:
         bool has_radius = false;
         bool has_color = false;
         std::size_t column = 0;
-        for (const XyzColumn& next : layout_) {
+        for (const XyzColumn& next : layout_.columns) {
             reader.skip_tokens(next.first - column);
             column = next.first + columns_of(next.field);
             Sphere& sphere = atom.sphere;
@@ -240,42 +304,49 @@ public:
                     sphere.center.y = reader.number(the("the y"));
                     sphere.center.z = reader.number(the("the z"));
                     break;
+                case XyzField::flat_position:
+                    sphere.center.x = reader.number(the("the x"));
+                    sphere.center.y = reader.number(the("the y"));
+                    sphere.center.z = 0.0;
+                    break;
                 case XyzField::radius:
-                    sphere.radius = reader.positive_number(the("the radius"));
-                    has_radius = true;
+                    // OVITO's 0 is the usual radius.
+                    sphere.radius = reader.number_or_0(the("the radius"));
+                    has_radius = sphere.radius > 0.0;
                     break;
-                case XyzField::real_color:
-                    sphere.color.r = channel(reader, the("the red"));
-                    sphere.color.g = channel(reader, the("the green"));
-                    sphere.color.b = channel(reader, the("the blue"));
-                    has_color = true;
-                    break;
-                case XyzField::byte_color:
-                    sphere.color.r = static_cast<std::uint8_t>(reader.integer(0, color_max, the("the red")));
-                    sphere.color.g = static_cast<std::uint8_t>(reader.integer(0, color_max, the("the green")));
-                    sphere.color.b = static_cast<std::uint8_t>(reader.integer(0, color_max, the("the blue")));
-                    has_color = true;
+                case XyzField::color:
+                    has_color = channel(reader, the("the red"), sphere.color.r);
+                    has_color = channel(reader, the("the green"), sphere.color.g) && has_color;
+                    has_color = channel(reader, the("the blue"), sphere.color.b) && has_color;
                     break;
             }
         }
-        if (!has_radius) atom.sphere.radius = options_.radius.value_or(element->radius);
+        atom.is_virtual = is_virtual(*element);
+        if (!has_radius) atom.sphere.radius = radius_of(*element, options_);
         if (!has_color) atom.sphere.color = element->color;
         return atom;
     }
 
+    // The largest number of a colour so far.
+    double largest_color() const { return largest_color_; }
+
 private:
-    // A part of 1.
+    // False for what is no part of layout_.full_color.
     template <typename Expected>
-    static std::uint8_t channel(TokenReader& reader, const Expected& expected) {
-        const auto is_good = [](double value) { return value >= 0.0 && value <= 1.0; };
-        return static_cast<std::uint8_t>(std::lround(color_max * reader.number(expected, is_good, " from 0 to 1")));
+    bool channel(TokenReader& reader, const Expected& expected, std::uint8_t& channel) {
+        const double value = reader.number_or_0(expected);
+        largest_color_ = std::max(largest_color_, value);
+        if (!(value >= 0.0 && value <= layout_.full_color * most_of_one)) return false;
+        channel = static_cast<std::uint8_t>(std::lround(color_max * std::min(1.0, value / layout_.full_color)));
+        return true;
     }
 
     std::string_view text_;
     TextSource line_;  // the text up to the line's end
-    const std::vector<XyzColumn>& layout_;
+    const XyzLayout& layout_;
     const Frame& frame_;
     const DataOptions& options_;
+    double largest_color_ = 0.0;
 };
 
 // What an atom is called: its species, or the symbol of its number.
@@ -285,12 +356,20 @@ std::string name_of(std::string_view species) {
     return as_utf8(symbol.empty() ? species : symbol);
 }
 
-Scene read_frame(const TextSource& source, const Frame& frame, char line_end, const DataOptions& options) {
-    require_memory(frame.atoms * sizeof(Sphere), source.name + ": " + in_groups(frame.atoms) + " spheres need");
-    const auto layout = xyz_layout({source.name, source.text.substr(0, frame.comment_end), source.origin}, frame.comment);
-    Scene scene;
-    scene.spheres.resize(frame.atoms);
-    std::vector<std::string_view> species(frame.atoms <= most_named_atoms ? frame.atoms : 0);
+// The atoms of a frame.
+struct Atoms {
+    std::vector<Sphere> spheres{};
+    std::vector<std::string_view> species{};   // none of more than most_named_atoms
+    std::vector<std::size_t> virtual_sites{};  // their numbers, ascending
+    double largest_color = 0.0;
+};
+
+Atoms read_atoms(const TextSource& source, const Frame& frame, const XyzLayout& layout, char line_end, const DataOptions& options) {
+    Atoms atoms;
+    atoms.spheres.resize(frame.atoms);
+    atoms.species.resize(frame.atoms <= most_named_atoms ? frame.atoms : 0);
+    std::vector<std::vector<std::size_t>> virtual_sites(frame.pieces.size());
+    std::vector<double> largest_colors(frame.pieces.size());
     parallel_in_order(frame.pieces.size(), [&](std::size_t piece) {
         AtomReader reader(source, layout, frame, options);
         LineWalker walker(source.text, line_end, frame.pieces[piece]);
@@ -299,12 +378,82 @@ Scene read_frame(const TextSource& source, const Frame& frame, char line_end, co
         for (std::size_t i = first; i < last; ++i) {
             const std::size_t begin = walker.offset();
             const Atom atom = reader.read(begin, walker.step(), i);
-            scene.spheres[i] = atom.sphere;
-            if (!species.empty()) species[i] = atom.species;
+            atoms.spheres[i] = atom.sphere;
+            if (!atoms.species.empty()) atoms.species[i] = atom.species;
+            if (atom.is_virtual) virtual_sites[piece].push_back(i);
         }
+        largest_colors[piece] = reader.largest_color();
     });
-    for (std::size_t i = 0; i < species.size(); ++i) {
-        if (!species[i].empty()) scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(i), name_of(species[i]));
+    for (const auto& of_piece : virtual_sites) {
+        atoms.virtual_sites.insert(atoms.virtual_sites.end(), of_piece.begin(), of_piece.end());
+    }
+    for (const double largest : largest_colors) atoms.largest_color = std::max(atoms.largest_color, largest);
+    return atoms;
+}
+
+SphereData read_frame(const TextSource& source, const Frame& frame, char line_end, const DataOptions& options) {
+    require_memory(frame.atoms * sizeof(Sphere), source.name + ": " + in_groups(frame.atoms) + " spheres need");
+    XyzLayout layout = xyz_layout({source.name, source.text.substr(0, frame.comment_end), source.origin}, frame.comment);
+    Atoms atoms = read_atoms(source, frame, layout, line_end, options);
+    if (layout.full_color == 1.0 && atoms.largest_color > most_of_one) {
+        layout.full_color = color_max;
+        atoms = read_atoms(source, frame, layout, line_end, options);
+    }
+    SphereData data;
+    data.scene.spheres = std::move(atoms.spheres);
+    for (std::size_t i = 0; i < atoms.species.size(); ++i) {
+        if (atoms.species[i].empty()) continue;
+        data.scene.names.emplace_hint(data.scene.names.end(), static_cast<std::uint32_t>(i), name_of(atoms.species[i]));
+    }
+    warn_of_virtual_sites(data, atoms.virtual_sites.size(), source.name, options);
+    if (!options.virtual_sites) remove_spheres(data.scene, atoms.virtual_sites);
+    return data;
+}
+
+// Whether the text is nothing but points: its first lines have as many words each, of which the first three are numbers. A frame
+// begins with a number of atoms, and the lines behind it are others.
+bool is_bare(std::string_view text) {
+    constexpr int lines_looked_at = 3;
+    std::size_t words_a_line = 0;
+    for (int line = 0; line < lines_looked_at;) {
+        text = trimmed(text, white_space);
+        if (text.empty()) break;
+        const std::string_view next = take_line(text);
+        if (is_comment(next)) continue;
+        const auto words = words_of(next);
+        const auto is_number = [](std::string_view word) {
+            double ignored = 0.0;
+            return parse_any_double(word, ignored) == NumberFault::none;
+        };
+        if (words.size() < 3 || !std::all_of(words.begin(), words.begin() + 3, is_number)) return false;
+        if (line > 0 && words.size() != words_a_line) return false;
+        words_a_line = words.size();
+        ++line;
+    }
+    return words_a_line > 0;
+}
+
+// A line `x y z ...` for each point; what stands behind is passed over.
+Scene read_points(const TextSource& source, const DataOptions& options) {
+    const char line_end = line_end_of(source.text);
+    const auto count = static_cast<std::size_t>(std::ranges::count(source.text, line_end)) + 1;
+    require_memory(count * sizeof(Sphere), source.name + ": " + in_groups(count) + " spheres need");
+    Scene scene;
+    scene.spheres.reserve(count);
+    TextSource line{source.name, {}, source.origin};
+    for (LineWalker walker(source.text, line_end); !walker.at_end();) {
+        const std::size_t begin = walker.offset();
+        line.text = source.text.substr(0, walker.step());
+        TokenReader reader(line, begin, line_ends, parse_any_double);
+        if (reader.at_end() || is_comment(reader.token())) continue;
+        const auto of_point = [&](const char* what) {
+            return [&scene, what] { return what + std::to_string(scene.spheres.size()); };
+        };
+        Sphere sphere{.radius = options.radius.value_or(1.0), .color = {color_max, color_max, color_max}};
+        sphere.center.x = reader.number(of_point("the x of point "));
+        sphere.center.y = reader.number(of_point("the y of point "));
+        sphere.center.z = reader.number(of_point("the z of point "));
+        scene.spheres.push_back(sphere);
     }
     return scene;
 }
@@ -324,7 +473,8 @@ bool shows_xyz(std::string_view head) {
     const std::string_view comment_line = take_line(head);
     const auto comment = words_of(comment_line);
     const auto atom = words_of(take_line(head));
-    if (count.size() != 1 || !is_whole(count[0]) || atom.empty()) return false;
+    if (count.empty() || !is_whole(count[0]) || atom.empty()) return false;
+    if (count.size() > 1) return !is_number(count[1]) && is_letter(atom[0][0]) && atom.size() > 3;
     if (comment.size() == 3 && std::all_of(comment.begin(), comment.end(), is_whole)) return false;
     if (lower_case(comment_line).find("properties=") != std::string::npos || is_letter(atom[0][0])) return true;
     return atom.size() > 3 && is_whole(atom[0]) && !comment.empty() && !is_number(comment[0]);
@@ -332,19 +482,36 @@ bool shows_xyz(std::string_view head) {
 
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content)};
+    if (is_bare(source.text)) {
+        require_frame(name, options.frame, 1);
+        SphereData data{read_points(source, options)};
+        if (!options.radius) use_radius_of_points(data, name);
+        return data;
+    }
     FrameFinder finder(source);
     Frame wanted;
     std::int64_t frames = 0;
+    std::string fault;
     while (true) {
         Frame frame;
         frame.number = frames;
-        if (!finder.next(frame, frames == options.frame)) break;
+        try {
+            if (!finder.next(frame, frames == options.frame)) break;
+        } catch (const InputError& error) {
+            if (frames <= options.frame) throw;
+            fault = error.what();
+            break;
+        }
         if (frames == options.frame) wanted = std::move(frame);
         ++frames;
     }
     if (frames == 0) TokenReader(source, 0).fail_at_end("the text is empty", "the number of atoms of frame 0");
     require_frame(name, options.frame, frames);
-    return {read_frame(source, wanted, finder.line_end(), options), frames};
+    SphereData data = read_frame(source, wanted, finder.line_end(), options);
+    data.frames = frames;
+    if (!finder.vectors().empty()) data.warnings.push_back(finder.vectors() + " behind the atoms; the lattice is passed over");
+    if (!fault.empty()) data.warnings.push_back(fault + "; what follows frame " + std::to_string(frames - 1) + " is passed over");
+    return data;
 }
 
 }  // namespace sphereview

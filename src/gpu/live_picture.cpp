@@ -63,12 +63,16 @@ void fill(const WindowArea& area, const glm::vec4& color) {
 }  // namespace
 
 LivePicture::Programs LivePicture::make_programs(const ShaderFiles& files, const std::vector<std::string>& defines) {
+    std::vector<std::string> coarse = defines;
+    coarse.emplace_back("COARSE");
     return {make_program("trace.frag", defines, files),
             make_program("shade.frag", defines, files),
+            make_program("shade.frag", coarse, files),
             make_program("image.frag", defines, files),
             make_program("surface.frag", defines, files),
-            {make_program("mark.frag", defines, files), make_program("busy.frag", defines, files),
-             make_program("outline.frag", defines, files)}};
+            make_program("surface.frag", coarse, files),
+            {make_program("mark.frag", defines, files), make_program("mark.frag", coarse, files),
+             make_program("busy.frag", defines, files), make_program("outline.frag", defines, files)}};
 }
 
 LivePicture::LivePicture(const std::string& shader_folder, const TextureBounds& bounds)
@@ -296,7 +300,10 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
         glUseProgram(programs_.image.name());
     } else {
         visible_.bind(TextureUnit::visible_spheres);
-        glUseProgram(depends_on_hit(shading_) ? programs_.surface.name() : programs_.shade.name());
+        const bool coarse = step_ > 1;
+        const Program& surface = coarse ? programs_.coarse_surface : programs_.surface;
+        const Program& shade = coarse ? programs_.coarse_shade : programs_.shade;
+        glUseProgram(depends_on_hit(shading_) ? surface.name() : shade.name());
     }
     draw_block(no_vertices_, whole);
     outlines_.draw(programs_.outlines, no_vertices_, visible_, frame, outlined, area, kept.draw());

@@ -48,10 +48,10 @@ public:
     // shader_log() says why. Throws InputError when the folder cannot be read, RenderError. `bounds` are for tests.
     explicit LivePicture(const std::string& shader_folder = "", const TextureBounds& bounds = {});
 
-    // Brings the picture up to date: traces every step-th pixel of each row and column (each for the step x step pixels around
-    // it; a power of two), if what is there is coarser than that or of another scene or view. With step 1 all pixels. Returns
-    // whether it traced. Throws TooLarge, RenderError; the picture is then what it was. `shading` is what show() will colour it by;
-    // another one needs no tracing. `light` is instead of the scene's.
+    // Brings the picture up to date: traces every step-th pixel of each row and column (a power of two; the pixels between show
+    // what is traced around them), if what is there is coarser than that or of another scene or view. With step 1 all pixels.
+    // Returns whether it traced. Throws TooLarge, RenderError; the picture is then what it was. `shading` is what show() will
+    // colour it by; another one needs no tracing. `light` is instead of the scene's.
     bool update(const Document& document, const View& view, int step, Shading shading = Shading::flat,
                 const std::optional<Light>& light = {});
 
@@ -102,8 +102,10 @@ private:
     struct Programs {
         Program trace;
         Program shade;
+        Program coarse_shade;  // of coarse pictures
         Program image;
         Program surface;
+        Program coarse_surface;
         OutlinePrograms outlines;
     };
     static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);

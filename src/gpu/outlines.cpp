@@ -24,23 +24,20 @@ void Outlines::draw(const OutlinePrograms& programs, const VertexArray& no_verti
                     const DrawBlock& frame, const PixelRange& range, const WindowArea& area, GLuint window) {
     if (range.empty()) return;
     const int step = 1 << frame.grid_shift;
-    // A coarse texel of a sphere may stand for pixels beside its range.
+    // In a coarse picture a sphere may be seen beside its range.
     const int reach = static_cast<int>(std::ceil(frame.outline)) + 3 + step;
     const PixelRange drawn = grown(range, reach, frame.picture_size);
     const PixelRange looked_at = grown(drawn, reach, frame.picture_size);
-    const Block grid = block_of(looked_at.left / step, looked_at.top / step, looked_at.right / step, looked_at.bottom / step);
-    const int grid_width = (frame.picture_size.x + step - 1) / step;
-    const int grid_height = (frame.picture_size.y + step - 1) / step;
-    marks_.require(grid_width, grid_height);
-    busy_.require(((grid_width - 1) >> cell_shift) + 1, ((grid_height - 1) >> cell_shift) + 1);
+    marks_.require(frame.picture_size.x, frame.picture_size.y);
+    busy_.require(((frame.picture_size.x - 1) >> cell_shift) + 1, ((frame.picture_size.y - 1) >> cell_shift) + 1);
     visible.bind(TextureUnit::visible_spheres);
-    glUseProgram(programs.mark.name());
-    marks_.draw(no_vertices, grid);
+    glUseProgram(step > 1 ? programs.coarse_mark.name() : programs.mark.name());
+    marks_.draw(no_vertices, block_of(looked_at.left, looked_at.top, looked_at.right, looked_at.bottom));
     marks_.bind(TextureUnit::marks);
     glUseProgram(programs.busy.name());
-    // Cells at the rim see what earlier frames left beside the grid, and may be busy without need.
-    busy_.draw(no_vertices, block_of(grid.x >> cell_shift, grid.y >> cell_shift, (grid.x + grid.width - 1) >> cell_shift,
-                                     (grid.y + grid.height - 1) >> cell_shift));
+    // Cells at the rim see what earlier frames left beside the marks, and may be busy without need.
+    busy_.draw(no_vertices, block_of(looked_at.left >> cell_shift, looked_at.top >> cell_shift, looked_at.right >> cell_shift,
+                                     looked_at.bottom >> cell_shift));
 
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, window);
     const int left = std::max(frame.window_corner.x + drawn.left, area.x);

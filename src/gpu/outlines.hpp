@@ -19,6 +19,7 @@ struct WindowArea {
 // Made from mark.frag, busy.frag and outline.frag.
 struct OutlinePrograms {
     Program mark;
+    Program coarse_mark;  // of coarse pictures
     Program busy;
     Program outline;
 };
@@ -33,7 +34,7 @@ public:
               const PixelRange& range, const WindowArea& area, GLuint window);
 
 private:
-    NumberTarget marks_;  // one for each texel of the visible-sphere buffer
+    NumberTarget marks_;  // one for each pixel of the picture
     NumberTarget busy_;   // one for each cell of those
 };
 

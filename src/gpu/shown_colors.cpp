@@ -8,6 +8,10 @@ namespace {
 
 constexpr std::size_t most_single_uploads = 4096;
 
+// In a colour's place for alpha. Twin: shaders/marks.glsl.
+constexpr std::uint8_t selected_alone = 255;
+constexpr std::uint8_t selected_in_set = 128;
+
 }  // namespace
 
 void ShownColors::set(const Scene& scene, const DrawnSpheres& drawn, Shading shading) {
@@ -53,10 +57,11 @@ void ShownColors::mark(const std::vector<std::uint32_t>& numbers, const DrawnSph
         change(index, color);
     };
     for (const std::uint32_t index : std::exchange(marked_, {})) set_mark(index, 0);
+    const std::uint8_t selected = numbers.size() > most_outlined_alone ? selected_in_set : selected_alone;
     for (const std::uint32_t number : numbers) {
         const auto index = drawn.index_of(number);
         if (!index) continue;
-        set_mark(*index, 255);
+        set_mark(*index, selected);
         marked_.push_back(static_cast<std::uint32_t>(*index));
     }
     marked_numbers_ = numbers;

@@ -12,6 +12,9 @@
 
 namespace sphereview {
 
+// Where more spheres than this are selected they are outlined as one set, and tinted: a line around each would hide the picture.
+inline constexpr std::size_t most_outlined_alone = 200;
+
 class ShownColors {
 public:
     // All anew.

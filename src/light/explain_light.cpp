@@ -101,9 +101,9 @@ std::string in_words(const SkyExplanation& explanation) {
                        " behind the surface (n.L <= 0), " + std::to_string(explanation.blocked) + " in shadow";
     std::vector<std::string> blockers;
     for (const SkyExplanation::Blocker& blocker : explanation.blockers) {
-        blockers.push_back("sphere " + std::to_string(blocker.number) + " (of " + counted(blocker.lights, "light") + ")");
+        blockers.push_back("sphere " + std::to_string(blocker.number) + " (" + counted(blocker.lights, "light") + ")");
     }
-    if (!blockers.empty()) text += ", most of all of " + joined(blockers, ", ");
+    if (!blockers.empty()) text += ", most of all behind " + joined(blockers, ", ");
     return text;
 }
 

@@ -18,16 +18,6 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 // The roundings of the few operations below, together, relative to the sizes of their operands: 64 units.
 constexpr double few_roundings = 64.0 * double_unit;
 
-HitBounds<double> bounds(const glm::dvec3& c, double r, double w, const glm::dvec3& ray, EyeSide side) {
-    switch (side) {
-        case EyeSide::outside: return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-        case EyeSide::inside: return hit_bounds<EyeSide::inside>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-        case EyeSide::on_surface: return hit_bounds<EyeSide::on_surface>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-        case EyeSide::in_plane: return hit_bounds<EyeSide::in_plane>(c.x, c.y, c.z, r, w, ray.x, ray.y, ray.z);
-    }
-    return {};
-}
-
 // From a sphere's centre to a point, along the unit vector to the light and across; and how far these may be off.
 struct Offset {
     double along = 0.0;
@@ -56,19 +46,24 @@ HitPlaces::HitPlaces(const Camera& camera, PictureSize size)
     if (!rays_.in_range || !(error_scale_ < 1.0)) error_scale_ = unknown;
 }
 
-HitPlace HitPlaces::at(Pixel pixel, const Sphere& sphere, EyeSide side) const {
+HitDistance HitPlaces::distance(Pixel pixel, const Sphere& sphere, EyeSide side) const {
     const glm::dvec3 center = sphere.center - camera_.eye;
     const double size = taxicab_length(center) + sphere.radius + rays_.reach;
-    if (!(size > smallest_double_size && size < largest_double_size) || error_scale_ == unknown) return {glm::dvec3(0.0), unknown};
+    if (!(size > smallest_double_size && size < largest_double_size) || error_scale_ == unknown) return {0.0, unknown};
     const glm::dvec3 ray = unit_ray(rays_, size_, pixel);
-    const glm::dvec3 origin = ray_origin(rays_, size_, pixel);
-    const auto [low, high] = bounds(center - origin, sphere.radius, error_scale_ * size, ray, side);
-    if (!std::isfinite(low) || !std::isfinite(high)) return {glm::dvec3(0.0), unknown};
-    const double middle = 0.5 * low + 0.5 * high;
-    const double half = 0.5 * high - 0.5 * low;
+    const glm::dvec3 c = center - ray_origin(rays_, size_, pixel);
+    const auto [low, high] = hit_bounds(side, c.x, c.y, c.z, sphere.radius, error_scale_ * size, ray.x, ray.y, ray.z);
+    if (!std::isfinite(low) || !std::isfinite(high)) return {0.0, unknown};
+    return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low};
+}
+
+HitPlace HitPlaces::at(Pixel pixel, const HitDistance& distance) const {
+    const auto& [middle, half] = distance;
+    if (half == unknown) return {glm::dvec3(0.0), unknown};
+    const glm::dvec3 ray = unit_ray(rays_, size_, pixel);
     // error_scale() is more than what the ray is off; twice that covers the roundings here as well.
     const double error = 1.01 * (half + 2.0 * error_scale_ * (std::fabs(middle) + half + rays_.reach));
-    return {rays_.orthographic ? origin + middle * ray : middle * ray, error};
+    return {rays_.orthographic ? ray_origin(rays_, size_, pixel) + middle * ray : middle * ray, error};
 }
 
 bool HitPlaces::begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) const {

@@ -16,13 +16,22 @@ struct HitPlace {
     double error = 0.0;
 };
 
+// Along a pixel's ray, within `half` of `middle`. Infinite: nothing is known. Half as large as a place, where a million are kept.
+struct HitDistance {
+    double middle;
+    double half;
+};
+
 class HitPlaces {
 public:
     // The camera must outlive it.
     HitPlaces(const Camera& camera, PictureSize size);
 
     // Of the sphere that the pixel shows. `side`: the eye's, here and below.
-    HitPlace at(Pixel pixel, const Sphere& sphere, EyeSide side) const;
+    HitPlace at(Pixel pixel, const Sphere& sphere, EyeSide side) const { return at(pixel, distance(pixel, sphere, side)); }
+    // The same in two steps.
+    HitDistance distance(Pixel pixel, const Sphere& sphere, EyeSide side) const;
+    HitPlace at(Pixel pixel, const HitDistance& distance) const;
 
     // Whether the pixel's ray begins outside the sphere.
     bool begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) const;

@@ -15,10 +15,6 @@ constexpr std::size_t many_spheres = 300'000;
 constexpr int usual_lights = 256;
 constexpr int few_lights = 64;
 
-// How much sky and key light give a free surface that faces the key.
-constexpr double sky_light = 0.62;
-constexpr double key_light = 0.45;
-
 // The golden angle, by which each direction of the set is turned from the one before.
 constexpr double golden_cosine = -0.7373688780783197;
 constexpr double golden_sine = 0.6754902942615238;
@@ -89,7 +85,9 @@ std::uint32_t reversed(std::uint32_t value, int bits) {
 
 }  // namespace
 
-glm::dvec3 key_direction(const CameraAxes& axes) { return unit(-0.45 * axes.right + 0.75 * axes.up - 0.55 * axes.ahead); }
+glm::dvec3 key_direction(const CameraAxes& axes) {
+    return unit(key_in_view.x * axes.right + key_in_view.y * axes.up - key_in_view.z * axes.ahead);
+}
 
 int sky_lights(const Light& light, std::size_t spheres, int samples) {
     return light.lights.value_or(samples > 1 || spheres > many_spheres ? few_lights : usual_lights);
@@ -119,6 +117,13 @@ std::vector<DirectedLight> light_set(const Light& light, int lights, const Camer
         if (2 * i + 1 < static_cast<std::uint32_t>(lights)) add_sky(-direction);
     }
     return all;
+}
+
+std::vector<std::vector<DirectedLight>> light_sets(const Light& light, std::size_t spheres, const Camera& camera, int side) {
+    const int lights = sky_lights(light, spheres, side * side);
+    std::vector<std::vector<DirectedLight>> sets;
+    for (int set = 0; set < side * side; ++set) sets.push_back(light_set(light, lights, camera, set));
+    return sets;
 }
 
 }  // namespace sphereview

@@ -48,4 +48,7 @@ inline constexpr int turned_sets = 16;
 // directions are fixed to the scene, the key light to the camera.
 std::vector<DirectedLight> light_set(const Light& light, int lights, const Camera& camera, int set);
 
+// The sets of a picture of so many spheres, one for each of the points, `side` along a side of a pixel.
+std::vector<std::vector<DirectedLight>> light_sets(const Light& light, std::size_t spheres, const Camera& camera, int side);
+
 }  // namespace sphereview

@@ -1,6 +1,7 @@
 #include "light/light_tiles.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -16,45 +17,50 @@ namespace {
 constexpr float never = std::numeric_limits<float>::infinity();
 
 constexpr std::size_t at_once = 256;  // points or spheres: what the loops below turn into SIMD stays in the nearest cache
+constexpr std::size_t in_word = 64;
 constexpr std::size_t fewest_tiles = 8;
 constexpr int coarse_shift = 3;
 constexpr std::size_t most_asked = 16;   // tiles that a disc asks one by one whether it is needed
 constexpr double most_touched = 0x1p25;  // tiles that all discs of a light touch: many huge spheres get larger tiles
 constexpr std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere
 
-// A facing that float computes is off by less: 5 roundings of products that sum to 1 at most, and the normal's own error.
-constexpr float facing_doubt = 0x1p-20F;
+// A facing that float computes is off by less: normals are whole multiples of 2^-15, so off by 2^-16 in each of three components,
+// and there are 5 roundings of products that sum to 1 at most, and the normal's own error.
+constexpr float facing_doubt = 0x1p-15F;
 
-using Plane = std::array<float, at_once>;
+using Numbers = std::array<float, at_once>;
 
 // Where some points are, seen from a light.
 struct Projected {
-    Plane x;
-    Plane y;
-    Plane height;
-    Plane facing;
+    Numbers x;
+    Numbers y;
+    Numbers height;
 };
 
-struct Axes {
-    std::array<float, 3> across;
-    std::array<float, 3> upward;
-    std::array<float, 3> height;
-};
+// One sum at a time: of several, which may lie in the same memory as what they are made of, the compiler makes no SIMD.
+SPHEREVIEW_FOR_EACH_SIMD void dots(const float* x, const float* y, const float* z, int count, std::array<float, 3> axis,
+                                   Numbers& out) {
+    for (int i = 0; i < count; ++i) out[static_cast<std::size_t>(i)] = x[i] * axis[0] + y[i] * axis[1] + z[i] * axis[2];
+}
 
-SPHEREVIEW_FOR_EACH_SIMD void project(const float* px, const float* py, const float* pz, int count, const Axes& axes,
-                                      Projected& out) {
+void project(const float* x, const float* y, const float* z, int count, const LightFrame& frame, Projected& out) {
+    dots(x, y, z, count, frame.across, out.x);
+    dots(x, y, z, count, frame.upward, out.y);
+    dots(x, y, z, count, frame.height, out.height);
+}
+
+SPHEREVIEW_FOR_EACH_SIMD void whole_dots(const std::int16_t* x, const std::int16_t* y, const std::int16_t* z, int count,
+                                         std::array<float, 3> axis, Numbers& out) {
     for (int i = 0; i < count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        out.x[at] = px[i] * axes.across[0] + py[i] * axes.across[1] + pz[i] * axes.across[2];
-        out.y[at] = px[i] * axes.upward[0] + py[i] * axes.upward[1] + pz[i] * axes.upward[2];
-        out.height[at] = px[i] * axes.height[0] + py[i] * axes.height[1] + pz[i] * axes.height[2];
+        out[static_cast<std::size_t>(i)] =
+            static_cast<float>(x[i]) * axis[0] + static_cast<float>(y[i]) * axis[1] + static_cast<float>(z[i]) * axis[2];
     }
 }
 
-SPHEREVIEW_FOR_EACH_SIMD void face(const float* nx, const float* ny, const float* nz, int count, const Axes& axes, Projected& out) {
+// What a sphere's doubt grows with.
+SPHEREVIEW_FOR_EACH_SIMD void sizes(const float* x, const float* y, const float* z, const float* radius, int count, Numbers& out) {
     for (int i = 0; i < count; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        out.facing[at] = nx[i] * axes.height[0] + ny[i] * axes.height[1] + nz[i] * axes.height[2];
+        out[static_cast<std::size_t>(i)] = std::fabs(x[i]) + std::fabs(y[i]) + std::fabs(z[i]) + radius[i];
     }
 }
 
@@ -73,6 +79,21 @@ glm::dvec3 perpendicular(const glm::dvec3& l) {
 
 float square(float x) { return x * x; }
 
+// Whether a light shines on a point of which float knows too little: every sphere is asked.
+bool shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction) {
+    const Pixel pixel = lit_scene.pixel(point);
+    const std::int32_t own = lit_scene.number(point);
+    const Sphere& sphere = lit_scene.sphere(own);
+    const EyeSide side = lit_scene.side(own);
+    if (!lit_scene.places.faces(pixel, sphere, side, direction)) return false;
+    const HitPlace place = lit_scene.places.at(pixel, sphere, side);
+    return std::ranges::none_of(lit_scene.order, [&](std::uint32_t index) {
+        const std::int32_t other = lit_scene.drawn.number(index);
+        return other != own && lit_scene.drawn.side(index) == EyeSide::outside &&
+               lit_scene.places.blocked(place, pixel, sphere, side, lit_scene.sphere(other), direction);
+    });
+}
+
 }  // namespace
 
 LightCounts& LightCounts::operator+=(const LightCounts& other) {
@@ -82,23 +103,24 @@ LightCounts& LightCounts::operator+=(const LightCounts& other) {
     return *this;
 }
 
-std::span<const std::uint32_t> LightTiles::lit(const LitScene& lit_scene, std::size_t begin, std::size_t end,
+std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::size_t begin, std::size_t end,
                                                const glm::dvec3& direction) {
     const glm::dvec3 l = unit(direction);
     const glm::dvec3 across = perpendicular(l);
     frame_ = {to_float(across), to_float(cross(l, across)), to_float(l)};
-    lit_.clear();
+    const Points points{begin, end};
     do {
         choose_tiles(lit_scene.blockers, lit_scene.points.farthest);
-        find_facing(lit_scene, begin, end, direction);
+        find_facing(lit_scene, points, direction);
         check_cancelled();
         find_discs(lit_scene);
         check_cancelled();
         cut();
-        drop_what_is_cut();
+        drop_what_is_cut(lit_scene, points);
     } while (!list_discs());
-    decide(lit_scene, direction);
-    return lit_;
+    decide(lit_scene, points, direction);
+    std::vector<std::uint32_t>().swap(begins_);
+    return left_;
 }
 
 void LightTiles::choose_tiles(const Blockers& blockers, float farthest) {
@@ -122,37 +144,34 @@ std::size_t LightTiles::tile(float coordinate) const {
 }
 
 // Which points face the light, and the lowest of them in each tile.
-void LightTiles::find_facing(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction) {
-    const LitPoints& points = lit_scene.points;
-    const Axes axes{frame_.across, frame_.upward, frame_.height};
+void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
+    const LitPoints& all = lit_scene.points;
+    std::array<float, 3> of_normal = frame_.height;
+    for (float& component : of_normal) component /= LitPoints::normal_unit;
+    const auto faces = [&](std::size_t point) {
+        if (std::ranges::binary_search(all.unknown, point)) return false;  // decide() asks about them
+        ++counts_.doubts;
+        const std::int32_t number = lit_scene.number(point);
+        return lit_scene.places.faces(lit_scene.pixel(point), lit_scene.sphere(number), lit_scene.side(number), direction);
+    };
     Projected projected;
-    facing_.resize(end - begin);
-    std::size_t count_facing = 0;
-    for (std::size_t from = begin; from < end; from += at_once) {
-        const auto count = static_cast<int>(std::min(at_once, end - from));
-        project(&points.x[from], &points.y[from], &points.z[from], count, axes, projected);
-        face(&points.normal_x[from], &points.normal_y[from], &points.normal_z[from], count, axes, projected);
-        for (int i = 0; i < count; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            const std::size_t point = from + at;
-            if (std::fabs(projected.facing[at]) <= facing_doubt) {
-                const PointOrigin& origin = points.origins[point];
-                ++counts_.doubts;
-                if (!lit_scene.places.faces(lit_scene.pixel(origin), lit_scene.sphere(origin.number), lit_scene.side(origin.number),
-                                            direction)) {
-                    continue;
-                }
-            } else if (projected.facing[at] < 0.0F) {
-                continue;
+    Numbers facing;
+    left_.assign((points.end - points.begin + in_word - 1) / in_word, 0);
+    for (std::size_t from = points.begin; from < points.end; from += at_once) {
+        const std::size_t count = std::min(at_once, points.end - from);
+        project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(count), frame_, projected);
+        whole_dots(&all.normal_x[from], &all.normal_y[from], &all.normal_z[from], static_cast<int>(count), of_normal, facing);
+        for (std::size_t first = 0; first < count; first += in_word) {
+            std::uint64_t word = 0;
+            for (std::size_t i = first; i < std::min(first + in_word, count); ++i) {
+                if (std::fabs(facing[i]) <= facing_doubt ? !faces(from + i) : facing[i] < 0.0F) continue;
+                word |= std::uint64_t{1} << (i - first);
+                float& lowest = lowest_[tile(projected.y[i]) * side_ + tile(projected.x[i])];
+                lowest = std::min(lowest, projected.height[i]);
             }
-            facing_[count_facing++] = {projected.x[at], projected.y[at], projected.height[at], static_cast<std::uint32_t>(point)};
+            left_[(from - points.begin + first) / in_word] = word;
+            counts_.points_facing += std::popcount(word);
         }
-    }
-    facing_.resize(count_facing);
-    counts_.points_facing += static_cast<std::int64_t>(count_facing);
-    for (const Facing& facing : facing_) {
-        float& lowest = lowest_[tile(facing.y) * side_ + tile(facing.x)];
-        lowest = std::min(lowest, facing.height);
     }
     const std::size_t coarse_side = (side_ >> coarse_shift) + 1;
     for (std::size_t y = 0; y < side_; ++y) {
@@ -163,19 +182,44 @@ void LightTiles::find_facing(const LitScene& lit_scene, std::size_t begin, std::
     }
 }
 
+template <typename Keeps>
+void LightTiles::sift(const LitScene& lit_scene, Points points, const Keeps& keeps) {
+    const LitPoints& all = lit_scene.points;
+    constexpr std::size_t words_at_once = at_once / in_word;
+    Projected projected;
+    for (std::size_t first = 0; first < left_.size(); first += words_at_once) {
+        const auto words = std::span(left_).subspan(first, std::min(words_at_once, left_.size() - first));
+        if (std::ranges::all_of(words, [](std::uint64_t word) { return word == 0; })) continue;
+        // Again, for that takes less time than to read what was kept, and no memory.
+        const std::size_t from = points.begin + first * in_word;
+        project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(std::min(at_once, points.end - from)), frame_,
+                projected);
+        for (std::size_t w = 0; w < words.size(); ++w) {
+            std::uint64_t kept = words[w];
+            for (std::uint64_t rest = kept; rest != 0; rest &= rest - 1) {
+                const std::size_t i = w * in_word + static_cast<std::size_t>(std::countr_zero(rest));
+                if (!keeps(Facing{projected.x[i], projected.y[i], projected.height[i], from + i})) kept ^= rest & (~rest + 1);
+            }
+            words[w] = kept;
+        }
+    }
+}
+
 // The discs that may lie above a point of the tiles that they touch.
 void LightTiles::find_discs(const LitScene& lit_scene) {
     const Blockers& blockers = lit_scene.blockers;
-    const Axes axes{frame_.across, frame_.upward, frame_.height};
     const std::size_t coarse_side = (side_ >> coarse_shift) + 1;
     Projected projected;
+    Numbers size;
     discs_.clear();
+    discs_.reserve(blockers.size());  // what is not used takes no memory
     for (std::size_t from = 0; from < blockers.size(); from += at_once) {
-        const auto count = static_cast<int>(std::min(at_once, blockers.size() - from));
-        project(&blockers.x[from], &blockers.y[from], &blockers.z[from], count, axes, projected);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+        const std::size_t count = std::min(at_once, blockers.size() - from);
+        project(&blockers.x[from], &blockers.y[from], &blockers.z[from], static_cast<int>(count), frame_, projected);
+        sizes(&blockers.x[from], &blockers.y[from], &blockers.z[from], &blockers.radius[from], static_cast<int>(count), size);
+        for (std::size_t i = 0; i < count; ++i) {
             const float radius = blockers.radius[from + i];
-            const float doubt = blockers.doubt[from + i];
+            const float doubt = blockers.doubt(size[i]);
             const float reach = radius + 2.0F * doubt;
             const float x = projected.x[i];
             const float y = projected.y[i];
@@ -196,7 +240,8 @@ void LightTiles::find_discs(const LitScene& lit_scene) {
                 for (std::size_t column = left >> shift; column <= right >> shift; ++column) needed |= lowest[column] < high;
             }
             if (!needed) continue;
-            discs_.push_back({x, y, projected.height[i], radius, doubt, blockers.numbers[from + i]});
+            const std::int32_t number = lit_scene.drawn.number(lit_scene.order[from + i]);
+            discs_.push_back({x, y, projected.height[i], radius, doubt, number});
         }
     }
 }
@@ -252,16 +297,15 @@ void LightTiles::cut() {
 }
 
 // The points that a cut leaves undecided, and the lowest of them in each tile.
-void LightTiles::drop_what_is_cut() {
+void LightTiles::drop_what_is_cut(const LitScene& lit_scene, Points points) {
     std::ranges::fill(lowest_, never);
-    std::size_t kept = 0;
-    for (const Facing& facing : facing_) {
+    sift(lit_scene, points, [&](const Facing& facing) {
         const std::size_t at = tile(facing.y) * side_ + tile(facing.x);
-        if (facing.height < cut_[at]) continue;
+        if (facing.height < cut_[at]) return false;
         lowest_[at] = std::min(lowest_[at], facing.height);
-        facing_[kept++] = facing;
-    }
-    facing_.resize(kept);
+        return true;
+    });
+    std::vector<float>().swap(cut_);  // makes room for the lists
 }
 
 // Lists the discs of each tile that may lie above its lowest undecided point, the highest first. Returns false when the lists would
@@ -294,6 +338,7 @@ bool LightTiles::list_discs() {
         end += begin;
         begin = end;
     }
+    lists_.clear();
     lists_.resize(end);
     for (std::size_t i = discs_.size(); i-- > 0;) {
         for_each_needed(discs_[i], [&](std::size_t at) { lists_[--begins_[at]] = static_cast<std::uint32_t>(i); });
@@ -306,23 +351,29 @@ bool LightTiles::list_discs() {
     return true;
 }
 
-void LightTiles::decide(const LitScene& lit_scene, const glm::dvec3& direction) {
+void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
     std::size_t tried = 0;
-    for (const Facing& facing : facing_) {
+    sift(lit_scene, points, [&](const Facing& facing) {
         if (++tried % 4096 == 0) check_cancelled();
-        if (is_lit(lit_scene, direction, facing)) lit_.push_back(facing.point);
+        return is_lit(lit_scene, direction, facing);
+    });
+    counts_.tests += static_cast<std::int64_t>(tried);
+    const std::vector<std::uint32_t>& unknown = lit_scene.points.unknown;
+    for (auto point = std::ranges::lower_bound(unknown, points.begin); point != unknown.end() && *point < points.end; ++point) {
+        check_cancelled();
+        if (!shines(lit_scene, *point, direction)) continue;
+        const std::size_t i = *point - points.begin;
+        left_[i / in_word] |= std::uint64_t{1} << i % in_word;
     }
-    counts_.tests += static_cast<std::int64_t>(facing_.size());
 }
 
 bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing) {
-    const PointOrigin& origin = lit_scene.points.origins[facing.point];
     const std::size_t at = tile(facing.y) * side_ + tile(facing.x);
     const auto blocked = [&](std::int32_t number) {
         ++counts_.doubts;
-        return number != origin.number &&
-               lit_scene.places.blocked(lit_scene.pixel(origin), lit_scene.sphere(origin.number), lit_scene.side(origin.number),
-                                        lit_scene.sphere(number), direction);
+        const std::int32_t own = lit_scene.number(facing.point);
+        return number != own && lit_scene.places.blocked(lit_scene.pixel(facing.point), lit_scene.sphere(own), lit_scene.side(own),
+                                                         lit_scene.sphere(number), direction);
     };
     bool doubt = false;
     for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
@@ -330,12 +381,8 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, 
         if (facing.height >= disc.high()) break;
         const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
         if (distance > disc.surely_out()) continue;
-        if (distance < disc.surely_in() && facing.height < disc.low()) {
-            // The own sphere's centre is lower than a point that faces the light, or as near as rounding; the sphere holds no
-            // shadow.
-            if (disc.number != origin.number) return false;
-            continue;
-        }
+        // Not by the own sphere, whose centre is lower than any point of it that faces the light.
+        if (distance < disc.surely_in() && facing.height < disc.low()) return false;
         doubt = true;
     }
     if (doubt) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/uninitialized.hpp"
 #include "light/blockers.hpp"
 #include "light/hit_places.hpp"
 #include "light/lit_points.hpp"
@@ -17,15 +18,20 @@ namespace sphereview {
 // What the lights of a picture have in common.
 struct LitScene {
     const Scene& scene;
+    const DrawnSpheres& drawn;
+    std::span<const std::uint32_t> order;  // of the drawn spheres' indices, and of the blockers
     const HitPlaces& places;
     std::span<const EyeSide> sides;  // the eye's, by number
     const Block& block;
+    std::span<const std::int32_t> visible;  // the numbers of the spheres that the block shows
     const LitPoints& points;
     const Blockers& blockers;
 
-    Pixel pixel(const PointOrigin& origin) const {
-        return {block.x + origin.place % block.width, block.y + origin.place / block.width};
+    Pixel pixel(std::size_t point) const {
+        return {block.x + points.places[point] % block.width, block.y + points.places[point] / block.width};
     }
+    // The number of the sphere that a point lies on.
+    std::int32_t number(std::size_t point) const { return visible[static_cast<std::size_t>(points.places[point])]; }
     const Sphere& sphere(std::int32_t number) const { return scene.spheres[static_cast<std::size_t>(number)]; }
     EyeSide side(std::int32_t number) const { return sides[static_cast<std::size_t>(number)]; }
 };
@@ -39,27 +45,33 @@ struct LightCounts {
     LightCounts& operator+=(const LightCounts& other);
 };
 
+// The directions of the plane that is perpendicular to a light, and to the light; of length 1.
+struct LightFrame {
+    std::array<float, 3> across;
+    std::array<float, 3> upward;
+    std::array<float, 3> height;
+};
+
 // Decides one light after the other; it keeps its memory between them. One thread's.
 class LightTiles {
 public:
-    // The points [begin, end) on which a light shines, ascending.
-    std::span<const std::uint32_t> lit(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
+    // A bit for each of the points [begin, end), 64 in a word, the first in the lowest: whether a light shines on it.
+    std::span<const std::uint64_t> lit(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
 
     const LightCounts& counts() const { return counts_; }
 
 private:
-    // The directions of the plane, and to the light.
-    struct Frame {
-        std::array<float, 3> across;
-        std::array<float, 3> upward;
-        std::array<float, 3> height;
+    // The points that are decided.
+    struct Points {
+        std::size_t begin;
+        std::size_t end;
     };
     // A point that faces the light, in the plane.
     struct Facing {
         float x;
         float y;
         float height;
-        std::uint32_t point;
+        std::size_t point;
     };
     // A sphere's disc. Small: there are as many as spheres, for each thread.
     struct Disc {
@@ -79,33 +91,34 @@ private:
         // With room for all doubts.
         float reach() const { return radius + 2.0F * doubt; }
     };
-
     void choose_tiles(const Blockers& blockers, float farthest);
     std::size_t tile(float coordinate) const;
-    void find_facing(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
+    void find_facing(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
+    // Calls keeps(facing) for each point that is left, and leaves those out for which that is false.
+    template <typename Keeps>
+    void sift(const LitScene& lit_scene, Points points, const Keeps& keeps);
     void find_discs(const LitScene& lit_scene);
     void cut();
-    void drop_what_is_cut();
+    void drop_what_is_cut(const LitScene& lit_scene, Points points);
     bool list_discs();
-    void decide(const LitScene& lit_scene, const glm::dvec3& direction);
+    void decide(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     bool is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing);
     // Calls each(row, first, last) for the rows of tiles that a disc touches: the range in each.
     template <typename Each>
     void for_each_row(const Disc& disc, const Each& each) const;
 
-    Frame frame_{};
+    LightFrame frame_{};
     std::size_t side_ = 0;         // tiles across
     std::size_t most_side_ = 768;  // fewer, once the lists came out too long
     float half_ = 1.0F;            // of the plane's square
     float to_tiles_ = 1.0F;
-    std::vector<float> lowest_;  // of each tile the lowest undecided point; infinite when there is none
-    std::vector<float> coarse_;  // the lowest of 8 x 8 tiles
-    std::vector<float> cut_;     // every point of the tile below this is in shadow
-    std::vector<Facing> facing_;
+    std::vector<float> lowest_;        // of each tile the lowest undecided point; infinite when there is none
+    std::vector<float> coarse_;        // the lowest of 8 x 8 tiles
+    std::vector<float> cut_;           // every point of the tile below this is in shadow
+    std::vector<std::uint64_t> left_;  // a bit for each point: faces the light, and is not found to be in shadow
     std::vector<Disc> discs_;
     std::vector<std::uint32_t> begins_;
-    std::vector<std::uint32_t> lists_;
-    std::vector<std::uint32_t> lit_;
+    UninitializedVector<std::uint32_t> lists_;
     LightCounts counts_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -13,7 +14,6 @@
 
 #include "base/parallel.hpp"
 #include "base/square_root.hpp"
-#include "light/spatial_order.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -30,20 +30,9 @@ constexpr std::size_t enough_for_first_preview = 16;
 
 struct Job {
     std::size_t set;
+    std::size_t place;  // in the set
     const DirectedLight* light;
 };
-
-// Whether a light shines on a point of which float knows too little: every sphere is asked.
-bool shines(const LitScene& lit_scene, const PointOrigin& origin, const glm::dvec3& direction) {
-    const Pixel pixel = lit_scene.pixel(origin);
-    const Sphere& sphere = lit_scene.sphere(origin.number);
-    const EyeSide side = lit_scene.side(origin.number);
-    if (!lit_scene.places.faces(pixel, sphere, side, direction)) return false;
-    const auto blocks = [&](std::int32_t other) {
-        return other != origin.number && lit_scene.places.blocked(pixel, sphere, side, lit_scene.sphere(other), direction);
-    };
-    return std::ranges::none_of(lit_scene.blockers.numbers, blocks) && std::ranges::none_of(lit_scene.blockers.far, blocks);
-}
 
 // How bright a light makes a sphere, as the eye sees it in the middle of the picture: the mean of max(n.L, 0) over the disc that is
 // seen, times a constant, which is Lambert's law of the moon's phases.
@@ -58,12 +47,13 @@ double brightness(const LightVector& share, const glm::dvec3& toward_eye) {
 // order.
 class LightSums {
 public:
-    LightSums(const LitScene& lit_scene, std::vector<Job> jobs, const std::function<void(double)>& progress)
+    LightSums(const LitScene& lit_scene, std::vector<Job> jobs, const std::function<void(double)>& progress, bool keeps)
         : lit_scene_(lit_scene),
           jobs_(std::move(jobs)),
           progress_(progress),
           workers_(std::min({jobs_.size(), most_workers, static_cast<std::size_t>(worker_count())})),
-          sums_(lit_scene.points.size()) {}
+          sums_(lit_scene.points.size()),
+          shining_(keeps ? jobs_.size() : 0) {}
 
     std::size_t size() const { return jobs_.size(); }
     std::size_t added() const { return added_; }
@@ -79,10 +69,12 @@ public:
             LightTiles& tiles = workers_[which];
             for (std::size_t i = next++; i < end; i = next++) {
                 check_cancelled();
-                const auto& [set, light] = jobs_[i];
+                const auto& [set, place, light] = jobs_[i];
                 const std::size_t first = lit_scene_.points.begins.at(set);
                 const std::size_t last = lit_scene_.points.begins.at(set + 1);
-                add_share(tiles.lit(lit_scene_, first, last, light->direction), light->share);
+                const std::span<const std::uint64_t> lit = tiles.lit(lit_scene_, first, last, light->direction);
+                if (!shining_.empty()) shining_[i] = {set, place, {lit.begin(), lit.end()}};
+                add_share(first, lit, light->share);
                 if (progress_ && std::this_thread::get_id() == caller) {
                     progress_(static_cast<double>(i) / static_cast<double>(jobs_.size()));
                 }
@@ -91,23 +83,34 @@ public:
         added_ = end;
     }
 
-    // use(origin, sum), on all cores.
+    // use(place, sum), on all cores.
     template <typename Use>
     void for_each_point(const Use& use) const {
         parallel_pieces(lit_scene_.points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) use(lit_scene_.points.origins[i], sums_[i]);
+            for (std::size_t i = begin; i < end; ++i) use(static_cast<std::size_t>(lit_scene_.points.places[i]), sums_[i]);
         });
     }
 
+    // Gives back what deciding takes. Returns what it has found, if that is kept.
+    std::vector<Shining> finish() {
+        workers_ = {};
+        return std::exchange(shining_, {});
+    }
+
 private:
-    // To points in ascending order. Threads that add at the same time are mostly in different parts.
-    void add_share(std::span<const std::uint32_t> points, const LightVector& share) {
-        const std::size_t part_size = sums_.size() / joining_.size() + 1;
-        for (auto point = points.begin(); point != points.end();) {
-            const std::size_t part = *point / part_size;
-            const std::lock_guard lock(joining_[part]);
-            for (const std::size_t end = (part + 1) * part_size; point != points.end() && *point < end; ++point) {
-                sums_[*point] += share;
+    // To the points from `first` on whose bits are set. Threads that add at the same time are mostly in different parts. The points
+    // of a word are added to under one lock: that of the part where it begins.
+    void add_share(std::size_t first, std::span<const std::uint64_t> lit, const LightVector& share) {
+        constexpr std::size_t in_word = 64;
+        const std::size_t words_in_part = sums_.size() / in_word / joining_.size() + 1;
+        for (std::size_t word = 0; word < lit.size();) {
+            const std::size_t part = (first / in_word + word) / words_in_part;
+            const std::size_t end = std::min(lit.size(), (part + 1) * words_in_part - first / in_word);
+            const std::lock_guard lock(joining_.at(part));
+            for (; word < end; ++word) {
+                for (std::uint64_t rest = lit[word]; rest != 0; rest &= rest - 1) {
+                    sums_[first + in_word * word + static_cast<std::size_t>(std::countr_zero(rest))] += share;
+                }
             }
         }
     }
@@ -117,7 +120,8 @@ private:
     const std::function<void(double)>& progress_;
     std::vector<LightTiles> workers_;
     std::vector<LightVector> sums_;       // by point
-    std::array<std::mutex, 64> joining_;  // of parts of them
+    std::vector<Shining> shining_;        // by job, if it is kept
+    std::array<std::mutex, 64> joining_;  // of parts of the sums
     std::size_t added_ = 0;
 };
 
@@ -129,8 +133,7 @@ void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const Li
     const std::size_t suns = sun ? 1 : 0;
     if (sun) {
         sums.add(1);
-        sums.for_each_point(
-            [&](const PointOrigin& origin, const LightVector& sum) { of_sun[static_cast<std::size_t>(origin.place)] = sum; });
+        sums.for_each_point([&](std::size_t place, const LightVector& sum) { of_sun[place] = sum; });
     }
     double all = 0.0;
     for (std::size_t i = suns; i < sums.size(); ++i) all += brightness(sums.light(i).share, toward_eye);
@@ -152,15 +155,14 @@ void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const Li
         any = true;
         const double factor = all / so_far;
         std::vector<LightVector> lit(pixels);
-        sums.for_each_point([&](const PointOrigin& origin, const LightVector& sum) {
-            const LightVector& from_sun = of_sun[static_cast<std::size_t>(origin.place)];
+        sums.for_each_point([&](std::size_t place, const LightVector& sum) {
+            const LightVector& from_sun = of_sun[place];
             const auto scaled = [&](std::int32_t of_all, std::int32_t part) {
                 constexpr double most = std::numeric_limits<std::int32_t>::max();
                 const double value = static_cast<double>(part) + factor * static_cast<double>(of_all - part);
                 return static_cast<std::int32_t>(std::clamp(value, -most, most));
             };
-            lit[static_cast<std::size_t>(origin.place)] = {scaled(sum.x, from_sun.x), scaled(sum.y, from_sun.y),
-                                                           scaled(sum.z, from_sun.z)};
+            lit[place] = {scaled(sum.x, from_sun.x), scaled(sum.y, from_sun.y), scaled(sum.z, from_sun.z)};
         });
         previews.show(lit);
     }
@@ -176,47 +178,46 @@ Lighting::Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       toward_eye_(-camera_axes(camera).ahead),
       side_(side),
       places_(camera, size),
-      order_(spatial_order(scene, drawn)),
+      grid_(scene, drawn),
+      order_(spatial_order(scene, drawn, grid_)),
       sides_(scene.spheres.size(), EyeSide::outside),
-      ranks_(scene.spheres.size()) {
-    for (std::uint32_t rank = 0; rank < order_.size(); ++rank) {
-        const auto number = static_cast<std::size_t>(drawn.number(order_[rank]));
-        sides_[number] = drawn.side(order_[rank]);
-        ranks_[number] = rank;
-    }
-    const int lights = sky_lights(light, scene.spheres.size(), side * side);
-    for (int set = 0; set < side * side; ++set) sets_.push_back(light_set(light, lights, camera, set));
+      sets_(light_sets(light, scene.spheres.size(), camera, side)) {
+    // In the spheres' own order, in which memory is read fastest.
+    parallel_pieces(drawn.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            if (!drawn.gone.empty() && std::ranges::binary_search(drawn.gone, i)) continue;
+            sides_[static_cast<std::size_t>(drawn.number(i))] = drawn.side(i);
+        }
+    });
 }
 
 std::vector<LightVector> Lighting::light(const Block& block, std::span<const std::int32_t> visible,
-                                         const std::function<void(double)>& progress, const LightPreviews* previews) const {
-    const LitPoints points = lit_points(scene_, places_, sides_, ranks_, block, visible, side_);
-    const Blockers all_blockers = blockers(scene_, drawn_, order_, places_.eye(), points);
-    const LitScene lit_scene{scene_, places_, sides_, block, points, all_blockers};
+                                         const std::function<void(double)>& progress, const LightPreviews* previews,
+                                         KeptLight* kept) const {
+    const LitPoints points = lit_points(scene_, places_, sides_, grid_, block, visible, side_);
+    const Blockers all_blockers = blockers(scene_, drawn_, order_, sides_, places_.eye(), points);
+    const LitScene lit_scene{scene_, drawn_, order_, places_, sides_, block, visible, points, all_blockers};
 
     std::vector<Job> jobs;
     for (std::size_t set = 0; set < sets_.size(); ++set) {
         if (points.begins.at(set) == points.begins.at(set + 1)) continue;
-        for (const DirectedLight& light : sets_[set]) jobs.push_back({set, &light});
+        for (std::size_t place = 0; place < sets_[set].size(); ++place) jobs.push_back({set, place, &sets_[set][place]});
     }
 
-    LightSums sums(lit_scene, std::move(jobs), progress);
-    // Points of which float knows too little get their light at the end.
-    if (previews != nullptr && side_ == 1 && points.unknown.empty()) {
+    if (kept != nullptr && !kept->has_room(visible.size(), points.size())) {
+        kept->give_up();
+        kept = nullptr;
+    }
+    LightSums sums(lit_scene, std::move(jobs), progress, kept != nullptr);
+    if (previews != nullptr && side_ == 1) {
         add_shown(sums, sun_, toward_eye_, *previews, visible.size());
     } else {
         sums.add(sums.size());
     }
+    const std::vector<Shining> shining = sums.finish();
+    if (kept != nullptr) kept->add(block, visible, points.places, std::span(points.begins).first(sets_.size() + 1), shining);
     std::vector<LightVector> lit(visible.size());
-    sums.for_each_point(
-        [&](const PointOrigin& origin, const LightVector& sum) { lit[static_cast<std::size_t>(origin.place)] += sum; });
-    parallel_for(points.unknown.size(), [&](std::size_t i) {
-        const PointOrigin& origin = points.unknown[i];
-        for (const DirectedLight& light : lights(side_ == 1 ? 0 : set_of(lit_scene.pixel(origin), side_))) {
-            check_cancelled();
-            if (shines(lit_scene, origin, light.direction)) lit[static_cast<std::size_t>(origin.place)] += light.share;
-        }
-    });
+    sums.for_each_point([&](std::size_t place, const LightVector& sum) { lit[place] = sum; });
     return lit;
 }
 

@@ -9,8 +9,10 @@
 #include "exact/drawn.hpp"
 #include "exact/visible.hpp"
 #include "light/hit_places.hpp"
+#include "light/kept_light.hpp"
 #include "light/light_set.hpp"
 #include "light/light_tiles.hpp"
+#include "light/spatial_order.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
@@ -20,7 +22,7 @@ namespace sphereview {
 struct LightPreviews {
     std::function<void(std::span<const LightVector>)> show;  // is given the light of each point, as light() returns it
     std::size_t fewest = 0;                                  // lights before the first
-    double first_after = 0.04;                               // seconds of adding lights
+    double first_after = 0.02;                               // seconds of adding lights
     double every = 0.2;                                      // seconds, from one to the next
 };
 
@@ -34,11 +36,12 @@ public:
     // The light of each point of a block, row by row, from its visible spheres (scene numbers or visible_background); zero where
     // there is none. The sum of the shares of the lights that shine there; its product with the normal is the brightness. Calls
     // progress() now and then, from this thread, with the part that is done, 0..1. Previews are of pictures with one point a pixel
-    // only.
+    // only. `kept` is given what was found, if that fits; it was begun with the sets of lights.
     std::vector<LightVector> light(const Block& block, std::span<const std::int32_t> visible,
-                                   const std::function<void(double)>& progress = nullptr,
-                                   const LightPreviews* previews = nullptr) const;
+                                   const std::function<void(double)>& progress = nullptr, const LightPreviews* previews = nullptr,
+                                   KeptLight* kept = nullptr) const;
 
+    const std::vector<std::vector<DirectedLight>>& sets() const { return sets_; }
     // The lights of a set, in their order.
     const std::vector<DirectedLight>& lights(int set) const { return sets_[static_cast<std::size_t>(set)]; }
 
@@ -49,10 +52,9 @@ private:
     glm::dvec3 toward_eye_;  // of length 1
     int side_;
     HitPlaces places_;
+    SpatialGrid grid_;
     std::vector<std::uint32_t> order_;  // of the drawn spheres' indices, in space
-    // By number.
-    std::vector<EyeSide> sides_;        // the eye's
-    std::vector<std::uint32_t> ranks_;  // in that order
+    std::vector<EyeSide> sides_;        // the eye's, by number
     std::vector<std::vector<DirectedLight>> sets_;
 };
 

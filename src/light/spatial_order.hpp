@@ -2,6 +2,7 @@
 // tiles of any light's plane, then finds the tile in the processor's cache.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -10,8 +11,22 @@
 
 namespace sphereview {
 
-// The indices of the drawn spheres, without gaps: cell by cell of a grid of 64 x 64 x 64 around all centres, the cells in Morton's
-// order.
-std::vector<std::uint32_t> spatial_order(const Scene& scene, const DrawnSpheres& drawn);
+// A grid of 64 x 64 x 64 cells around all centres of drawn spheres.
+class SpatialGrid {
+public:
+    static constexpr std::size_t cells = std::size_t{1} << 18;
+
+    SpatialGrid(const Scene& scene, const DrawnSpheres& drawn);
+
+    // The number of the cell that a centre lies in, in Morton's order: below `cells`.
+    std::uint32_t cell(const glm::dvec3& center) const;
+
+private:
+    glm::dvec3 low_{0.0};
+    glm::dvec3 high_{0.0};
+};
+
+// The indices of the drawn spheres, without gaps, cell by cell.
+std::vector<std::uint32_t> spatial_order(const Scene& scene, const DrawnSpheres& drawn, const SpatialGrid& grid);
 
 }  // namespace sphereview

@@ -10,7 +10,9 @@
 
 #include "base/text.hpp"
 #elif defined(_WIN32)
-#include <cstdlib>
+#include <windows.h>
+
+#include <array>
 #include <filesystem>
 
 #include "base/path.hpp"
@@ -91,11 +93,12 @@ std::string system_font_file(FontFamily family) {
 #elif defined(_WIN32)
 
 std::string system_font_file(FontFamily family) {
-    const char* windows = std::getenv("SystemRoot");
+    std::array<wchar_t, MAX_PATH> windows{};
+    if (GetSystemWindowsDirectoryW(windows.data(), MAX_PATH) == 0) return "";
     std::error_code none;
     for (const char* name : {family == FontFamily::monospaced ? "consola.ttf" : "segoeui.ttf",
                              family == FontFamily::monospaced ? "cour.ttf" : "tahoma.ttf"}) {
-        const std::filesystem::path file = path_from(windows != nullptr ? windows : "C:\\Windows") / "Fonts" / name;
+        const std::filesystem::path file = std::filesystem::path(windows.data()) / "Fonts" / name;
         if (std::filesystem::is_regular_file(file, none)) return text_from(file);
     }
     return "";

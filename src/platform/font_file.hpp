@@ -11,7 +11,7 @@ enum class FontFamily {
 };
 
 // The file of the system's usual font of a family that ImGui can read (TrueType or OpenType outlines, not a collection's later
-// face), by fontconfig; "" where there is no fontconfig or no such font.
+// face), by fontconfig, or on Windows that of its menus; "" where there is neither or no such font.
 std::string system_font_file(FontFamily family = FontFamily::sans_serif);
 
 }  // namespace sphereview

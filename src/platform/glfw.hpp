@@ -21,7 +21,7 @@ namespace sphereview {
     X(PostEmptyEvent) X(SetCharCallback) X(SetClipboardString) X(SetCursor) X(SetCursorEnterCallback) \
     X(SetCursorPosCallback) X(SetDropCallback) X(SetFramebufferSizeCallback) X(SetKeyCallback) \
     X(SetMouseButtonCallback) X(SetScrollCallback) X(SetWindowCloseCallback) X(SetWindowContentScaleCallback) \
-    X(SetWindowFocusCallback) X(SetWindowPos) X(SetWindowRefreshCallback) X(SetWindowShouldClose) \
+    X(SetWindowFocusCallback) X(SetWindowIcon) X(SetWindowPos) X(SetWindowRefreshCallback) X(SetWindowShouldClose) \
     X(SetWindowTitle) X(SetWindowUserPointer) X(ShowWindow) X(SwapBuffers) X(SwapInterval) X(Terminate) \
     X(WaitEvents) X(WaitEventsTimeout) X(WindowHint) X(WindowHintString)
 // clang-format on

@@ -291,6 +291,12 @@ void Window::set_title(const std::string& title) {
     glfw().SetWindowTitle(state_->window, title.c_str());
 }
 
+void Window::set_icon(std::vector<Icon> sizes) {
+    std::vector<GLFWimage> images;
+    for (Icon& icon : sizes) images.push_back({icon.side, icon.side, icon.bytes.data()});
+    glfw().SetWindowIcon(state_->window, static_cast<int>(images.size()), images.data());
+}
+
 void Window::set_pointer(PointerShape shape) {
     if (shape == state_->shape) return;
     state_->shape = shape;

@@ -104,6 +104,12 @@ public:
     WindowPlace place() const;
 
     void set_title(const std::string& title);
+    // A square of RGBA bytes, the top row first, in several sizes. Systems that take icons from elsewhere ignore it.
+    struct Icon {
+        int side = 0;
+        std::vector<unsigned char> bytes;
+    };
+    void set_icon(std::vector<Icon> sizes);
     void set_pointer(PointerShape shape);
     std::string clipboard() const;
     void set_clipboard(const std::string& text);

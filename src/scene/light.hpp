@@ -31,4 +31,45 @@ struct Light {
     bool operator==(const Light&) const = default;
 };
 
+// Sun and sky that make a good picture together: the brightest surfaces are about as bright as white can be, and shadows half as
+// bright. A sun of strength 1 beside a full sky would make white of most of what it shines on.
+inline constexpr double sky_beside_sun = 0.4;
+inline constexpr double sun_beside_sky = 0.7;
+
+// The light with a sun that nobody has said more of than where it shines from. A sky as it comes makes room for its light.
+constexpr Light with_sun(Light light, const glm::dvec3& direction) {
+    if (light.sun) {
+        light.sun->direction = direction;
+    } else if (light.sky == most_sky) {
+        light.sky = sky_beside_sun;
+        light.sun = Sun{direction, sun_beside_sky};
+    } else {
+        light.sun = Sun{direction, 1.0};
+    }
+    return light;
+}
+// And without it again.
+constexpr Light without_sun(Light light) {
+    if (light.sun && light.sky == sky_beside_sun) light.sky = most_sky;
+    light.sun.reset();
+    return light;
+}
+
+// How bright sky and key light make a free surface that faces the key, of strength 1 each.
+inline constexpr double sky_light = 0.62;
+inline constexpr double key_light = 0.45;
+// To the key light, in the view's directions right, up and toward the eye; of any length.
+inline constexpr glm::dvec3 key_in_view{-0.45, 0.75, 0.55};
+
+// How bright a sky makes a free surface, nearly: for what moves, which has no shadows. `toward_key`: the cosine between normal and
+// key light. Twin: shaders/surface.frag.
+constexpr double brightness_of_free_sky(const Light& light, double toward_key) {
+    const double x = 0.5 + 0.5 * toward_key;
+    return light.sky * (sky_light + key_light * light.key * x * x * (0.5 + 0.5 * x));
+}
+
+// Which part of its own colour a surface shows that is so bright; above 1 where it is brighter than white can be. Twin:
+// shaders/surface.frag.
+constexpr double shown_part(double brightness) { return 1.8 * brightness / (0.8 + brightness); }
+
 }  // namespace sphereview

@@ -8,7 +8,9 @@
 #include <limits>
 #include <mutex>
 
+#include "base/number.hpp"
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -53,6 +55,17 @@ bool parse_background(std::string_view text, Background& background) {
         return false;
     }
     return true;
+}
+
+std::string view_name_fault(std::string_view name) {
+    if (trimmed(name).empty()) return "no name";
+    if (std::ranges::find(view_sides, name) != view_sides.end()) return "the name of a side";
+    const std::size_t comma = name.find(',');
+    double angle = 0.0;
+    const auto is_angle = [&](std::string_view part) { return parse_double(part, angle) == NumberFault::none; };
+    if (comma != std::string_view::npos && is_angle(name.substr(0, comma)) && is_angle(name.substr(comma + 1)))
+        return "an azimuth and an elevation";
+    return "";
 }
 
 std::string to_string(const Background& background) {

@@ -1,6 +1,7 @@
 // What is drawn, and how much room it takes up.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -35,6 +36,21 @@ std::string to_string(const Background& background);
 // The most spheres a scene may have: their numbers, and the marks for doubtful pixels, share a signed 32-bit integer.
 inline constexpr std::int64_t most_spheres = 2'000'000'000;
 
+// A camera that the scene keeps beside its own, by a name that no other has and that view_name_fault() allows.
+struct SavedView {
+    std::string name;
+    Camera camera;
+
+    bool operator==(const SavedView&) const = default;
+};
+
+// The sides that every scene can be seen from.
+inline constexpr std::array<std::string_view, 7> view_sides = {"front", "back", "left", "right", "top", "bottom", "iso"};
+
+// Why no saved view can be called that, whatever others are: it has no letter, or where a view is asked for by name it means
+// something else, a side or `AZIMUTH,ELEVATION`. "the name of a side"; "" where one can.
+std::string view_name_fault(std::string_view name);
+
 // Spheres are numbered from 0 in file order; of two equal hits the lower number is seen.
 struct Scene {
     std::vector<Sphere> spheres;
@@ -42,6 +58,7 @@ struct Scene {
     Background background;
     Camera camera;
     Light light{};
+    std::vector<SavedView> views{};
 
     bool operator==(const Scene&) const = default;
 };
@@ -78,6 +95,8 @@ inline bool same_bits(const Camera& a, const Camera& b) {
     return same_bits(a.eye, b.eye) && same_bits(a.center, b.center) && same_bits(a.right, b.right) && same_bits(a.up, b.up) &&
            a.projection == b.projection;
 }
+
+inline bool same_bits(const SavedView& a, const SavedView& b) { return a.name == b.name && same_bits(a.camera, b.camera); }
 
 inline bool same_bits(const Light& a, const Light& b) {
     return a == b && same_bits(a.sky, b.sky) && same_bits(a.key, b.key) &&

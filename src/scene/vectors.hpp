@@ -15,6 +15,9 @@ inline glm::dvec3 cross(const glm::dvec3& a, const glm::dvec3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+// -0 becomes 0.
+inline glm::dvec3 without_negative_zero(const glm::dvec3& v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
+
 // The sum of the components' sizes.
 inline double taxicab_length(const glm::dvec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 

@@ -138,7 +138,7 @@ Color lit_color(const Color& color, const glm::dvec3& normal, const LightVector&
     const double sum =
         normal.x * static_cast<double>(light.x) + normal.y * static_cast<double>(light.y) + normal.z * static_cast<double>(light.z);
     const double brightness = sum > 0.0 ? sum / light_one : 0.0;
-    const double factor = between_0_and_1(1.8 * brightness / (0.8 + brightness));
+    const double factor = between_0_and_1(shown_part(brightness));
     const auto channel = [&](std::uint8_t own) { return std::max(times(own, factor), std::min<std::uint8_t>(own, 1)); };
     return {channel(color.r), channel(color.g), channel(color.b)};
 }

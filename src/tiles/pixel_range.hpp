@@ -52,9 +52,9 @@ private:
     int last(int pixel, int count) const { return pixel == count - 1 ? side(count) - 1 : (pixel - step / 2) >> shift(); }
 };
 
-// The rays of all pixels with number i on this axis lie in the plane through the eye with the normal base + a step,
-// a = 2i + 1 - count, which points towards greater i. Orthographic: the normal is `base`, and a point's product with it must be
-// -a shift, which is above 0.
+// The rays of all pixels with number i on this axis lie in a plane; a = 2i + 1 - count. Perspective: the plane goes through the eye
+// and has the normal base + a step, which points towards greater i. Orthographic: the normal is `base` for all, and the plane's
+// points P, relative to the eye, have P.base = -a shift, where shift is below 0.
 struct PixelAxis {
     glm::dvec3 base{0.0};
     glm::dvec3 step{0.0};

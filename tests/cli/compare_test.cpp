@@ -82,6 +82,14 @@ TEST_F(Compare, GoesThroughAClassAndReportsJson) {
     EXPECT_FALSE(folder_.has("mine-difference.png"));
 }
 
+TEST_F(Compare, MakesTheFolderOfAPattern) {
+    folder_.write("scene.txt", "1  0 255 0  0 0 300 50");
+    EXPECT_EQ(compare({"right.png", "scene.txt", "--diff", "new/{name}.png"}).status, 1);
+    EXPECT_TRUE(folder_.has("new/right.png"));
+    EXPECT_EQ(compare({"right.png", "scene.txt", "--diff", "other/mine.png"}).status, 4);
+    EXPECT_FALSE(folder_.has("other"));
+}
+
 TEST_F(Compare, RefusesWhatMakesNoSense) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"scene.txt"}, "PICTURE: found one file alone, expected pictures, and last the scene"},

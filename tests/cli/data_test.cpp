@@ -158,7 +158,7 @@ TEST_F(Data, SaysWhatItLeavesOutAndPassesOver) {
     std::vector<std::string> json = usual;
     json.emplace_back("--json");
     const auto report = Json::parse(sphereview(json).output);
-    EXPECT_EQ(report["warnings"], Json{"1 row has no coordinates and is left out"});
+    EXPECT_EQ(report["warnings"], Json{"a.csv: 1 row has no coordinates and is left out"});
     EXPECT_EQ(report["notes"].size(), 1U);
     EXPECT_EQ(sphereview({"convert", "a.csv", "a.txt"}).errors, warning);
     EXPECT_EQ(sphereview({"explain", "a.csv", "--pixel", "1,1", "--size", "9x9"}).errors, warning);
@@ -185,6 +185,30 @@ TEST_F(Data, OfAnotherKindSaysWhatItIs) {
     expect_fault({"convert", "b.xyz.bz2", "b.txt"},
                  "b.xyz.bz2: found a file that is packed with bzip2, which is not unpacked here: gzip is" + formats);
     expect_fault({"explain", "c.csv", "-p", "1,1"}, "c.csv: found a JPEG picture" + formats);
+}
+
+// What is read all the same is said in one line on stderr, and by --json.
+TEST_F(Data, IsShownWithAWarning) {
+    folder_.write("cut.xyz", "1\n\nH 0 0 100\n2\n\nH 0 0 100\n");
+    folder_.write("sites.xyz", "2\n\nO 0 0 100\nMW 0 0 100\n");
+    const std::string cut = "cut.xyz:7:1: the text ends, expected atom 2 of 2 of frame 1; what follows frame 0 is passed over";
+    const std::string sites = "sites.xyz: found 1 virtual site or dummy, which is no atom; ";
+    const auto expect_warning = [&](const std::vector<std::string>& arguments, const std::string& warning) {
+        const Outcome outcome = sphereview(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_TRUE(outcome.errors.starts_with(warning + "\n")) << outcome;
+        return outcome.output;
+    };
+    EXPECT_EQ(expect_warning({"convert", "cut.xyz", "-", "--to", "text"}, cut), "1\n255 255 255\n0 0 100\n0.31\n");
+    expect_warning({"explain", "cut.xyz", "-p", "5,5"}, cut);
+    const std::vector<std::string> render = {"render", "cut.xyz", "-s", "8x8", "--backend", "cpu", "--json"};
+    EXPECT_EQ(Json::parse(expect_warning(render, cut))["warnings"], (Json{cut}));
+    expect_fault({"convert", "cut.xyz", "a.txt", "--frame", "1"}, "cut.xyz:7:1: the text ends, expected atom 2 of 2 of frame 1");
+
+    EXPECT_EQ(expect_warning({"convert", "sites.xyz", "-", "--to", "text"}, sites + "shown small, or not with --no-virtual"),
+              "2\n255 13 13\n0 0 100\n0.66\n255 20 147\n0 0 100\n0.2\n");
+    EXPECT_EQ(expect_warning({"convert", "sites.xyz", "-", "--to", "text", "--no-virtual"}, sites + "left out"),
+              "1\n255 13 13\n0 0 100\n0.66\n");
 }
 
 TEST_F(Data, ThatIsBadIsReportedInOneLine) {
@@ -278,9 +302,7 @@ TEST(Gzip, WhatDoesNotFitInMemoryIsRefusedWithTheFigures) {
         {"a.csv.gz", "a.csv.gz: up to 6,000,000 spheres need 240 MB of memory, "},
         {"a.toml.gz", "a.toml.gz: its values need 344 MB of memory, "}};
 #ifndef WITHOUT_GEMMI
-    folder.write("a.pdb.gz", gzipped(repeated("ATOM      1  N   ALA A   1       0.000   0.000   0.000\n", 400'000)));
     folder.write("a.cif.gz", gzipped("data_\nloop_\n_a.b\n" + repeated("0 ", 5'000'000)));
-    cases.emplace_back("a.pdb.gz", "a.pdb.gz: 400,000 atoms need ");
     cases.emplace_back("a.cif.gz", "a.cif.gz: its values need 340 MB of memory, ");
 #endif
     for (const auto& [name, said] : cases) {

@@ -104,11 +104,11 @@ TEST_F(Expect, FillsTheNameInForEachScene) {
     ASSERT_EQ(render_small({"red.txt", "blue.txt", "-o", "want-{name}.png"}).status, 0);
     EXPECT_EQ(render_small({"red.txt", "blue.txt", "--expect", "want-{name}.png"}).status, 0);
     folder_.write("blue.txt", "0");
-    const Outcome outcome = render_small({"red.txt", "blue.txt", "--expect", "want-{name}.png", "--diff", "diff-{name}.png"});
+    const Outcome outcome = render_small({"red.txt", "blue.txt", "--expect", "want-{name}.png", "--diff", "new/diff-{name}.png"});
     EXPECT_EQ(outcome.status, 1) << outcome;
     EXPECT_TRUE(contains(outcome.errors, "blue.txt: differs from want-blue.png: 1 of 25"));
     EXPECT_TRUE(contains(outcome.errors, "1 of 2 scenes failed: blue.txt"));
-    EXPECT_TRUE(folder_.has("diff-red.png") && folder_.has("diff-blue.png"));
+    EXPECT_TRUE(folder_.has("new/diff-red.png") && folder_.has("new/diff-blue.png"));
 }
 
 TEST_F(Expect, TakesAGoldenThroughAPipe) {

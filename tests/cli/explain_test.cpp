@@ -110,7 +110,17 @@ TEST(Explain, TellsWhyTheSunDoesNotShine) {
     EXPECT_TRUE(contains(outcome.output, "sphere 1 is in the way")) << outcome;
     EXPECT_TRUE(contains(outcome.output, "the line to the light touches the sphere")) << outcome;
     EXPECT_TRUE(contains(outcome.output, "sky: ")) << outcome;
-    EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--sun-strength", "2"}), 2, "sphereview: --sun-strength: the scene has no sun"));
+    // A sun of which nothing more is said is beside a sky that leaves room for its light.
+    const auto lit = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> all = {"--shade", "studio", "--sun", "0,0,-3"};
+        all.insert(all.end(), options.begin(), options.end());
+        return explain(scene, all).output;
+    };
+    EXPECT_EQ(lit({}), lit({"--sky", "0.4", "--sun-strength", "0.7"}));
+    EXPECT_EQ(lit({"--sky", "1"}), lit({"--sky", "1", "--sun-strength", "1"}));
+    EXPECT_EQ(lit({"--sun-strength", "2"}), lit({"--sky", "0.4", "--sun-strength", "2"}));
+    EXPECT_TRUE(
+        fails(explain(scene, {"--shade", "studio", "--sun-strength", "2"}), 2, "sphereview: --sun-strength: the scene has no sun"));
 }
 
 // A plate over the sphere keeps all lights away but those from the sides; a small sphere few of them.

@@ -50,7 +50,7 @@ TEST_F(Installed, TheProgramRendersItsExampleScenes) {
     for (const auto& entry : std::filesystem::directory_iterator(file("share/sphereview/scenes"))) {
         EXPECT_TRUE(std::filesystem::exists(source_file("scenes/" + entry.path().filename().string())));
 #ifdef WITHOUT_GEMMI
-        if (entry.path().extension() == ".pdb" || entry.path().extension() == ".cif") continue;
+        if (entry.path().extension() == ".cif") continue;
 #endif
         arguments.push_back(entry.path().string());
         ++scenes;

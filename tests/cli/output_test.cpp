@@ -113,10 +113,9 @@ TEST(Batch, WritesEachScenesPictureIntoTheCurrentFolderByDefault) {
     EXPECT_EQ(decode_png(folder.read("blue.version2.png")).at(2, 2), (std::vector<int>{0, 0, 250}));
 }
 
-TEST(Batch, FillsTheNameIntoAPattern) {
+TEST(Batch, FillsTheNameIntoAPatternAndMakesItsFolder) {
     const TemporaryFolder folder;
     folder.write("red.txt", red_scene);
-    folder.write("out-red/other", "");
     folder.write("out-stdin/other", "");
     Command command = cpu_render(folder, {"red.txt", "-", "-s", "5x5", "-o", "out-{name}/{name}-small.png"});
     command.input = red_scene;
@@ -163,7 +162,7 @@ TEST(ExitStatus, SaysWhatWentWrongAndOfSeveralTheHighestCounts) {
         {{"red.txt", "red.txt", "--expect", "golden.png"}, 0},
         {{"red.txt", "blue.txt", "--expect", "golden.png"}, 1},
         {{"blue.txt", "bad.txt", "red.txt", "--expect", "golden.png"}, 2},
-        {{"bad.txt", "red.txt", "-o", "missing/{name}.png"}, 4},
+        {{"bad.txt", "red.txt", "-o", "/dev/full/{name}.png"}, 4},
         {{"blue.txt", "--expect", "golden.png", "-o", "/dev/full"}, 4},
     };
     for (const auto& [arguments, status] : cases) {

@@ -3,6 +3,7 @@
 
 #include "support/json.hpp"
 #include "support/render.hpp"
+#include "support/sha256.hpp"
 #include "support/text_match.hpp"
 
 namespace sphereview::test {
@@ -49,6 +50,46 @@ TEST(Background, OfTheOptionCountsMoreThanTheScenes) {
     EXPECT_EQ(picture_of(scene, "cpu", {"-s", "2x1"}), plain_picture(2, 1, {1, 2, 3}));
     EXPECT_EQ(picture_of(scene, "cpu", {"-s", "2x1", "--background", "white"}), plain_picture(2, 1, {255, 255, 255}));
     EXPECT_EQ(picture_of("background = 'transparent'", "cpu", {"-s", "1x2"}), plain_picture(1, 2, {0, 0, 0, 0}));
+}
+
+// Over the finished picture, and nowhere else; the same bytes with any backend and any samples around them.
+TEST(Marks, AreDrawnInTheCornersInWholeNumbers) {
+    const std::vector<std::string> size = {"-s", "400x300"};
+    const auto with = [&](std::vector<std::string> options) {
+        options.insert(options.end(), size.begin(), size.end());
+        return picture_of(red_scene, "cpu", options);
+    };
+    const Picture plain = with({});
+    const auto differs = [&](const Picture& picture, int left, int right) {
+        int count = 0;
+        for (int y = 0; y < 300; ++y) {
+            for (int x = left; x < right; ++x) count += picture.at(x, y) == plain.at(x, y) ? 0 : 1;
+        }
+        return count;
+    };
+    const Picture axes = with({"--axes"});
+    EXPECT_GT(differs(axes, 0, 64), 500);
+    EXPECT_EQ(differs(axes, 64, 400), 0);
+    const Picture bar = with({"--scale-bar"});
+    EXPECT_GT(differs(bar, 300, 400), 200);
+    EXPECT_EQ(differs(bar, 0, 260), 0);
+    const Picture both = with({"--axes", "--scale-bar"});
+    EXPECT_EQ(differs(both, 0, 400), differs(axes, 0, 400) + differs(bar, 0, 400));
+    EXPECT_EQ(picture_of(red_scene, "auto", {"--axes", "--scale-bar", "-s", "400x300"}), both);
+    // A true length: 50 at the sphere's depth, where the picture's shorter side shows 200, are a quarter of that.
+    int white = 0;
+    for (int x = 300; x < 400; ++x) white += bar.at(x, 288) == std::vector<int>{245, 246, 248} ? 1 : 0;
+    EXPECT_NEAR(white, 75, 3);
+    EXPECT_EQ(picture_of(red_scene, "cpu", {"-s", "40x40", "--axes", "--scale-bar"}), picture_of(red_scene, "cpu", {"-s", "40x40"}))
+        << "too small for them";
+}
+
+TEST(Marks, HaveTheSameBytesEverywhere) {
+    const TemporaryFolder folder;
+    folder.write("scene.txt", red_scene);
+    const Outcome outcome = render(folder, {"scene.txt", "-s", "640x480", "--axes", "--scale-bar", "--view", "iso", "-o", "-"});
+    ASSERT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(sha256(decode_png(outcome.output).bytes), "8e31b28b846114e53df123db330c7a44efd24680d2941fb69245deba6a256a29");
 }
 
 struct BackendCase {
@@ -193,6 +234,37 @@ TEST(View, ShowsItsSide) {
             for (const auto& [x, y] : {std::pair{i, 0}, {i, 100}, {0, i}, {100, i}}) EXPECT_EQ(picture.at(x, y), black) << view;
         }
     }
+}
+
+TEST(SavedViews, AreSeenByTheirName) {
+    const std::string views =
+        "[[view]]\nname = 'from x'\neye = [900, 0, 0]\ncenter = [800, 0, 0]\nright = [0, 0, 50]\nup = [0, 50, 0]\n"
+        "[[view]]\nname = 'flat'\neye = [0, 0, -900]\ncenter = [0, 0, -800]\nprojection = 'orthographic'\n";
+    const auto scene = [&](const std::string& camera) { return camera + "spheres = '''" + std::string(corner) + "'''\n" + views; };
+    const std::string from_x = "camera = {eye = [900, 0, 0], center = [800, 0, 0], right = [0, 0, 50], up = [0, 50, 0]}\n";
+    EXPECT_EQ(seen(scene(""), {"--view", "from x"}), seen(scene(from_x), {}));
+    EXPECT_NE(seen(scene(""), {"--view", "from x"}), seen(scene(""), {}));
+    EXPECT_EQ(seen(scene(from_x), {"--view", "flat", "--projection", "perspective"}),
+              seen(scene("camera = {eye = [0, 0, -900], center = [0, 0, -800]}\n"), {}));
+    EXPECT_EQ(seen(scene(""), {"--view", "top"}), seen(corner, {"--view", "top"}));
+
+    // Kept, and the camera of what is written.
+    const Outcome converted = run({.arguments = {"convert", "-", "-", "--to", "toml", "--view", "from x"}, .input = scene("")});
+    EXPECT_EQ(converted.status, 0) << converted;
+    EXPECT_EQ(seen(converted.output, {}), seen(scene(from_x), {}));
+    EXPECT_EQ(seen(converted.output, {"--view", "flat"}), seen(scene(""), {"--view", "flat"}));
+
+    const auto refusal = [&](const std::string& text, const std::string& view) {
+        const Outcome outcome = run({.arguments = {"render", "-", "-o", "-", "--view", view}, .input = text});
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        return outcome.errors;
+    };
+    EXPECT_EQ(refusal(scene(""), "form x"),
+              "stdin: found no view 'form x', expected one of its saved views, 'from x', 'flat', or front, back, left, "
+              "right, top, bottom, iso or AZIMUTH,ELEVATION in degrees; did you mean 'from x'?\n");
+    EXPECT_EQ(refusal(corner, "botom"),
+              "stdin: found no view 'botom', expected front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in "
+              "degrees; it has no saved views; did you mean 'bottom'?\n");
 }
 
 TEST(Fit, IsForThoseWhoAskAndForDataWithoutACamera) {

@@ -9,8 +9,8 @@
 namespace sphereview::test {
 namespace {
 
-const std::vector<std::string> phases = {"read",  "context",   "shaders", "lists",  "prepare",
-                                         "trace", "read back", "resolve", "light", "encode", "write"};
+const std::vector<std::string> phases = {"read",      "context", "shaders", "lists",  "prepare", "trace",
+                                         "read back", "resolve", "light",   "encode", "write"};
 
 const std::string one_tile = "red.txt: tiles of 8 pixels, candidates: 1, in the longest list: 1; spheres in memory";
 
@@ -48,9 +48,10 @@ TEST_F(Report, JsonIsOneLineASceneOnStandardOutput) {
     EXPECT_GT(good["timings_ms"]["encode"].get<double>(), 0.0);
     good.erase("timings_ms");
     good.erase("decided");  // Samples.AreReported has the points
-    EXPECT_EQ(good, Json::parse(R"({"scene": "red.txt", "status": 0, "error": null, "output": "out-red.png", "size": [7, 5],
-        "spheres": 1, "backend": "cpu", "renderer": "cpu", "passed_over": [], "warnings": [], "notes": [],
-        "spheres_in": "memory", "samples": 1, "shade": "flat", "tiles": {"sides": [8], "candidates": 1, "longest_list": 1}})"));
+    EXPECT_EQ(good, Json::parse(R"({"scene": "red.txt", "status": 0, "error": null, "warnings": [], "output": "out-red.png",
+        "size": [7, 5],
+        "spheres": 1, "backend": "cpu", "renderer": "cpu", "passed_over": [], "notes": [], "spheres_in": "memory", "samples": 1,
+        "shade": "flat", "tiles": {"sides": [8], "candidates": 1, "longest_list": 1}})"));
 
     const Json bad = Json::parse(rows[1]);
     EXPECT_EQ(bad["scene"], "bad.txt");

@@ -1,6 +1,8 @@
 // The command line itself: help, versions, and mistakes in it.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "app/version.hpp"
 #include "cli/fails.hpp"
 #include "support/render.hpp"
@@ -12,14 +14,15 @@ namespace {
 TEST(Usage, EachCommandHasHelpWithExamplesAndExitStatus) {
     const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases = {
         {{"--help"},
-         {"render", "convert", "explain", "compare", "doctor", "Exit status: 0 done; 1 ", "2 wrong usage", "3 nothing", "4 the output",
-          "129, 130, 143 interrupted"}},
+         {"render", "convert", "explain", "compare", "doctor", "Exit status: 0 done; 1 ", "2 wrong usage", "3 nothing",
+          "4 the output", "129, 130, 143 interrupted"}},
         {{"-h"}, {"render", "Exit status"}},
         {{"render", "--help"},
          {"Examples:", "sphereview render scene.txt", "Exit status: 0", "--output", "--size", "--background", "--backend",
           "--device", "--expect", "--diff", "--timings", "--json", "--verbose", "--samples", "SPHEREVIEW_BACKEND"}},
         {{"convert", "--help"}, {"Examples:", "sphereview convert scene.txt scene.toml", "--to", "Exit status"}},
-        {{"compare", "--help"}, {"Examples:", "sphereview compare mine.png scene.txt", "PICTURE ... SCENE", "--diff", "Exit status"}},
+        {{"compare", "--help"},
+         {"Examples:", "sphereview compare mine.png scene.txt", "PICTURE ... SCENE", "--diff", "Exit status"}},
         {{"explain", "--help"}, {"Examples:", "sphereview explain scene.txt --pixel", "--json", "Exit status"}},
         {{"doctor", "--help"}, {"Examples:", "sphereview doctor --json", "--timeout", "Exit status 0 if any backend works"}},
     };
@@ -44,6 +47,13 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"rendr", "a.txt"}, "unknown command 'rendr'; did you mean 'render'?"},
         {{"Convert"}, "did you mean 'convert'?"},
         {{"docter"}, "did you mean 'doctor'?"},
+        {{"help"}, "unknown command 'help'; did you mean '--help'? (see 'sphereview --help')"},
+        {{"version"}, "unknown command 'version'; did you mean '--version'?"},
+        {{"-v"}, "unknown option '-v'; did you mean '--view' or '--version'? (see 'sphereview view --help')"},
+        {{"doctor", "-v"}, "unknown option '-v'; did you mean '--version'?"},
+        {{"render", "a.txt", "--shade", "Studio"},
+         "expected flat, headlight, normal, depth, id or studio; did you mean 'studio'? (see"},
+        {{"render", "a.txt", "--backend=CPU"}, "expected auto, egl, osmesa, wgl or cpu; did you mean 'cpu'? (see"},
         {{"\x1b[31mred"}, "'\\x1b[31mred'"},
         {{"--versoin"}, "unknown option '--versoin'; did you mean '--version'?"},
         {{"render"}, "SCENE: found no value, expected the name of a file (see 'sphereview render --help')"},
@@ -137,13 +147,14 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
          "X,Y,Z, not all 0, from the scene to the sun, or AZIMUTH,ELEVATION in degrees, from where the sun shines as --view looks",
          {"0,0,0", "1", "1,2,3,4", "0,91", "1,2,x", "1,,2", "1,2,", "inf,0,0", "front", ""}},
         {"--view",
-         "front, back, left, right, top, bottom, iso or AZIMUTH,ELEVATION in degrees",
-         {"side", "90", "90,", "0,91", "x,y", "inf,0", ""}},
+         "front, back, left, right, top, bottom, iso, AZIMUTH,ELEVATION in degrees or a saved view's name",
+         {"0,91", " ", ""}},
         {"--frame", "the number of a frame, from 0", {"1.5", "x", "99999999999999999999"}},
         {"--frame", "the number of a frame, from 0", {"-1"}, with_scenes},
         {"--radius", "a number above 0", {"-1", "nan", "inf", "1e999", "x"}},
         {"--radius", "a number above 0", {"0"}, with_scenes},
     };
+    const std::map<std::string, std::string> suggestions = {{"Flat", "flat"}, {"BLACK", "black"}, {" white", "white"}};
     for (const auto& [option, expected, values, commands] : cases) {
         for (const auto& words : commands) {
             for (const std::string& value : values) {
@@ -152,8 +163,11 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
                 const Outcome outcome = run(arguments);
                 EXPECT_EQ(outcome.status, 2) << outcome;
                 EXPECT_EQ(outcome.output, "");
+                const std::string suggested =
+                    suggestions.contains(value) ? "; did you mean '" + suggestions.at(value) + "'?" : std::string();
                 EXPECT_EQ(outcome.errors, "sphereview: " + option + ": found " + (value.empty() ? "no value" : "'" + value + "'") +
-                                              ", expected " + expected + " (see 'sphereview " + words[0] + " --help')\n");
+                                              ", expected " + expected + suggested + " (see 'sphereview " + words[0] +
+                                              " --help')\n");
             }
         }
     }

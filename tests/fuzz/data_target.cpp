@@ -15,7 +15,7 @@ std::string wrong_with(std::string_view bytes, const char* name) {
     for (std::int64_t frame = 0; frame < (format.has_frames ? 3 : 1); ++frame) {
         SphereData data;
         try {
-            data = format.read(bytes, "data", {frame, {}, {}});
+            data = format.read(bytes, "data", {frame, {}, frame != 1});
         } catch (const InputError&) {
             continue;
         } catch (const MemoryError&) {

@@ -67,17 +67,17 @@ protected:
     }
 };
 
-// The picture shows what is expected at the cells' middles. Of a doubtful pixel a window shows a guess, which may be another with
-// other lists.
+// The picture shows what is expected at the pixels that are traced. Of a doubtful pixel a window shows a guess, which may be
+// another with other lists.
 inline void expect_shown(LivePicture& picture, const Document& document, const View& view, int step, const Image& expected) {
     const DrawnSpheres drawn = drawn_spheres(document.scene(), view.camera);
     const PixelGrid grid{view.size, step};
     const Image image = shown(picture, document, view, step);
     for (int y = 0; y < view.size.height; ++y) {
         for (int x = 0; x < view.size.width; ++x) {
-            const Pixel traced{grid.traced_column(x / step), grid.traced_row(y / step)};
-            if (at(image, x, y) == at(expected, traced.x, traced.y)) continue;
-            ASSERT_NE(decision_level(document.scene(), drawn, view.camera, view.size, traced), DecisionLevel::in_float)
+            const bool traced = grid.traced_column(x / step) == x && grid.traced_row(y / step) == y;
+            if (!traced || at(image, x, y) == at(expected, x, y)) continue;
+            ASSERT_NE(decision_level(document.scene(), drawn, view.camera, view.size, {x, y}), DecisionLevel::in_float)
                 << x << "," << y;
         }
     }

@@ -1,7 +1,9 @@
 // The outlines of selected and hovered spheres.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <functional>
+#include <numeric>
 
 #include "gl/contexts.hpp"
 #include "gl/live.hpp"
@@ -158,6 +160,52 @@ TEST_P(OutlineTest, OfManyAndOfNone) {
     int line = 0;
     for (int x = 0; x < 100; ++x) line += at(recolored, x, 50) == amber ? 1 : 0;
     EXPECT_EQ(line, 2);
+}
+
+// A wall of spheres that overlap: lines around each would hide it.
+TEST_P(OutlineTest, OfVeryManyIsOneLineAroundAllAndATint) {
+    Scene scene;
+    constexpr int side = 15;
+    for (int i = 0; i < side * side; ++i) {
+        scene.spheres.push_back({{-42.0 + 6.0 * (i % side), -42.0 + 6.0 * (i / side), 200.0}, 5.0, blue, false});
+    }
+    const Document document(scene);
+    const View view{scene.camera, {200, 200}};
+    std::vector<std::uint32_t> numbers(scene.spheres.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    for (const int step : {4, 1}) {
+        const Image plain = shown(picture_, document, view, step);
+        // In the wall's middle, and all over the picture.
+        const auto count = [&](const Image& image, bool everywhere, const std::function<bool(const Rgba&)>& is_counted) {
+            int found = 0;
+            for (int y = everywhere ? 0 : 70; y < (everywhere ? 200 : 130); ++y) {
+                for (int x = everywhere ? 0 : 70; x < (everywhere ? 200 : 130); ++x) found += is_counted(at(image, x, y)) ? 1 : 0;
+            }
+            return found;
+        };
+        const auto is_amber = [](const Rgba& color) { return color == amber; };
+        const auto is_tinted = [](const Rgba& color) {
+            return std::abs(color[0] - (0.7 * blue.r + 0.3 * amber[0])) <= 1.0 && std::abs(color[2] - 0.7 * blue.b) <= 1.0;
+        };
+        Selection all;
+        all.set(numbers);
+        ASSERT_GT(numbers.size(), most_outlined_alone);
+        const Image set = drawn_into_window(picture_, document, view, {&all, {}, 2.0F});
+        EXPECT_EQ(count(set, false, is_amber), 0);
+        EXPECT_EQ(count(set, false, is_tinted), 60 * 60);
+        EXPECT_GT(count(set, true, is_amber), 400);
+        EXPECT_EQ(at(set, 2, 2), at(plain, 2, 2)) << "far from all";
+        // The one under the pointer has its line there too.
+        const Image hovered = drawn_into_window(picture_, document, view, {&all, 7 * side + 7, 2.0F});
+        EXPECT_GT(count(hovered, false, [](const Rgba& color) { return color == white; }), 20);
+        EXPECT_EQ(count(hovered, false, is_amber), 0);
+        Selection fewer;
+        fewer.set({numbers.begin() + 25, numbers.begin() + 25 + static_cast<std::ptrdiff_t>(most_outlined_alone)});
+        const Image alone = drawn_into_window(picture_, document, view, {&fewer, {}, 2.0F});
+        EXPECT_GT(count(alone, false, is_amber), 500) << "each has its own";
+        EXPECT_EQ(count(alone, false, is_tinted), 0);
+        EXPECT_TRUE(same(drawn_into_window(picture_, document, view, {}), plain));
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Contexts, OutlineTest, testing::ValuesIn(context_kinds()), testing::PrintToStringParamName());

@@ -107,7 +107,7 @@ TEST_P(ShaderFolderTest, ABrokenShaderLeavesTheLastGoodOneAndAFixedOneTakesOver)
 TEST_P(ShaderFolderTest, AChangedShaderOrIncludedFileIsInThePictureAtOnce) {
     LivePicture picture(folder_.path());
     shown(picture, document_, view_);
-    replace("shade.frag", "vec4(color_at(number).rgb, 1.0)", "vec4(0.0, 1.0, 0.0, 1.0)");
+    replace("shade.frag", "vec4(color_at(index).rgb, 1.0)", "vec4(0.0, 1.0, 0.0, 1.0)");
     EXPECT_EQ(picture.reload_shaders(), "");
     EXPECT_EQ(at(shown(picture, document_, view_), 30, 30), opaque({0, 255, 0}));
     replace("window.glsl", "window_corner.y - at.y", "at.y");

@@ -112,7 +112,8 @@ TEST_P(WindowShading, OfLightIsNearlyTheExports) {
     }
 }
 
-TEST_P(WindowShading, InACoarseGridIsThatOfTheTracedPixels) {
+// Each pixel is shaded where its own ray meets the sphere.
+TEST_P(WindowShading, OfACoarsePictureIsSmooth) {
     const Scene scene = shaded_scene(40, 9);
     const Document document(scene);
     const View view{scene.camera, {101, 67}};
@@ -122,11 +123,22 @@ TEST_P(WindowShading, InACoarseGridIsThatOfTheTracedPixels) {
     LivePicture coarse;
     coarse.update(document, view, 4, Shading::normal);
     const Image seen = drawn_into_window(coarse, document, view, {});
+    const auto differ = [](const Rgba& a, const Rgba& b) {
+        return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])}) > 1;
+    };
+    int wrong = 0;
+    int squares = 0;
     for (int y = 0; y < 67; ++y) {
         for (int x = 0; x < 101; ++x) {
-            EXPECT_EQ(at(seen, x, y), at(expected, std::min(x / 4 * 4 + 2, 100), std::min(y / 4 * 4 + 2, 66))) << x << "," << y;
+            const Pixel traced{std::min(x / 4 * 4 + 2, 100), std::min(y / 4 * 4 + 2, 66)};
+            if (x == traced.x && y == traced.y) {
+                EXPECT_EQ(at(seen, x, y), at(expected, x, y)) << x << "," << y;
+            }
+            wrong += differ(at(seen, x, y), at(expected, x, y)) ? 1 : 0;
+            squares += differ(at(expected, traced.x, traced.y), at(expected, x, y)) ? 1 : 0;
         }
     }
+    EXPECT_LT(5 * wrong, squares);
 }
 
 TEST_P(WindowShading, FollowsEdits) {

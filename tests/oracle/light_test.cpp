@@ -158,6 +158,38 @@ std::vector<LitTrial> edges() {
     return all;
 }
 
+// Spheres that each cover the whole plane of any light, before few that are seen; and spheres nearly in one place, or quite: lists
+// that would be endless.
+std::vector<LitTrial> crowds() {
+    std::vector<LitTrial> all;
+    Random random(seed());
+    const auto add = [&](const std::string& name, const Scene& scene, PictureSize size, const glm::dvec3& direction) {
+        all.push_back({{name, scene, size}, {.lights = 16, .sky = 1.0, .sun = Sun{direction, 1.0}}});
+    };
+    for (const bool shadowed : {false, true}) {
+        Scene scene = lit_middle();
+        for (int i = 0; i < 12; ++i) {
+            scene.spheres.push_back({random.in_cube(60.0) + glm::dvec3(0.0, 0.0, 220.0), 3.0 + i, {0, 255, 0}, false});
+        }
+        for (int i = 0; i < 1000; ++i) {
+            const double turn = i / 1000.0;
+            // Above them all, or behind, where no light comes through.
+            const glm::dvec3 center{900.0 * turn, 4000.0 - 500.0 * turn, (shadowed ? 2000.0 : 4000.0) + 700.0 * turn};
+            scene.spheres.push_back({center, 3000.0 + turn, {0, 0, 255}, false});
+        }
+        add(shadowed ? "a thousand huge spheres around" : "a thousand huge spheres above", scene, {7, 5}, {0.0, 1.0, 0.1});
+    }
+    for (const double apart : {0.0, 1e-9, 1e-13}) {
+        Scene scene = lit_middle();
+        for (int i = 0; i < 400; ++i) {
+            const glm::dvec3 center{40.0 + apart * (i % 19), apart * (i % 17), 140.0 + apart * (i % 13)};
+            scene.spheres.push_back({center, 25.0 + apart * (i % 11), {0, 255, 0}, false});
+        }
+        add("spheres " + std::to_string(apart) + " apart", scene, {13, 9}, slanting);
+    }
+    return all;
+}
+
 // The sets of lights are what they were when these numbers were written, with every compiler.
 TEST(LightSet, is_the_same_everywhere) {
     const auto sum = [](const std::vector<DirectedLight>& lights) {
@@ -230,6 +262,9 @@ TEST(LightSet, lights_that_add_nothing_are_left_out) {
 TEST(Light, edges) {
     for (const LitTrial& lit : edges()) expect_the_oracles_light(lit);
 }
+TEST(Light, crowds) {
+    for (const LitTrial& lit : crowds()) expect_the_oracles_light(lit);
+}
 TEST(Light, random) { expect_the_oracles_light(made(random_trial, 30)); }
 TEST(Light, lattices) { expect_the_oracles_light(made(lattice_trial, 60)); }
 TEST(Light, near_misses) { expect_the_oracles_light(made(near_miss_trial, 30)); }
@@ -297,6 +332,77 @@ TEST(Light, previews_are_as_bright_as_all) {
         EXPECT_EQ(lighting.light(whole, visible, nullptr, &shown), all);
         EXPECT_GE(previews.size(), 2U);
         for (const double preview : previews) EXPECT_NEAR(preview / brightness(all), 1.0, 0.1);
+    }
+}
+
+// Points that double cannot place are lit with all others, and keep nobody from looking on.
+TEST(Light, previews_have_points_that_double_cannot_place) {
+    Scene scene = lit_middle();
+    scene.spheres.push_back({{0.0, 0.0, 1e200}, 9e199, {0, 255, 0}, false});
+    const Trial trial{"far and huge", scene, {15, 15}};
+    expect_the_oracles_light({trial, {.lights = 16, .sky = 1.0, .sun = Sun{slanting, 1.0}}});
+    const std::vector<std::int32_t> visible = picture(scene, trial.size);
+    ASSERT_TRUE(std::ranges::count(visible, 1) > 0);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    const Lighting lighting(scene, drawn, scene.camera, trial.size, 1, {.lights = 64, .sky = 1.0, .sun = {}});
+    int previews = 0;
+    const LightPreviews shown{
+        .show = [&](std::span<const LightVector>) { ++previews; }, .fewest = 8, .first_after = 0.0, .every = 0.0};
+    lighting.light({0, 0, 15, 15}, visible, nullptr, &shown);
+    EXPECT_GE(previews, 1);
+}
+
+// What was kept of a picture is its light in any other strengths, block by block.
+TEST(Light, that_is_kept_is_as_decided_anew) {
+    const Sun sun{{1.0, 2.0, -2.0}, 1.5};
+    const Light decided{.lights = 37, .sky = 1.0, .key = 1.0, .sun = sun};
+    const std::vector<Light> others = {
+        decided,
+        {.lights = 37, .sky = 0.3, .key = 0.6, .sun = Sun{sun.direction, 0.25}},
+        {.lights = 37, .sky = 1.0, .key = 0.0, .sun = std::nullopt},
+        {.lights = 37, .sky = 0.0, .key = 1.0, .sun = sun},
+    };
+    for (const int side : {1, 2, 4}) {
+        const Trial trial = random_trial(seed() + static_cast<std::uint64_t>(side));
+        const PictureSize size = sampled_size({19, 13}, side);
+        const std::vector<std::int32_t> visible = picture(trial.scene, size);
+        const DrawnSpheres drawn = drawn_spheres(trial.scene);
+        const Camera& camera = trial.scene.camera;
+        // Two blocks, as high as whole pixels are.
+        const int middle = size.height / side / 2 * side;
+        const std::vector<Block> blocks = {{0, 0, size.width, middle}, {0, middle, size.width, size.height - middle}};
+        const auto of_block = [&](const Block& block) {
+            const auto width = static_cast<std::size_t>(block.width);
+            return std::span(visible).subspan(static_cast<std::size_t>(block.y) * width,
+                                              static_cast<std::size_t>(block.height) * width);
+        };
+        const Lighting lighting(trial.scene, drawn, camera, size, side, decided);
+        KeptLight kept(std::size_t{1} << 20);
+        kept.begin(lighting.sets(), side);
+        for (const Block& block : blocks) lighting.light(block, of_block(block), nullptr, nullptr, &kept);
+        kept.finish();
+        ASSERT_TRUE(kept.is_complete());
+        ASSERT_EQ(kept.pieces().size(), blocks.size());
+        for (const Light& light : others) {
+            const Lighting anew(trial.scene, drawn, camera, size, side, light);
+            const auto shares = kept.shares(anew.sets());
+            ASSERT_TRUE(shares);
+            for (std::size_t i = 0; i < blocks.size(); ++i) {
+                const std::vector<LightVector> expected = anew.light(blocks[i], of_block(blocks[i]));
+                EXPECT_EQ(kept.light(kept.pieces()[i], *shares), expected) << "side " << side << ", block " << i;
+            }
+        }
+        // Where a light comes from another direction, or there are others, something must be decided.
+        for (const Light& light : {Light{.lights = 37, .sun = Sun{{1.0, 2.0, -2.5}, 1.5}}, Light{.lights = 38, .sun = {}}}) {
+            EXPECT_FALSE(kept.shares(light_sets(light, 1, camera, side)));
+        }
+        // No more is kept than there is room for.
+        KeptLight small(kept.bytes() - 1);
+        small.begin(lighting.sets(), side);
+        for (const Block& block : blocks) lighting.light(block, of_block(block), nullptr, nullptr, &small);
+        small.finish();
+        EXPECT_FALSE(small.is_complete());
+        EXPECT_EQ(small.bytes(), 0U);
     }
 }
 

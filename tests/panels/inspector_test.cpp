@@ -105,6 +105,15 @@ TEST(Inspector, CountsWhatWasNotTried) {
     EXPECT_NE(panel.text().find("elsewhere or behind the eye: not hit"), std::string::npos);
 }
 
+TEST(Inspector, SaysWhereParallelRaysDoNotGo) {
+    Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, -200.0}, 20.0}});
+    scene.camera.projection = Projection::orthographic;
+    InspectorHarness panel(scene);
+    expect_in_order(panel.text(), {"sphere 0", "1 behind where the ray begins: no positive root"});
+    panel.pixel->explanation.elsewhere = 1000;
+    EXPECT_NE(panel.text().find("elsewhere or behind where the ray begins: not hit"), std::string::npos);
+}
+
 TEST(Inspector, AsksForAPixel) {
     InspectorHarness panel;
     EXPECT_NE(panel.text().find("Point at the picture"), std::string::npos);

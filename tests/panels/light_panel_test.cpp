@@ -82,11 +82,14 @@ TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
     panel.click("sun");
     ASSERT_TRUE(panel.light().sun);
     EXPECT_EQ(panel.document.undo_name(), "Switch the sun on");
-    panel.drag(panel.place("slider strength", 0.2F), panel.place("slider strength", 0.75F));
-    EXPECT_NEAR(panel.light().sun->strength, 3.0, 0.3);
+    EXPECT_EQ(panel.light().sky, sky_beside_sun);
+    EXPECT_EQ(panel.light().sun->strength, sun_beside_sky);
+    panel.drag(panel.place("slider strength", 0.2F), panel.place("slider strength", 0.9F));
+    EXPECT_GT(panel.light().sun->strength, 1.2 * sun_beside_sky);
     const Light with_sun = panel.light();
     panel.click("sun");
     EXPECT_FALSE(panel.light().sun);
+    EXPECT_EQ(panel.light().sky, most_sky);
     panel.click("sun");
     EXPECT_EQ(panel.light(), with_sun);
     for (int i = 0; i < 4; ++i) panel.undo();
@@ -101,9 +104,8 @@ TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
 TEST(LightPanel, AzimuthAndElevationTurnTheSun) {
     OpenLightPanel panel({.sun = Sun{{0.0, 0.0, -1.0}, 1.0}});
     const auto type = [&](const std::string& slider, const std::string& text) {
-        panel.modifiers(true);
-        panel.click(panel.place(slider));
-        panel.modifiers(false);
+        panel.click(slider);
+        panel.frames(3);
         panel.type(text);
         panel.tap(ImGuiKey_Enter);
     };
@@ -111,16 +113,28 @@ TEST(LightPanel, AzimuthAndElevationTurnTheSun) {
     EXPECT_LT(angle_between(panel.light().sun->direction, {1.0, 0.0, 0.0}), 1e-6);
     type("slider elevation", "45");
     EXPECT_LT(angle_between(panel.light().sun->direction, {1.0, 1.0, 0.0}), 1e-6);
-    type("slider elevation", "1000");  // brought into the range
-    EXPECT_LT(angle_between(panel.light().sun->direction, {0.0, 1.0, 0.0}), 1e-6);
+    const Light before = panel.light();
+    type("slider elevation", "1000");
+    EXPECT_EQ(panel.light(), before);
+    EXPECT_NE(panel.text().find("'1000': a number from -90 to 90 is expected."), std::string::npos);
+    type("slider azimuth", "-450");  // round and round
+    EXPECT_LT(angle_between(panel.light().sun->direction, {-1.0, 1.0, 0.0}), 1e-6);
+    EXPECT_FALSE(panel.has("refusal elevation")) << "another number was typed";
 }
 
 TEST(LightPanel, SkyKeyAndLightsAreEdits) {
     OpenLightPanel panel;
-    panel.drag(panel.place("slider sky", 0.9F), panel.place("slider sky", 0.5F));
-    EXPECT_NEAR(panel.light().sky, 0.5, 0.03);
-    panel.drag(panel.place("slider key", 0.9F), panel.place("slider key", 0.02F));
-    EXPECT_NEAR(panel.light().key, 0.0, 0.01);
+    const auto drag = [&](const std::string& number, float pixels) {
+        const ImVec2 place = panel.place(number);
+        panel.drag(place, {place.x + pixels, place.y});
+    };
+    drag("slider sky", -53.0F);  // 3 of them are a click's
+    EXPECT_EQ(panel.light().sky, 0.5);
+    drag("slider sky", 500.0F);
+    EXPECT_EQ(panel.light().sky, 1.0) << "no further";
+    drag("slider sky", -53.0F);
+    drag("slider key", -500.0F);
+    EXPECT_EQ(panel.light().key, 0.0);
     EXPECT_EQ(panel.document.undo_name(), "Change the key light");
     panel.click("lights");
     panel.frames(3);
@@ -130,7 +144,7 @@ TEST(LightPanel, SkyKeyAndLightsAreEdits) {
     panel.frames(3);
     panel.click("lights automatic");
     EXPECT_EQ(panel.light().lights, std::nullopt);
-    for (int i = 0; i < 4; ++i) panel.undo();
+    for (int i = 0; i < 6; ++i) panel.undo();
     EXPECT_EQ(panel.light(), Light{});
     EXPECT_FALSE(panel.document.can_undo());
 }

@@ -55,7 +55,7 @@ TEST(Commands, AreEachDescribedOnce) {
         EXPECT_EQ(menus.insert(info.menu).second, begins) << info.menu << " is in two parts";
         menu = info.menu;
     }
-    EXPECT_EQ(seen.size(), static_cast<std::size_t>(CommandId::help) + 1);
+    EXPECT_EQ(seen.size(), static_cast<std::size_t>(CommandId::about) + 1);
     EXPECT_EQ(menus, (std::set<std::string_view>{"File", "Edit", "View", "Help"}));
 }
 
@@ -186,6 +186,7 @@ TEST_F(MenuBar, NamesTheStepsToUndoAndRedo) {
     harness.click("menu Edit");
     // The second "#" is set apart, for ImGui shows nothing from "##" on.
     EXPECT_NE(harness.text().find("Undo Add sphere # #0"), std::string::npos) << harness.text();
+    EXPECT_NE(harness.text().find("History: 0.0 of 64 MB"), std::string::npos) << harness.text();
     harness.document.undo();
     harness.frames(2);
     EXPECT_NE(harness.text().find("Redo Add sphere # #0"), std::string::npos) << harness.text();

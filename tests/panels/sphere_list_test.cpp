@@ -241,16 +241,6 @@ TEST(ScenePanel, BackgroundIsChosen) {
     EXPECT_TRUE(panel.taken<EditScene>().empty());
 }
 
-TEST(ScenePanel, ButtonsRunCommands) {
-    SidePanelHarness panel(line_of_spheres(2));
-    panel.click("use view");
-    panel.click("home");
-    const auto commands = panel.taken<RunCommand>();
-    ASSERT_EQ(commands.size(), 2U);
-    EXPECT_EQ(commands[0].command, CommandId::use_view_as_camera);
-    EXPECT_EQ(commands[1].command, CommandId::go_home);
-}
-
 TEST(ScenePanel, TheFrameOfSeveralIsChosen) {
     SidePanelHarness panel(line_of_spheres(2));
     EXPECT_FALSE(panel.has("frame"));
@@ -266,15 +256,13 @@ TEST(ScenePanel, TheFrameOfSeveralIsChosen) {
     shown = panel.taken<ShowFrame>();
     ASSERT_FALSE(shown.empty());
     EXPECT_EQ(shown.front().frame, 0);
-}
-
-TEST(ScenePanel, CameraIsShown) {
-    Scene scene = line_of_spheres(2);
-    scene.camera.eye = {0.123456789, 0.0, -7.0};
-    SidePanelHarness panel(scene);
-    EXPECT_EQ(panel.text().find("0.1235, 0, -7"), std::string::npos);
-    panel.click("camera");
-    EXPECT_NE(panel.text().find("0.1235, 0, -7"), std::string::npos);
+    panel.click("slider frame");
+    panel.frames(3);
+    panel.type("2*4");
+    panel.tap(ImGuiKey_Enter);
+    shown = panel.taken<ShowFrame>();
+    ASSERT_EQ(shown.size(), 1U);
+    EXPECT_EQ(shown.front().frame, 8);
 }
 
 TEST(ScenePanel, SmallPanelsScroll) {

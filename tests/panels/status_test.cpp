@@ -96,6 +96,12 @@ TEST(MessagesPanel, ShowsWhatIsBrokenUntilItIsClosed) {
     harness.panels.click("close scene error");
     EXPECT_TRUE(harness.messages.scene_error.empty());
     EXPECT_FALSE(harness.messages.shader_error.empty());
+    harness.messages.scene_gone = "/scenes/four.txt";
+    harness.expect_inside("message scene gone");
+    EXPECT_GE(harness.rectangle("message shader error").top, harness.rectangle("message scene gone").bottom);
+    EXPECT_NE(harness.panels.text().find("/scenes/four.txt"), std::string::npos);
+    harness.panels.click("close scene gone");
+    EXPECT_TRUE(harness.messages.scene_gone.empty());
     harness.panels.click("close shader error");
     EXPECT_TRUE(harness.messages.shader_error.empty());
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "panels/menus.hpp"
@@ -16,7 +17,10 @@ double luminance(const ImVec4& color) {
     return 0.2126 * linear(color.x) + 0.7152 * linear(color.y) + 0.0722 * linear(color.z);
 }
 
-double contrast(const ImVec4& text, const ImVec4& ground) { return (luminance(text) + 0.05) / (luminance(ground) + 0.05); }
+double contrast(const ImVec4& text, const ImVec4& ground) {
+    const double lighter = std::max(luminance(text), luminance(ground));
+    return (lighter + 0.05) / (std::min(luminance(text), luminance(ground)) + 0.05);
+}
 
 TEST(Style, CanBeScaledAgainAndAgain) {
     PanelHarness harness([](const PanelContext&) {});
@@ -35,14 +39,22 @@ TEST(Style, CanBeScaledAgainAndAgain) {
 
 TEST(Style, TextStandsOutAsWcagAsks) {
     PanelHarness harness([](const PanelContext&) {});
-    apply_style(1.0F);
-    const auto& colors = ImGui::GetStyle().Colors;
-    for (const int ground :
-         {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_MenuBarBg, ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_TitleBgActive}) {
-        EXPECT_GE(contrast(colors[ImGuiCol_Text], colors[ground]), 7.0) << ImGui::GetStyleColorName(ground);
-    }
-    for (const int ground : {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_MenuBarBg}) {
-        EXPECT_GE(contrast(colors[ImGuiCol_TextDisabled], colors[ground]), 4.5) << ImGui::GetStyleColorName(ground);
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        apply_style(1.0F, theme);
+        const auto& colors = ImGui::GetStyle().Colors;
+        EXPECT_EQ(luminance(colors[ImGuiCol_WindowBg]) > 0.5, theme == Theme::light);
+        for (const int ground :
+             {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_MenuBarBg, ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_TitleBgActive}) {
+            EXPECT_GE(contrast(colors[ImGuiCol_Text], colors[ground]), 7.0) << ImGui::GetStyleColorName(ground);
+        }
+        for (const int ground : {ImGuiCol_WindowBg, ImGuiCol_PopupBg, ImGuiCol_MenuBarBg}) {
+            EXPECT_GE(contrast(colors[ImGuiCol_TextDisabled], colors[ground]), 4.5) << ImGui::GetStyleColorName(ground);
+        }
+        // The inspector's green, amber and red, and titles.
+        for (const ImVec4& signal : {on_panel({0.40F, 0.85F, 0.45F, 1.0F}), on_panel({1.00F, 0.75F, 0.25F, 1.0F}),
+                                     on_panel({1.00F, 0.42F, 0.40F, 1.0F}), colors[ImGuiCol_CheckMark]}) {
+            EXPECT_GE(contrast(signal, colors[ImGuiCol_WindowBg]), 4.5);
+        }
     }
 }
 

@@ -56,4 +56,16 @@ HitBounds<Real> run_filter(const FilterInputs<Real>& in, EyeSide side) {
     return hit_bounds<EyeSide::outside>(c.x, c.y, c.z, in.radius, w, n.x, n.y, n.z);
 }
 
+// The same of parallel rays, which begin in a plane. `reach`: RayBasis::reach. `side`: the plane's, outside or in_plane.
+template <typename Real>
+HitBounds<Real> run_parallel_filter(const FilterInputs<Real>& in, Real reach, EyeSide side) {
+    using std::abs;
+    const Vector<Real>& d = in.forward;
+    const Vector<Real> n = inverse_sqrt(d.x * d.x + d.y * d.y + d.z * d.z) * d;
+    const Vector<Real> origin = in.upward * in.up + in.across * in.right;
+    const Vector<Real>& p = in.center;
+    const Real w = in.error_scale * (abs(p.x) + abs(p.y) + abs(p.z) + in.radius + reach);
+    return hit_bounds(side, p.x - origin.x, p.y - origin.y, p.z - origin.z, in.radius, w, n.x, n.y, n.z);
+}
+
 }  // namespace sphereview

@@ -32,9 +32,11 @@ public:
     void note_less(double difference) { last_less_ = difference; }
     void note_greater(double difference) { greater_.at(greaters_++) = difference; }
 
-    // a - b of the last a < b, and of an a > b counted from the last, 1.
+    // a - b of the last a < b, and of an a > b counted from the last, 1, or from the first, 0, if there were so many.
     double last_less() const { return last_less_; }
     double greater_from_last(std::size_t count) const { return greater_.at(greaters_ - count); }
+    double greater_from_first(std::size_t index) const { return greater_.at(index); }
+    std::size_t greaters() const { return greaters_; }
 
 private:
     static inline thread_local Rounding* current_ = nullptr;
@@ -66,6 +68,7 @@ public:
         Rounding::current().note_less(a.value_ - b.value_);
         return a.value_ < b.value_;
     }
+    friend bool operator<=(Perturbed a, Perturbed b) { return a.value_ <= b.value_; }
     friend bool operator>(Perturbed a, Perturbed b) {
         Rounding::current().note_greater(a.value_ - b.value_);
         return a.value_ > b.value_;

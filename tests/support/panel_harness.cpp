@@ -67,11 +67,14 @@ void PanelHarness::frame(double seconds) {
     ImGui::NewFrame();
     if (logging_) ImGui::LogToClipboard(0);
     draw_({document, selection, bounds_, commands, scale, gesture, hovered, actions, &rectangles, frame_of_file, frames_of_file,
-           document.scene().light, camera_axes(document.scene().camera)});
+           document.scene().light, camera_axes(view()), view()});
     ImGui::Render();
     if (applies) {
         for (const Action& action : actions) {
-            if (const auto* edit = std::get_if<EditScene>(&action)) document.apply(edit->edit, edit->name, edit->gesture);
+            if (const auto* edit = std::get_if<EditScene>(&action)) {
+                document.apply(edit->edit, edit->name, edit->gesture);
+                if (std::holds_alternative<ChangeCamera>(edit->edit)) moved_view.reset();
+            }
             if (const auto* select = std::get_if<SelectSpheres>(&action)) selection = select->selection;
         }
         selection.keep_below(document.scene().spheres.size());

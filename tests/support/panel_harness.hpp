@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,6 +59,9 @@ public:
         return found;
     }
     const SceneBounds& bounds() const { return bounds_; }
+    // The view: the scene's camera unless it was moved.
+    Camera view() const { return moved_view.value_or(document.scene().camera); }
+    std::optional<Camera> moved_view;
 
     bool has(const std::string& widget) const { return rectangles.contains(widget); }
     // The place in a widget, (0.5, 0.5) its middle. A widget that the last frame did not draw fails the test.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/eventually.hpp"
 #include "support/text_match.hpp"
 #include "ui/editing.hpp"
 
@@ -64,6 +65,13 @@ TEST(Files, AreOpenedSavedAndClosedAndNothingIsLost) {
         dismiss_error(window);
         expect_scene(window, spaced, 2, false);
     }
+
+    window.step("what was opened is remembered at once");
+    const std::string settings = folder.path("home/config/sphereview/viewer.json");
+    ASSERT_TRUE(eventually([&] {
+        return std::filesystem::exists(settings) &&
+               Json::parse(folder.read("home/config/sphereview/viewer.json")).value("recent", Json())[0] == spaced;
+    }));
 
     window.step("another scene only when nothing is lost");
     edit(window);
@@ -331,6 +339,17 @@ TEST(Reloading, ShowsWhatAnotherProgramWrites) {
     window.key("Home");
     window.wait_for("camera", home);
     expect_rendered(window, folder, scene);
+
+    window.step("a file that is gone is said, and that it is back");
+    std::filesystem::remove(scene);
+    window.wait_for("changed", true);
+    EXPECT_TRUE(window.draws("message scene gone"));
+    folder.write("scene.txt", two_spheres);
+    announced(window, "is there again");
+    EXPECT_FALSE(window.draws("message scene gone"));
+    EXPECT_EQ(window.at("changed"), false);
+    window.key("Escape");
+    window.wait_for("announcement", "");
 
     window.step("changes here are asked about");
     edit(window);

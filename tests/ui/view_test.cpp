@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "support/eventually.hpp"
 #include "ui/editing.hpp"
 
 namespace sphereview::test {
@@ -95,7 +96,8 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     window_.step("fits by keys");
     const auto expect_fitted = [&](const std::string& view) { test::expect_rendered(window_, folder_, scene_, {"--view", view}); };
     Json last = home_;
-    for (const auto& [key, view] : {std::pair{"4", "iso"}, {"1", "front"}}) {
+    for (const auto& [key, view] :
+         {std::pair{"4", "iso"}, {"shift+1", "back"}, {"shift+2", "left"}, {"shift+3", "bottom"}, {"1", "front"}}) {
         window_.key(key);
         last = window_.wait_for_other("camera", last);
         expect_fitted(view);
@@ -109,6 +111,16 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     EXPECT_EQ(window_.at("changed"), false);
     window_.key("Home");
     window_.wait_for("camera", home_);
+
+    window_.step("parallel rays by the key");
+    window_.key("o");
+    window_.wait_for("projection", "orthographic");
+    expect_view_rendered();
+    window_.key("o");
+    window_.wait_for("projection", "perspective");
+    window_.key("Home");
+    window_.wait_for("camera", home_);
+
     // A flight ends when anything else is done.
     window_.keys({"4", "Home", "ctrl+a"});
     EXPECT_EQ(window_.wait_for("selection", {0, 1}).at("camera"), home_);
@@ -177,6 +189,70 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
     window.key("Home");
     window.wait_for_other("camera", fitted);
     expect_rendered(window, folder, scene);
+}
+
+// The axes in the corner: a click looks along one, a drag turns the view; the scale bar and the theme are remembered, too.
+TEST_F(View, HasAxesThatAreClickedAndDragged) {
+    EXPECT_FALSE(window_.draws("axes"));
+    window_.key("a");
+    window_.wait_until("the axes", [](const Json& f) { return f.at("widgets").contains("axes"); });
+    window_.click_widget("axis +x");
+    const auto looks_against_x = [](const Json& f) {
+        const Json& camera = f.at("camera");
+        return std::abs(camera[1][0].get<double>() - camera[0][0].get<double>() + 100.0) < 1e-6;
+    };
+    window_.wait_until("a view from +x", looks_against_x);
+    expect_view("from x");
+    const Place middle = window_.widget("axes");
+    window_.drag(middle, {middle.x + 20, middle.y + 10});
+    EXPECT_LT(expect_view("a drag")[0][0].get<double>(), -10.0) << "the scene turns with the pointer";
+
+    window_.step("exports have them where that is asked for");
+    window_.key("F12");
+    announced(window_, "scene.png");
+    EXPECT_EQ(folder_.read("scene.png"), render_bytes(folder_, scene_, {}));
+    window_.key("b");
+    window_.key("shift+a");
+    window_.key("F12");
+    announced(window_, "scene-1.png");
+    EXPECT_EQ(folder_.read("scene-1.png"), render_bytes(folder_, scene_, {"--axes", "--scale-bar"}));
+
+    window_.step("a light theme");
+    const auto panel_brightness = [&] { return window_.server().screen().at(window_.server().screen().width - 3, 500)[1]; };
+    EXPECT_LT(panel_brightness(), 60);
+    window_.key("ctrl+t");
+    ASSERT_TRUE(eventually([&] { return panel_brightness() > 200; }));
+    window_.key("ctrl+q");
+    EXPECT_EQ(window_.wait_for_end().status, 0);
+    const Json settings = Json::parse(folder_.read("home/config/sphereview/viewer.json"));
+    for (const char* on : {"axes", "scale_bar", "marks_in_exports", "light_theme"}) EXPECT_EQ(settings.at(on), true) << on;
+}
+
+TEST_F(View, MeasuresBetweenSpheresThatAreClicked) {
+    window_.key("d");
+    window_.wait_until("measuring", [](const Json& f) { return f.at("widgets").contains("measuring"); });
+    window_.click(red());
+    window_.wait_for("measured", Json::array({0}));
+    window_.click(window_.on_screen(100.0 / 3, 0));
+    window_.wait_for("measured", Json({0, 1}));
+    EXPECT_EQ(window_.at("selection"), Json::array()) << "a click selects nothing here";
+    // A drag orbits as ever.
+    window_.drag(red(), red(40, 0));
+    EXPECT_NE(window_.wait_for_other("camera", home_), home_);
+    EXPECT_EQ(window_.at("measured"), Json({0, 1}));
+    window_.key("Escape");
+    window_.wait_for("measured", Json::array());
+    EXPECT_FALSE(window_.draws("measuring"));
+    window_.click(red());
+    window_.wait_for("selection", Json::array({0}));
+}
+
+TEST_F(View, TheWindowHasAnIconAndTellsOfItself) {
+    EXPECT_EQ(window_.server().icon_pixels(), 16U * 16U + 32U * 32U + 48U * 48U + 64U * 64U);
+    window_.key("shift+F1");
+    window_.wait_until("About", [](const Json& f) { return f.at("widgets").contains("about"); });
+    window_.key("Escape");
+    window_.wait_until("no About", [](const Json& f) { return !f.at("widgets").contains("about"); });
 }
 
 }  // namespace sphereview::test

@@ -191,6 +191,27 @@ Picture XServer::screen() const {
     return picture;
 }
 
+std::size_t XServer::icon_pixels() const {
+    const Connection x(display_);
+    Atom type = None;
+    int format = 0;
+    unsigned long items = 0;
+    unsigned long rest = 0;
+    unsigned char* data = nullptr;
+    XGetWindowProperty(x.get(), x.program_window(), static_cast<Atom>(x.atom("_NET_WM_ICON")), 0, 1 << 20, False, XA_CARDINAL,
+                       &type, &format, &items, &rest, &data);
+    // Each has its width and height before it.
+    std::size_t pixels = 0;
+    const auto* values = reinterpret_cast<const long*>(data);
+    for (unsigned long at = 0; at + 1 < items;) {
+        const auto size = static_cast<std::size_t>(values[at]) * static_cast<std::size_t>(values[at + 1]);
+        pixels += size;
+        at += size + 2;
+    }
+    if (data != nullptr) XFree(data);
+    return pixels;
+}
+
 void XServer::press_close_button() const {
     const Connection x(display_);
     x.send(x.program_window(), "WM_PROTOCOLS", {x.atom("WM_DELETE_WINDOW"), CurrentTime});

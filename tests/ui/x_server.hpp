@@ -28,6 +28,8 @@ public:
     void hang();  // answers nothing any more
     // What the screen shows, RGB.
     Picture screen() const;
+    // How many pixels the program's window gives as its icons, all of them together.
+    std::size_t icon_pixels() const;
     // What a window manager sends to the program's window when its close button is pressed (WM_DELETE_WINDOW).
     void press_close_button() const;
     // Drags files from another program's window to (x, y) in the program's and drops them (XDND, version 5). Returns whether

@@ -90,10 +90,10 @@ TEST(CsvColumns, AreKnownByTheNamesThatProgramsGive) {
 TEST(CsvColumns, ThatArePassedOverAreNamed) {
     const SphereData data = table("x [nm],y [nm],z [nm],intensity [photon]\n1,2,3,99\n4,5,6,98\n");
     EXPECT_EQ(data.scene.spheres.size(), 2U);
-    EXPECT_EQ(data.notes, Lines{"columns that are passed over: 'intensity [photon]'"});
+    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'intensity [photon]'"});
     EXPECT_EQ(table("x,y,z\n1,2,3\n").notes, Lines{});
-    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes, Lines{"columns that are passed over: 'b', 'r'"});
-    EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes, Lines{"columns that are passed over: 'a\\x1b[31m'"});
+    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes, Lines{"a.csv: columns that are passed over: 'b', 'r'"});
+    EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes, Lines{"a.csv: columns that are passed over: 'a\\x1b[31m'"});
 }
 
 TEST(CsvColumns, MayBeChosen) {
@@ -169,7 +169,7 @@ TEST(CsvElements, GiveColoursAndRadii) {
     // Types that are none of elements.
     const SphereData data = table("Position.X,Position.Y,Position.Z,Radius,Particle Type\n1,2,3,0.5,1\n");
     EXPECT_EQ(data.scene.spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.5, {255, 255, 255}, false}}));
-    EXPECT_EQ(data.notes, Lines{"columns that are passed over: 'Particle Type'"});
+    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'Particle Type'"});
     EXPECT_EQ(table("type,x,y,z\nC,0,0,0\nbond,0,0,1\n").scene.names.size(), 0U);
 }
 
@@ -229,10 +229,10 @@ TEST(CsvWithoutHeader, TakesTheFirstColumns) {
     }
     const SphereData data = table("1,2,3\n4,5,6\n");
     ASSERT_EQ(data.warnings.size(), 2U);
-    EXPECT_EQ(data.warnings[0], "no header: the first columns are taken for x, y and z");
+    EXPECT_EQ(data.warnings[0], "a.csv: no header: the first columns are taken for x, y and z");
     const SphereData colored = table("1.5 2 3 255 128 0 0.7\n4 5 6 255 128 0 0.7\n");
     EXPECT_EQ(colored.scene.spheres[1].color, (Color{255, 128, 0}));
-    EXPECT_EQ(colored.notes, Lines{"columns that are passed over: '7'"});
+    EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: '7'"});
     // Names that nobody knows are no reason to guess.
     EXPECT_EQ(message_of<InputError>([] { spheres("mass,time,depth\n1,2,3\n"); }),
               "a.csv:1:1: found 'mass', expected a header with x, y, z, and perhaps radius, r, g, b, name; "
@@ -242,12 +242,12 @@ TEST(CsvWithoutHeader, TakesTheFirstColumns) {
 TEST(CsvRows, WithoutCoordinatesAreLeftOutAndCounted) {
     const SphereData one = table("x,y,z\n1,2,3\nnan,nan,nan\n");
     EXPECT_EQ(one.scene.spheres.size(), 1U);
-    EXPECT_EQ(one.warnings, Lines{"1 row has no coordinates and is left out"});
+    EXPECT_EQ(one.warnings, Lines{"a.csv: 1 row has no coordinates and is left out"});
     const SphereData some = table("x,y,z,name\n1,2,3,a\n,,,b\nNA,NA,NA,c\n4,,6,d\n4,5,6,e\n#N/A,1,2,f\ninf,1,2,g\n,,,\n");
     EXPECT_EQ(some.scene.spheres.size(), 2U);
     EXPECT_EQ(some.scene.names, (std::map<std::uint32_t, std::string>{{0, "a"}, {1, "e"}}));
-    EXPECT_EQ(some.warnings[0], "5 rows have no coordinates and are left out");
-    EXPECT_EQ(table("x,y\n1,2\n4,5\n").warnings[0], "no column for z: all lie in the plane z = 0");
+    EXPECT_EQ(some.warnings[0], "a.csv: 5 rows have no coordinates and are left out");
+    EXPECT_EQ(table("x,y\n1,2\n4,5\n").warnings[0], "a.csv: no column for z: all lie in the plane z = 0");
     EXPECT_EQ(centers("x,y\n1,2\n4,5\n"), (Centers{{1, 2, 0}, {4, 5, 0}}));
 }
 
@@ -306,13 +306,12 @@ TEST(PointRadius, IsThatOfAllPairs) {
 
 TEST(PointRadius, IsSaidAndGivesWayToAnotherOne) {
     const std::string text = "x,y,z\n0,0,0\n0,0,8\n";
-    EXPECT_EQ(
-        table(text).warnings,
-        Lines{
-            "no radius in the file: all get 2, a quarter of the median distance to the nearest neighbour; --radius gives another"});
+    EXPECT_EQ(table(text).warnings, Lines{"a.csv: no radius in the file: all get 2, a quarter of the median distance to the "
+                                          "nearest neighbour; --radius gives another"});
     EXPECT_EQ(spheres(text)[1].radius, 2.0);
-    EXPECT_EQ(spheres(text, {0, 4.5, {}})[1].radius, 4.5);
-    EXPECT_EQ(table(text, {0, 4.5, {}}).warnings, Lines{});
+    EXPECT_EQ(spheres(text, {0, 4.5})[1].radius, 4.5);
+    EXPECT_EQ(read_xyz("0 0 0\n0 0 8\n", "a.xyz", {}).scene.spheres[1].radius, 2.0);  // points alone, too
+    EXPECT_EQ(table(text, {0, 4.5}).warnings, Lines{});
 }
 
 TEST(DetectFormat, KnowsTablesUnderATextsName) {

@@ -36,7 +36,7 @@ TEST(Elements, HaveOneSymbolAndOneNumberEach) {
     const std::vector<std::pair<int, const char*>> some = {{1, "H"},   {6, "C"},   {8, "O"},  {26, "Fe"}, {47, "Ag"}, {57, "La"},
                                                            {71, "Lu"}, {79, "Au"}, {92, "U"}, {96, "Cm"}, {118, "Og"}};
     for (const auto& [number, symbol] : some) EXPECT_EQ(element_of_number(number).symbol, symbol);
-    for (const std::int64_t number : {std::int64_t{-1}, std::int64_t{0}, std::int64_t{119}, std::int64_t{1} << 40}) {
+    for (const std::int64_t number : {std::int64_t{-1}, std::int64_t{119}, std::int64_t{1} << 40}) {
         EXPECT_EQ(&element_of_number(number), &unknown_element());
     }
     EXPECT_EQ(find_element("D"), find_element("H"));
@@ -51,6 +51,19 @@ TEST(Elements, HaveRadiiThatAddUpToBonds) {
     EXPECT_NEAR(bond("O", "H"), 0.96, 0.02);    // water
     EXPECT_NEAR(bond("Si", "Si"), 2.35, 0.15);  // the crystal
     EXPECT_NEAR(bond("Cl", "Cl"), 1.99, 0.06);
+}
+
+TEST(Elements, AreLargerThanWhatIsNone) {
+    for (const char* species : {"X",  "Xx",    "xx", "X1",  "Bq", "BQ2", "bqO", "Gh", "Gh(O)", "@O",  "O_ghost", "H-Ghost", "Du",
+                                "DU", "dummy", "LP", "Lp1", "EP", "EPW", "EP2", "M",  "MW",    "MW1", "Tv",      "0"}) {
+        EXPECT_TRUE(is_virtual(element_of_species(species))) << species;
+    }
+    for (const char* species : {"Xe", "XE", "Xe1", "B",  "Ba", "Br", "D",  "Dy",  "Db", "Mg", "Mn", "Md",
+                                "Li", "Lu", "Er",  "Eu", "Ti", "Ge", "Ga", "Wat", "Q",  "6",  "06", "Oxygen"}) {
+        EXPECT_FALSE(is_virtual(element_of_species(species))) << species;
+    }
+    EXPECT_LE(unknown_element().radius, find_element("C")->radius);
+    for (int number = 1; number <= 118; ++number) EXPECT_GT(element_of_number(number).radius, virtual_site().radius) << number;
 }
 
 TEST(Elements, AreRecognizedInWhatFilesCallAtoms) {

@@ -82,7 +82,8 @@ TEST(ForeignFile, IsNoneOfOurs) {
     for (const std::string text :
          {"", "1\n255 0 0\n1 2 3 4\n", "[[sphere]]\nname = \"a\"\n", "[camera]\n", "# vtk\nbackground = \"white\"\n",
           "BM,x,y,z\n1,2,3,4\n", "4\n1.0\nO 0 0 0\nH 1 0 0\nH 0 1 0\nH 0 0 1\n", "3\n1\n2 3 4\n5 6 7\n8 9 1\n2 3 4\n5\n6 7\n",
-          "v,x,y,z\nv,1,2,3\n", "data_a\nloop_\n", "HEADER    PLANT PROTEIN\n", "xxxxCORD,x,y,z\n"}) {
+          "v,x,y,z\nv,1,2,3\n", "data_a\nloop_\n", "1 atoms\n\nH 0 0 0\n1 atoms\n\nH 0 0 0\n", "HEADER    PLANT PROTEIN\n",
+          "xxxxCORD,x,y,z\n"}) {
         EXPECT_EQ(foreign_kind(text), "") << text;
     }
     EXPECT_EQ(foreign_kind("\xFF\xFEx\0,\0y\0"s), "");  // UTF-16

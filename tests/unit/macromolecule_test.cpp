@@ -10,15 +10,6 @@ namespace sphereview {
 
 namespace {
 
-#ifdef WITHOUT_GEMMI
-TEST(Macromolecule, SaysThatThisBuildCannotReadIt) {
-    EXPECT_EQ(message_of<InputError>([] { read_pdb("", "a.pdb", {}); }),
-              "a.pdb: this program was built without gemmi, and cannot read PDB");
-    EXPECT_EQ(message_of<InputError>([] { read_mmcif("", "a.cif", {}); }),
-              "a.cif: this program was built without gemmi, and cannot read mmCIF");
-}
-#else
-
 // Columns:                          1         2         3         4         5         6         7         8
 //                          12345678901234567890123456789012345678901234567890123456789012345678901234567890
 const std::string nitrogen = "ATOM      1  N   ALA A  12      17.047  14.099   3.625  1.00 13.79           N\n";
@@ -29,7 +20,6 @@ const std::string iron = "HETATM    5 FE   HEM A 154      14.000   1.000   2.000
 const std::string water = "HETATM    6  O   HOH B 201       1.000   2.000   3.000  1.00 10.00           O\n";
 
 SphereData pdb(std::string_view content, const DataOptions& options = {}) { return read_pdb(content, "a.pdb", options); }
-SphereData mmcif(std::string_view content, const DataOptions& options = {}) { return read_mmcif(content, "a.cif", options); }
 
 std::vector<std::string> names_of(const Scene& scene) {
     std::vector<std::string> names;
@@ -41,10 +31,6 @@ using Names = std::vector<std::string>;
 
 std::string pdb_fault(std::string_view content, const DataOptions& options = {}) {
     return message_of<InputError>([&] { pdb(content, options); });
-}
-
-std::string mmcif_fault(std::string_view content, const DataOptions& options = {}) {
-    return message_of<InputError>([&] { mmcif(content, options); });
 }
 
 TEST(Pdb, GivesAtomsWithTheirElementsAndNames) {
@@ -154,6 +140,19 @@ TEST(Pdb, ManyAtomsHaveNoNames) {
     EXPECT_TRUE(data.scene.names.empty());
 }
 
+#ifdef WITHOUT_GEMMI
+TEST(Mmcif, CannotBeReadByThisBuildAsItSays) {
+    EXPECT_EQ(message_of<InputError>([] { read_mmcif("", "a.cif", {}); }),
+              "a.cif: this program was built without gemmi, and cannot read mmCIF");
+}
+#else
+
+SphereData mmcif(std::string_view content, const DataOptions& options = {}) { return read_mmcif(content, "a.cif", options); }
+
+std::string mmcif_fault(std::string_view content, const DataOptions& options = {}) {
+    return message_of<InputError>([&] { mmcif(content, options); });
+}
+
 const std::string cif_columns =
     "data_1CRN\n#\n_struct.title 'It''s # a title'\nloop_\n_atom_site.group_PDB\n_atom_site.id\n_atom_site.type_symbol\n"
     "_atom_site.label_atom_id\n_atom_site.label_alt_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n"
@@ -186,6 +185,22 @@ TEST(Mmcif, HasAFrameForEachModel) {
     EXPECT_EQ(mmcif_fault(content, {.frame = 2}), "a.cif: found 2 frames, 0 to 1, expected frame 2");
 }
 
+TEST(Mmcif, TheModelsOfASecondBlockAreMoreFrames) {
+    const std::string places = cif_places.substr(cif_places.find('\n'));
+    const std::string content = cif_columns + cif_atoms + "data_y\n_cell.length_a 1\ndata_z" + places + "1 2 3\n4 5 6\n";
+    EXPECT_EQ(mmcif(content).frames, 3);
+    EXPECT_EQ(names_of(mmcif(content).scene), (Names{"X/ALA 12/N", "X/ALA 12/CA", "X/G 13B/C5'", "X/HEM 154/FE"}));
+    EXPECT_EQ(names_of(mmcif(content, {.frame = 1}).scene), (Names{"X/ALA 12/H"}));
+    EXPECT_EQ(mmcif(content, {.frame = 2}).scene.spheres.at(1).center, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(mmcif_fault(content, {.frame = 3}), "a.cif: found 3 frames, 0 to 2, expected frame 3");
+    EXPECT_TRUE(mmcif(content).warnings.empty());
+    // What is wrong with another block is only said.
+    const SphereData data = mmcif(cif_places + "1 2 3\ndata_y\n_atom_site.Cartn_x 1\n");
+    EXPECT_EQ(data.frames, 1);
+    EXPECT_EQ(data.warnings, (Names{"a.cif:8: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and "
+                                    "Cartn_z; passed over"}));
+}
+
 TEST(Mmcif, NeedsOnlyPlaces) {
     EXPECT_EQ(mmcif(cif_places + "1 2 3\n4 5 6").scene.spheres.size(), 2U);
     const Scene pairs = mmcif("data_x\n_ATOM_SITE.CARTN_X 1\n_atom_site.Cartn_y '2'\n_atom_site.Cartn_z 3\n").scene;
@@ -203,8 +218,6 @@ TEST(Mmcif, FaultsAreReported) {
     EXPECT_EQ(mmcif_fault("hello"), "a.cif:1:1: expected block header (data_)");
     EXPECT_EQ(mmcif_fault("data_x loop_ _atom_site.id 1"),
               "a.cif:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
-    EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\ndata_y\n_atom_site.Cartn_x 1\n"),
-              "a.cif:8: found a second table of atoms, expected one");
     EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site.Cartn_x\n_atom_type.symbol\n1 C\n"),
               "a.cif:2: found '_atom_type.symbol', expected a column of _atom_site");
     EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site_fract_x\n0.5\n"),

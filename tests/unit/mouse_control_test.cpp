@@ -34,7 +34,9 @@ struct Hand : testing::Test {
                                      } else {
                                          selection.set(in_box);
                                      }
-                                 }};
+                                 },
+                                 {},
+                                 trackball};
         const PictureConsequences done = control.frame(mouse, state, gesture, actions);
         mouse.pressed = {};
         mouse.released = {};
@@ -84,6 +86,7 @@ struct Hand : testing::Test {
     Camera camera;
     PictureSize size{1000, 1000};
     std::uint64_t gesture = 0;
+    bool trackball = false;
     std::vector<Action> actions;
     std::vector<std::uint32_t> in_box;      // in any box
     std::vector<std::array<int, 4>> boxes;  // asked for
@@ -92,6 +95,17 @@ struct Hand : testing::Test {
 };
 
 }  // namespace
+
+TEST_F(Hand, ATrackballPassesThePoleAndATurntableDoesNot) {
+    for (const bool ball : {false, true}) {
+        camera = {};
+        trackball = ball;
+        press_at({500, 100});
+        for (int y = 200; y <= 1100; y += 100) drag_to({500, y});
+        release();
+        EXPECT_EQ(camera.up.y < 0.0, ball) << "turned by a whole side of the picture";
+    }
+}
 
 TEST_F(Hand, ThePointThatWasGrabbedStaysUnderThePointer) {
     selection.set_only(0);

@@ -213,6 +213,49 @@ TEST(Orbited, LeavesAPoleThatItBeganAtAndHasNoneForACameraOnItsSide) {
     expect_near(orbited(side, {0, 0, 100}, 0.0, pi).eye, {0, 0, 200}, 1e-9);
 }
 
+TEST(Tumbled, KeepsThePivotsPixelAndDistance) {
+    expect_in_trials(31, 2000, [](const Trial& t) {
+        const glm::dvec3 pivot = point_at(t.camera, t.size, t.place, t.random.of_size(0.1, 10.0));
+        const Camera moved = tumbled(t.camera, pivot, t.random.between(-7, 7), t.random.between(-7, 7));
+        expect_shown(moved, t.size, pivot, t.place);
+        EXPECT_NEAR(glm::length(moved.eye - pivot) / glm::length(t.camera.eye - pivot), 1.0, 1e-9);
+        EXPECT_EQ(camera_axes(moved).mirrored, camera_axes(t.camera).mirrored);
+    });
+}
+
+TEST(Tumbled, PassesThePolesAndFollowsThePointer) {
+    // Half a circle of tilts from the front: the eye is behind, upside down. A turntable ends at the pole.
+    const glm::dvec3 pivot{0.0, 0.0, 300.0};
+    Camera ball;
+    Camera table;
+    for (int i = 0; i < 100; ++i) {
+        ball = tumbled(ball, pivot, 0.0, pi / 100.0);
+        table = orbited(table, pivot, 0.0, pi / 100.0);
+    }
+    expect_near(ball.eye, {0.0, 0.0, 600.0}, 1e-9);
+    EXPECT_LT(ball.up.y, -49.9);
+    EXPECT_GT(table.eye.y, 299.0);
+    const glm::dvec2 place = *project(tumbled({}, pivot, 0.1, 0.1), {}, {0.0, 0.0, 290.0});
+    EXPECT_GT(place.x, 500.0);
+    EXPECT_GT(place.y, 500.0);
+}
+
+TEST(TurnedTo, HasTheAxesAndThePivotWhereItWas) {
+    expect_in_trials(32, 2000, [](const Trial& t) {
+        const glm::dvec3 pivot = point_at(t.camera, t.size, t.place, t.random.of_size(0.1, 10.0));
+        CameraAxes axes{{0.0, 0.0, -1.0}, {0.0, 1.0, 0.0}, {1.0, 0.0, 0.0}};
+        const bool mirrored = camera_axes(t.camera).mirrored;
+        if (mirrored) axes.right = -axes.right;
+        const Camera moved = turned_to(t.camera, pivot, axes);
+        expect_shown(moved, t.size, pivot, t.place);
+        const CameraAxes found = camera_axes(moved);
+        expect_near(found.right, axes.right, 1e-9);
+        expect_near(found.up, axes.up, 1e-9);
+        expect_near(found.ahead, axes.ahead, 1e-9);
+        EXPECT_EQ(found.mirrored, mirrored);
+    });
+}
+
 TEST(Panned, MovesWhatLiesAtTheDepthByThePixels) {
     expect_in_trials(6, 5000, [](const Trial& t) {
         const double depth = t.random.of_size(0.1, 10.0);

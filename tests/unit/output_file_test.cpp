@@ -140,7 +140,8 @@ TEST(WriteOutput, RefusesWhatCannotBecomeAFile) {
     EXPECT_EQ(refusal(folder.path()), folder.path() + ": cannot be written: it is a folder");
     EXPECT_EQ(refusal(missing + "/x"), missing + "/x: cannot be written: the folder " + missing + " does not exist");
     EXPECT_EQ(refusal(missing + "/"), missing + "/: cannot be written: it names a folder");
-    EXPECT_EQ(refusal(folder.path("file/x")), folder.path("file/x") + ": cannot be written: Not a directory");
+    EXPECT_EQ(refusal(folder.path("file/x")),
+              folder.path("file/x: cannot be written: ") + folder.path("file") + " is not a folder");
     EXPECT_EQ(refusal(folder.path("nowhere")),
               folder.path("nowhere") + ": cannot be written: the folder " + missing + " does not exist");
     EXPECT_EQ(refusal(folder.path("loop")), folder.path("loop") + ": cannot be written: Too many levels of symbolic links");
@@ -151,6 +152,36 @@ TEST(WriteOutput, RefusesWhatCannotBecomeAFile) {
     EXPECT_EQ(folder.names().size(), 3U);
 }
 
+TEST(WriteOutput, MakesTheFoldersThatAreWanted) {
+    const test::TemporaryFolder folder;
+    folder.write("file", "old");
+    const auto write = [](const std::string& path) {
+        check_output(path, MissingFolder::made);
+        write_output(path, "new", Durability::on_disk, MissingFolder::made);
+    };
+    check_output(folder.path("a/b/c"), MissingFolder::made);
+    EXPECT_EQ(folder.names().size(), 1U);  // so far nothing is made
+    write(folder.path("a/b/c"));
+    write(folder.path("a/b/d"));
+    EXPECT_EQ(folder.read("a/b/c"), "new");
+    EXPECT_EQ(folder.read("a/b/d"), "new");
+    const std::string below = folder.path("file/x/y");
+    EXPECT_EQ(message_of<OutputError>([&] { check_output(below, MissingFolder::made); }),
+              below + ": cannot be written: " + folder.path("file") + " is not a folder");
+}
+
+TEST(OutputError, NamesTheFileAndHasErrno) {
+    const test::TemporaryFolder folder;
+    try {
+        check_output(folder.path("missing/x"));
+        FAIL();
+    } catch (const OutputError& error) {
+        EXPECT_EQ(error.fault.file, folder.path("missing/x"));
+        EXPECT_EQ(error.fault.why, "cannot be written: the folder " + folder.path("missing") + " does not exist");
+        EXPECT_EQ(error.fault.number, ENOENT);
+    }
+}
+
 TEST(FileIdentity, IsOneForAllPathsToAFile) {
     const test::TemporaryFolder folder;
     fs::create_directory(folder.path("sub"));
@@ -158,31 +189,31 @@ TEST(FileIdentity, IsOneForAllPathsToAFile) {
     fs::create_symlink("file", folder.path("link"));
     fs::create_symlink("sub", folder.path("linked_folder"));
     fs::create_symlink("sub/new", folder.path("dangling"));
-    const std::string file = file_identity(folder.path("file"));
+    const std::string file = file_identity(folder.path("file"), FileUse::output);
     EXPECT_NE(file, "");
-    EXPECT_EQ(file_identity(folder.path("link")), file);
-    EXPECT_EQ(file_identity(folder.path("sub/../file")), file);
-    EXPECT_EQ(file_identity(folder.path("./file")), file);
-    EXPECT_EQ(file_identity(fs::relative(folder.path("file")).string()), file);
-    const std::string unmade = file_identity(folder.path("sub/new"));
-    EXPECT_EQ(file_identity(folder.path("dangling")), unmade);
-    EXPECT_EQ(file_identity(folder.path("linked_folder/new")), unmade);
+    EXPECT_EQ(file_identity(folder.path("link"), FileUse::output), file);
+    EXPECT_EQ(file_identity(folder.path("sub/../file"), FileUse::output), file);
+    EXPECT_EQ(file_identity(folder.path("./file"), FileUse::output), file);
+    EXPECT_EQ(file_identity(fs::relative(folder.path("file")).string(), FileUse::output), file);
+    const std::string unmade = file_identity(folder.path("sub/new"), FileUse::output);
+    EXPECT_EQ(file_identity(folder.path("dangling"), FileUse::output), unmade);
+    EXPECT_EQ(file_identity(folder.path("linked_folder/new"), FileUse::output), unmade);
 }
 
 TEST(FileIdentity, DiffersForDifferentFiles) {
     const test::TemporaryFolder folder;
     folder.write("a", "");
     fs::create_hard_link(folder.path("a"), folder.path("b"));
-    EXPECT_NE(file_identity(folder.path("a")), file_identity(folder.path("b")));
-    EXPECT_NE(file_identity(folder.path("c")), file_identity(folder.path("d")));
+    EXPECT_NE(file_identity(folder.path("a"), FileUse::output), file_identity(folder.path("b"), FileUse::output));
+    EXPECT_NE(file_identity(folder.path("c"), FileUse::output), file_identity(folder.path("d"), FileUse::output));
 }
 
 TEST(FileIdentity, IsEmptyWhereNothingCanBeLost) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(mkfifo((folder.path("pipe")).c_str(), 0600), 0);
-    EXPECT_EQ(file_identity("-"), "");
-    EXPECT_EQ(file_identity("/dev/null"), "");
-    EXPECT_EQ(file_identity(folder.path("pipe")), "");
+    EXPECT_EQ(file_identity("-", FileUse::output), "");
+    EXPECT_EQ(file_identity("/dev/null", FileUse::output), "");
+    EXPECT_EQ(file_identity(folder.path("pipe"), FileUse::output), "");
 }
 
 }  // namespace sphereview

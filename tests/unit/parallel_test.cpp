@@ -7,6 +7,9 @@
 #include <unistd.h>
 #endif
 
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <cstdio>
@@ -65,6 +68,39 @@ TEST(Parallel, UsesMoreThanOneThread) {
     });
     EXPECT_EQ(begun, 2);
 }
+
+#ifndef SPHEREVIEW_SANITIZED  // whose allocator may be locked in the copy
+// Whatever other threads have locked while the copy is made.
+TEST(Parallel, WorksInACopyOfAProcessThatIsAtWork) {
+    const auto sum = [] {
+        std::atomic<std::size_t> total = 0;
+        parallel_for(100, [&](std::size_t i) { total += i; });
+        return total == 4950;
+    };
+    std::atomic<bool> ended = false;
+    std::vector<std::thread> busy(3);
+    for (std::thread& thread : busy) {
+        thread = std::thread([&] {
+            while (!ended) sum();
+        });
+    }
+    int status = 0;
+    for (int trial = 0; trial < 100 && status == 0; ++trial) {
+        const pid_t copy = fork();
+        if (copy == 0) {
+            alarm(60);  // ends a copy that waits for ever
+            bool good = true;
+            for (int i = 0; i < 20; ++i) good = sum() && good;
+            _exit(good ? 0 : 1);
+        }
+        ASSERT_GT(copy, 0);
+        EXPECT_EQ(waitpid(copy, &status, 0), copy);
+        EXPECT_EQ(status, 0) << trial;
+    }
+    ended = true;
+    for (std::thread& thread : busy) thread.join();
+}
+#endif
 
 // While one thread's work stands still, the others help another's: again two calls that wait for each other.
 TEST(Parallel, SharesItsThreadsBetweenJobs) {

@@ -174,6 +174,70 @@ TEST_F(Commands, TheOtherProjectionIsAViewAndComesBack) {
     EXPECT_EQ(state.camera, (Camera{{0, 0, 0}, {0, 0, 300}, {150, 0, 0}, {0, 150, 0}}));
 }
 
+TEST_F(Commands, TheViewIsWhatACameraIsEditedTo) {
+    Camera edited = before.camera;
+    edited.eye.z = -40.0;
+    state.flight.emplace(before.camera, edited, glm::dvec3(0.0));
+    perform(state, {EditScene{ChangeCamera{edited, true}, "Move the camera's eye"}});
+    EXPECT_EQ(state.camera, edited);
+    EXPECT_FALSE(state.flight);
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.camera, before.camera);
+    run_command(state, CommandId::redo);
+    EXPECT_EQ(state.camera, edited);
+    // Who looks from elsewhere goes on to do so.
+    state.camera.eye.x = 7.0;
+    const Camera elsewhere = state.camera;
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.camera, elsewhere);
+    EXPECT_EQ(state.scene().camera, before.camera);
+    // And so does who made the view the scene's camera.
+    run_command(state, CommandId::use_view_as_camera);
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.camera, elsewhere);
+    EXPECT_EQ(state.scene().camera, before.camera);
+}
+
+TEST_F(Commands, AViewIsSavedNamedAndFlownTo) {
+    state.camera.eye.x = 5.0;
+    const Camera first = state.camera;
+    run_command(state, CommandId::save_view);
+    state.camera.eye.x = 9.0;
+    run_command(state, CommandId::save_view);
+    EXPECT_EQ(state.scene().views, (std::vector<SavedView>{{"view 1", first}, {"view 2", state.camera}}));
+    EXPECT_EQ(state.document.undo_name(), "Save view 'view 2'");
+    EXPECT_EQ(state.side_panel.renamed_view, 1U);
+    EXPECT_TRUE(state.panel_shown);
+    EXPECT_EQ(state.scene().camera, before.camera);
+    perform(state, {ShowView{first}});
+    ASSERT_TRUE(state.flight);
+    const Clock::time_point begin = Clock::now();
+    fly_on(state, begin);
+    fly_on(state, begin + std::chrono::seconds(1));
+    EXPECT_EQ(state.camera, first);
+    for (int i = 0; i < 2; ++i) run_command(state, CommandId::undo);
+    EXPECT_TRUE(state.scene().views.empty());
+    EXPECT_FALSE(state.document.is_changed());
+    EXPECT_EQ(state.camera, first) << "no camera was changed";
+}
+
+TEST_F(Commands, EverySideIsSeen) {
+    for (const auto& [id, ahead] : {std::pair{CommandId::view_front, glm::dvec3{0, 0, 1}},
+                                    {CommandId::view_back, glm::dvec3{0, 0, -1}},
+                                    {CommandId::view_right, glm::dvec3{-1, 0, 0}},
+                                    {CommandId::view_left, glm::dvec3{1, 0, 0}},
+                                    {CommandId::view_top, glm::dvec3{0, -1, 0}},
+                                    {CommandId::view_bottom, glm::dvec3{0, 1, 0}}}) {
+        SCOPED_TRACE(std::string(info_of(commands_of(state), id).label));
+        run_command(state, id);
+        ASSERT_TRUE(state.flight);
+        const Clock::time_point begin = Clock::now();
+        state.flight->advance(begin);
+        const Camera arrived = state.flight->advance(begin + std::chrono::seconds(1));
+        EXPECT_LT(glm::distance(camera_axes(arrived).ahead, ahead), 1e-12);
+    }
+}
+
 TEST_F(Commands, OneChoiceOfAntiAliasingIsMarked) {
     const auto marked = [&] {
         std::vector<CommandId> found;

@@ -119,6 +119,7 @@ struct Edited {
     void operator()(const ChangeCamera& edit) { scene.camera = edit.camera; }
     void operator()(const ChangeBackground& edit) { scene.background = edit.background; }
     void operator()(const ChangeLight& edit) { scene.light = edit.light; }
+    void operator()(const ChangeViews& edit) { scene.views = edit.views; }
     void operator()(const ReplaceScene& edit) { scene = edit.scene; }
 };
 
@@ -144,7 +145,7 @@ std::vector<std::uint32_t> random_numbers(std::mt19937_64& random, std::size_t c
 
 Edit random_edit(std::mt19937_64& random, const Scene& scene) {
     const std::size_t count = scene.spheres.size();
-    switch (below(random, 17)) {
+    switch (below(random, 18)) {
         case 0:
         case 1: return random_insertion(random, scene);
         case 2:
@@ -169,6 +170,7 @@ Edit random_edit(std::mt19937_64& random, const Scene& scene) {
             return ReplaceScene{std::move(other)};
         }
         case 10: return ChangeLight{one_in(random, 4) ? scene.light : random_light(random)};
+        case 11: return ChangeViews{one_in(random, 4) ? scene.views : random_scene(random).views};
         default: return random_changes(random, scene);
     }
 }

@@ -116,6 +116,10 @@ Scene random_scene(Random& random) {
     Scene scene;
     scene.background = any_background(random);
     if (!one_in(random, 3)) scene.camera = any_camera(random);
+    for (std::size_t i = below(random, 4); i-- > 1;) {
+        scene.views.push_back({any_name(random) + std::to_string(i), any_camera(random)});  // no two alike
+        if (one_in(random, 2)) scene.views.back().camera.projection = Projection::orthographic;
+    }
     // Now and then as many as make the native format hold them as text.
     const bool many = one_in(random, 20);
     const std::size_t count = many ? 1001 + below(random, 100) : below(random, 8);

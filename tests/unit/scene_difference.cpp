@@ -35,14 +35,26 @@ std::string difference(const std::string& what, const Sphere& actual, const Sphe
     return text.empty() ? difference(what + ".radius", actual.radius, expected.radius) : text;
 }
 
+std::string difference(const std::string& what, const Camera& actual, const Camera& expected) {
+    if (actual.projection != expected.projection) return what + ": another projection";
+    for (const auto& [name, member] : {std::pair{"eye", &Camera::eye}, std::pair{"center", &Camera::center},
+                                       std::pair{"right", &Camera::right}, std::pair{"up", &Camera::up}}) {
+        const std::string text = difference(what + "." + name, actual.*member, expected.*member);
+        if (!text.empty()) return text;
+    }
+    return "";
+}
+
 }  // namespace
 
 std::string difference(const Scene& actual, const Scene& expected) {
     if (actual.background != expected.background) return "another background";
     if (!same_bits(actual.light, expected.light)) return "another light";
-    for (const auto& [name, member] : {std::pair{"eye", &Camera::eye}, std::pair{"center", &Camera::center},
-                                       std::pair{"right", &Camera::right}, std::pair{"up", &Camera::up}}) {
-        const std::string text = difference(std::string("camera.") + name, actual.camera.*member, expected.camera.*member);
+    if (const std::string text = difference("camera", actual.camera, expected.camera); !text.empty()) return text;
+    if (actual.views.size() != expected.views.size()) return "other views";
+    for (std::size_t i = 0; i < actual.views.size(); ++i) {
+        if (actual.views[i].name != expected.views[i].name) return "another name of view " + std::to_string(i);
+        const std::string text = difference("view " + std::to_string(i), actual.views[i].camera, expected.views[i].camera);
         if (!text.empty()) return text;
     }
     if (actual.spheres.size() != expected.spheres.size()) {

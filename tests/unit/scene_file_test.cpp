@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 
 #include "support/temporary_folder.hpp"
 #include "viewer/perform.hpp"
@@ -44,6 +45,24 @@ struct DataInViewer : testing::Test {
 };
 
 }  // namespace
+
+// Of a file that is shown all the same, and of each frame.
+TEST_F(DataInViewer, SaysWhatTheReaderWarnedOf) {
+    EXPECT_EQ(state.messages.announcement, "");
+    const std::string cut = folder.write("cut.xyz", "1\n\nO 0 0 1\n2\n\nO 0 0 1\nMW 0 0 1\n3\n");
+    open_scene(state, cut);
+    finish_reading();
+    const std::string warning = cut + ":9:1: the text ends, expected the comment of frame 2; what follows frame 1 is passed over";
+    EXPECT_EQ(state.messages.announcement, warning);
+    run_command(state, CommandId::next_frame);
+    finish_reading();
+    EXPECT_EQ(state.messages.announcement,
+              cut + ": found 1 virtual site or dummy, which is no atom; shown small, or not with --no-virtual\n" + warning);
+    folder.write("cut.xyz", "1\n\nO 0 0 1\n2\n\nO 0 0 1\nXx 0 0 2\n");
+    look_at_file(state);
+    finish_reading();
+    EXPECT_TRUE(state.messages.announcement.ends_with("--no-virtual")) << state.messages.announcement;
+}
 
 // Only in the window: what is rendered from the same file stays as it was. Another frame has the background too.
 TEST_F(DataInViewer, HasAQuietBackgroundThatIsTheScenes) {
@@ -142,6 +161,55 @@ TEST_F(DataInViewer, AChangedFileIsReadAgainAtTheSameFrame) {
     EXPECT_EQ(state.messages.scene_error, "");
 }
 
+TEST_F(DataInViewer, AFileThatIsGoneIsSaidAndAFileThatIsBackToo) {
+    open_scene(state, path);
+    finish_reading();
+    const std::string bytes = folder.read("a.xyz");
+    std::filesystem::remove(path);
+    look_at_file(state);
+    EXPECT_EQ(state.messages.scene_gone, path);
+    EXPECT_TRUE(state.document.is_changed()) << "the scene is in the window alone";
+    look_at_file(state);
+    EXPECT_EQ(state.messages.announcement, "") << "nothing is new";
+    folder.write("a.xyz", bytes);
+    look_at_file(state);
+    finish_reading();
+    EXPECT_EQ(state.messages.scene_gone, "");
+    EXPECT_EQ(state.messages.announcement, path + " is there again");
+    EXPECT_FALSE(state.document.is_changed());
+    // Another content is taken without a question, for there are no edits.
+    std::filesystem::remove(path);
+    look_at_file(state);
+    folder.write("a.xyz", "1\n\nO 9 0 100\n");
+    look_at_file(state);
+    finish_reading();
+    EXPECT_EQ(x(), 9.0);
+    EXPECT_TRUE(state.dialogs.empty());
+    // Edits stay edits.
+    add_sphere();
+    std::filesystem::remove(path);
+    look_at_file(state);
+    folder.write("a.xyz", "1\n\nO 8 0 100\n");
+    look_at_file(state);
+    finish_reading();
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "reload");
+    EXPECT_TRUE(state.document.is_changed());
+}
+
+TEST_F(DataInViewer, SavingEndsThatTheFileIsGone) {
+    adopt(state, load_scene(folder.write("b.toml", "background = 'white'\n")), folder.path("b.toml"));
+    std::filesystem::remove(folder.path("b.toml"));
+    look_at_file(state);
+    EXPECT_EQ(state.messages.scene_gone, folder.path("b.toml"));
+    save_scene(state);
+    finish_writing(state, std::chrono::seconds(30));
+    EXPECT_TRUE(folder.has("b.toml"));
+    EXPECT_EQ(state.messages.scene_gone, "");
+    look_at_file(state);
+    EXPECT_FALSE(state.document.is_changed());
+}
+
 TEST(RadiusOption, HoldsForEveryFileThatIsOpened) {
     const test::TemporaryFolder folder;
     ViewOptions options;
@@ -182,6 +250,48 @@ TEST_F(DataInViewer, HasTheColumnsThatAreAskedFor) {
     open_scene(state, folder.write("b.csv", "x,y,z\n4,5,6\n"));
     finish_reading();
     EXPECT_EQ(state.scene().spheres.at(0).center, glm::dvec3(4, 5, 6));
+}
+
+// A save writes the file anew, and a parsed file has no comments.
+TEST_F(DataInViewer, CommentsAreNotDroppedUnasked) {
+    const std::string commented = "# By hand.\nbackground = \"#102030\"\n";
+    const auto save = [&] {
+        run_command(state, CommandId::file_save);
+        while (state.saving) {
+            state.saving->job.wait_for(std::chrono::milliseconds(100));
+            finish_work(state);
+        }
+    };
+    const auto edit_and_save = [&](const std::string& file) {
+        open_scene(state, file);
+        finish_reading();
+        add_sphere();
+        save();
+    };
+    edit_and_save(folder.write("hand.toml", commented));
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "drops-comments");
+    answer(2);
+    EXPECT_EQ(folder.read("hand.toml"), commented);
+    EXPECT_TRUE(state.document.is_changed());
+    save();
+    answer(0);
+    ASSERT_FALSE(state.dialogs.empty());
+    EXPECT_TRUE(std::holds_alternative<FileBrowser>(state.dialogs.back()));
+    state.dialogs.clear();
+    save();
+    answer(1);
+    while (state.saving) finish_work(state);
+    EXPECT_NE(folder.read("hand.toml"), commented);
+    EXPECT_FALSE(state.document.is_changed());
+    add_sphere();
+    save();
+    EXPECT_TRUE(state.dialogs.empty()) << "the comments are gone";
+    for (const std::string content : {"background = \"#102030\"\n", "# An empty scene.\n"}) {
+        edit_and_save(folder.write("plain.toml", content));
+        EXPECT_TRUE(state.dialogs.empty()) << content;
+        EXPECT_FALSE(state.document.is_changed());
+    }
 }
 
 }  // namespace sphereview

@@ -105,10 +105,49 @@ TEST_F(Outputs, TheEndOfTheWindowWaitsSomeTimeForThem) {
 TEST_F(Outputs, TheNextFreeNameIsFoundBesideTheLoop) {
     folder.write("scene.png", "mine");
     run_command(state, CommandId::export_now);
+    ASSERT_TRUE(state.exporting.has_value());
+    state.exporting->job.wait();
+    EXPECT_EQ(state.exporting->shown_path(), folder.path("scene-1.png")) << "what the bar names";
     EXPECT_TRUE(test::eventually([&] { return is_finished(); }));
     EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("scene-1.png") + " (64 x 64, 16 samples a pixel)");
     EXPECT_EQ(folder.read("scene.png"), "mine");
     EXPECT_TRUE(folder.has("scene-1.png"));
+}
+
+// Strengths of lights, changed one after the other: what is shown stays until the next is there, which is the export's.
+TEST_F(Outputs, ThePictureAtRestIsRelitAtOnce) {
+    run_command(state, CommandId::add_sphere);
+    const auto made = [&] { return rest_picture_is_shown(state); };
+    const auto seen = [] { return std::vector<std::int32_t>(64 * 64, visible_background); };
+    make_rest_picture(state, seen);
+    ASSERT_TRUE(test::eventually(made));
+    ASSERT_TRUE(state.kept_lights && state.kept_lights->picture());
+    const auto kept = state.kept_lights;
+    const auto kept_picture = kept->picture();
+    for (const double sky : {0.5, 0.2}) {
+        const std::shared_ptr<const Image> before = state.rest_picture->image;
+        Light light = state.shown_light();
+        light.sky = sky;
+        state.document.apply(ChangeLight{light}, "Change the sky");
+        EXPECT_FALSE(rest_picture_is_shown(state));
+        ASSERT_TRUE(state.rest_picture);
+        EXPECT_EQ(state.rest_picture->before, before);
+        ASSERT_TRUE(test::eventually(made));
+        // Nothing was decided again.
+        EXPECT_EQ(state.kept_lights, kept);
+        EXPECT_EQ(kept->picture(), kept_picture);
+        OpenBackend cpu;
+        Timings timings;
+        PictureFacts facts;
+        const Image expected = render_picture(cpu, state.scene(), drawn_spheres(state.scene(), state.camera),
+                                              state.rest_picture->options, timings, facts, [](double) {});
+        EXPECT_TRUE(std::ranges::equal(state.rest_picture->image->bytes(), expected.bytes()));
+        EXPECT_FALSE(std::ranges::equal(before->bytes(), expected.bytes()));
+    }
+    // Another view has other shadows.
+    state.camera.eye.x += 1.0;
+    EXPECT_FALSE(rest_picture_is_shown(state));
+    EXPECT_FALSE(state.rest_picture || state.kept_lights);
 }
 
 TEST_F(Outputs, WithoutAThreadTheReasonIsSaid) {

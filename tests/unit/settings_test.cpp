@@ -37,6 +37,11 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     settings.export_width = 1920;
     settings.export_height = 1080;
     settings.samples = 4;
+    settings.trackball = true;
+    settings.light_theme = true;
+    settings.axes_shown = false;
+    settings.scale_bar_shown = true;
+    settings.marks_exported = true;
     settings.recent = {"/a/K\xC3\xBCgeln \"x\".toml", "/b"};
     EXPECT_TRUE(save_settings(settings));
     EXPECT_EQ(load_settings(), settings);
@@ -92,6 +97,7 @@ TEST_F(Settings, AreTheDefaultsWhereAFieldIsWrong) {
                               R"({"samples": 64})",
                               R"({"samples": "4"})",
                               R"({"samples": 4.0})",
+                              R"({"trackball": 1})",
                               R"({"recent": [1, null, "relative", ""]})"}) {
         EXPECT_EQ(loaded_from(wrong), defaults) << wrong;
     }

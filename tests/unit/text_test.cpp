@@ -127,6 +127,13 @@ TEST(FindTooDeep, SeesKeysAndBracketsOutsideStringsAndComments) {
     }
 }
 
+TEST(Nesting, CommentsStandOutsideStrings) {
+    for (const char* text : {"# a", "a = 1 # b", "a = '#'\n#", "\"\"\"\n#\n\"\"\"\n # b"}) EXPECT_TRUE(has_comment(text)) << text;
+    for (const char* text : {"", "a = '#'", "a = \"\\\"#\"", "'''\n#\n'''", "a = \"#102030\"\nb = 1\n"}) {
+        EXPECT_FALSE(has_comment(text)) << text;
+    }
+}
+
 TEST(DidYouMean, NamesTheClosestCandidateThatIsNear) {
     const std::vector<std::string> names = {"render", "convert", "doctor"};
     EXPECT_EQ(did_you_mean("DOCTOR", names), "; did you mean 'doctor'?");
@@ -135,6 +142,7 @@ TEST(DidYouMean, NamesTheClosestCandidateThatIsNear) {
     EXPECT_EQ(did_you_mean("", names), "");
     EXPECT_EQ(did_you_mean(std::string(65, 'r'), names), "");  // not worth the time
     EXPECT_EQ(did_you_mean("render", {}), "");
+    EXPECT_EQ(did_you_mean("2", std::vector<std::string>{"1", "4", "16"}), "");
     // Short words are allowed one mistake.
     EXPECT_EQ(did_you_mean("ul", std::vector<std::string>{"up"}), "; did you mean 'up'?");
     EXPECT_EQ(did_you_mean("xy", std::vector<std::string>{"up"}), "");
@@ -170,6 +178,15 @@ TEST(Shortest, WritesTheShortestTextThatReadsBack) {
 }
 
 TEST(LowerCase, ChangesAsciiLettersOnly) { EXPECT_EQ(lower_case("AZ@[az\xC3\x89"), "az@[az\xC3\x89"); }
+
+TEST(WordsListed, AreThoseThatCanBeTypedAsTheyStand) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(words_listed("auto, egl, 2d or #rrggbb"), (Words{"auto", "egl", "2d"}));
+    EXPECT_EQ(words_listed("text or toml"), (Words{"text", "toml"}));
+    EXPECT_EQ(words_listed("one"), Words{"one"});
+    EXPECT_EQ(words_listed("a number above 0, at most 3600"), Words{});
+    EXPECT_EQ(words_listed(""), Words{});
+}
 
 TEST(InGroups, SetsACommaBeforeEachThreeDigits) {
     EXPECT_EQ(in_groups(0), "0");

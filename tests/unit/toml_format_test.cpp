@@ -109,6 +109,23 @@ TEST(TomlFormat, IsWrittenWithoutDefaults) {
               "right = [50.0, 0.0, 0.0]\nup = [0.0, 50.0, 0.0]\n");
 }
 
+TEST(TomlFormat, HoldsSavedViews) {
+    const std::string text =
+        "[[view]]\nname = \"from above\"\neye = [0.0, 0.0, -9.0]\ncenter = [0.0, 0.0, 100.0]\n"
+        "right = [50.0, 0.0, 0.0]\nup = [0.0, 50.0, 0.0]\nprojection = \"orthographic\"\n"
+        "\n[[view]]\nname = \"b\\\"c\"\neye = [0.0, 0.0, 0.0]\ncenter = [0.0, 0.0, 100.0]\n"
+        "right = [50.0, 0.0, 0.0]\nup = [0.0, 50.0, 0.0]\n";
+    Scene scene;
+    scene.views = {{"from above", {.eye = {0, 0, -9}, .projection = Projection::orthographic}}, {"b\"c", {}}};
+    EXPECT_EQ(write_toml(scene), text);
+    EXPECT_EQ(read_toml(text, "s.toml", {}).scene, scene);
+    EXPECT_EQ(read_toml("view = [{name = 'b\"c'}]", "s.toml", {}).scene.views, std::vector{scene.views[1]});
+    scene.spheres.resize(most_sphere_tables + 1);
+    scene.names[3] = "three";
+    EXPECT_EQ(read_toml(write_toml(scene), "s.toml", {}).scene, scene);
+    EXPECT_EQ(read_toml("view = []", "s.toml", {}).scene, Scene{});
+}
+
 TEST(TomlFormat, HoldsManyPlainSpheresAsText) {
     Scene scene;
     scene.spheres.resize(most_sphere_tables + 1);
@@ -137,7 +154,7 @@ TEST(TomlFormat, HoldsManySpheresAsTextWithWhatIsSaidOfSingleOnes) {
 TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
     expect_toml_messages({
         {"backgroud = 'white'",
-         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, sphere, spheres, "
+         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, view, sphere, spheres, "
          "hidden, names; did you mean 'background'?"},
         {"[camera]\n  Eye = [0, 0, 0]",
          "2:3: found the unknown key 'Eye' in [camera], expected one of eye, center, right, up, projection; did you mean 'eye'?"},
@@ -145,7 +162,8 @@ TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
          "2:1: found the unknown key 'colour' in [[sphere]] 1, expected one of name, color, center, radius, hidden; did you mean "
          "'color'?"},
         {"[lights]\n",
-         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, sphere, spheres, hidden, "
+         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, view, sphere, spheres, "
+         "hidden, "
          "names; did you mean 'light'?"},
         {"[light]\nsunn = 1",
          "2:1: found the unknown key 'sunn' in [light], expected one of lights, sky, key, sun, sun_strength; did you mean 'sun'?"},
@@ -215,6 +233,22 @@ TEST(TomlErrors, SayWhichTypeWasExpected) {
         {sphere_with("radius", "radius = 7\nhidden = 1"), "5:10: found 1, expected 'hidden' as true or false"},
         {sphere_with("radius", "radius = 7\nname = 1"), "5:8: found 1, expected 'name' as a string"},
         {"camera = 1", "1:10: found 1, expected the table [camera]"},
+        {"view = 1", "1:8: found 1, expected 'view' as tables, each headed [[view]]"},
+        {"[view]\nname = 'a'", "1:1: found a value of type 'table', expected 'view' as tables, each headed [[view]]"},
+        {"view = [1]", "1:9: found 1, expected 'view' as tables, each headed [[view]]"},
+        {"[[view]]\neye = [0, 0, 1]", "1:1: [[view]] 1 has no 'name', which it needs"},
+        {"[[view]]\nname = 1", "2:8: found 1, expected 'name' as a string"},
+        {"[[view]]\nname = ' '", "2:8: found ' ', no name, expected a name of its own for the view"},
+        {"[[view]]\nname = 'top'", "2:8: found 'top', the name of a side, expected a name of its own for the view"},
+        {"[[view]]\nname = '30,-20.5'",
+         "2:8: found '30,-20.5', an azimuth and an elevation, expected a name of its own for the view"},
+        {"[[view]]\nname = 'a'\n[[view]]\nname = 'a'", "4:8: found 'a' again, expected each name once"},
+        {"[[view]]\nname = 'a'\nEye = [0, 0, 1]",
+         "3:1: found the unknown key 'Eye' in [[view]] 1, expected one of name, eye, center, right, up, projection; did you mean "
+         "'eye'?"},
+        {"[[view]]\nname = 'a'\nup = [0, 1, 0]",
+         "3:6: found a camera that cannot be used: 'right' and 'up' are not equally long; expected perpendicular, equally long "
+         "'right' and 'up' (within 1e-6) and an eye off the screen's plane"},
         {"sphere = 1", "1:10: found 1, expected 'sphere' as tables, each headed [[sphere]]"},
         {"sphere = [1]", "1:11: found 1, expected 'sphere' as tables, each headed [[sphere]]"},
         {"sphere = [{color = [1, 2, 3], center = [4, 5, 6], radius = 7}, true]",

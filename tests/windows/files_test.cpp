@@ -32,7 +32,22 @@ TEST(OutputFile, TakesNamesBeyondAscii) {
     write_output(path, "text");
     EXPECT_EQ(InputFile(path).bytes(), "text");
     EXPECT_EQ(text_from(path_from(path)), path);
-    EXPECT_EQ(file_identity(path), file_identity(folder.path(".") + "/größe→球.txt"));
+    EXPECT_EQ(file_identity(path, FileUse::output), file_identity(folder.path(".") + "/größe→球.txt", FileUse::input));
+}
+
+TEST(OutputFile, GoesToDevices) {
+    EXPECT_EQ(file_identity("NUL", FileUse::output), "");
+    check_output("NUL");
+    write_output("NUL", "text");
+}
+
+TEST(Path, OfANameThatIsNoUtf16ComesBackUnchanged) {
+    const std::filesystem::path name = std::wstring{L'a', wchar_t{0xD800}, L'b', wchar_t{0xDFFF}};
+    EXPECT_EQ(text_from(name),
+              "a\xED\xA0\x80"
+              "b\xED\xBF\xBF");
+    EXPECT_EQ(path_from(text_from(name)), name);
+    EXPECT_EQ(path_from("\xFF"), std::filesystem::path(L"\uFFFD"));
 }
 
 TEST(InputFile, SaysWhatIsMissing) {

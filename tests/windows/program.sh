@@ -1,8 +1,9 @@
 #!/bin/sh
 # The program for Windows against the one for this system: tests/windows/program.sh SPHEREVIEW.EXE SPHEREVIEW
-# The same bytes, the same exit statuses; names beyond ASCII, long paths, other line ends, Ctrl+C.
+# The same bytes, also by WGL, the same exit statuses; names beyond ASCII, long paths, names of the network, other line ends, Ctrl+C.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
+export WINEPREFIX="${WINEPREFIX:-$here/../../build/windows/wine}"
 exe=$1 native=$2
 scenes=$here/../../scenes
 folder=$(mktemp -d)
@@ -32,6 +33,15 @@ for scene in "$scenes"/input*.txt "$scenes"/planets.toml "$scenes"/helix.xyz "$s
     done
 done
 
+for scene in "$scenes"/input*.txt; do
+    "$native" render "$scene" --backend cpu -o here.png
+    ends 0 render "$scene" --backend wgl -o there.png
+    cmp here.png there.png || fail "$scene with WGL"
+done
+
+# What Windows is told of the program.
+for word in UTF-8 longPathAware PerMonitorV2; do grep -q -a -F "$word" "$exe" || fail "the manifest lacks $word"; done
+
 ends 0 --version
 ends 0 render "$scenes/input4.txt" --backend cpu -s 60x60 -o small.png
 ends 0 render "$scenes/input4.txt" --backend cpu -s 60x60 --expect small.png
@@ -42,7 +52,19 @@ ends 2 render --no-such-option
 ends 3 render "$scenes/input1.txt" --backend egl
 ends 4 render "$scenes/input1.txt" --backend cpu -o no/such/folder/a.png
 ends 4 render "$scenes/input1.txt" --backend cpu -o .
+ends 0 render "$scenes/input1.txt" --backend cpu -s 40x40 -o NUL
+[ ! -e NUL ] || fail "NUL became a file"
 ends 0 doctor
+
+# A reader that has gone, as `| head` does, is told as elsewhere.
+mkfifo gone
+windows --licenses >gone 2>err.txt &
+job=$!
+head -c 1 gone >head.txt
+status=0
+wait $job || status=$?
+[ "$status" = 4 ] || fail "status $status where nobody reads any more: $(cat err.txt)"
+says 'stdout: cannot be written: Broken pipe'
 
 # Names beyond ASCII, in arguments, patterns, outputs and messages.
 cp "$scenes/input1.txt" 'größe→球.txt'
@@ -62,6 +84,16 @@ mkdir -p "$long/$long/$long/$long/$long"
 cp "$scenes/input1.txt" "$long/$long/$long/$long/$long/scene.txt"
 ends 0 render "$long/$long/$long/$long/$long/scene.txt" --backend cpu -s 40x40 -o "$long/$long/$long/$long/$long/b.png"
 cmp "$long/$long/$long/$long/$long/b.png" 'Ωmega/größe→球.png' || fail "a long path"
+
+# A name of the network, which Wine looks up in its folder unc.
+mkdir -p "$WINEPREFIX/dosdevices/unc/sphereview"
+ln -sfn "$folder" "$WINEPREFIX/dosdevices/unc/sphereview/share"
+cp "$scenes/input1.txt" scene.txt
+ends 0 render '\\sphereview\share\scene.txt' --backend cpu -s 40x40 -o '\\sphereview\share\network.png'
+cmp network.png 'Ωmega/größe→球.png' || fail "a name of the network"
+ends 0 render '\\sphereview\share\scene.txt' --backend cpu -s 40x40 -o '\\sphereview\share\new\{name}.png'
+cmp new/scene.png network.png || fail "a folder of the network"
+ends 4 render '\\sphereview\share\scene.txt' --backend cpu -s 40x40 -o '\\sphereview\share\missing\a.png'
 
 # Line ends of Windows, and standard streams, through which no byte changes.
 sed 's/$/\r/' "$scenes/input1.txt" >crlf.txt

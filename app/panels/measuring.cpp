@@ -1,0 +1,119 @@
+#include "panels/measuring.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panels/widgets.hpp"
+#include "scene/measures.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr int digits = 6;
+
+const char* next_click(std::size_t spheres) {
+    switch (spheres) {
+        case 0: return "Click a sphere, then another one: their distance. A third gives the angle, a fourth the dihedral.";
+        case 1: return "Click the sphere to measure to.";
+        case 2: return "A third sphere gives the angle.";
+        case 3: return "A fourth sphere gives the dihedral.";
+        default: return "Another click begins anew.";
+    }
+}
+
+void draw_values(const std::vector<Measure>& measures) {
+    if (!ImGui::BeginTable("##measures", 2)) return;
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    float widest = 0.0F;
+    for (const Measure& one : measures) {
+        widest = std::max(widest, width_of(short_text(one.value, digits) + (one.is_angle ? "\xC2\xB0" : "")));
+    }
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
+    for (const Measure& one : measures) {
+        ImGui::TableNextColumn();
+        wrapped_text(one.name);
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted((short_text(one.value, digits) + (one.is_angle ? "\xC2\xB0" : "")).c_str());
+        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shortest(one.value).c_str());
+    }
+    ImGui::EndTable();
+}
+
+bool draw_button(const PanelContext& context, const char* label, const char* widget, bool enabled) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label);
+    ImGui::EndDisabled();
+    note_widget(context, widget);
+    return pressed;
+}
+
+}  // namespace
+
+void measure(Measuring& measuring, const Document& document, std::uint32_t sphere) {
+    if (measuring.revision != document.names_revision() || measuring.spheres.size() == most_measured) measuring.spheres.clear();
+    measuring.revision = document.names_revision();
+    if (measuring.spheres.empty() || measuring.spheres.back() != sphere) measuring.spheres.push_back(sphere);
+}
+
+std::vector<Measure> measures_of(const Measuring& measuring, const Scene& scene, bool left_handed) {
+    const std::vector<std::uint32_t>& spheres = measuring.spheres;
+    const auto is_there = [&](std::uint32_t number) { return number < scene.spheres.size(); };
+    if (!std::ranges::all_of(spheres, is_there)) return {};
+    std::vector<Measure> measures;
+    const auto place = [&](std::size_t i) { return scene.spheres[spheres[i]].center; };
+    const auto title = [&](std::size_t i) { return title_of(scene, spheres[i]); };
+    for (std::size_t i = 0; i + 1 < spheres.size(); ++i) {
+        measures.push_back({"distance " + title(i) + " to " + title(i + 1), distance_of(place(i), place(i + 1)), false, i});
+    }
+    for (std::size_t i = 0; i + 2 < spheres.size(); ++i) {
+        const auto angle = angle_of(place(i), place(i + 1), place(i + 2));
+        const std::string name = "angle " + title(i) + ", " + title(i + 1) + ", " + title(i + 2);
+        if (angle) measures.push_back({name, *angle, true, i + 1});
+    }
+    if (spheres.size() == most_measured) {
+        const auto angle = dihedral_of(place(0), place(1), place(2), place(3), left_handed);
+        const std::string name = "dihedral " + title(0) + ", " + title(1) + ", " + title(2) + ", " + title(3);
+        if (angle) measures.push_back({name, *angle, true, 1});
+    }
+    return measures;
+}
+
+std::string in_words(const Measure& measure, bool in_full) {
+    return measure.name + " = " + (in_full ? shortest(measure.value) : short_text(measure.value, digits)) +
+           (measure.is_angle ? "\xC2\xB0" : "");
+}
+
+void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area) {
+    if (!measuring.on) return;
+    if (measuring.revision != context.document.names_revision()) measuring.spheres.clear();
+    const float margin = 12.0F * context.scale;
+    const float width = std::max(std::min(340.0F * context.scale, area.width - 2.0F * margin), 8.0F * ImGui::GetFontSize());
+    ImGui::SetNextWindowPos({area.x + area.width - margin, area.y + margin}, ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - 2.0F * margin, 1.0F)});
+    ImGui::SetNextWindowBgAlpha(0.92F);
+    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+    if (ImGui::Begin("###measuring", nullptr, flags)) {
+        const std::vector<Measure> measures = measures_of(measuring, context.document.scene(), !context.view.mirrored);
+        draw_title(context, "Measure");
+        if (measuring.spheres.size() == 1) wrapped_text(title_of(context.document.scene(), measuring.spheres.front()));
+        draw_values(measures);
+        dim_text(next_click(measuring.spheres.size()));
+        if (draw_button(context, "Copy", "measure copy", !measures.empty())) {
+            std::string text;
+            for (const Measure& one : measures) text += in_words(one, true) + "\n";
+            ImGui::SetClipboardText(text.c_str());
+        }
+        ImGui::SameLine();
+        if (draw_button(context, "Begin anew", "measure again", !measuring.spheres.empty())) measuring.spheres.clear();
+        ImGui::SameLine();
+        if (draw_button(context, "End", "measure end", true)) measuring = {};
+        note_rectangle(context, "measuring", ImGui::GetWindowPos(), ImGui::GetWindowSize());
+    }
+    ImGui::End();
+}
+
+}  // namespace sphereview

@@ -1,0 +1,39 @@
+// Measuring between spheres: two give their distance, a third the angle, a fourth the dihedral.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "panels/panel_context.hpp"
+
+namespace sphereview {
+
+inline constexpr std::size_t most_measured = 4;
+
+struct Measuring {
+    bool on = false;
+    std::vector<std::uint32_t> spheres{};  // in the order in which they were clicked, at most most_measured
+    std::uint64_t revision = 0;            // Document::names_revision() in which these are the spheres' numbers
+};
+
+// Takes a sphere that was clicked; one behind the last that is possible begins anew.
+void measure(Measuring& measuring, const Document& document, std::uint32_t sphere);
+
+struct Measure {
+    std::string name;    // "distance 'sun' to sphere 3"
+    double value = 0.0;  // in the scene's units, or degrees
+    bool is_angle = false;
+    std::size_t middle = 0;  // of an angle: its vertex; of a distance: its first sphere; places among the measured spheres
+};
+
+// What the spheres' centres give; `left_handed`: the coordinates, as they are seen. Nothing once they have other numbers.
+std::vector<Measure> measures_of(const Measuring& measuring, const Scene& scene, bool left_handed);
+// "distance ... = 12.5", "... = 109.47°"; in full, or with 6 digits.
+std::string in_words(const Measure& measure, bool in_full);
+
+// Draws a window of its own in the upper right corner of the area, which is the picture's, while measuring is on. Widgets:
+// "measuring", "measure copy", "measure again", "measure end".
+void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area);
+
+}  // namespace sphereview

@@ -1,0 +1,79 @@
+// The field in which panels show a number, to be dragged or typed into.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+
+#include "panels/panel_context.hpp"
+
+namespace sphereview {
+
+// What a number may be, and how far a drag changes it.
+struct NumberRule {
+    // Drags end there; what is typed beyond is refused.
+    double low = std::numeric_limits<double>::lowest();
+    double high = std::numeric_limits<double>::max();
+    // More than 0 alone; a drag makes it larger or smaller by equal factors.
+    bool above_zero = false;
+    // A drag of some 100 pixels changes a number by about its own size when the drag begins; one that is smaller than this, 0 too,
+    // by about this much.
+    double usual_size = 1.0;
+    const char* help = "";  // a sentence for the tooltip
+};
+
+// What a panel's number fields remember from redraw to redraw.
+struct NumberFields {
+    // The field that is being typed into. Tab ends one number and begins the next that is drawn: ImGui's own Tab would pass over
+    // the fields, which are no text boxes until they are typed into.
+    std::string typed;  // its name; "" for none
+    std::string text;
+    std::string opened_with;
+    bool focus = false;      // the box is to get the keyboard
+    bool opens = false;      // the box is to get the number as its text
+    bool passes_on = false;  // what is drawn next gets the keyboard
+    std::string last_drawn;  // the field that Shift+Tab goes back to
+
+    // The latest drag: the number is `from` and so many steps, of a pixel each. Nothing adds up, and back is back to the bit.
+    struct Drag {
+        double from = 0.0;
+        double step = 1.0;    // of a pixel, as it was when the drag began
+        double steps = 0.0;   // until the pointer was at `anchor`; since then at the pace of the keys that are held now
+        double anchor = 0.0;  // in pixels from where the button went down
+        double pace = 1.0;
+        double finest = 1.0;     // of the paces that there were: what the number is rounded by
+        bool moved = false;      // else it is a click
+        bool cancelled = false;  // by Escape
+    };
+    Drag drag;
+
+    // Where and why the number that was entered last was refused.
+    std::string refused;
+    std::string fault;
+};
+
+// Whether Tab left the number before for what is drawn next; true once.
+bool takes_keyboard(NumberFields& fields);
+
+enum class NumberChange { none, dragged, typed };
+
+// As wide as the next item's width. A drag gives `value` a short number and begins a gesture of its own; with Shift it is finer,
+// with Ctrl coarser, and Escape takes it back. A click, or Tab from another number, types one, or a calculation; what is none, or
+// not allowed, is refused, and the old number stays. Noted as "slider NAME". `name` is unique among the panel's fields. `several`:
+// where the value stands for others, too, which differ from it, what is shown instead; "" where they do not.
+NumberChange draw_number(const PanelContext& context, NumberFields& fields, const std::string& name, const NumberRule& rule,
+                         double& value, const std::string& several = "");
+
+// Notes why the field's number cannot be, for what a rule does not know. It is said until another number is typed or dragged.
+void refuse_number(NumberFields& fields, const std::string& name, const std::string& fault);
+
+// Says, on lines of its own, why the number of that field was refused; nothing where it was not.
+void draw_refusal(const PanelContext& context, const NumberFields& fields, const std::string& name);
+
+// The shortest text of the number that reads back as the same, or, where that is wider, as many digits as fit into so many pixels.
+std::string fitting_text(double value, float width);
+
+// "1.5 to 20".
+std::string range_text(double low, double high);
+
+}  // namespace sphereview

@@ -1,0 +1,212 @@
+#include "viewer/view_marks.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+
+#include "camera/navigation.hpp"
+#include "panels/widgets.hpp"
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr double unit_on_screen = 2.0;  // screen coordinates, at the usual scale
+
+constexpr ImGuiWindowFlags bare_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                         ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                                         ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing |
+                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+std::string name_of_end(const AxisEnd& end) { return std::string(end.positive ? "+" : "-") + "xyz"[end.axis]; }
+
+void look_along(ViewerState& state, AxisEnd end) {
+    CameraAxes axes = axes_seen_from(state.camera, end);
+    constexpr double already = 1.0 - 1e-9;
+    if (glm::dot(camera_axes(state.camera).ahead, axes.ahead) > already) {
+        end.positive = !end.positive;
+        axes = axes_seen_from(state.camera, end);
+    }
+    state.flight.emplace(state.camera, turned_to(state.camera, state.pivot, axes), state.pivot);
+}
+
+void turn(ViewerState& state, ImVec2 by, float radius) {
+    const double angle = std::numbers::pi / (4.0 * static_cast<double>(radius));
+    const auto turned = state.settings.trackball ? tumbled : orbited;
+    state.camera = turned(state.camera, state.pivot, static_cast<double>(by.x) * angle, static_cast<double>(by.y) * angle);
+}
+
+class AxesOnScreen {
+public:
+    AxesOnScreen(ViewerState& state, const PanelContext& context, ImVec2 middle, float unit)
+        : state_(state), context_(context), middle_(middle), unit_(unit), ends_(axis_ends(state.camera)) {}
+
+    // Returns what is under the pointer.
+    std::optional<AxisEnd> take_mouse() {
+        const float radius = axes_radius * unit_;
+        ImGui::SetNextWindowPos({middle_.x - radius, middle_.y - radius});
+        ImGui::SetNextWindowSize({2.0F * radius, 2.0F * radius});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+        ImGui::Begin("##axes", nullptr, bare_window);
+        ImGui::InvisibleButton("##axes", {2.0F * radius, 2.0F * radius});
+        note_widget(context_, "axes");
+        const std::optional<AxisEnd> end = ImGui::IsItemHovered() ? end_at(ImGui::GetIO().MousePos) : std::nullopt;
+        drag(radius);
+        if (ImGui::IsItemDeactivated() && !state_.axes_in_hand.turns && end) look_along(state_, *end);
+        if (end && !ImGui::IsItemActive()) {
+            ImGui::SetTooltip("Look along %c, from %s; drag to turn the view", "xyz"[end->axis], name_of_end(*end).c_str());
+        }
+        ImGui::End();
+        ImGui::PopStyleVar(3);
+        for (const AxisEnd& one : ends_) {
+            const ImVec2 at = place_of_end(one);
+            const float ball = axis_ball * unit_;
+            note_rectangle(context_, "axis " + name_of_end(one), {at.x - ball, at.y - ball}, {2.0F * ball, 2.0F * ball});
+        }
+        return end;
+    }
+
+    ImVec2 place_of_end(const AxisEnd& end) const {
+        const float length = axis_length * unit_;
+        return {middle_.x + static_cast<float>(end.place.x) * length, middle_.y + static_cast<float>(end.place.y) * length};
+    }
+
+private:
+    // The nearest to the eye of those under the pointer.
+    std::optional<AxisEnd> end_at(ImVec2 pointer) const {
+        for (auto end = ends_.rbegin(); end != ends_.rend(); ++end) {
+            const ImVec2 at = place_of_end(*end);
+            if (std::hypot(pointer.x - at.x, pointer.y - at.y) <= axis_ball * unit_) return *end;
+        }
+        return std::nullopt;
+    }
+
+    void drag(float radius) {
+        AxesInHand& hand = state_.axes_in_hand;
+        if (ImGui::IsItemActivated()) hand = {};
+        if (!ImGui::IsItemActive()) return;
+        const ImVec2 moved = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F);
+        hand.turns = hand.turns || std::hypot(moved.x, moved.y) > 4.0F * context_.scale;
+        if (!hand.turns) return;
+        turn(state_, {moved.x - hand.applied.x, moved.y - hand.applied.y}, radius);
+        hand.applied = moved;
+    }
+
+    ViewerState& state_;
+    const PanelContext& context_;
+    ImVec2 middle_;
+    float unit_;
+    std::array<AxisEnd, 6> ends_;
+};
+
+void draw_axes_on_screen(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels, int unit) {
+    const float unit_here = static_cast<float>(unit / (stroke_unit * pixels));
+    const float away = (axes_radius + marks_margin) * unit_here;
+    const ImVec2 middle{std::round(picture.x + away), std::round(picture.y + picture.height - away)};
+    AxesOnScreen axes(state, context, middle, unit_here);
+    const std::optional<AxisEnd> chosen = axes.take_mouse();
+    if (chosen) {
+        ImGui::GetBackgroundDrawList()->AddCircleFilled(middle, axes_radius * unit_here, IM_COL32(255, 255, 255, 28), 48);
+    }
+    draw_strokes(strokes_of_axes(state.camera, {0, 0}, unit), middle, pixels);
+    if (chosen) {
+        ImGui::GetBackgroundDrawList()->AddCircle(axes.place_of_end(*chosen), axis_ball * unit_here, IM_COL32(255, 255, 255, 255),
+                                                  32, 0.8F * unit_here);
+    }
+}
+
+void draw_scale_bar_on_screen(const ViewerState& state, const Rectangle& picture, double pixels, int unit) {
+    const double most = longest_scale_bar * state.picture_size.shorter_side();
+    const std::optional<ScaleBar> bar = scale_bar(state.camera, state.picture_size, state.pivot, most);
+    if (!bar) return;
+    const float away = 2.0F * marks_margin * static_cast<float>(unit / (stroke_unit * pixels));
+    const ImVec2 corner{std::round(picture.x + picture.width - away), std::round(picture.y + picture.height - away)};
+    draw_strokes(strokes_of_scale_bar(*bar, {0, 0}, unit, state.picture_size.width * stroke_unit / 2), corner, pixels);
+}
+
+}  // namespace
+
+void draw_view_marks(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {
+    const int unit = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
+    const double needed = 2.0 * (axes_radius + marks_margin) * unit / stroke_unit;
+    if (state.is_at_start() || needed > pixels * static_cast<double>(std::min(picture.width, picture.height))) return;
+    if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, pixels, unit);
+    if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
+}
+
+void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {
+    const Measuring& measuring = state.measuring;
+    const std::vector<Sphere>& spheres = state.scene().spheres;
+    const std::vector<Measure> measures = measures_of(measuring, state.scene(), !context.view.mirrored);
+    if (measuring.spheres.empty() || measuring.spheres.size() > measures.size() + 1) return;
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height});
+    const auto place = [&](std::size_t i) -> std::optional<ImVec2> {
+        const auto at = place_of(state.camera, state.picture_size, spheres[measuring.spheres[i]].center);
+        if (!at) return std::nullopt;
+        return ImVec2(picture.x + static_cast<float>(at->x / pixels), picture.y + static_cast<float>(at->y / pixels));
+    };
+    constexpr ImU32 dark = IM_COL32(18, 20, 26, 220);
+    constexpr ImU32 light = IM_COL32(255, 214, 92, 255);
+    const float line = 1.6F * context.scale;
+    for (const ImU32 color : {dark, light}) {
+        const float more = color == dark ? 1.5F * context.scale : 0.0F;
+        for (std::size_t i = 0; i < measuring.spheres.size(); ++i) {
+            const auto at = place(i);
+            const auto next = i + 1 < measuring.spheres.size() ? place(i + 1) : std::nullopt;
+            if (at && next) draw.AddLine(*at, *next, color, line + 2.0F * more);
+            if (at) draw.AddCircleFilled(*at, 3.5F * context.scale + more, color, 24);
+        }
+    }
+    for (const Measure& one : measures) {
+        if (one.name.starts_with("dihedral")) continue;  // of all of them: the window beside has it
+        const auto at = place(one.middle);
+        const auto next = one.is_angle ? at : place(one.middle + 1);
+        if (!at || !next) continue;
+        const std::string text = short_text(one.value, 4) + (one.is_angle ? "\xC2\xB0" : "");
+        const float width = width_of(text);
+        const float height = ImGui::GetTextLineHeight();
+        const float pad = 3.0F * context.scale;
+        // Of an angle below its sphere: its distances are above.
+        const ImVec2 low{std::round(0.5F * (at->x + next->x) - 0.5F * width),
+                         std::round(0.5F * (at->y + next->y) + (one.is_angle ? 0.5F : -1.3F) * height)};
+        draw.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
+                           ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92F), pad);
+        draw.AddText(low, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+    }
+    draw.PopClipRect();
+}
+
+PictureMarks exported_marks(const ViewerState& state) {
+    if (!state.settings.marks_exported) return {};
+    return {state.settings.axes_shown, state.settings.scale_bar_shown, state.pivot};
+}
+
+void draw_strokes(std::span<const Stroke> strokes, ImVec2 origin, double pixels) {
+    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
+    const double size = 1.0 / (stroke_unit * pixels);
+    for (const Stroke& stroke : strokes) {
+        const auto place = [&](StrokePlace at) {
+            return ImVec2(origin.x + static_cast<float>(at.x * size), origin.y + static_cast<float>(at.y * size));
+        };
+        const ImU32 color = IM_COL32(stroke.color[0], stroke.color[1], stroke.color[2], 255);
+        const auto width = static_cast<float>(stroke.width * size);
+        const ImVec2 from = place(stroke.from);
+        const ImVec2 to = place(stroke.to);
+        draw.AddCircleFilled(from, 0.5F * width, color);
+        if (stroke.from.x == stroke.to.x && stroke.from.y == stroke.to.y) continue;
+        draw.AddLine(from, to, color, width);
+        draw.AddCircleFilled(to, 0.5F * width, color);
+    }
+}
+
+}  // namespace sphereview

@@ -1,0 +1,43 @@
+#include "formats/atoms.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/text.hpp"
+
+namespace sphereview {
+
+double radius_of(const Element& element, const DataOptions& options) {
+    if (!options.radius) return element.radius;
+    return is_virtual(element) ? std::min(element.radius, *options.radius) : *options.radius;
+}
+
+void remove_spheres(Scene& scene, std::span<const std::size_t> numbers) {
+    if (numbers.empty()) return;
+    std::map<std::uint32_t, std::string> names;
+    auto name = scene.names.begin();
+    auto removed = numbers.begin();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        const bool is_named = name != scene.names.end() && name->first == i;
+        const auto own = is_named ? name++ : name;
+        if (removed != numbers.end() && *removed == i) {
+            ++removed;
+            continue;
+        }
+        if (is_named) names.emplace_hint(names.end(), static_cast<std::uint32_t>(kept), std::move(own->second));
+        scene.spheres[kept++] = scene.spheres[i];
+    }
+    scene.spheres.resize(kept);
+    scene.names = std::move(names);
+}
+
+void warn_of_virtual_sites(SphereData& data, std::size_t count, const std::string& name, const DataOptions& options) {
+    if (count == 0) return;
+    data.warnings.push_back(
+        name + ": found " + in_groups(count) +
+        (count == 1 ? " virtual site or dummy, which is no atom; " : " virtual sites or dummies, which are no atoms; ") +
+        (options.virtual_sites ? "shown small, or not with --no-virtual" : "left out"));
+}
+
+}  // namespace sphereview

@@ -1,0 +1,22 @@
+// What the readers of atoms share.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "formats/elements.hpp"
+#include "formats/sphere_data.hpp"
+
+namespace sphereview {
+
+// The radius of an atom for which the file says none: the element's, or the given one. A virtual site stays small.
+double radius_of(const Element& element, const DataOptions& options);
+
+// Removes the spheres of these numbers, which ascend, and their names; the others move up.
+void remove_spheres(Scene& scene, std::span<const std::size_t> numbers);
+
+// Warns of the virtual sites of the file `name`, if there are any.
+void warn_of_virtual_sites(SphereData& data, std::size_t count, const std::string& name, const DataOptions& options);
+
+}  // namespace sphereview

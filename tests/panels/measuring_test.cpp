@@ -1,0 +1,96 @@
+// Measuring between spheres.
+#include "panels/measuring.hpp"
+
+#include <gtest/gtest.h>
+
+#include "panels/harness.hpp"
+
+namespace sphereview {
+
+namespace {
+
+struct MeasuringHarness {
+    MeasuringHarness() {
+        Scene scene;
+        scene.spheres.resize(5);
+        const std::vector<glm::dvec3> places = {{0, 1, 0}, {0, 0, 0}, {3, 0, 0}, {3, 0, 4}, {9, 9, 9}};
+        for (std::size_t i = 0; i < places.size(); ++i) scene.spheres[i].center = places[i];
+        scene.names[1] = "sun";
+        panels.document = Document(scene);
+        panels.frames(4);
+    }
+
+    void measure_all(const std::vector<std::uint32_t>& spheres) {
+        for (const std::uint32_t sphere : spheres) measure(measuring, panels.document, sphere);
+        panels.frames(4);
+    }
+    std::vector<std::string> words(bool left_handed = false) const {
+        std::vector<std::string> found;
+        for (const Measure& one : measures_of(measuring, panels.document.scene(), left_handed))
+            found.push_back(in_words(one, true));
+        return found;
+    }
+
+    Measuring measuring{.on = true};
+    PanelHarness panels{[this](const PanelContext& context) { draw_measuring(context, measuring, {100.0F, 50.0F, 600.0F, 500.0F}); },
+                        {},
+                        800.0F,
+                        600.0F};
+};
+
+using Words = std::vector<std::string>;
+
+TEST(MeasuringPanel, GivesDistancesThenAnAngleThenADihedral) {
+    MeasuringHarness harness;
+    EXPECT_EQ(harness.words(), Words());
+    harness.measure_all({1});
+    EXPECT_EQ(harness.words(), Words());
+    harness.measure_all({1, 2});
+    EXPECT_EQ(harness.words(), Words{"distance 'sun' to sphere 2 = 3"}) << "twice the same is once";
+    harness.measure_all({3});
+    EXPECT_EQ(harness.words(), (Words{"distance 'sun' to sphere 2 = 3", "distance sphere 2 to sphere 3 = 4",
+                                      "angle 'sun', sphere 2, sphere 3 = 90\xC2\xB0"}));
+    EXPECT_NE(harness.panels.text().find("angle 'sun', sphere 2, sphere 3"), std::string::npos) << harness.panels.text();
+    harness.measure_all({4});
+    harness.measure_all({0});
+    EXPECT_EQ(harness.measuring.spheres, std::vector<std::uint32_t>{0}) << "a fifth begins anew";
+    harness.measure_all({1, 2, 3});
+    EXPECT_EQ(harness.words().size(), 6U);
+    EXPECT_EQ(harness.words(false).back(), "dihedral sphere 0, 'sun', sphere 2, sphere 3 = 90\xC2\xB0");
+    EXPECT_EQ(harness.words(true).back(), "dihedral sphere 0, 'sun', sphere 2, sphere 3 = -90\xC2\xB0");
+}
+
+TEST(MeasuringPanel, FollowsEditsAndForgetsSpheresThatHaveOtherNumbers) {
+    MeasuringHarness harness;
+    harness.measure_all({1, 2});
+    Sphere moved = harness.panels.document.scene().spheres[2];
+    moved.center.x = 7.5;
+    harness.panels.document.apply(ChangeSpheres{{2}, {moved}}, "Move");
+    harness.panels.frames(2);
+    EXPECT_EQ(harness.words(), Words{"distance 'sun' to sphere 2 = 7.5"});
+    harness.panels.document.apply(RemoveSpheres{{0}}, "Delete");
+    harness.panels.frames(2);
+    EXPECT_TRUE(harness.measuring.spheres.empty());
+}
+
+TEST(MeasuringPanel, CopiesBeginsAnewAndEnds) {
+    MeasuringHarness harness;
+    harness.panels.click("measure copy");
+    EXPECT_STREQ(ImGui::GetClipboardText(), "") << "nothing is measured";
+    harness.measure_all({1, 2});
+    harness.panels.click("measure copy");
+    EXPECT_STREQ(ImGui::GetClipboardText(), "distance 'sun' to sphere 2 = 3\n");
+    harness.panels.click("measure again");
+    EXPECT_TRUE(harness.measuring.on && harness.measuring.spheres.empty());
+    const WidgetRectangle window = harness.panels.rectangles.at("measuring");
+    EXPECT_LE(window.right, 700.0F);
+    EXPECT_GE(window.top, 50.0F);
+    harness.panels.click("measure end");
+    EXPECT_FALSE(harness.measuring.on);
+    harness.panels.frames(2);
+    EXPECT_FALSE(harness.panels.has("measuring"));
+}
+
+}  // namespace
+
+}  // namespace sphereview

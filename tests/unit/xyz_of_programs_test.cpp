@@ -1,0 +1,173 @@
+// XYZ of programs that write more, less or something else than the format has.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "formats/elements.hpp"
+#include "formats/scene_format.hpp"
+#include "formats/sphere_data.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+SphereData read_programs_xyz(const std::string& text, const DataOptions& options = {}) { return read_xyz(text, "a.xyz", options); }
+
+std::vector<glm::dvec3> centers_of(const Scene& scene) {
+    std::vector<glm::dvec3> centers;
+    for (const Sphere& sphere : scene.spheres) centers.push_back(sphere.center);
+    return centers;
+}
+
+}  // namespace
+
+TEST(XyzOfPrograms, AFaultBehindTheWantedFrameIsOnlySaid) {
+    struct Case {
+        const char* text;
+        std::int64_t frames;
+        const char* warning;
+    };
+    for (const auto& [text, frames, warning] : std::vector<Case>{
+             // what a killed simulation leaves
+             {"2\nframe 0\nH 0 0 0\nH 0.74 0 0\n2\nframe 1, cut short\nH 0 0 0\n", 1,
+              "8:1: the text ends, expected atom 2 of 2 of frame 1; what follows frame 0 is passed over"},
+             {"1\n\nH 0 0 0\n1\n\nH 0 0 0\n1", 2,
+              "7:2: the text ends, expected the comment of frame 2; what follows frame 1 is passed over"},
+             {"1\n\nH 0 0 0\n1\n\nH 0 0 0\n1\nc\n", 2,
+              "9:1: the text ends, expected atom 1 of 1 of frame 2; what follows frame 1 is passed over"},
+             // QM9
+             {"3\nown\nO 0.0 0.0 0.1173\nH 0.0 0.7572 -0.4692\nH 0.0 -0.7572 -0.4692\n1600.1 3700.2 3800.3\nO "
+              "O\nInChI=1S/H2O/h1H2\n",
+              1,
+              "6:1: found '1600.1', expected the number of atoms of frame 1, a whole number; what follows frame 0 is passed over"},
+             {"3\nown\nO 0 0 0.1173\nH 0 0.7572 -0.4692\nH 0 -0.7572 -0.4692\nVEC1 5 0 0\nVEC2 0 5 0\nVEC3 0 0 5\n", 1,
+              "6:1: found 'VEC1' behind the atoms; the lattice is passed over"},
+             // one more atom than was said, by its symbol and by its number
+             {"1\n\nH 1 2 3\nH 4 5 6\n", 1,
+              "4:1: found 'H', expected the number of atoms of frame 1, a whole number; what follows frame 0 is passed over"},
+             {"1\n\n1 1 2 3\n8 4 5 6\n1 7 8 9\n", 1,
+              "4:3: found '4', expected the end of the line after the number of atoms of frame 1; what follows frame 0 is passed "
+              "over"},
+         }) {
+        const SphereData data = read_programs_xyz(text);
+        EXPECT_EQ(data.frames, frames) << text;
+        EXPECT_EQ(data.warnings, (Lines{std::string("a.xyz:") + warning}));
+        EXPECT_FALSE(data.scene.spheres.empty());
+    }
+    EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1\n\nH 0 0 0\n2\n\nH 0 0 0\n", {.frame = 1}); }),
+              "a.xyz:7:1: the text ends, expected atom 2 of 2 of frame 1");
+    EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1\n\nH 0 0 0\nend\n1\n\nH 0 0 0\n", {.frame = 1}); }),
+              "a.xyz:4:1: found 'end', expected the number of atoms of frame 1, a whole number");
+    EXPECT_TRUE(read_programs_xyz("1\n\nH 0 0 0\n").warnings.empty());
+}
+
+TEST(XyzOfPrograms, LinesThatAreNoAtomsMayStandBetweenFrames) {
+    const std::string text = "1\n\nH 0 0 0\nVEC1 5 0 0\nVEC2 0 5 0\nVEC3 0 0 5\n1\n\nH 1 0 0\n>\n1\n\nH 2 0 0\n";
+    const SphereData data = read_programs_xyz(text, {.frame = 2});
+    EXPECT_EQ(data.frames, 3);
+    EXPECT_EQ(data.scene.spheres.at(0).center.x, 2.0);
+}
+
+TEST(XyzOfPrograms, MoreMayStandBehindTheNumberOfAtoms) {
+    for (const char* line : {"1 some words", "1 -76.4 Hartree", "1 10.0 10.0 10.0", "1\tangstrom", "1 #"}) {
+        const SphereData data = read_programs_xyz(std::string(line) + "\nc\nH 0 0 0\n" + line + "\nc\nH 1 0 0\n");
+        EXPECT_EQ(data.frames, 2) << line;
+        EXPECT_EQ(data.scene.spheres.size(), 1U) << line;
+        EXPECT_TRUE(data.warnings.empty()) << line;
+    }
+    EXPECT_EQ(detect_format("3 atoms\nwater\nO 0 0 0\nH 1 0 0\nH 0 1 0\n", "").name, "XYZ");
+    EXPECT_EQ(detect_format("1 2 3\n4 5 6\n7 8 9\n", "").name, "text");
+    EXPECT_EQ(detect_format("1 255 0 0\n1 2 3\n4\n", "").name, "text");
+}
+
+TEST(XyzOfPrograms, ExponentsAreThoseOfOtherLanguages) {
+    EXPECT_EQ(centers_of(read_programs_xyz("2\nc\nO 1.0D+00 -2.5d-1 3.*^2\nO -1.5*^-6 1.D0 0.25-102\n").scene),
+              (std::vector<glm::dvec3>{{1.0, -0.25, 300.0}, {-1.5e-6, 1.0, 0.25e-102}}));
+    for (const std::string wrong :
+         {"1.0D", "1.0*^", "1.0Dx", "1D1D1", "D1", "*^1", "1-2", "1.0-1", "1.0D1.5", "0x1p3", "1.0 *^2"}) {
+        EXPECT_THROW(read_programs_xyz("1\nc\nO " + wrong + " 0\n"), InputError) << wrong;
+    }
+    EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1\nc\nO 1.0D+400 0 0\n"); }),
+              "a.xyz:3:3: found '1.0D+400', expected the x of atom 1 of 1, a number that a double can hold (at most 1.8e308)");
+}
+
+TEST(XyzOfPrograms, NamesOfPropertiesMayHoldColons) {
+    const Scene scene = read_programs_xyz("2\nProperties=species:S:1:pos:R:3:mtt::aux:R:1\nO 0 0 0 1\nH 0 0 1 2\n").scene;
+    EXPECT_EQ(centers_of(scene), (std::vector<glm::dvec3>{{0, 0, 0}, {0, 0, 1}}));
+    EXPECT_EQ(read_programs_xyz("1\nProperties=a::b::c:R:1:pos:R:3\n9 1 2 3\n").scene.spheres.at(0).center, glm::dvec3(1, 2, 3));
+}
+
+TEST(XyzOfPrograms, PositionsMayBeFlat) {
+    const Scene scene = read_programs_xyz("1\nProperties=pos:R:2:species:S:1\n1 2 O\n").scene;
+    EXPECT_EQ(scene.spheres.at(0).center, glm::dvec3(1, 2, 0));
+    EXPECT_EQ(scene.names.at(0), "O");
+}
+
+TEST(XyzOfPrograms, MayBeNothingButPoints) {
+    const std::vector<glm::dvec3> three = {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}, {0.7, 0.8, 0.9}};
+    for (const char* text :
+         {"0.1 0.2 0.3\n0.4 0.5 0.6\n0.7 0.8 0.9\n", "# x y z\n0.1 0.2 0.3\n\n0.4\t0.5\t0.6\n // c\n 0.7 0.8 0.9",
+          "//X Y Z i\r\n0.1 0.2 0.3 7\r\n0.4 0.5 0.6 8\r\n0.7 0.8 0.9 9\r\n", "0.1 0.2 0.3\r0.4 0.5 0.6\r0.7 0.8 0.9"}) {
+        const SphereData data = read_programs_xyz(text);
+        EXPECT_EQ(centers_of(data.scene), three) << text;
+        EXPECT_EQ(data.frames, 1);
+        EXPECT_TRUE(data.scene.names.empty());
+    }
+    EXPECT_EQ(centers_of(read_programs_xyz("1 2 3\n4 5 6\n").scene), (std::vector<glm::dvec3>{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_EQ(read_programs_xyz("1 2 3\n", {.radius = 2.5}).scene.spheres.at(0).radius, 2.5);
+    EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1 2 3\n4 5 6\n7 8 9\n10 11\n"); }),
+              "a.xyz:4:6: the line ends, expected the z of point 3");
+    EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1 2 3\n4 5 6\n7 8 9\n1 x 1\n"); }),
+              "a.xyz:4:3: found 'x', expected the y of point 3, a number");
+    EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1 2 3\n", {.frame = 1}); }),
+              "a.xyz: found 1 frame, number 0, expected frame 1");
+}
+
+TEST(XyzOfPrograms, ARadiusThatIsNoneIsTheUsualOne) {
+    const double usual = find_element("Si")->radius;
+    const std::string head = "2\nProperties=species:S:1:pos:R:3:radius:R:1\n";
+    for (const std::string radius : {"0", "0.0", "-1", "nan", "inf", "1e999"}) {
+        const Scene scene = read_programs_xyz(head + "Si 0 0 0 " + radius + "\nSi 2 0 0 0.5\n").scene;
+        EXPECT_EQ(scene.spheres.at(0).radius, usual) << radius;
+        EXPECT_EQ(scene.spheres.at(1).radius, 0.5) << radius;
+    }
+    EXPECT_EQ(read_programs_xyz(head + "Si 0 0 0 0\nSi 2 0 0 0\n", {.radius = 3.0}).scene.spheres.at(0).radius, 3.0);
+}
+
+TEST(XyzOfPrograms, ColoursAreWhatTheColumnHolds) {
+    const auto colors = [](const std::string& type, const std::string& first, const std::string& second) {
+        const Scene scene = read_programs_xyz("2\nProperties=species:S:1:pos:R:3:color:" + type + ":3\nO 0 0 0 " + first +
+                                              "\nO 1 0 0 " + second + "\n")
+                                .scene;
+        return std::vector<Color>{scene.spheres.at(0).color, scene.spheres.at(1).color};
+    };
+    const Color oxygen = find_element("O")->color;
+    EXPECT_EQ(colors("R", "1 0.5 0", "0 0 0.2"), (std::vector<Color>{{255, 128, 0}, {0, 0, 51}}));
+    EXPECT_EQ(colors("R", "255.0 128.0 0", "1 1 1"), (std::vector<Color>{{255, 128, 0}, {1, 1, 1}}));
+    EXPECT_EQ(colors("I", "255 128 0", "1 1 1"), (std::vector<Color>{{255, 128, 0}, {1, 1, 1}}));
+    EXPECT_EQ(colors("I", "1 0 0", "0 1 0"), (std::vector<Color>{{1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(colors("R", "1.0000001 0 0", "0 1 0"), (std::vector<Color>{{255, 0, 0}, {0, 255, 0}}));
+    EXPECT_EQ(colors("R", "nan -1 0", "0 1 0"), (std::vector<Color>{oxygen, {0, 255, 0}}));
+}
+
+TEST(XyzOfPrograms, WhatIsNoAtomIsSmallOrLeftOut) {
+    std::string text = "3000\n\n";
+    for (int i = 0; i < 1000; ++i) text += "X 0 0 0\nO " + std::to_string(i) + " 0 0\nBq 9 9 9\n";
+    const SphereData with = read_programs_xyz(text);
+    EXPECT_EQ(with.warnings,
+              (Lines{"a.xyz: found 2,000 virtual sites or dummies, which are no atoms; shown small, or not with --no-virtual"}));
+    EXPECT_EQ(with.scene.spheres.at(0).radius, virtual_site().radius);
+    const SphereData without = read_programs_xyz(text, {.virtual_sites = false});
+    EXPECT_EQ(without.warnings, (Lines{"a.xyz: found 2,000 virtual sites or dummies, which are no atoms; left out"}));
+    ASSERT_EQ(without.scene.spheres.size(), 1000U);
+    for (std::size_t i = 0; i < 1000; ++i) {
+        EXPECT_EQ(without.scene.spheres[i].center.x, static_cast<double>(i));
+        EXPECT_EQ(without.scene.names.at(static_cast<std::uint32_t>(i)), "O");
+    }
+}
+
+}  // namespace sphereview
