@@ -38,7 +38,7 @@ std::vector<CompareJob> plan(const CompareOptions& options) {
     taken.insert(file_identity(options.scene, FileUse::input));
     for (const std::string& picture : options.pictures) taken.insert(file_identity(picture, FileUse::input));
     std::vector<CompareJob> jobs;
-    const std::string pattern = options.difference.value_or("{name}-difference.png");
+    const std::string pattern = png_name(options.difference.value_or("{name}-difference"));
     for (const std::string& picture : options.pictures) {
         CompareJob job{picture, "", missing_folder(pattern)};
         if (options.writes_difference) {
@@ -178,7 +178,8 @@ private:
     std::string explain_command() const {
         const FitOptions& fit = options_.fit;
         const bool usual = !fit.wanted && !fit.view && !fit.projection && !fit.saved_view && options_.data.frame == 0 &&
-                           !options_.data.radius && !options_.background && options_.scene != standard_stream;
+                           !options_.data.radius && options_.data.columns.empty() && !options_.background &&
+                           options_.scene != standard_stream;
         const auto is_plain = [](unsigned char c) {
             return std::isalnum(c) != 0 || std::string_view("._/+-").find(static_cast<char>(c)) != std::string_view::npos;
         };

@@ -31,6 +31,8 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded;
     loaded.name = stream.name();
     loaded.format = detect_format(stream.bytes(), stream.name());
+    // Only a table has columns: a name that says nothing does not speak against one.
+    if (!options.data.columns.empty() && loaded.format == SceneFormat::text) loaded.format = *find_format("CSV");
     if (!loaded.format.has_frames) require_frame(loaded.name, options.data.frame, 1);
     if (loaded.format.stream != nullptr) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
@@ -44,6 +46,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
     loaded.warnings = std::move(data.warnings);
+    loaded.notes = std::move(data.notes);
     return loaded;
 }
 
@@ -82,6 +85,7 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     Camera& camera = loaded.scene.camera;
     const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
     camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present)), camera.projection).value_or(camera);
+    loaded.fitted = true;
     return loaded;
 }
 

@@ -23,6 +23,8 @@ struct LoadedScene {
     SceneFormat format = SceneFormat::text;
     std::int64_t frames = 1;              // in the file
     std::vector<std::string> warnings{};  // SphereData::warnings
+    std::vector<std::string> notes{};     // SphereData::notes
+    bool fitted = false;                  // its camera was moved to see everything
 
     // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
     bool has_camera() const { return !format.is_data; }

@@ -1,6 +1,7 @@
 // sphereview render: scenes in, PNG files out.
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ struct RenderReport {
     Timings timings;
     PictureFacts facts;
     std::optional<Comparison> comparison;
-    std::vector<std::string> warnings;  // of the scene's file
+    std::vector<std::string> warnings;  // of the scene's file, and of the picture
+    std::vector<std::string> notes;     // of the file
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
 };
@@ -49,6 +51,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
         {"status", static_cast<int>(report.status)},
         {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
         {"warnings", report.warnings},
+        {"notes", report.notes},
         {"output", report.job.output},
         {"size", {options.size.width, options.size.height}},
         {"samples", options.samples},
@@ -122,6 +125,9 @@ void print_timings(const RenderReport& report) {
 
 // On stderr: what `options` ask for (--verbose, --timings), and the error if there is one.
 void print_words(const RenderReport& report, const RenderOptions& options) {
+    for (const std::string& note : report.notes) {
+        if (options.verbose) say(note);
+    }
     if (options.verbose && !report.renderer.empty()) print_backend(report, options);
     if (options.timings) print_timings(report);
     if (options.verbose || options.timings) {
@@ -177,7 +183,8 @@ private:
         if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         std::optional<PngReader> golden;
         if (job.expect) golden.emplace(open_png(*job.expect));
-        const Scene scene = read_scene(job.scene, report);
+        const LoadedScene loaded = read_scene(job.scene, report);
+        const Scene& scene = loaded.scene;
         report.spheres = scene.spheres.size();
 
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
@@ -192,6 +199,13 @@ private:
                                      with_options(scene, options_.light),
                                      {options_.axes, options_.scale_bar, middle_for_scale(scene)}};
         const Image picture = render(scene, drawn, options, report);
+        if (loaded.fitted && !report.facts.shows_sphere && std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden))) {
+            report.warnings.push_back(job.label +
+                                      ": no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
+                                      "a larger --size, or --radius where the file says none, shows them");
+            progress_.clear();
+            say(report.warnings.back());
+        }
 
         // Before anything is written: the rest of the golden may be damaged.
         Image difference;
@@ -205,13 +219,14 @@ private:
         return options_.scale_bar ? bounds_of(scene).middle() : glm::dvec3(0.0);
     }
 
-    Scene read_scene(const std::string& path, RenderReport& report) {
+    LoadedScene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
         LoadedScene loaded = load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
         progress_.clear();
         say_warnings(loaded);
-        report.warnings = std::move(loaded.warnings);
-        return std::move(loaded.scene);
+        report.warnings = loaded.warnings;
+        report.notes = loaded.notes;
+        return loaded;
     }
 
     Image render(const Scene& scene, const DrawnSpheres& drawn, const PictureOptions& options, RenderReport& report) {

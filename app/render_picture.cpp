@@ -71,7 +71,7 @@ class PictureInProgress {
 public:
     // `lists` are given back as soon as no pixel is to be decided any more.
     PictureInProgress(const Scene& scene, const DrawnSpheres& drawn, CandidateLists& lists, const PictureOptions& options,
-                      Timings& timings, DecisionCounts& counts, const std::function<void(double)>& progress, const Drafts* drafts,
+                      Timings& timings, PictureFacts& facts, const std::function<void(double)>& progress, const Drafts* drafts,
                       KeptLight* kept)
         : options_(options),
           side_(sample_side(options.samples)),
@@ -82,7 +82,7 @@ public:
                    drafts != nullptr && drafts->under.width() > 0 ? drafts->under.copy()
                                                                   : make_picture(options.size, options.background)),
           timings_(timings),
-          counts_(counts),
+          facts_(facts),
           progress_(progress),
           drafts_(drafts),
           kept_(kept) {
@@ -178,10 +178,12 @@ private:
 
     void finish_strip(const Block& strip, std::span<std::int32_t> visible, const std::function<void(double)>& progress) {
         if (options_.certify) {
-            counts_ += resolver_.certify(strip, visible, progress);
+            facts_.decisions += resolver_.certify(strip, visible, progress);
         } else {
             resolver_.accept_guesses(visible);
         }
+        const auto is_sphere = [](std::int32_t number) { return number != visible_background; };
+        facts_.shows_sphere = facts_.shows_sphere || std::ranges::any_of(visible, is_sphere);
         if (!lighting_) colored_.color(strip, visible, {});
     }
 
@@ -196,7 +198,7 @@ private:
     std::optional<Lighting> lighting_;  // in the shading that has light
     ColoredPicture colored_;
     Timings& timings_;
-    DecisionCounts& counts_;
+    PictureFacts& facts_;
     const std::function<void(double)>& progress_;
     const Drafts* drafts_;
     KeptLight* kept_;
@@ -245,7 +247,7 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     const PictureSize size = sampled_size(options.size, sample_side(options.samples));
     CandidateLists lists =
         timed(timings, Phase::lists, [&] { return build_lists(drawn, options.camera, size, backend.tile_costs); });
-    PictureInProgress picture(scene, drawn, lists, options, timings, facts.decisions, progress, drafts, kept);
+    PictureInProgress picture(scene, drawn, lists, options, timings, facts, progress, drafts, kept);
     describe(lists, facts);
     const bool lit = options.shading == Shading::studio;
     if (!backend.gpu) {

@@ -41,6 +41,7 @@ struct PictureFacts {
     std::vector<int> tile_sides;  // of the levels that are not empty, in pixels, the coarsest first
     std::size_t candidates = 0;   // in all lists
     std::size_t longest_list = 0;
+    bool shows_sphere = false;  // anywhere
 };
 
 // What a picture looks like on the way, for whoever shows it.

@@ -27,8 +27,13 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
                 "the number of a frame, from 0"},
                [](const std::string& text) { return whole_number<std::int64_t>(text, 0); });
     add_option(command, data.radius,
-               {"--radius", "R", "Of spheres for which the file says none [the element's, in CSV 1]", "a number above 0"},
+               {"--radius", "R", "Of spheres for which the file says none [the element's, or by the distances of points]",
+                "a number above 0"},
                [](const std::string& text) { return number_above_0(text); });
+    add_option(command, data.columns,
+               {"--columns", "LIST", "Columns of a CSV file: x=NAME,y=NAME,z=NAME,radius=NAME; numbers from 1 do as well",
+                column_choices_syntax},
+               [](const std::string& text) { return parse_column_choices(text); });
     add_flag(command, data.virtual_sites, "--no-virtual",
              "Leave out what files of atoms call one and is none: virtual sites, lone pairs, Drude particles, ghosts, dummies",
              false);

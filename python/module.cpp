@@ -161,14 +161,19 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
         if (!asked) wrong("view", *view, std::string(any_view_syntax));
         fit = *asked;
     }
-    const LoadedScene loaded = beside_python([path, data = DataOptions{frame, radius, virtual_sites}, fit](WorkControl& control) {
-        LoadOptions options;
-        options.more_per_sphere = sizeof(Sphere);  // the arrays
-        options.data = data;
-        options.fit = fit;
-        options.control = &control;
-        return load_scene(path, options);
-    });
+    const LoadedScene loaded =
+        beside_python([path, data = DataOptions{frame, radius, virtual_sites, {}}, fit](WorkControl& control) {
+            LoadOptions options;
+            options.more_per_sphere = sizeof(Sphere);  // the arrays
+            options.data = data;
+            options.fit = fit;
+            options.control = &control;
+            return load_scene(path, options);
+        });
+    for (const std::string& warning : loaded.warnings) {
+        const std::string line = on_one_line(warning);
+        if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
+    }
     const Scene& scene = loaded.scene;
     const SphereArrays arrays = arrays_of(scene);
     py::dict read;

@@ -31,9 +31,13 @@ void ask(ViewerState& state, Question question) {
     state.dialogs.push_back(std::move(question));
 }
 
-// Of a file that was read all the same.
-void announce_warnings(ViewerState& state, const std::vector<std::string>& warnings) {
-    if (!warnings.empty()) announce(state, joined(warnings, "\n"));
+// What is to be said of a file that was read all the same, below `first`, if that is not "".
+void announce_reading(ViewerState& state, const std::string& first, const LoadedScene& loaded) {
+    std::vector<std::string> lines = {first};
+    lines.insert(lines.end(), loaded.warnings.begin(), loaded.warnings.end());
+    lines.insert(lines.end(), loaded.notes.begin(), loaded.notes.end());
+    std::erase(lines, "");
+    if (!lines.empty()) announce(state, joined(lines, "\n"));
 }
 
 void read_scene(ViewerState& state, const std::string& path) {
@@ -48,7 +52,7 @@ void read_scene(ViewerState& state, const std::string& path) {
         report_error(state, "The scene cannot be opened", why);
         look_at_file(state);
     };
-    start_loading(state, {path, load_options(state, 0), accept, fail, [&state] { look_at_file(state); }});
+    start_loading(state, {path, load_options(state, path, 0), accept, fail, [&state] { look_at_file(state); }});
 }
 
 void forget_file_messages(ViewerState& state) {
@@ -176,13 +180,13 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         state.frame = frame;
         state.frames = loaded.frames;
         state.stamp = stamp;
-        announce_warnings(state, loaded.warnings);
+        announce_reading(state, "", loaded);
     });
     const auto fail = [&state](const std::string& why) {
         report_error(state, "The frame cannot be read", why);
         look_at_file(state);
     };
-    start_loading(state, {state.path, load_options(state, frame), accept, fail, [&state] { look_at_file(state); }});
+    start_loading(state, {state.path, load_options(state, state.path, frame), accept, fail, [&state] { look_at_file(state); }});
 }
 
 void reload(ViewerState& state, LoadedScene loaded) {
@@ -192,8 +196,7 @@ void reload(ViewerState& state, LoadedScene loaded) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
         state.hovered.reset();
-        announce(state, "Reloaded " + state.path);
-        announce_warnings(state, loaded.warnings);
+        announce_reading(state, "Reloaded " + state.path, loaded);
     }
     state.document.mark_saved();
 }
@@ -230,11 +233,14 @@ void offer_reload(ViewerState& state, LoadedScene loaded) {
 
 }  // namespace
 
-LoadOptions load_options(const ViewerState& state, std::int64_t frame) {
+LoadOptions load_options(const ViewerState& state, const std::string& path, std::int64_t frame) {
     LoadOptions options;
     options.data_background = quiet_background;
     options.data = state.options.data;
     options.data.frame = frame;
+    // The columns are those of the table that the command line names.
+    const auto& first = state.options.scene;
+    if (!first || absolute_path(*first) != absolute_path(path)) options.data.columns.clear();
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
     // Of the first view, not of scenes.
@@ -262,7 +268,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
         add_recent(state.settings, state.path);
     }
     go_home(state);
-    announce_warnings(state, loaded.warnings);
+    announce_reading(state, "", loaded);
 }
 
 void with_edits_safe(ViewerState& state, std::function<void()> then) {
@@ -355,7 +361,7 @@ void look_at_file(ViewerState& state) {
     state.stamp = std::move(stamp);
     if (state.stamp.empty()) return note_gone(state);
     start_loading(state, {.path = state.path,
-                          .options = load_options(state, state.frame),
+                          .options = load_options(state, state.path, state.frame),
                           .accept =
                               [&state](LoadedScene loaded) {
                                   note_back(state);

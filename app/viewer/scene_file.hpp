@@ -9,8 +9,8 @@
 
 namespace sphereview {
 
-// How to read that frame of a file. A scene that has a camera keeps it: of such a one only the view may be fitted.
-LoadOptions load_options(const ViewerState& state, std::int64_t frame);
+// How to read that frame of the file at `path`. A scene that has a camera keeps it: of such a one only the view may be fitted.
+LoadOptions load_options(const ViewerState& state, const std::string& path, std::int64_t frame);
 
 // Takes over a scene that was read from `path` ("-" and "" have no file).
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);

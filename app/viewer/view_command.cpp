@@ -125,7 +125,7 @@ void set_icon(Window& window) {
 void load_first_scene(ViewerState& state) {
     if (!state.options.scene) return adopt(state, {.format = SceneFormat::toml}, "");
     const std::string path = *state.options.scene;
-    const LoadOptions options = load_options(state, state.options.data.frame);
+    const LoadOptions options = load_options(state, path, state.options.data.frame);
     if (is_read_at_once(path)) return adopt_first_scene(state, load_scene(path, options));
     adopt(state, {.format = SceneFormat::toml}, "");
     const auto fail = [&state](const std::string& why) { report_error(state, "The scene cannot be opened", why); };

@@ -31,6 +31,23 @@ std::string found_expected(std::string_view found, std::string_view expected) {
 
 namespace {
 
+void append_utf8(std::string& text, char32_t code) {
+    const auto put = [&text](char32_t byte) { text += static_cast<char>(byte); };
+    if (code < 0x80) return put(code);
+    if (code < 0x800) {
+        put(0xC0 | (code >> 6));
+    } else {
+        if (code < 0x10000) {
+            put(0xE0 | (code >> 12));
+        } else {
+            put(0xF0 | (code >> 18));
+            put(0x80 | ((code >> 12) & 0x3F));
+        }
+        put(0x80 | ((code >> 6) & 0x3F));
+    }
+    put(0x80 | (code & 0x3F));
+}
+
 // "\xNN"
 void append_in_digits(std::string& text, char character) {
     constexpr std::string_view digits = "0123456789abcdef";
@@ -123,6 +140,30 @@ std::string_view trimmed(std::string_view text, std::string_view white) {
 std::string_view without_byte_order_mark(std::string_view text) {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
+bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
+
+std::string utf8_of_utf16(std::string_view bytes) {
+    const std::size_t low = bytes.starts_with("\xFF\xFE") ? 0 : 1;  // which of two bytes is the lower one
+    const auto unit_at = [&](std::size_t i) {
+        return static_cast<char32_t>(static_cast<unsigned char>(bytes[i + low]) |
+                                     (static_cast<unsigned char>(bytes[i + 1 - low]) << 8));
+    };
+    constexpr char32_t replacement = 0xFFFD;
+    std::string text;
+    text.reserve(bytes.size() / 2);
+    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
+        char32_t code = unit_at(i);
+        if (code >= 0xD800 && code < 0xE000) {
+            const char32_t second = i + 3 < bytes.size() ? unit_at(i + 2) : 0;
+            const bool is_pair = code < 0xDC00 && second >= 0xDC00 && second < 0xE000;
+            code = is_pair ? 0x10000 + ((code - 0xD800) << 10) + (second - 0xDC00) : replacement;
+            if (is_pair) i += 2;
+        }
+        append_utf8(text, code);
+    }
+    return text;
 }
 
 std::string lower_case(std::string_view text) {

@@ -69,6 +69,12 @@ std::string_view trimmed(std::string_view text, std::string_view white = " \t\r\
 // `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
 std::string_view without_byte_order_mark(std::string_view text);
 
+// Whether `bytes` begin with the byte-order mark of UTF-16, of either order.
+bool is_utf16(std::string_view bytes);
+
+// The text in such bytes, without the mark, as UTF-8; U+FFFD for what is half a character.
+std::string utf8_of_utf16(std::string_view bytes);
+
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 

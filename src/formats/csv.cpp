@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <glm/vec3.hpp>
 #include <limits>
 #include <numeric>
 
@@ -7,7 +9,11 @@
 #include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/atoms.hpp"
+#include "formats/csv_table.hpp"
+#include "formats/elements.hpp"
 #include "formats/lines.hpp"
+#include "formats/point_radius.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -15,244 +21,166 @@ namespace sphereview {
 namespace {
 
 constexpr double usual_radius = 1.0;
-constexpr const char* open_quote = "found a quote that nothing closes, expected another one behind it";
 
-constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+// What rows hold beside their spheres, counted.
+struct RowCounts {
+    std::size_t radii = 0;         // rows with a radius of their own
+    std::size_t no_center = 0;     // rows that were left out
+    bool color_fractions = false;  // a red, green or blue is written as 0.5 or 255.0
+    bool color_above_1 = false;
 
-struct CsvField {
-    std::string_view text;  // without the blanks around it, or without its quotes: inside the file's text
-    bool quoted = false;    // then "" in it stands for one quote
+    RowCounts& operator+=(const RowCounts& other) {
+        radii += other.radii;
+        no_center += other.no_center;
+        color_fractions = color_fractions || other.color_fractions;
+        color_above_1 = color_above_1 || other.color_above_1;
+        return *this;
+    }
 };
-
-// `text` of the field with each "" as one quote.
-std::string unquoted(const CsvField& field) {
-    std::string text(field.text);
-    if (!field.quoted) return text;
-    for (std::size_t i = 0; (i = text.find("\"\"", i)) != std::string::npos; ++i) text.erase(i, 1);
-    return text;
-}
-
-// Reads one record after the other. Blank lines are passed over. A field in quotes may hold anything, line ends too.
-class CsvRecords {
-public:
-    // Reads the records that begin in [begin, end); a record begins at `begin`. Of one with more than `most_fields`, which its
-    // reader refuses, it reads one more than these and no further.
-    CsvRecords(const TextSource& source, char separator, char line_end, std::size_t begin, std::size_t end, std::size_t most_fields)
-        : source_(source), separator_(separator), line_end_(line_end), next_(begin), end_(end), most_fields_(most_fields) {}
-
-    // False when there is none; the fields are valid until the next call. Throws InputError where quotes are wrong.
-    bool next() {
-        const char* const first = source_.text.data();
-        const char* const last = first + source_.text.size();
-        const auto is_separator = [this](char c) { return c == separator_; };
-        while (next_ < end_) {
-            LineWalker walker(source_.text, line_end_, next_);
-            const char* at = first + next_;
-            const char* stop = first + walker.step();
-            next_ = walker.offset();
-            if (std::all_of(at, stop, is_blank)) continue;
-            fields_.clear();
-            while (true) {
-                while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
-                if (at != stop && *at == '"') {
-                    at = quoted_field(at);
-                    if (at > stop) {  // it went on in another line
-                        LineWalker rest(source_.text, line_end_, static_cast<std::size_t>(at - first));
-                        stop = at == last ? last : first + rest.step();
-                        next_ = at == last ? source_.text.size() : rest.offset();
-                    }
-                    while (at != stop && is_blank(*at) && !is_separator(*at)) ++at;
-                    if (at != stop && !is_separator(*at)) {
-                        source_.fail(static_cast<std::size_t>(at - first),
-                                     "found " + in_quotes({at, 1}) + " behind a closing quote, expected " +
-                                         in_quotes({&separator_, 1}) + " or the end of the line");
-                    }
-                } else {
-                    at = plain_field(at, stop);
-                }
-                if (at == stop || fields_.size() > most_fields_) break;
-                ++at;
-            }
-            record_end_ = stop;
-            return true;
-        }
-        return false;
-    }
-
-    const std::vector<CsvField>& fields() const { return fields_; }
-    // Where the next record or blank line begins.
-    std::size_t offset() const { return next_; }
-
-    [[noreturn]] void fail(const CsvField& field, const std::string& expected) const { source_.fail(field.text, expected); }
-
-    // Says that the record ends too early.
-    [[noreturn]] void fail_at_end(const std::string& expected) const {
-        source_.fail(static_cast<std::size_t>(record_end_ - source_.text.data()), "the line ends, expected " + expected);
-    }
-
-private:
-    // Reads a field up to `stop`, the end of its line unless it is quoted; returns where it ends.
-    const char* quoted_field(const char* begin) {
-        const char* const last = source_.text.data() + source_.text.size();
-        const char* end = begin;
-        do {  // two quotes are one inside
-            end = std::find(end + 1, last, '"');
-            if (end == last) source_.fail(static_cast<std::size_t>(begin - source_.text.data()), open_quote);
-            ++end;
-        } while (end != last && *end == '"');
-        fields_.push_back({{begin + 1, static_cast<std::size_t>(end - begin) - 2}, true});
-        return end;
-    }
-
-    const char* plain_field(const char* begin, const char* stop) {
-        const void* found = std::memchr(begin, separator_, static_cast<std::size_t>(stop - begin));
-        const char* const end = found == nullptr ? stop : static_cast<const char*>(found);
-        const char* behind = end;
-        while (behind != begin && is_blank(behind[-1])) --behind;
-        fields_.push_back({{begin, static_cast<std::size_t>(behind - begin)}, false});
-        return end;
-    }
-
-    const TextSource& source_;
-    char separator_;
-    char line_end_;
-    std::size_t next_;
-    std::size_t end_;
-    std::size_t most_fields_;
-    std::vector<CsvField> fields_{};
-    const char* record_end_ = nullptr;
-};
-
-enum Column : std::size_t { x, y, z, radius, red, green, blue, name_column, column_count };
-constexpr std::array<const char*, column_count> column_names = {"x", "y", "z", "radius", "r", "g", "b", "name"};
-constexpr std::size_t most_columns = 100'000;
-constexpr const char* header_syntax = "a header with x, y, z, and perhaps radius, r, g, b, name";
-
-// Which field each column is.
-struct Header {
-    std::size_t fields = 0;
-    std::array<std::optional<std::size_t>, column_count> place{};
-
-    bool has(Column column) const { return place[column].has_value(); }
-};
-
-// A field's words as a header has them: "x" for "# X".
-std::string header_word(const CsvField& field) {
-    const std::string text = lower_case(unquoted(field));
-    return std::string(trimmed(std::string_view(text).substr(std::min(text.find_first_not_of("# \t"), text.size())), white_space));
-}
-
-// What stands between the fields of the first line.
-char separator_of(std::string_view text) {
-    bool quoted = false;
-    for (const char c : text.substr(std::min(text.find_first_not_of(" \r\n"), text.size()))) {
-        if (c == '"') quoted = !quoted;
-        if (quoted) continue;
-        if (c == ',' || c == ';' || c == '\t') return c;
-        if (c == '\n' || c == '\r') break;
-    }
-    return ',';
-}
-
-// The header in the record's fields.
-Header header_of(const CsvRecords& records) {
-    Header header;
-    header.fields = records.fields().size();
-    if (header.fields > most_columns)
-        records.fail(records.fields()[most_columns], "at most " + std::to_string(most_columns) + " columns");
-    for (std::size_t i = 0; i < header.fields; ++i) {
-        const CsvField& field = records.fields()[i];
-        const auto found = std::ranges::find(column_names, header_word(field));
-        if (found == column_names.end()) continue;
-        auto& place = header.place[static_cast<std::size_t>(found - column_names.begin())];
-        if (place) records.fail(field, "each of x, y, z, radius, r, g, b and name only once");
-        place = i;
-    }
-    if (!header.has(x) || !header.has(y) || !header.has(z)) records.fail(records.fields()[0], header_syntax);
-    if (header.has(red) != header.has(green) || header.has(red) != header.has(blue)) {
-        records.fail(records.fields()[*header.place[header.has(red)     ? red
-                                                    : header.has(green) ? green
-                                                                        : blue]],
-                     "all three of r, g and b, or none");
-    }
-    return header;
-}
 
 // The spheres of one piece.
 struct Spheres {
     std::vector<Sphere> spheres{};
     std::vector<std::pair<std::size_t, std::string>> names{};
+    RowCounts counts{};
 };
 
 // Reads the fields of a record.
 class RowReader {
 public:
-    RowReader(const CsvRecords& records, const Header& header, const DataOptions& options)
-        : records_(records), header_(header), default_radius_(options.radius.value_or(usual_radius)) {}
-
-    Sphere sphere() const {
-        // A separator at the end of the line is common, and no field.
-        const std::vector<CsvField>& fields = records_.fields();
-        const bool one_empty = fields.size() == header_.fields + 1 && fields.back().text.empty();
-        if (fields.size() > header_.fields && !one_empty) {
-            records_.fail(fields[header_.fields],
-                          "the end of the line after " + std::to_string(header_.fields) + " fields, as the header has them");
-        }
-        Sphere sphere;
-        sphere.center = {number(x), number(y), number(z)};
-        sphere.radius = radius_of_row();
-        if (header_.has(red) && !(field(red).text.empty() && field(green).text.empty() && field(blue).text.empty())) {
-            sphere.color = {channel(red), channel(green), channel(blue)};
-        }
-        return sphere;
+    // colors_to_1: red, green and blue are parts of 1; else of 255. names_elements: an atom without a name gets its element's.
+    RowReader(const CsvRecords& records, const CsvTable& table, const DataOptions& options, bool colors_to_1, bool names_elements)
+        : records_(records), table_(table), options_(options), colors_to_1_(colors_to_1), names_elements_(names_elements) {
+        std::ranges::transform(table.columns.places, places_.begin(), [](const auto& place) { return place.value_or(nowhere); });
     }
 
-    std::string name() const { return header_.has(name_column) ? as_utf8(unquoted(field(name_column))) : ""; }
+    // Appends the record's sphere and name, unless it has no centre.
+    void read(Spheres& read) const {
+        // A separator at the end of the line is common, and no field.
+        const std::span<const CsvField> fields = records_.fields();
+        const bool one_empty = fields.size() == table_.fields + 1 && fields.back().text.empty();
+        if (fields.size() > table_.fields && !one_empty) {
+            records_.fail(fields[table_.fields],
+                          "the end of the line after " + std::to_string(table_.fields) + " fields, as the header has them");
+        }
+        Sphere sphere;
+        sphere.center = glm::dvec3(0.0);
+        const bool has_z = has(CsvColumn::z);
+        if (!number(CsvColumn::x, sphere.center.x) || !number(CsvColumn::y, sphere.center.y) ||
+            (has_z && !number(CsvColumn::z, sphere.center.z))) {
+            const auto is_empty = [](const CsvField& field) { return field.text.empty(); };
+            if (!std::ranges::all_of(fields, is_empty)) ++read.counts.no_center;  // spreadsheets end with empty rows
+            return;
+        }
+        const Element* element = has(CsvColumn::element) ? &element_of_species(field(CsvColumn::element).text) : nullptr;
+        if (!set_radius(sphere.radius)) {
+            sphere.radius = element == nullptr ? options_.radius.value_or(usual_radius) : radius_of(*element, options_);
+        } else {
+            ++read.counts.radii;
+        }
+        if (!set_color(sphere.color, read.counts) && element != nullptr) sphere.color = element->color;
+        read.spheres.push_back(sphere);
+        std::string name = name_of_row();
+        if (!name.empty()) read.names.emplace_back(read.spheres.size() - 1, std::move(name));
+    }
 
 private:
-    const CsvField& field(Column column) const {
-        const std::size_t place = *header_.place[column];
-        if (place >= records_.fields().size()) records_.fail_at_end(column_names[column]);
+    static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
+
+    bool has(CsvColumn column) const { return places_[static_cast<std::size_t>(column)] != nowhere; }
+
+    const CsvField& field(CsvColumn column) const {
+        const std::size_t place = places_[static_cast<std::size_t>(column)];
+        if (place >= records_.fields().size()) {
+            records_.fail_at_end(csv_column_names[static_cast<std::size_t>(column)]);
+        }
         return records_.fields()[place];
     }
 
-    double number(Column column) const {
+    // False where the field holds no number and says so.
+    bool number(CsvColumn column, double& value) const {
         const CsvField& text = field(column);
+        return parse_double(text.text, value) == NumberFault::none || odd_number(column, text, value);
+    }
+
+    bool odd_number(CsvColumn column, const CsvField& text, double& value) const {
+        if (is_missing(text.text)) return false;
+        const NumberFault fault = parse_csv_number(text.text, table_.decimal_commas, value);
+        if (fault == NumberFault::none) return true;
+        records_.fail(text, std::string(csv_column_names[static_cast<std::size_t>(column)]) + ", " + expected_instead_of(fault));
+    }
+
+    // False where the row says none: also by 0, which OVITO writes for it.
+    bool set_radius(double& radius) const {
+        const bool has_radius = has(CsvColumn::radius);
+        if (!has_radius && !has(CsvColumn::diameter)) return false;
+        const CsvColumn column = has_radius ? CsvColumn::radius : CsvColumn::diameter;
         double value = 0.0;
-        const NumberFault fault = parse_double(text.text, value);
-        if (fault == NumberFault::none) return value;
-        records_.fail(text, std::string(column_names[column]) + ", " + expected_instead_of(fault));
+        if (!number(column, value)) return false;
+        if (value < 0.0) {
+            records_.fail(field(column), std::string(csv_column_names[static_cast<std::size_t>(column)]) + " above 0");
+        }
+        radius = has_radius ? value : 0.5 * value;
+        return radius > 0.0;
     }
 
-    double radius_of_row() const {
-        if (!header_.has(radius) || field(radius).text.empty()) return default_radius_;
-        const double value = number(radius);
-        if (!(value > 0.0)) records_.fail(field(radius), "radius above 0");
-        return value;
+    bool set_color(Color& color, RowCounts& counts) const {
+        if (has(CsvColumn::color)) {
+            const auto found = parse_hex_color(field(CsvColumn::color).text);
+            if (found) color = *found;
+            return found.has_value();
+        }
+        if (!has(CsvColumn::red)) return false;
+        Color read;
+        if (!set_channel(CsvColumn::red, read.r, counts) || !set_channel(CsvColumn::green, read.g, counts) ||
+            !set_channel(CsvColumn::blue, read.b, counts)) {
+            return false;
+        }
+        color = read;
+        return true;
     }
 
-    std::uint8_t channel(Column column) const {
-        std::uint8_t value = 0;
-        if (parse_whole(field(column).text, value)) return value;
-        records_.fail(field(column), column_names[column] + std::string(", a whole number from 0 to 255"));
+    bool set_channel(CsvColumn column, std::uint8_t& channel, RowCounts& counts) const {
+        const CsvField& text = field(column);
+        if (!parse_whole(text.text, channel)) return set_odd_channel(column, text, channel, counts);
+        counts.color_above_1 |= channel > 1;
+        if (colors_to_1_ && channel > 0) channel = color_max;
+        return true;
+    }
+
+    bool set_odd_channel(CsvColumn column, const CsvField& text, std::uint8_t& channel, RowCounts& counts) const {
+        if (is_missing(text.text)) return false;
+        double value = 0.0;
+        const NumberFault fault = parse_csv_number(text.text, true, value);
+        if (fault != NumberFault::none || !(value >= 0.0 && value <= color_max)) {
+            records_.fail(text, csv_column_names[static_cast<std::size_t>(column)] + std::string(", a whole number from 0 to 255"));
+        }
+        counts.color_fractions = true;
+        counts.color_above_1 |= value > 1.0;
+        channel = static_cast<std::uint8_t>(std::lround(colors_to_1_ ? color_max * std::min(1.0, value) : value));
+        return true;
+    }
+
+    std::string name_of_row() const {
+        if (has(CsvColumn::name)) return as_utf8(unquoted(field(CsvColumn::name)));
+        if (!names_elements_) return "";
+        const std::string_view species = field(CsvColumn::element).text;
+        const std::string_view symbol = element_of_species(species).symbol;
+        return as_utf8(is_whole(species) && !symbol.empty() ? symbol : species);
+    }
+
+    static bool is_whole(std::string_view text) {
+        std::uint64_t ignored = 0;
+        return parse_whole(text, ignored);
     }
 
     const CsvRecords& records_;
-    const Header& header_;
-    double default_radius_;
+    const CsvTable& table_;
+    const DataOptions& options_;
+    bool colors_to_1_;
+    bool names_elements_;
+    std::array<std::size_t, csv_column_names.size()> places_{};  // of the columns among the fields, for each row
 };
-
-Spheres read_records(CsvRecords& records, const Header& header, const DataOptions& options,
-                     std::size_t most = std::numeric_limits<std::size_t>::max()) {
-    Spheres read;
-    const RowReader row(records, header, options);
-    while (read.spheres.size() < most && records.next()) {
-        read.spheres.push_back(row.sphere());
-        std::string name = row.name();
-        if (!name.empty()) read.names.emplace_back(read.spheres.size() - 1, std::move(name));
-    }
-    return read;
-}
 
 // Where pieces of the text from `begin` on begin, at the beginning of a line, and where the last ends.
 std::vector<std::size_t> piece_places(std::string_view text, std::size_t begin, char line_end) {
@@ -279,66 +207,126 @@ std::size_t most_records(std::string_view text, const std::vector<std::size_t>& 
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-void append(Scene& scene, const std::string& file, Spheres read) {
-    const std::size_t first = scene.spheres.size();
-    const std::size_t count = first + read.spheres.size();
-    if (count > most_spheres)
-        throw InputError(file + ": found " + in_groups(count) + " spheres, expected at most " + in_groups(most_spheres));
-    scene.spheres.insert(scene.spheres.end(), read.spheres.begin(), read.spheres.end());
-    for (auto& [index, text] : read.names) {
-        scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(first + index), std::move(text));
+// Reads the rows of a table, once the table is found.
+class RowsReader {
+public:
+    RowsReader(const TextSource& source, const CsvTable& table, const DataOptions& options)
+        : source_(source),
+          table_(table),
+          options_(options),
+          places_(piece_places(source.text, table.begin, table.layout.line_end)) {
+        // Beside the text: the spheres, and for each name an entry of a map.
+        constexpr std::size_t bytes_per_name = 112;
+        most_ = most_records(source.text, places_, table.layout.line_end);
+        names_elements_ = table.columns.has(CsvColumn::element) && most_ <= most_named_atoms;
+        const bool has_names = table.columns.has(CsvColumn::name) || names_elements_;
+        const std::size_t bytes_of_names = has_names ? most_ * bytes_per_name + source.text.size() : 0;
+        require_memory(most_ * sizeof(Sphere) + bytes_of_names, source.name + ": up to " + in_groups(most_) + " spheres need");
     }
+
+    // Replaces the scene.
+    RowCounts read(Scene& scene, bool colors_to_1) const {
+        scene = {};
+        scene.spheres.reserve(most_);
+        RowCounts counts;
+        if (source_.text.find('"', table_.begin) != std::string_view::npos) {
+            // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
+            constexpr std::size_t rows_at_once = 4096;
+            CsvRecords records(source_, table_.layout, table_.begin, source_.text.size(), table_.fields + 1);
+            bool more = true;
+            while (more) counts += append(scene, read_records(records, colors_to_1, rows_at_once, more));
+            return counts;
+        }
+        const std::size_t pieces_at_once = 4 * static_cast<std::size_t>(worker_count());
+        for (std::size_t done = 0; done + 1 < places_.size(); done += pieces_at_once) {
+            std::vector<Spheres> pieces(std::min(pieces_at_once, places_.size() - 1 - done));
+            parallel_in_order(pieces.size(), [&](std::size_t i) {
+                // With the field behind a separator at the line's end.
+                CsvRecords records(source_, table_.layout, places_[done + i], places_[done + i + 1], table_.fields + 1);
+                bool more = false;
+                pieces[i] = read_records(records, colors_to_1, std::numeric_limits<std::size_t>::max(), more);
+            });
+            for (Spheres& piece : pieces) counts += append(scene, std::move(piece));
+        }
+        return counts;
+    }
+
+private:
+    Spheres read_records(CsvRecords& records, bool colors_to_1, std::size_t most, bool& more) const {
+        Spheres read;
+        const RowReader row(records, table_, options_, colors_to_1, names_elements_);
+        more = true;
+        for (std::size_t i = 0; i < most && more; ++i) {
+            more = records.next();
+            if (more) row.read(read);
+        }
+        return read;
+    }
+
+    RowCounts append(Scene& scene, Spheres read) const {
+        const std::size_t first = scene.spheres.size();
+        const std::size_t count = first + read.spheres.size();
+        if (count > most_spheres) {
+            throw InputError(source_.name + ": found " + in_groups(count) + " spheres, expected at most " +
+                             in_groups(most_spheres));
+        }
+        scene.spheres.insert(scene.spheres.end(), read.spheres.begin(), read.spheres.end());
+        for (auto& [index, text] : read.names) {
+            scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(first + index), std::move(text));
+        }
+        return read.counts;
+    }
+
+    const TextSource& source_;
+    const CsvTable& table_;
+    const DataOptions& options_;
+    std::vector<std::size_t> places_;  // where pieces of the text begin, and where the last ends
+    std::size_t most_ = 0;             // rows
+    bool names_elements_ = false;
+};
+
+// What to say of a column that is not there.
+std::string passed_over_in_words(const CsvTable& table) {
+    if (table.passed_over.empty()) return "";
+    constexpr std::size_t most_listed = 20;
+    const std::size_t listed_count = std::min(table.passed_over.size(), most_listed);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < listed_count; ++i) names.push_back(in_quotes(table.passed_over[i]));
+    std::string words = joined(names, ", ");
+    if (listed_count < table.passed_over.size()) {
+        words += " and " + in_groups(table.passed_over.size() - listed_count) + " more";
+    }
+    return "columns that are passed over: " + words;
 }
 
 }  // namespace
 
-bool shows_csv(std::string_view head) {
-    head = trimmed(head, white_space);
-    const auto names = words_of(take_line(head), "#,;\t \"");
-    return std::all_of(column_names.begin(), column_names.begin() + 3, [&](std::string_view axis) {
-        return std::any_of(names.begin(), names.end(), [&](std::string_view name) { return lower_case(name) == axis; });
-    });
-}
+bool shows_csv(std::string_view head) { return is_clearly_csv(is_utf16(head) ? utf8_of_utf16(head) : std::string(head)); }
 
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
-    const char line_end = line_end_of(source.text);
-    const char separator = separator_of(source.text);
-    CsvRecords first(source, separator, line_end, 0, source.text.size(), most_columns);
-    if (!first.next()) source.fail(std::size_t{0}, std::string("the text is empty, expected ") + header_syntax);
-    const Header header = header_of(first);
-    const std::size_t most_fields = header.fields + 1;  // with the one behind a separator at the line's end
-    const std::size_t begin = first.offset();
-    const std::vector<std::size_t> places = piece_places(source.text, begin, line_end);
+    const std::string converted = is_utf16(content) ? utf8_of_utf16(content) : "";
+    const TextSource source{name, converted.empty() ? without_byte_order_mark(content) : std::string_view(converted)};
+    const CsvTable table = find_csv_table(source, options.columns);
+    const RowsReader rows(source, table, options);
+    SphereData data;
+    RowCounts counts = rows.read(data.scene, table.colors_to_1);
+    // What the first rows show of the colours need not hold for all of them.
+    const bool colors_to_1 = counts.color_fractions && !counts.color_above_1;
+    if (colors_to_1 != table.colors_to_1 && table.columns.has(CsvColumn::red)) counts = rows.read(data.scene, colors_to_1);
 
-    // Beside the text: the spheres, and for each name an entry of a map.
-    constexpr std::size_t bytes_per_name = 112;
-    const std::size_t most = most_records(source.text, places, line_end);
-    const std::size_t bytes_of_names = header.has(name_column) ? most * bytes_per_name + source.text.size() : 0;
-    require_memory(most * sizeof(Sphere) + bytes_of_names, name + ": up to " + in_groups(most) + " spheres need");
-    Scene scene;
-    scene.spheres.reserve(most);
-    if (source.text.find('"', begin) != std::string_view::npos) {
-        // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
-        constexpr std::size_t records_at_once = 4096;
-        CsvRecords records(source, separator, line_end, begin, source.text.size(), most_fields);
-        std::size_t before = 0;
-        do {
-            before = scene.spheres.size();
-            append(scene, name, read_records(records, header, options, records_at_once));
-        } while (scene.spheres.size() - before == records_at_once);
-        return {std::move(scene), 1};
+    if (!table.has_header && options.columns.empty()) {
+        data.warnings.push_back(name + ": no header: the first columns are taken for x, y" +
+                                std::string(table.columns.has(CsvColumn::z) ? " and z" : "") +
+                                (table.columns.has(CsvColumn::red) ? ", and three more for red, green and blue" : ""));
     }
-    const std::size_t pieces_at_once = 4 * static_cast<std::size_t>(worker_count());
-    for (std::size_t done = 0; done + 1 < places.size(); done += pieces_at_once) {
-        std::vector<Spheres> pieces(std::min(pieces_at_once, places.size() - 1 - done));
-        parallel_in_order(pieces.size(), [&](std::size_t i) {
-            CsvRecords records(source, separator, line_end, places[done + i], places[done + i + 1], most_fields);
-            pieces[i] = read_records(records, header, options);
-        });
-        for (Spheres& piece : pieces) append(scene, name, std::move(piece));
+    if (!table.columns.has(CsvColumn::z)) data.warnings.push_back(name + ": no column for z: all lie in the plane z = 0");
+    if (counts.no_center > 0) {
+        data.warnings.push_back(name + ": " + in_groups(counts.no_center) + (counts.no_center == 1 ? " row has" : " rows have") +
+                                " no coordinates and " + (counts.no_center == 1 ? "is" : "are") + " left out");
     }
-    return {std::move(scene), 1};
+    if (counts.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name);
+    if (const std::string words = passed_over_in_words(table); !words.empty()) data.notes.push_back(name + ": " + words);
+    return data;
 }
 
 }  // namespace sphereview

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/text.hpp"
+#include "formats/foreign_file.hpp"
 #include "formats/text_format.hpp"
 
 namespace sphereview {
@@ -23,7 +24,12 @@ constexpr std::array<SceneFormat, 6> table = {{
      .stream = stream_text},
     {.name = "TOML", .endings = {".toml"}, .sniff = shows_toml, .read = read_toml, .write = write_toml},
     {.name = "XYZ", .endings = {".xyz", ".extxyz"}, .is_data = true, .has_frames = true, .sniff = shows_xyz, .read = read_xyz},
-    {.name = "CSV", .endings = {".csv"}, .is_data = true, .sniff = shows_csv, .read = read_csv},
+    {.name = "CSV",
+     .endings = {".csv", ".tsv", ".asc"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .sniff = shows_csv,
+     .read = read_csv},
     {.name = "PDB", .endings = {".pdb", ".ent"}, .is_data = true, .has_frames = true, .sniff = shows_pdb, .read = read_pdb},
     {.name = "mmCIF", .endings = {".cif", ".mmcif"}, .is_data = true, .has_frames = true, .sniff = shows_mmcif, .read = read_mmcif},
 }};
@@ -89,10 +95,14 @@ std::string name_fault(std::string_view path) {
 const SceneFormat& detect_format(std::string_view content, std::string_view name) {
     constexpr std::size_t head = std::size_t{1} << 16;
     const SceneFormat* named = named_format(name);
-    if (named != nullptr && named->is_data) return *named;
     content = without_byte_order_mark(content).substr(0, head);
+    if (const std::string_view kind = foreign_kind(content); !kind.empty()) {
+        throw InputError(std::string(name) + ": found " + std::string(kind) + ", expected " + listed(format_names(), "or"));
+    }
+    if (named != nullptr && named->is_data) return *named;
     for (auto format = table.rbegin(); format != table.rend(); ++format) {
-        if ((named == nullptr || !format->is_data) && format->sniff(content)) return *format;
+        const bool may_be = named == nullptr || !format->is_data || (*named == SceneFormat::text && format->may_end_in_txt);
+        if (may_be && format->sniff(content)) return *format;
     }
     return named == nullptr ? table[0] : *named;
 }

@@ -18,8 +18,9 @@ namespace sphereview {
 
 struct SceneFormat {
     std::string_view name{};                    // for people: "text", "TOML", "XYZ"; no two differ by letter case alone
-    std::array<std::string_view, 2> endings{};  // of file names, in lower case: ".xyz"; the usual one first
+    std::array<std::string_view, 4> endings{};  // of file names, in lower case: ".xyz"; the usual one first
     bool is_data = false;                       // of another program: no camera of its own, and right-handed (data_axes)
+    bool may_end_in_txt = false;                // also known by what it begins with where the name is one for text
     bool has_frames = false;
     bool holds_only_spheres = false;  // no background, camera, light, views, names or hidden spheres
 
@@ -69,7 +70,8 @@ const SceneFormat& format_of_name(std::string_view path);
 std::string name_fault(std::string_view path);
 
 // The format of a file that begins with `content`. A name of data decides. Else the content does, as far as it is clear; where the
-// name is one for text or TOML, only between these. At last the name.
+// name is one for text or TOML, only between these, and tables in text. At last the name. Throws InputError for what is known to be
+// of no format here (foreign_file.hpp).
 const SceneFormat& detect_format(std::string_view content, std::string_view name);
 
 // Reads a scene of any format. Throws as SceneFormat::read.

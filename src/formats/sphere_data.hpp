@@ -13,10 +13,19 @@
 
 namespace sphereview {
 
+// Which field of a table a column that is drawn is, instead of what the header's names say.
+struct ColumnChoice {
+    std::string column;  // "x": one of csv_column_names
+    std::string field;   // by the name in the header, or by the number from 1
+
+    bool operator==(const ColumnChoice&) const = default;
+};
+
 struct DataOptions {
-    std::int64_t frame = 0;          // from 0
-    std::optional<double> radius{};  // of spheres for which the file says none, instead of the usual one; > 0
-    bool virtual_sites = true;       // whether to show what a file of atoms calls one and is none (elements.hpp)
+    std::int64_t frame = 0;               // from 0
+    std::optional<double> radius{};       // of spheres for which the file says none, instead of the usual one; > 0
+    bool virtual_sites = true;            // whether to show what a file of atoms calls one and is none (elements.hpp)
+    std::vector<ColumnChoice> columns{};  // of CSV
 };
 
 struct SphereData {
@@ -26,6 +35,8 @@ struct SphereData {
     // What a person should know of a file that was read all the same, a line each, which begins with the file's name:
     // "NAME:LINE:COLUMN: found ..., expected ...; ...". Not yet made safe to print.
     std::vector<std::string> warnings{};
+    // What helps where something is missing in the picture, likewise.
+    std::vector<std::string> notes{};
 };
 
 // Up to how many atoms each is named after its element. A name takes more memory and more time than its sphere, and nobody looks
@@ -63,9 +74,15 @@ std::optional<SpheresLiteral> find_spheres_literal(std::string_view content);
 bool shows_xyz(std::string_view head);
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options);
 
-// CSV (RFC 4180; ';' or tabs do as well) with a header: x, y, z and perhaps radius, r, g, b, name, in any order.
+// CSV and other tables in text as programs write them (csv_table.hpp): x, y, z and perhaps radius, r, g, b, name, in any order.
 bool shows_csv(std::string_view head);
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options);
+
+// "x=Position X,y=2,radius=size" as choices; nothing where it is none. A comma inside a name is its own where no column stands
+// behind it.
+std::optional<std::vector<ColumnChoice>> parse_column_choices(const std::string& text);
+inline constexpr const char* column_choices_syntax =
+    "COLUMN=NAME or COLUMN=NUMBER, with commas between, of x, y, z, radius, diameter, r, g, b, color, element and name";
 
 // PDB: models are frames; of alternative places the fullest is kept.
 bool shows_pdb(std::string_view head);

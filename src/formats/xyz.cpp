@@ -10,6 +10,7 @@
 #include "formats/atoms.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
+#include "formats/point_radius.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -484,7 +485,9 @@ SphereData read_xyz(std::string_view content, const std::string& name, const Dat
     const TextSource source{name, without_byte_order_mark(content)};
     if (is_bare(source.text)) {
         require_frame(name, options.frame, 1);
-        return {read_points(source, options)};
+        SphereData data{read_points(source, options)};
+        if (!options.radius) use_radius_of_points(data, name);
+        return data;
     }
     FrameFinder finder(source);
     Frame wanted;

@@ -18,8 +18,8 @@ TEST(BadScene, IsRefusedWithItsPlaceWhatWasFoundAndExpected) {
     const std::vector<Case> text = {
         {"", "1:1: the text is empty, expected the number of spheres"},
         {"\x7f"
-         "ELF",
-         "1:1: found '\\x7fELF', expected the number of spheres"},
+         "XYZ",
+         "1:1: found '\\x7fXYZ', expected the number of spheres"},
         {"\n# two\n2\n", "2:1: found '#', expected the number of spheres: only TOML has comments"},
         {head + "  x\n", "4:3: found 'x', expected the radius of sphere 1 of 1, a number"},
     };

@@ -49,7 +49,7 @@ TEST_F(Data, IsConvertedToTextAndToml) {
     EXPECT_EQ(folder_.read("a.toml"),
               "[[sphere]]\nname = \"sun\"\ncolor = [255, 220, 0]\ncenter = [1.0, 2.0, 3.0]\nradius = 3.0\n\n"
               "[[sphere]]\nname = \"the moon\"\ncolor = [255, 255, 255]\ncenter = [4.0, 5.0, 6.0]\nradius = 3.0\n");
-    const Outcome poorer = sphereview({"convert", "A.CSV", "a.txt"});
+    const Outcome poorer = sphereview({"convert", "A.CSV", "a.txt", "--radius", "3"});
     EXPECT_EQ(poorer.status, 0);
     EXPECT_EQ(poorer.errors, "A.CSV: the text format cannot hold the names (2); left out\n");
     EXPECT_EQ(as_text({"a.toml"}), as_text({"A.CSV", "--radius", "3"}));
@@ -113,6 +113,78 @@ TEST_F(Data, IsNotMirrored) {
     // As a native scene it keeps its hand, whatever view is asked for.
     EXPECT_EQ(sphereview({"convert", "hand.xyz", "hand.toml"}).status, 0);
     EXPECT_EQ(render("hand.toml", "front", "--expect", "hand.png"), 0);
+}
+
+// 40 points of some 20,000 nm: with spheres of radius 1 no pixel shows one.
+TEST_F(Data, OfPointsAloneGetsARadiusThatIsSeen) {
+    std::string text = "x,y,z\n";
+    for (int i = 0; i < 40; ++i) {
+        text +=
+            std::to_string(i * 7919 % 20011) + "," + std::to_string(i * 104729 % 20021) + "," + std::to_string(i * 31 % 400) + "\n";
+    }
+    folder_.write("nm.csv", text);
+    const std::vector<std::string> usual = {"render", "nm.csv", "-s", "300x300", "--backend", "cpu"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), usual.begin(), usual.end());
+        return sphereview(more);
+    };
+    const Outcome outcome = with({});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+    EXPECT_TRUE(outcome.errors.starts_with("nm.csv: no radius in the file: all get ")) << outcome;
+    const Picture picture = decode_png(folder_.read("nm.png"));
+    int drawn = 0;
+    for (int y = 0; y < 300; ++y) {
+        for (int x = 0; x < 300; ++x) drawn += picture.at(x, y)[0] > 0 ? 1 : 0;
+    }
+    EXPECT_GT(drawn, 90);
+    EXPECT_LT(drawn, 45000);
+
+    const Outcome blind = with({"--radius", "1e-3"});
+    EXPECT_EQ(blind.status, 0) << blind;
+    EXPECT_EQ(lines(blind.errors).size(), 1U) << blind;
+    EXPECT_TRUE(blind.errors.starts_with("nm.csv: no pixel shows a sphere, though the camera sees all: ")) << blind;
+    EXPECT_EQ(with({"--radius", "1e-3", "--no-fit"}).errors, "");  // it was not asked for
+}
+
+TEST_F(Data, SaysWhatItLeavesOutAndPassesOver) {
+    folder_.write("a.csv", "x,y,z,radius,mass\x1B[31m\n0,0,0,1,5\nnan,nan,nan,1,5\n");
+    const std::vector<std::string> usual = {"render", "a.csv", "-s", "9x9", "--backend", "cpu"};
+    const std::string warning = "a.csv: 1 row has no coordinates and is left out\n";
+    EXPECT_EQ(sphereview(usual).errors, warning);
+    std::vector<std::string> verbose = usual;
+    verbose.emplace_back("--verbose");
+    EXPECT_TRUE(sphereview(verbose).errors.starts_with(warning + "a.csv: columns that are passed over: 'mass\\x1b[31m'\n"));
+    std::vector<std::string> json = usual;
+    json.emplace_back("--json");
+    const auto report = Json::parse(sphereview(json).output);
+    EXPECT_EQ(report["warnings"], Json{"a.csv: 1 row has no coordinates and is left out"});
+    EXPECT_EQ(report["notes"].size(), 1U);
+    EXPECT_EQ(sphereview({"convert", "a.csv", "a.txt"}).errors, warning);
+    EXPECT_EQ(sphereview({"explain", "a.csv", "--pixel", "1,1", "--size", "9x9"}).errors, warning);
+}
+
+TEST_F(Data, HasTheColumnsThatAreAskedFor) {
+    folder_.write("a.dat", "a b c d\n1 2 3 4\n");
+    const std::string sphere = "1\n255 255 255\n1 2 3\n4\n";
+    EXPECT_EQ(as_text({"a.dat", "--columns", "x=a,y=b,z=c,radius=d"}), sphere);
+    EXPECT_EQ(as_text({"a.dat", "--columns", "x=1,y=2,z=3,radius=4"}), sphere);
+    EXPECT_EQ(sphereview({"explain", "a.dat", "-p", "1,1", "--columns", "x=a,y=b,z=c,radius=d"}).status, 0);
+    EXPECT_EQ(sphereview({"render", "a.dat", "-s", "9x9", "--backend", "cpu", "--columns", "x=a,y=b,z=c,radius=d"}).status, 0);
+    const Outcome wrong = sphereview({"convert", "a.dat", "-", "--columns", "w=a"});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_TRUE(wrong.errors.starts_with("sphereview: --columns: found 'w=a', expected COLUMN=NAME")) << wrong;
+}
+
+TEST_F(Data, OfAnotherKindSaysWhatItIs) {
+    const std::string formats = ", expected text, TOML, XYZ, CSV, PDB or mmCIF";
+    folder_.write("a.gro", "water, t= 0.0\n    1\n    1WATER  OW1    1   0.126   1.624   1.679\n   1.8 1.8 1.8\n");
+    folder_.write("b.xyz.bz2", "BZh91AY&SY");
+    folder_.write("c.csv", "\xFF\xD8\xFF\xE0 JFIF");
+    expect_fault({"render", "a.gro"}, "a.gro: found a GROMACS file" + formats);
+    expect_fault({"convert", "b.xyz.bz2", "b.txt"},
+                 "b.xyz.bz2: found a file that is packed with bzip2, which is not unpacked here: gzip is" + formats);
+    expect_fault({"explain", "c.csv", "-p", "1,1"}, "c.csv: found a JPEG picture" + formats);
 }
 
 // What is read all the same is said in one line on stderr, and by --json.

@@ -225,6 +225,33 @@ TEST(RadiusOption, HoldsForEveryFileThatIsOpened) {
     EXPECT_FALSE(info_of(commands_of(state), CommandId::next_frame).enabled);
 }
 
+// What the reader of a file has to say is seen, also what only --verbose says elsewhere.
+TEST_F(DataInViewer, SaysWhatWasMadeOfATable) {
+    const std::string table = folder.write("t.csv", "x,y,z,mass\n0,0,0,5\n0,0,8,5\nnan,,,5\n");
+    open_scene(state, table);
+    finish_reading();
+    EXPECT_EQ(state.scene().spheres.size(), 2U);
+    const std::string& said = state.messages.announcement;
+    EXPECT_NE(said.find("1 row has no coordinates"), std::string::npos) << said;
+    EXPECT_NE(said.find("no radius in the file: all get 2, "), std::string::npos) << said;
+    EXPECT_NE(said.find("passed over: 'mass'"), std::string::npos) << said;
+    // It can be read in peace.
+    EXPECT_GT(*state.announcement_ends - Clock::now(), std::chrono::seconds(8));
+}
+
+// Those of the command line are of its table alone.
+TEST_F(DataInViewer, HasTheColumnsThatAreAskedFor) {
+    state.options.scene = folder.write("a.csv", "a,b,c\n1,2,3\n");
+    state.options.data.columns = {{"x", "a"}, {"y", "b"}, {"z", "c"}};
+    open_scene(state, *state.options.scene);
+    finish_reading();
+    ASSERT_EQ(state.scene().spheres.size(), 1U);
+    EXPECT_EQ(state.scene().spheres[0].center, glm::dvec3(1, 2, 3));
+    open_scene(state, folder.write("b.csv", "x,y,z\n4,5,6\n"));
+    finish_reading();
+    EXPECT_EQ(state.scene().spheres.at(0).center, glm::dvec3(4, 5, 6));
+}
+
 // A save writes the file anew, and a parsed file has no comments.
 TEST_F(DataInViewer, CommentsAreNotDroppedUnasked) {
     const std::string commented = "# By hand.\nbackground = \"#102030\"\n";

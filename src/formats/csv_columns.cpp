@@ -1,0 +1,171 @@
+#include "formats/csv_columns.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <iterator>
+
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Three columns that belong together.
+using Triple = std::array<std::string_view, 3>;
+
+// The first that is whole is taken. Those of several programs' files stand behind what is plainer.
+constexpr auto place_names = std::to_array<Triple>({
+    {"x", "y", "z"},
+    {"positionx", "positiony", "positionz"},  // OVITO, Imaris, TrackMate
+    {"xposition", "yposition", "zposition"},
+    {"posx", "posy", "posz"},
+    {"xpos", "ypos", "zpos"},
+    {"points0", "points1", "points2"},  // ParaView
+    {"pointsx", "pointsy", "pointsz"},
+    {"position0", "position1", "position2"},
+    {"positions0", "positions1", "positions2"},
+    {"coordinates0", "coordinates1", "coordinates2"},
+    {"coords0", "coords1", "coords2"},
+    {"coordinatex", "coordinatey", "coordinatez"},
+    {"coordinatesx", "coordinatesy", "coordinatesz"},
+    {"xcoordinate", "ycoordinate", "zcoordinate"},
+    {"coordx", "coordy", "coordz"},
+    {"coordsx", "coordsy", "coordsz"},
+    {"xcoord", "ycoord", "zcoord"},
+    {"cartnx", "cartny", "cartnz"},
+    {"centerx", "centery", "centerz"},
+    {"centrex", "centrey", "centrez"},
+    {"xcenter", "ycenter", "zcenter"},
+    {"xcentre", "ycentre", "zcentre"},
+    {"centroidx", "centroidy", "centroidz"},
+    {"xcentroid", "ycentroid", "zcentroid"},
+    {"locationcenterx", "locationcentery", "locationcenterz"},     // CellProfiler
+    {"areashapecenterx", "areashapecentery", "areashapecenterz"},  // CellProfiler
+    {"centerofmassx", "centerofmassy", "centerofmassz"},
+    {"cx", "cy", "cz"},
+    {"xm", "ym", "zm"},                       // ImageJ's centre of mass
+    {"centroid1", "centroid2", "centroid3"},  // MATLAB's regionprops3
+    {"var1", "var2", "var3"},                 // MATLAB's array2table
+    {"v1", "v2", "v3"},                       // R's as.data.frame
+});
+
+constexpr auto color_names = std::to_array<Triple>({
+    {"r", "g", "b"},
+    {"red", "green", "blue"},
+    {"colorr", "colorg", "colorb"},  // OVITO
+    {"colorred", "colorgreen", "colorblue"},
+    {"rgb0", "rgb1", "rgb2"},  // ParaView
+    {"color0", "color1", "color2"},
+    {"colors0", "colors1", "colors2"},
+    {"rf", "gf", "bf"},  // CloudCompare
+});
+
+constexpr auto units = std::to_array<std::string_view>(
+    {"nm",      "um",       "\xC2\xB5m", "\xCE\xBCm", "mm",  "cm",  "m",     "km",     "pm",    "fm",     "a",
+     "ang",     "angstrom", "angstroms", "\xC3\xA5",  "px",  "pix", "pixel", "pixels", "voxel", "voxels", "micron",
+     "microns", "unit",     "units",     "pc",        "kpc", "mpc", "au",    "in",     "ft"});
+
+std::string compact(std::string_view name) {
+    std::string key(name);
+    std::erase_if(key, [](char c) { return std::string_view(" \t_.:-/").find(c) != std::string_view::npos; });
+    return key;
+}
+
+// `name` without "[nm]" or "(um)" at its end.
+std::string_view without_bracket(std::string_view name) {
+    const char close = name.empty() ? '\0' : name.back();
+    if (close != ')' && close != ']') return name;
+    const std::size_t open = name.rfind(close == ')' ? '(' : '[');
+    if (open == std::string_view::npos || open == 0) return name;
+    return trimmed(name.substr(0, open));
+}
+
+// `name` without "_um" or " nm" at its end.
+std::string_view without_unit(std::string_view name) {
+    const std::size_t end = name.find_last_of(" _/,-");
+    if (end == std::string_view::npos || end == 0) return name;
+    return std::ranges::find(units, name.substr(end + 1)) == units.end() ? name : name.substr(0, end);
+}
+
+class Names {
+public:
+    explicit Names(const std::vector<std::string>& names) {
+        std::ranges::transform(names, std::back_inserter(keys_), [](const std::string& name) { return column_key(name); });
+    }
+
+    std::optional<std::size_t> find(std::string_view key) const {
+        const auto found = std::ranges::find(keys_, key);
+        return found == keys_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - keys_.begin()));
+    }
+
+    std::optional<std::size_t> first_of(std::initializer_list<std::string_view> keys) const {
+        for (const std::string_view key : keys) {
+            if (const auto place = find(key)) return place;
+        }
+        return std::nullopt;
+    }
+
+    // pandas writes an array's columns as their numbers, behind a nameless one of the rows'.
+    bool are_numbers() const {
+        if (keys_.size() < 3 || !keys_[0].empty()) return false;
+        for (std::size_t i = 1; i < keys_.size(); ++i) {
+            if (keys_[i] != std::to_string(i - 1)) return false;
+        }
+        return true;
+    }
+
+private:
+    std::vector<std::string> keys_{};
+};
+
+void put(CsvColumns& columns, CsvColumn first, const std::array<std::optional<std::size_t>, 3>& places) {
+    for (std::size_t i = 0; i < 3; ++i) columns.places[static_cast<std::size_t>(first) + i] = places[i];
+}
+
+}  // namespace
+
+std::string column_key(std::string_view name) {
+    const std::string lower = lower_case(name);
+    const std::string_view plain = without_bracket(trimmed(lower));
+    return compact(without_unit(plain));
+}
+
+CsvColumns columns_by_name(const std::vector<std::string>& names) {
+    const Names known(names);
+    const auto found = [&](const Triple& triple) {
+        return std::array{known.find(triple[0]), known.find(triple[1]), known.find(triple[2])};
+    };
+    CsvColumns columns;
+    if (known.are_numbers()) {
+        columns.places = {1, 2, names.size() > 3 ? std::optional<std::size_t>(3) : std::nullopt};
+        return columns;
+    }
+    for (const Triple& triple : place_names) {
+        const auto places = found(triple);
+        if (!places[0] || !places[1]) continue;
+        const bool numbered = triple[2].back() >= '0' && triple[2].back() <= '9';
+        if (places[2]) {
+            put(columns, CsvColumn::x, places);
+            break;
+        }
+        // A plane, unless there are places in space, too.
+        if (!columns.has(CsvColumn::x) && !numbered) put(columns, CsvColumn::x, places);
+    }
+    columns[CsvColumn::radius] = known.first_of({"radius", "rad", "radii", "meanradius", "rayon"});
+    if (!columns.has(CsvColumn::radius) && !known.find("g") && !known.find("b")) columns[CsvColumn::radius] = known.find("r");
+    columns[CsvColumn::diameter] = known.first_of({"diameter", "diam", "estimateddiameter", "equivalentdiameter", "equivdiameter",
+                                                   "areashapeequivalentdiameter", "durchmesser", "diametre"});
+    for (const Triple& triple : color_names) {
+        const auto places = found(triple);
+        if (!places[0] || !places[1] || !places[2]) continue;
+        put(columns, CsvColumn::red, places);
+        break;
+    }
+    columns[CsvColumn::color] = known.first_of({"color", "colour", "hex", "hexcolor", "colorhex", "rgb", "farbe", "couleur"});
+    columns[CsvColumn::element] =
+        known.first_of({"element", "species", "symbol", "atomsymbol", "elementsymbol", "type", "atomtype", "particletype", "atom"});
+    columns[CsvColumn::name] = known.find("name");
+    return columns;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,503 @@
+#include "formats/csv_table.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "formats/csv_columns.hpp"
+#include "formats/elements.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr const char* header_syntax = "a header with x, y, z, and perhaps radius, r, g, b, name";
+constexpr int most_titles = 100;   // lines before a header
+constexpr int most_unit_rows = 3;  // behind it: TrackMate has three
+constexpr std::size_t rows_looked_at = 1000;
+
+// By which a line may be divided: what stands between fields before what may stand inside of them.
+constexpr std::string_view separators = ";\t, ";
+
+using Names = std::vector<std::string>;
+
+bool is_number(std::string_view text, bool decimal_commas) {
+    double ignored = 0.0;
+    return parse_csv_number(text, decimal_commas, ignored) == NumberFault::none;
+}
+
+// The names in a header. Between blanks a unit in brackets belongs to the name before it.
+Names names_of(const CsvRecords& records, char separator) {
+    Names names;
+    for (const CsvField& field : records.fields()) {
+        const std::string name = as_utf8(trimmed(unquoted(field), white_space));
+        const bool is_unit = separator == ' ' && !names.empty() && (name.starts_with('[') || name.starts_with('('));
+        if (is_unit) {
+            names.back() += " " + name;
+        } else {
+            names.push_back(name);
+        }
+    }
+    return names;
+}
+
+// The places in the fields that `choices` name, over what their names say.
+struct Chosen {
+    CsvColumns columns{};
+    bool all_found = true;
+    bool places_by_number = false;  // x and y: then no header is needed
+};
+
+std::optional<std::size_t> place_of(const std::string& choice, const Names& names) {
+    const auto alike = [&](auto like) {
+        const auto found = std::ranges::find_if(names, like);
+        return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
+    };
+    if (const auto place = alike([&](const std::string& name) { return name == choice; })) return place;
+    if (const auto place = alike([&](const std::string& name) { return lower_case(name) == lower_case(choice); })) return place;
+    if (const auto place = alike([&](const std::string& name) { return column_key(name) == column_key(choice); })) return place;
+    return std::nullopt;
+}
+
+std::optional<std::size_t> number_of(const std::string& choice, std::size_t fields) {
+    std::size_t number = 0;
+    return parse_whole(choice, number) && number >= 1 && number <= fields ? std::optional(number - 1) : std::nullopt;
+}
+
+Chosen choose(const Names& names, const std::vector<ColumnChoice>& choices) {
+    Chosen chosen;
+    chosen.columns = columns_by_name(names);
+    std::size_t numbers = 0;
+    for (const ColumnChoice& choice : choices) {
+        const auto known = std::ranges::find(csv_column_names, choice.column);
+        auto place = number_of(choice.field, names.size());
+        if (place && (choice.column == "x" || choice.column == "y")) ++numbers;
+        if (!place) place = place_of(choice.field, names);
+        chosen.all_found = chosen.all_found && place.has_value();
+        const auto column = static_cast<std::size_t>(known - csv_column_names.begin());
+        for (auto& other : chosen.columns.places) {
+            if (other == place) other.reset();  // what is asked for and what its name says
+        }
+        chosen.columns.places[column] = place;
+        if (choice.column == "diameter") chosen.columns[CsvColumn::radius].reset();
+    }
+    chosen.places_by_number = numbers == 2;
+    return chosen;
+}
+
+// Finds where a table begins; see find_csv_table().
+class TableFinder {
+public:
+    TableFinder(const TextSource& source, const std::vector<ColumnChoice>& choices) : source_(source), choices_(choices) {
+        table_.layout.line_end = line_end_of(source.text);
+    }
+
+    CsvTable find(int titles) {
+        std::size_t begin = take_separator_line();
+        if (trimmed(source_.text.substr(begin), white_space).empty()) {
+            source_.fail(std::size_t{0}, std::string("the text is empty, expected ") + header_syntax);
+        }
+        std::optional<std::size_t> first_line;
+        for (LineWalker lines(source_.text, table_.layout.line_end, begin); !lines.at_end() && titles >= 0;) {
+            begin = lines.offset();
+            const std::size_t end = lines.step();
+            const std::string_view line = trimmed(source_.text.substr(begin, end - begin), white_space);
+            if (line.empty()) continue;
+            if (const std::string_view mark = comment_mark(line); !mark.empty()) {
+                look_at_comment(line.substr(mark.size()), end);
+                continue;
+            }
+            if (!first_line) first_line = begin;
+            if (begins_at(begin)) return std::move(table_);
+            unknown_header_ = begin;
+            --titles;
+        }
+        if (comment_ && !first_line) return from_comment(comment_->separator, source_.text.size());
+        fail(first_line.value_or(begin));
+    }
+
+private:
+    struct CommentHeader {
+        Names names;
+        char separator;
+    };
+
+    CsvRecords records(char separator, std::size_t begin) {
+        table_.layout.separator = separator;
+        return CsvRecords(source_, table_.layout, begin, source_.text.size(), most_csv_columns);
+    }
+
+    // The rows of the table from `begin` on, once it is known how many fields they have.
+    CsvRecords rows_from(std::size_t begin) const {
+        return CsvRecords(source_, table_.layout, begin, source_.text.size(), table_.fields + 1);
+    }
+
+    // Spreadsheets say in a line of its own what divides the others: sep=;
+    std::size_t take_separator_line() {
+        std::string_view rest = source_.text;
+        const std::string_view line = trimmed(take_line(rest), "\" ");
+        if (line.size() != 5 || lower_case(line.substr(0, 4)) != "sep=") return 0;
+        forced_ = line[4];
+        return static_cast<std::size_t>(rest.data() - source_.text.data());
+    }
+
+    std::string_view candidates() const { return forced_ ? std::string_view(&*forced_, 1) : separators; }
+
+    static bool is_whole_header(const Chosen& chosen) {
+        return chosen.all_found && chosen.columns.has(CsvColumn::x) && chosen.columns.has(CsvColumn::y);
+    }
+
+    // Programs of numbers write the header as a comment: the last one counts.
+    void look_at_comment(std::string_view text, std::size_t end) {
+        const auto begin = static_cast<std::size_t>(text.data() - source_.text.data());
+        const TextSource line{source_.name, source_.text.substr(0, std::min(begin + text.size(), end))};
+        for (const char separator : candidates()) {
+            table_.layout.separator = separator;
+            CsvRecords header(line, table_.layout, begin, line.text.size(), most_csv_columns);
+            if (!has_record(header) || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
+            Names names = names_of(header, separator);
+            const Chosen chosen = choose(names, choices_);
+            if (!is_whole_header(chosen) || chosen.places_by_number) continue;
+            comment_.emplace(CommentHeader{std::move(names), separator});
+            return;
+        }
+    }
+
+    // Comments may hold quotes that nothing closes.
+    static bool has_record(CsvRecords& records) {
+        try {
+            return records.next();
+        } catch (const InputError&) {
+            return false;
+        }
+    }
+
+    // Whether the table begins with the line at `begin`: its header, or the first row where there is none.
+    bool begins_at(std::size_t begin) {
+        for (const char separator : candidates()) {
+            CsvRecords header = records(separator, begin);
+            if (!has_record(header) || header.fields().size() < 2) continue;
+            if (header.fields().size() > most_csv_columns) {
+                header.fail(header.fields()[most_csv_columns], "at most " + std::to_string(most_csv_columns) + " columns");
+            }
+            const Names names = names_of(header, separator);
+            const Chosen chosen = choose(names, choices_);
+            if (!is_whole_header(chosen)) continue;
+            if (chosen.places_by_number && !is_row(header, chosen.columns)) continue;
+            take(chosen, separator);
+            if (chosen.places_by_number) {
+                table_.has_header = false;
+                table_.begin = begin;
+                table_.fields = header.fields().size();
+            } else {
+                refuse_twice(header, names);
+                table_.fields = names.size();
+                table_.begin = behind_units(header.offset());
+                shift_behind_row_names();
+                if (separator == ' ' && !fits_rows()) continue;
+            }
+            finish(names);
+            return true;
+        }
+        if (comment_) {
+            for (const char separator : candidates()) {
+                CsvRecords row = records(separator, begin);
+                if (!has_record(row)) continue;
+                const std::size_t extra = row.fields().size() - std::min(row.fields().size(), comment_->names.size());
+                const bool trails = extra == 1 && row.fields().back().text.empty();
+                if ((row.fields().size() != comment_->names.size() && !trails) || row.fields().size() < 2) continue;
+                from_comment(separator, begin);
+                return true;
+            }
+        }
+        return choices_.empty() && is_headless(begin);
+    }
+
+    CsvTable from_comment(char separator, std::size_t begin) {
+        take(choose(comment_->names, choices_), separator);
+        table_.fields = comment_->names.size();
+        table_.begin = begin;
+        finish(comment_->names);
+        return table_;
+    }
+
+    // Whether the record has numbers, or marks for none, where x and y are.
+    static bool is_row(const CsvRecords& record, const CsvColumns& columns) {
+        const auto is_place = [&](CsvColumn column) {
+            const std::size_t place = *columns[column];
+            return place < record.fields().size() &&
+                   (is_missing(record.fields()[place].text) || is_number(record.fields()[place].text, true));
+        };
+        return is_place(CsvColumn::x) && is_place(CsvColumn::y);
+    }
+
+    // Rows of numbers alone, of which the first three are a place.
+    bool is_headless(std::size_t begin) {
+        for (const char separator : candidates()) {
+            CsvRecords row = records(separator, begin);
+            if (!has_record(row)) continue;
+            const auto fields = row.fields();
+            const bool trails = fields.size() > 1 && fields.back().text.empty();
+            const std::size_t count = fields.size() - (trails ? 1 : 0);
+            const auto is_value = [&](const CsvField& field) {
+                return is_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
+            };
+            if (count < 2 || !std::all_of(fields.begin(), fields.end() - (trails ? 1 : 0), is_value)) continue;
+            // Names that nobody knows are no reason to guess.
+            if (unknown_header_) {
+                CsvRecords header = records(separator, *unknown_header_);
+                if (has_record(header) && header.offset() <= begin && names_of(header, separator).size() == count) continue;
+                table_.layout.separator = separator;
+            }
+            Chosen chosen;
+            chosen.columns.places = {0, 1, count > 2 ? std::optional<std::size_t>(2) : std::nullopt};
+            table_.fields = count;
+            if (count >= 6 && has_colors(begin, 3)) {
+                for (std::size_t i = 3; i < 6; ++i) chosen.columns.places[static_cast<std::size_t>(CsvColumn::red) + i - 3] = i;
+            }
+            Names numbers;
+            for (std::size_t i = 1; i <= count; ++i) numbers.push_back(std::to_string(i));
+            take(chosen, separator);
+            table_.has_header = false;
+            table_.begin = begin;
+            finish(numbers);
+            return true;
+        }
+        return false;
+    }
+
+    // Whether three columns from `first` on hold nothing but whole numbers from 0 to 255.
+    bool has_colors(std::size_t begin, std::size_t first) {
+        CsvRecords rows = rows_from(begin);
+        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
+            for (std::size_t k = first; k < first + 3; ++k) {
+                std::uint8_t ignored = 0;
+                if (k >= rows.fields().size() || !parse_whole(rows.fields()[k].text, ignored)) return false;
+            }
+        }
+        return true;
+    }
+
+    void take(const Chosen& chosen, char separator) {
+        shifted_ = false;
+        table_.layout.separator = separator;
+        table_.columns = chosen.columns;
+    }
+
+    // Two columns of one name do not tell which is meant.
+    void refuse_twice(const CsvRecords& header, const Names& names) const {
+        const auto fields = header.fields();
+        for (const auto& place : table_.columns.places) {
+            if (!place || names.size() != fields.size()) continue;
+            for (std::size_t i = *place + 1; i < names.size(); ++i) {
+                if (lower_case(names[i]) != lower_case(names[*place])) continue;
+                header.fail(fields[i], "each of x, y, z, radius, r, g, b and name only once");
+            }
+        }
+    }
+
+    // Where the rows begin: units, or other names, may stand in rows of their own.
+    std::size_t behind_units(std::size_t begin) {
+        CsvRecords rows = rows_from(begin);
+        for (int skipped = 0; skipped <= most_unit_rows && has_record(rows); ++skipped) {
+            if (is_row(rows, table_.columns)) return skipped == 0 ? begin : rows.begin();
+            const auto is_word = [](const CsvField& field) { return !is_number(field.text, true); };
+            if (!std::ranges::all_of(rows.fields(), is_word)) break;
+        }
+        return begin;
+    }
+
+    // R's write.table names the rows in a column that the header leaves out.
+    void shift_behind_row_names() {
+        CsvRecords rows = rows_from(table_.begin);
+        if (!has_record(rows) || rows.fields().size() != table_.fields + 1 || rows.fields().back().text.empty()) return;
+        const CsvField& first = rows.fields()[0];
+        if (table_.layout.separator != ' ' && !first.quoted && is_number(first.text, true)) return;
+        for (auto& place : table_.columns.places) {
+            if (place) ++*place;
+        }
+        ++table_.fields;
+        shifted_ = true;
+    }
+
+    // Words between blanks may be a sentence: a header has a row below it, or nothing.
+    bool fits_rows() {
+        CsvRecords rows = rows_from(table_.begin);
+        return !has_record(rows) || (rows.fields().size() == table_.fields && is_row(rows, table_.columns));
+    }
+
+    // Looks at the first rows for what the header does not say.
+    void finish(const Names& names) {
+        CsvColumns& columns = table_.columns;
+        if (columns.has(CsvColumn::radius)) columns[CsvColumn::diameter].reset();
+        look_for_data_behind_marks();
+        bool decimal_points = false;
+        bool elements = columns.has(CsvColumn::element);
+        bool any_element = false;
+        bool any_color = false;
+        bool fractions = false;
+        bool above_1 = false;
+        const std::string element_key = elements ? column_key(name_at(names, *columns[CsvColumn::element])) : "";
+        const bool is_type = element_key != "element" && element_key != "species" && element_key != "symbol" &&
+                             element_key != "atomsymbol" && element_key != "elementsymbol" && !is_chosen("element");
+        CsvRecords rows = rows_from(table_.begin);
+        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
+            const auto field = [&](CsvColumn column) -> std::string_view {
+                const auto place = columns[column];
+                return place && *place < rows.fields().size() ? rows.fields()[*place].text : std::string_view();
+            };
+            for (const CsvColumn column : {CsvColumn::x, CsvColumn::y, CsvColumn::z}) {
+                decimal_points = decimal_points || field(column).find('.') != std::string_view::npos;
+            }
+            if (const std::string_view element = field(CsvColumn::element); !is_missing(element)) {
+                const bool known = is_type ? find_element(element) != nullptr && element[0] >= 'A' && element[0] <= 'Z'
+                                           : &element_of_species(element) != &unknown_element();
+                any_element = any_element || known;
+                elements = elements && (known || !is_type);
+            }
+            any_color = any_color || parse_hex_color(field(CsvColumn::color));
+            for (const CsvColumn column : {CsvColumn::red, CsvColumn::green, CsvColumn::blue}) {
+                double value = 0.0;
+                if (parse_csv_number(field(column), true, value) != NumberFault::none) continue;
+                fractions = fractions || field(column).find_first_of(".,eE") != std::string_view::npos;
+                above_1 = above_1 || value > 1.0;
+            }
+        }
+        table_.decimal_commas = !decimal_points;
+        table_.colors_to_1 = fractions && !above_1;
+        if (!elements || !any_element) columns[CsvColumn::element].reset();
+        if (!any_color || columns.has(CsvColumn::red)) columns[CsvColumn::color].reset();
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const std::size_t place = i + (shifted_ ? 1 : 0);
+            if (std::ranges::find(columns.places, std::optional(place)) == columns.places.end() && !names[i].empty()) {
+                table_.passed_over.push_back(names[i]);
+            }
+        }
+    }
+
+    bool is_chosen(std::string_view column) const {
+        return std::ranges::find(choices_, column, &ColumnChoice::column) != choices_.end();
+    }
+
+    std::string name_at(const Names& names, std::size_t place) const {
+        const std::size_t i = place - (shifted_ ? 1 : 0);
+        return i < names.size() ? names[i] : "";
+    }
+
+    // A first column may hold names or colours that begin like comments.
+    void look_for_data_behind_marks() {
+        const CsvLayout plain{table_.layout.separator, table_.layout.line_end, false};
+        CsvRecords rows(source_, plain, table_.begin, source_.text.size(), table_.fields + 1);
+        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
+            const bool marked = !rows.fields()[0].quoted && !comment_mark(rows.fields()[0].text).empty();
+            if (!marked) continue;
+            if (rows.fields().size() == table_.fields && table_.columns[CsvColumn::x] != 0 && is_row(rows, table_.columns)) {
+                table_.layout.comments = false;
+            }
+            return;
+        }
+    }
+
+    [[noreturn]] void fail(std::size_t begin) {
+        CsvRecords first = records(forced_.value_or(','), begin);
+        if (!first.next()) source_.fail(begin, std::string("the text ends, expected ") + header_syntax);
+        const std::string expected = choices_.empty()
+                                         ? std::string(header_syntax) + "; --columns x=NAME,y=NAME,z=NAME names others"
+                                         : "a header with the columns of --columns, such as " + in_quotes(choices_[0].field);
+        first.fail(first.fields()[0], expected);
+    }
+
+    const TextSource& source_;
+    const std::vector<ColumnChoice>& choices_;
+    CsvTable table_{};
+    std::optional<char> forced_{};
+    std::optional<CommentHeader> comment_{};
+    std::optional<std::size_t> unknown_header_{};  // where a line with several fields begins that may be one
+    bool shifted_ = false;
+};
+
+}  // namespace
+
+CsvTable find_csv_table(const TextSource& source, const std::vector<ColumnChoice>& choices) {
+    return TableFinder(source, choices).find(most_titles);
+}
+
+bool is_clearly_csv(std::string_view head) {
+    try {
+        const TextSource source{"", head};
+        const CsvTable table = TableFinder(source, {}).find(0);
+        if (!table.columns.has(CsvColumn::z)) return false;
+        if (table.has_header) return true;
+        // Between white space a scene's text may begin with its number of spheres.
+        if (table.layout.separator == ',' || table.layout.separator == ';') return true;
+        const std::string_view row = trimmed(head.substr(table.begin), white_space);
+        return words_of(row.substr(0, row.find_first_of("\r\n")))[0].find_first_not_of("0123456789") != std::string_view::npos;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+std::optional<std::vector<ColumnChoice>> parse_column_choices(const std::string& text) {
+    std::vector<ColumnChoice> choices;
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const std::size_t end = std::min(rest.find(','), rest.size());
+        const std::string_view part = rest.substr(0, end);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+        const std::string column = lower_case(trimmed(part.substr(0, part.find('='))));
+        if (part.find('=') != std::string_view::npos && std::ranges::find(csv_column_names, column) != csv_column_names.end()) {
+            const auto same = std::ranges::find(choices, column, &ColumnChoice::column);
+            if (same != choices.end()) return std::nullopt;
+            choices.push_back({column, std::string(trimmed(part.substr(part.find('=') + 1)))});
+        } else if (!choices.empty()) {
+            choices.back().field += "," + std::string(part);
+        } else {
+            return std::nullopt;
+        }
+    }
+    const auto is_named = [](const ColumnChoice& choice) { return !choice.field.empty(); };
+    return !choices.empty() && std::ranges::all_of(choices, is_named) ? std::optional(choices) : std::nullopt;
+}
+
+bool is_missing(std::string_view text) {
+    if (text.empty()) return true;
+    constexpr std::size_t longest = std::string_view("-nan(ind)").size();
+    if (text.size() > longest) return false;
+    const std::string word = lower_case(text);
+    constexpr auto words =
+        std::to_array<std::string_view>({"nan", "-nan", "+nan", "na", "n/a", "#n/a", "#nv", "#na", "null", "none", "-", "?", "inf",
+                                         "-inf", "+inf", "infinity", "-infinity", "-nan(ind)"});
+    return std::ranges::find(words, word) != words.end();
+}
+
+NumberFault parse_csv_number(std::string_view text, bool decimal_commas, double& value) {
+    const NumberFault fault = parse_double(text, value);
+    const std::size_t comma = text.find(',');
+    if (fault != NumberFault::not_a_number || !decimal_commas || comma == std::string_view::npos) return fault;
+    if (text.find('.') != std::string_view::npos) return fault;
+    std::string with_point(text);
+    with_point[comma] = '.';
+    return parse_double(with_point, value);
+}
+
+std::optional<Color> parse_hex_color(std::string_view text) {
+    if (text.starts_with('#')) {
+        text.remove_prefix(1);
+    } else if (text.starts_with("0x") || text.starts_with("0X")) {
+        text.remove_prefix(2);
+    }
+    const bool is_short = text.size() == 3;
+    if (!is_short && text.size() != 6 && text.size() != 8) return std::nullopt;
+    std::uint32_t code = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), code, 16);
+    if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return std::nullopt;
+    if (text.size() == 8) code >>= 8;
+    const auto part = [code](int shift, std::uint32_t most) { return static_cast<std::uint8_t>((code >> shift) & most); };
+    if (!is_short) return Color{part(16, 255), part(8, 255), part(0, 255)};
+    return Color{static_cast<std::uint8_t>(17 * part(8, 15)), static_cast<std::uint8_t>(17 * part(4, 15)),
+                 static_cast<std::uint8_t>(17 * part(0, 15))};
+}
+
+}  // namespace sphereview

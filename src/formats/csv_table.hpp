@@ -1,0 +1,58 @@
+// What a table in text is: what divides it, which of its columns are drawn, and where its rows begin.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/csv_records.hpp"
+#include "formats/lines.hpp"
+#include "formats/sphere_data.hpp"
+
+namespace sphereview {
+
+enum class CsvColumn : std::size_t { x, y, z, radius, diameter, red, green, blue, color, element, name };
+inline constexpr std::array<const char*, 11> csv_column_names = {"x", "y", "z",     "radius",  "diameter", "r",
+                                                                 "g", "b", "color", "element", "name"};
+
+// Which field of a record each column is.
+struct CsvColumns {
+    std::array<std::optional<std::size_t>, csv_column_names.size()> places{};
+
+    std::optional<std::size_t>& operator[](CsvColumn column) { return places[static_cast<std::size_t>(column)]; }
+    const std::optional<std::size_t>& operator[](CsvColumn column) const { return places[static_cast<std::size_t>(column)]; }
+    bool has(CsvColumn column) const { return (*this)[column].has_value(); }
+};
+
+struct CsvTable {
+    CsvLayout layout{};
+    std::size_t fields = 0;  // of each record
+    CsvColumns columns{};
+    std::size_t begin = 0;                   // of the first row
+    bool has_header = true;                  // else what the columns are is a guess
+    bool decimal_commas = false;             // 1,5 is a number
+    bool colors_to_1 = false;                // what the first rows show: red, green and blue are parts of 1
+    std::vector<std::string> passed_over{};  // the names, or numbers from 1, of the other columns
+};
+
+inline constexpr std::size_t most_csv_columns = 100'000;
+
+// Finds the table in a text: behind titles and comments, with a header or rows of numbers alone. Throws InputError.
+CsvTable find_csv_table(const TextSource& source, const std::vector<ColumnChoice>& choices);
+
+// Whether a text that begins with `head` is clearly a table with places: no other format's text looks like it.
+bool is_clearly_csv(std::string_view head);
+
+// What stands in a field that holds nothing: nothing, or what programs write for it ("nan", "NA", "#N/A").
+bool is_missing(std::string_view text);
+
+// A number as tables have them; `decimal_commas`: 1,5 is one.
+NumberFault parse_csv_number(std::string_view text, bool decimal_commas, double& value);
+
+// "#ff8000", "ff8000", "0xff8000" or "#f80", in any letter case; what stands for alpha behind it is passed over.
+std::optional<Color> parse_hex_color(std::string_view text);
+
+}  // namespace sphereview

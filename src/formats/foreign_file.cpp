@@ -1,0 +1,267 @@
+#include "formats/foreign_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "formats/lines.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Mark {
+    std::string_view bytes;
+    std::string_view kind;
+    std::size_t offset = 0;
+};
+
+// Bytes that no text holds, or that begin files of one kind alone.
+constexpr auto marks = std::to_array<Mark>({
+    {"BZh"sv, "a file that is packed with bzip2, which is not unpacked here: gzip is"},
+    {"\xFD"
+     "7zXZ\0"sv,
+     "a file that is packed with xz, which is not unpacked here: gzip is"},
+    {"\x28\xB5\x2F\xFD"sv, "a file that is packed with zstd, which is not unpacked here: gzip is"},
+    {"\x04\x22\x4D\x18"sv, "a file that is packed with lz4, which is not unpacked here: gzip is"},
+    {"\x1F\x9D"sv, "a file that is packed with compress, which is not unpacked here: gzip is"},
+    {"\x1F\x8B"sv, "a file that is packed with gzip twice"},
+    {"7z\xBC\xAF\x27\x1C"sv, "a 7z archive"},
+    {"Rar!\x1A\x07"sv, "a RAR archive"},
+    {"PK\x05\x06"sv, "a zip archive"},
+    {"ustar"sv, "a tar archive", 257},
+    {"\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"sv, "an old Office file, such as Excel's .xls; save the table as CSV"},
+    {"\xFF\xD8\xFF"sv, "a JPEG picture"},
+    {"\x89PNG\r\n"sv, "a PNG picture"},
+    {"GIF87a"sv, "a GIF picture"},
+    {"GIF89a"sv, "a GIF picture"},
+    {"II*\0"sv, "a TIFF picture"},
+    {"MM\0*"sv, "a TIFF picture"},
+    {"II+\0"sv, "a TIFF picture"},
+    {"MM\0+"sv, "a TIFF picture"},
+    {"8BPS\0"sv, "a Photoshop picture"},
+    {"\x76\x2F\x31\x01"sv, "an OpenEXR picture"},
+    {"WEBP"sv, "a WebP picture", 8},
+    {"AVI "sv, "an AVI film", 8},
+    {"ftypavif"sv, "an AVIF picture", 4},
+    {"ftyphei"sv, "a HEIC picture", 4},
+    {"ftyp"sv, "an MP4 film", 4},
+    {"\x1A\x45\xDF\xA3"sv, "a Matroska or WebM film"},
+    {"%PDF-"sv, "a PDF document"},
+    {"%!PS"sv, "a PostScript document"},
+    {"{\\rtf"sv, "an RTF document"},
+    {"\x89HDF\r\n"sv, "an HDF5 file"},
+    {"\x0E\x03\x13\x01"sv, "an HDF4 file"},
+    {"CDF\x01"sv, "a NetCDF file"},
+    {"CDF\x02"sv, "a NetCDF file"},
+    {"CDF\x05"sv, "a NetCDF file"},
+    {"CORD"sv, "a DCD trajectory", 4},
+    {"VELD"sv, "a DCD file of velocities", 4},
+    {"CORD"sv, "a DCD trajectory", 8},
+    {"\0\0\x07\xCB"sv, "a GROMACS trajectory (XTC)"},
+    {"\0\0\x07\xE7"sv, "a GROMACS trajectory (XTC)"},
+    {"\0\0\x07\xC9"sv, "a GROMACS trajectory (TRR)"},
+    {"\xDF\x65\xDF\x65\xDF\x65\xDF\x65"sv, "a GSD file"},
+    {"MMTF"sv, "an MMTF file"},
+    {"\x93NUMPY"sv, "a NumPy array; numpy.savetxt writes it as CSV"},
+    {"\x80\x03"sv, "a Python pickle"},
+    {"\x80\x04"sv, "a Python pickle"},
+    {"\x80\x05"sv, "a Python pickle"},
+    {"MATLAB 5.0 MAT-file"sv, "a MATLAB file; writematrix writes a table as CSV"},
+    {"RDX2\n"sv, "an R data file; write.csv writes a table as CSV"},
+    {"RDX3\n"sv, "an R data file; write.csv writes a table as CSV"},
+    {"PAR1"sv, "a Parquet table"},
+    {"ARROW1"sv, "an Arrow table"},
+    {"SQLite format 3\0"sv, "an SQLite database"},
+    {"LASF"sv, "a LAS point cloud"},
+    {"SIMPLE  ="sv, "a FITS file"},
+    {"DICM"sv, "a DICOM file", 128},
+    {"MAP "sv, "an MRC or CCP4 map", 208},
+    {"glTF"sv, "a glTF model"},
+    {"Kaydara FBX"sv, "an FBX model"},
+    {"BLENDER"sv, "a Blender file"},
+    {"\x7F"
+     "ELF"sv,
+     "a program"},
+    {"MZ\x90\0"sv, "a program"},
+});
+
+// What the first lines begin with, in lower case.
+constexpr auto beginnings = std::to_array<Mark>({
+    {"<!doctype html"sv, "an HTML page"},
+    {"<html"sv, "an HTML page"},
+    {"<!--"sv, "an HTML page or XML file"},
+    {"<svg"sv, "an SVG picture"},
+    {"<vtkfile"sv, "a VTK file"},
+    {"<?xml"sv, "an XML file"},
+    {"# vtk datafile"sv, "a VTK file"},
+    {"# .pcd"sv, "a PCD point cloud"},
+    {"#vrml"sv, "a VRML model"},
+    {"#inventor"sv, "an Inventor model"},
+    {"#!/"sv, "a script"},
+    {"ply\n"sv, "a PLY model"},
+    {"ply\r"sv, "a PLY model"},
+    {"off\n"sv, "an OFF model"},
+    {"off\r"sv, "an OFF model"},
+    {"coff\n"sv, "an OFF model"},
+    {"item: timestep"sv, "a LAMMPS dump"},
+    {"item: units"sv, "a LAMMPS dump"},
+    {"lammps "sv, "a LAMMPS data file"},
+    {"@<tripos>"sv, "a MOL2 file"},
+    {"psf"sv, "a PSF file"},
+    {"%version "sv, "an AMBER topology"},
+    {"entering gaussian"sv, "a Gaussian log"},
+    {"%chk="sv, "a Gaussian input"},
+    {"%nproc"sv, "a Gaussian input"},
+    {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that"},
+});
+
+bool is_number(std::string_view word) {
+    double ignored = 0.0;
+    return parse_double(word, ignored) == NumberFault::none;
+}
+
+bool is_whole(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool are_numbers(const std::vector<std::string_view>& words, std::size_t count) {
+    return words.size() == count && std::ranges::all_of(words, is_number);
+}
+
+// The first lines of a text, as they are; missing ones are empty.
+using FirstLines = std::array<std::string_view, 8>;
+
+FirstLines first_lines(std::string_view text) {
+    FirstLines lines{};
+    for (std::string_view& line : lines) line = take_line(text);
+    return lines;
+}
+
+// A title, the number of atoms, and atoms in columns: 5 for the residue's number, 10 for names, 5 for the atom's, 8 for each place.
+bool is_gromacs(const FirstLines& lines) {
+    const std::string_view atom = lines[2];
+    if (!is_whole(trimmed(lines[1])) || atom.size() < 44) return false;
+    const auto part = [&](std::size_t begin, std::size_t count) { return trimmed(atom.substr(begin, count)); };
+    return is_whole(part(0, 5)) && is_whole(part(15, 5)) && is_letter(part(10, 5).empty() ? ' ' : part(10, 5)[0]) &&
+           is_number(part(20, 8)) && is_number(part(28, 8)) && is_number(part(36, 8));
+}
+
+// A title, a scale, three vectors, and then the symbols or numbers of the atoms, and how their places are meant.
+bool is_poscar(const FirstLines& lines) {
+    if (!are_numbers(words_of(lines[1]), 1)) return false;
+    for (std::size_t i = 2; i < 5; ++i) {
+        if (!are_numbers(words_of(lines[i]), 3)) return false;
+    }
+    const auto begins_with_letter = [](std::string_view line) {
+        line = trimmed(line);
+        return !line.empty() && is_letter(line[0]);
+    };
+    const auto counts = words_of(lines[begins_with_letter(lines[5]) ? 6 : 5]);
+    return !counts.empty() && std::ranges::all_of(counts, is_whole) &&
+           begins_with_letter(lines[begins_with_letter(lines[5]) ? 7 : 6]);
+}
+
+bool is_mol(const FirstLines& lines) {
+    const std::string_view counts = trimmed(lines[3]);
+    return counts.ends_with("V2000") || counts.ends_with("V3000");
+}
+
+bool is_stl(const FirstLines& lines) {
+    return lower_case(lines[0].substr(0, 5)) == "solid" && lower_case(trimmed(lines[1])).starts_with("facet ");
+}
+
+// "2 atom types" within the first lines; an XYZ may begin with "100 atoms".
+bool is_lammps_data(const FirstLines& lines) {
+    return std::ranges::any_of(lines, [](std::string_view line) {
+        const auto words = words_of(line);
+        return words.size() == 3 && is_whole(words[0]) && words[1] == "atom" && words[2] == "types";
+    });
+}
+
+// "v 1 2 3" behind other lines that begin with a word of the format's.
+bool is_obj(std::string_view text) {
+    constexpr auto others = std::to_array<std::string_view>({"mtllib", "o", "g", "s", "usemtl", "vn", "vt"});
+    for (const std::string_view line : first_lines(behind_comments(text))) {
+        const auto words = words_of(line);
+        if (words.empty()) continue;
+        if (words[0] == "mtllib") return true;
+        if (words[0] == "v") return words.size() >= 4 && std::all_of(words.begin() + 1, words.end(), is_number);
+        if (std::ranges::find(others, words[0]) == others.end()) return false;
+    }
+    return false;
+}
+
+// Objects, and lists of objects or lists: TOML's tables have names in their brackets.
+std::string_view json_kind(std::string_view text) {
+    const auto next = [&text] {
+        text.remove_prefix(1);
+        text = trimmed(text, white_space);
+        return text.empty() ? '\0' : text[0];
+    };
+    const std::string_view whole = text;
+    if (text.starts_with('[')) {
+        const char second = next();
+        if (second == '{') return "a JSON file";
+        if (second != '[') return "";
+        const char third = next();
+        return (third >= '0' && third <= '9') || third == '-' || third == '[' ? "a JSON file" : "";
+    }
+    if (!text.starts_with('{')) return "";
+    const char second = next();
+    if (second != '"' && second != '}') return "";
+    return whole.find("\"asset\"") != std::string_view::npos && whole.find("\"version\"") != std::string_view::npos ? "a glTF model"
+                                                                                                                    : "a JSON file";
+}
+
+std::string_view zip_kind(std::string_view head) {
+    if (!head.starts_with("PK\x03\x04")) return "";
+    if (head.find("xl/") != std::string_view::npos) return "an Excel workbook; save the table as CSV";
+    if (head.find("opendocument.spreadsheet") != std::string_view::npos) return "a spreadsheet; save the table as CSV";
+    if (head.find(".npy") != std::string_view::npos) return "NumPy arrays; numpy.savetxt writes one as CSV";
+    return "a zip archive";
+}
+
+// Two letters that a text may begin with, too: the sizes behind them tell.
+bool is_bmp(std::string_view head) {
+    return head.size() > 18 && head.starts_with("BM") && head.substr(6, 4) == "\0\0\0\0"sv && head.substr(15, 3) == "\0\0\0"sv;
+}
+
+}  // namespace
+
+std::string_view foreign_kind(std::string_view head) {
+    constexpr std::size_t enough = 4096;
+    const std::string_view raw = head.substr(0, enough);
+    const bool is_binary = raw.find('\0') != std::string_view::npos;
+    for (const Mark& mark : marks) {
+        // Behind its beginning a text may hold such letters, too.
+        if ((mark.offset == 0 || is_binary) && head.size() > mark.offset && head.substr(mark.offset).starts_with(mark.bytes))
+            return mark.kind;
+    }
+    if (const std::string_view kind = zip_kind(head); !kind.empty()) return kind;
+    if (is_bmp(head)) return "a BMP picture";
+
+    const std::string_view text = trimmed(raw, white_space);
+    const std::string lower = lower_case(text);
+    for (const Mark& beginning : beginnings) {
+        if (!lower.starts_with(beginning.bytes)) continue;
+        return lower.find("<vtkfile") == std::string::npos ? beginning.kind : "a VTK file";
+    }
+    if (const std::string_view kind = json_kind(text); !kind.empty()) return kind;
+    const FirstLines lines = first_lines(raw);
+    if (is_gromacs(lines)) return "a GROMACS file";
+    if (is_poscar(lines)) return "a POSCAR file";
+    if (is_mol(lines)) return "a MOL or SDF file";
+    if (is_stl(lines)) return "an STL model";
+    if (is_obj(text)) return "an OBJ model";
+    if (is_lammps_data(lines)) return "a LAMMPS data file";
+    if (is_binary && !is_utf16(raw)) return "binary data";
+    return "";
+}
+
+}  // namespace sphereview

@@ -1,0 +1,22 @@
+// A radius for points of which a file says none.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "formats/sphere_data.hpp"
+#include "scene/sphere.hpp"
+
+namespace sphereview {
+
+// A quarter of the median distance from a point to its nearest neighbour in another place, so that the points lie apart and are
+// seen; of a sample where there are many. The same double on every machine: +, -, *, / and square roots in a fixed order.
+// Centres must be finite. Nothing where fewer than two places differ, or where their distances are beyond a double.
+std::optional<double> radius_of_points(const std::vector<Sphere>& points);
+
+// Gives all spheres of `data` that radius, and says so in a warning, which begins with the file's `name`; where there is none they
+// keep theirs.
+void use_radius_of_points(SphereData& data, const std::string& name);
+
+}  // namespace sphereview

@@ -1,0 +1,332 @@
+// Tables in text as programs write them, and what is said of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "formats/elements.hpp"
+#include "formats/point_radius.hpp"
+#include "formats/scene_format.hpp"
+#include "formats/sphere_data.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+namespace {
+
+SphereData table(const std::string& text, const DataOptions& options = {}) { return read_csv(text, "a.csv", options); }
+
+DataOptions with_columns(const std::string& choices) {
+    DataOptions options;
+    options.columns = parse_column_choices(choices).value();
+    return options;
+}
+
+std::vector<Sphere> spheres(const std::string& text, const DataOptions& options = {}) { return table(text, options).scene.spheres; }
+
+std::vector<glm::dvec3> centers(const std::string& text, const DataOptions& options = {}) {
+    std::vector<glm::dvec3> centers;
+    for (const Sphere& sphere : spheres(text, options)) centers.push_back(sphere.center);
+    return centers;
+}
+
+using Centers = std::vector<glm::dvec3>;
+using Lines = std::vector<std::string>;
+
+const Centers two = {{1, 2, 3}, {4, 5, 6}};
+
+// The whole text as UTF-16; `text` is ASCII.
+std::string as_utf16(const std::string& text, bool low_first) {
+    std::string bytes = low_first ? "\xFF\xFE" : "\xFE\xFF";
+    for (const char c : text) bytes += low_first ? std::string{c, '\0'} : std::string{'\0', c};
+    return bytes;
+}
+
+}  // namespace
+
+TEST(CsvColumns, AreKnownByTheNamesThatProgramsGive) {
+    for (const char* header : {
+             "x,y,z",
+             "X,Y,Z",
+             "x [nm],y [nm],z [nm]",
+             "x (um),y (um),z (um)",
+             "X(\xC2\xB5m),Y(\xC2\xB5m),Z(\xC2\xB5m)",
+             "x(\xB5m),y(\xB5m),z(\xB5m)",
+             "x_nm,y_nm,z_nm",
+             "x/nm,y/nm,z/nm",
+             "\"Points:0\",\"Points:1\",\"Points:2\"",
+             "Points_0,Points_1,Points_2",
+             "Position.X,Position.Y,Position.Z",
+             "Position X,Position Y,Position Z",
+             "POSITION_X,POSITION_Y,POSITION_Z",
+             "pos_x,pos_y,pos_z",
+             "x_pos,y_pos,z_pos",
+             "Location_Center_X,Location_Center_Y,Location_Center_Z",
+             "Centroid_1,Centroid_2,Centroid_3",
+             "center_x,center_y,center_z",
+             "XM,YM,ZM",
+             "CX (pix),CY (pix),CZ (pix)",
+             "Var1,Var2,Var3",
+             "V1,V2,V3",
+             "# X,Y,Z",
+             "//X,Y,Z",
+             "% x,y,z",
+         }) {
+        EXPECT_EQ(centers(std::string(header) + "\n1,2,3\n4,5,6\n"), two) << header;
+    }
+    // Several that may be meant: what is plainest, and what is in space.
+    EXPECT_EQ(centers("Area,X,Y,Z,XM,YM,ZM\n9,1,2,3,7,7,7\n9,4,5,6,7,7,7\n"), two);
+    EXPECT_EQ(centers("AreaShape_Center_X,AreaShape_Center_Y,AreaShape_Center_Z,Location_Center_X,Location_Center_Y,"
+                      "Location_Center_Z\n7,7,7,1,2,3\n7,7,7,4,5,6\n"),
+              two);
+    EXPECT_EQ(centers("x,y,Position X,Position Y,Position Z\n7,7,1,2,3\n7,7,4,5,6\n"), two);
+    EXPECT_EQ(centers("x [px],y [px],z [px],x [nm],y [nm],z [nm]\n1,2,3,7,7,7\n4,5,6,7,7,7\n"), two);
+    EXPECT_EQ(centers(",0,1,2\n0,1,2,3\n1,4,5,6\n"), two);  // pandas.DataFrame(array)
+}
+
+TEST(CsvColumns, ThatArePassedOverAreNamed) {
+    const SphereData data = table("x [nm],y [nm],z [nm],intensity [photon]\n1,2,3,99\n4,5,6,98\n");
+    EXPECT_EQ(data.scene.spheres.size(), 2U);
+    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'intensity [photon]'"});
+    EXPECT_EQ(table("x,y,z\n1,2,3\n").notes, Lines{});
+    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes, Lines{"a.csv: columns that are passed over: 'b', 'r'"});
+    EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes, Lines{"a.csv: columns that are passed over: 'a\\x1b[31m'"});
+}
+
+TEST(CsvColumns, MayBeChosen) {
+    const std::string text = "a,b,c,d [nm],x,y,z\n1,2,3,0.5,7,7,7\n4,5,6,0.25,7,7,7\n";
+    for (const char* choices : {"x=a,y=b,z=c,radius=d", "x=1,y=2,z=3,radius=4", "X=A, Y = b,z=3,radius=d [nm]"}) {
+        const std::vector<Sphere> read = spheres(text, with_columns(choices));
+        ASSERT_EQ(read.size(), 2U) << choices;
+        EXPECT_EQ(read[1].center, two[1]) << choices;
+        EXPECT_EQ(read[1].radius, 0.25) << choices;
+    }
+    EXPECT_EQ(spheres("x,y,z,size\n1,2,3,4\n", with_columns("diameter=size"))[0].radius, 2.0);
+    EXPECT_EQ(spheres("1 2 3 4\n5 6 7 8\n", with_columns("x=1,y=2,z=3,radius=4"))[1].radius, 8.0);
+    EXPECT_EQ(centers("lon,lat,depth\n1,2,3\n4,5,6\n", with_columns("x=lon,y=lat,z=depth")), two);
+    EXPECT_EQ(centers("lon,lat,depth\n1,2,3\n4,5,6\n", with_columns("x=1,y=2,z=3")), two);
+    EXPECT_EQ(message_of<InputError>([&] { spheres(text, with_columns("x=q")); }),
+              "a.csv:1:1: found 'a', expected a header with the columns of --columns, such as 'q'");
+
+    EXPECT_EQ(parse_column_choices("x=a, b,y=c=d"), (std::vector<ColumnChoice>{{"x", "a, b"}, {"y", "c=d"}}));
+    for (const char* wrong : {"", "x", "x=", "=a", "w=a", "x=a,x=b", "a,x=b", ","})
+        EXPECT_FALSE(parse_column_choices(wrong)) << wrong;
+}
+
+TEST(CsvRadius, IsFoundUnderItsNames) {
+    for (const char* name : {"radius", "Radius", "RADIUS", "r", "R [nm]", "radius (um)", "rad"}) {
+        EXPECT_EQ(spheres("x,y,z," + std::string(name) + "\n1,2,3,0.5\n")[0].radius, 0.5) << name;
+    }
+    for (const char* name : {"diameter", "Diameter [um]", "ESTIMATED_DIAMETER", "EquivDiameter", "Durchmesser"}) {
+        EXPECT_EQ(spheres("x,y,z," + std::string(name) + "\n1,2,3,0.5\n")[0].radius, 0.25) << name;
+    }
+    EXPECT_EQ(spheres("x,y,z,radius,diameter\n1,2,3,0.5,7\n")[0].radius, 0.5);
+    // No radius at all, or one that says none.
+    const std::vector<Sphere> some = spheres("x,y,z,radius\n1,2,3,0\n1,2,4,\n1,2,5,nan\n1,2,6,0.5\n");
+    ASSERT_EQ(some.size(), 4U);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(some[i].radius, 1.0) << i;
+    EXPECT_EQ(some[3].radius, 0.5);
+    EXPECT_EQ(spheres("x,y,z,radius\n0,0,0,0\n0,0,8,0\n")[0].radius, 2.0);
+}
+
+TEST(CsvColors, AreWhatTheColumnHolds) {
+    const Color orange{255, 128, 0};
+    for (const char* rows :
+         {"r,g,b\n1,2,3,1.0,0.5,0.0\n", "r,g,b\n1,2,3,255.0,128.0,0.0\n", "red,green,blue\n1,2,3,255,128,0\n",
+          "Color.R,Color.G,Color.B\n1,2,3,1,0.5,0\n", "RGB:0,RGB:1,RGB:2\n1,2,3,255,128,0\n", "Rf,Gf,Bf\n1,2,3,1.000,0.502,0.000\n",
+          "color\n1,2,3,#ff8000\n", "hex\n1,2,3,FF8000\n", "colour\n1,2,3,0xff8000ff\n"}) {
+        const SphereData data = table("x,y,z," + std::string(rows));
+        ASSERT_EQ(data.scene.spheres.size(), 1U) << rows;
+        EXPECT_EQ(data.scene.spheres[0].color, orange) << rows;
+        EXPECT_EQ(data.notes, Lines{}) << rows;
+    }
+    EXPECT_EQ(spheres("color,x,y,z\n#ff8000,1,2,3\n#0f0,4,5,6\n")[1].color, (Color{0, 255, 0}));
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,1,1,1\n")[0].color, (Color{1, 1, 1}));  // whole numbers are bytes
+    // Only a late row shows that the first are bytes.
+    std::string many = "x,y,z,r,g,b\n";
+    for (int i = 0; i < 3000; ++i) many += "1,2,3,1.0,0.0,1.0\n";
+    EXPECT_EQ(spheres(many)[0].color, (Color{255, 0, 255}));
+    EXPECT_EQ(spheres(many + "1,2,3,200.0,0.0,0.0\n")[0].color, (Color{1, 0, 1}));
+    // What says no colour is no reason to refuse a place.
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,0,nan,0\n")[0].color, (Color{255, 255, 255}));
+    EXPECT_EQ(spheres("x,y,z,color\n1,2,3,#ff8000\n1,2,3,none\n")[1].color, (Color{255, 255, 255}));
+}
+
+TEST(CsvElements, GiveColoursAndRadii) {
+    for (const char* name : {"element", "type", "Particle Type", "species"}) {
+        const SphereData data = table(std::string(name) + ",x,y,z\nO,0,0,0\nH,0,0,1\n");
+        ASSERT_EQ(data.scene.spheres.size(), 2U) << name;
+        EXPECT_EQ(data.scene.spheres[0].radius, 0.66) << name;
+        EXPECT_EQ(data.scene.spheres[1].radius, 0.31) << name;
+        EXPECT_EQ(data.scene.spheres[0].color, find_element("O")->color) << name;
+        EXPECT_EQ(data.scene.names, (std::map<std::uint32_t, std::string>{{0, "O"}, {1, "H"}})) << name;
+        EXPECT_EQ(data.warnings, Lines{}) << name;
+    }
+    EXPECT_EQ(spheres("element,x,y,z\n8,0,0,0\n")[0].radius, 0.66);
+    // Types that are none of elements.
+    const SphereData data = table("Position.X,Position.Y,Position.Z,Radius,Particle Type\n1,2,3,0.5,1\n");
+    EXPECT_EQ(data.scene.spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.5, {255, 255, 255}, false}}));
+    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'Particle Type'"});
+    EXPECT_EQ(table("type,x,y,z\nC,0,0,0\nbond,0,0,1\n").scene.names.size(), 0U);
+}
+
+TEST(CsvDialects, OfProgramsAreRead) {
+    for (const std::string text : {
+             "# made by own program\nx,y,z\n1,2,3\n4,5,6\n",
+             "x,y,z\n# between\n1,2,3\n\n// and here\n4,5,6\n#",
+             "x y z\n1 2 3\n4 5 6\n",
+             "  x   y   z  \n 1  2\t 3 \n 4 5 6\n",
+             "x\ty\tz\n1\t2\t3\n4\t5\t6\n",
+             "sep=;\nx;y;z\n1;2;3\n4;5;6\n",
+             "\"sep=|\"\r\nx|y|z\r\n1|2|3\r\n4|5|6\r\n",
+             "x [nm] y [nm] z [nm]\n1 2 3\n4 5 6\n",
+             "\"x\" \"y\" \"z\"\n\"1\" 1 2 3\n\"2\" 4 5 6\n",                // R's write.table
+             "\"\",\"x\",\"y\",\"z\"\n\"1\",1,2,3\n\"2\",4,5,6\n",           // R's write.csv
+             "# x y z\n1.0e+00 2.0e+00 3.0e+00\n4.0e+00 5.0e+00 6.0e+00\n",  // numpy.savetxt
+             "# x,y,z\n1 2 3\n4 5 6\n",
+             "# columns: x y z\nx,y,z\n1,2,3\n4,5,6\n",
+             "//X Y Z\n2\n1.0 2.0 3.0\n4.0 5.0 6.0\n",  // CloudCompare
+             "x,y,z\nnm,nm,nm\n1,2,3\n4,5,6\n",         // a row of units
+             "LABEL,POSITION_X,POSITION_Y,POSITION_Z\nLabel,X,Y,Z\nLabel,X,Y,Z\n,(micron),(micron),(micron)\nID1,1,2,3\nID2,4,5,"
+             "6\n",
+             "\nPosition\n====================\n\nPosition X,Position Y,Position Z,Unit,Category\n1,2,3,um,Spot\n4,5,6,um,Spot\n",
+             "x,y,z\n1,2,3\n4,5,6\n,,\n,,\n",  // a spreadsheet's empty rows
+             "Image,Nuclei,Nuclei,Nuclei\nImageNumber,Location_Center_X,Location_Center_Y,Location_Center_Z\n1,1,2,3\n1,4,5,6\n",
+             " \tArea\tX\tY\tZ\n1\t9\t1\t2\t3\n2\t9\t4\t5\t6\n",  // ImageJ
+         }) {
+        EXPECT_EQ(centers(text), two) << text;
+        EXPECT_EQ(centers(as_utf16(text, true)), two) << text;
+        EXPECT_EQ(centers(as_utf16(text, false)), two) << text;
+        std::string crlf;
+        for (const char c : text) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+        if (text.find('\r') == std::string::npos) {
+            EXPECT_EQ(centers(crlf), two) << text;
+        }
+    }
+}
+
+TEST(CsvDialects, HaveDecimalCommas) {
+    const std::vector<Sphere> both = {{{1.5, 2.5, 3.5}, 0.5, {255, 255, 255}, false},
+                                      {{2.5, 2.5, 3.5}, 0.5, {255, 255, 255}, false}};
+    for (const char* text :
+         {"x;y;z;radius\n1,5;2,5;3,5;0,5\n2,5;2,5;3,5;0,5\n", "x\ty\tz\tradius\n1,5\t2,5\t3,5\t0,5\n2,5\t2,5\t3,5\t0,5\n",
+          "x,y,z,radius\n\"1,5\",\"2,5\",\"3,5\",\"0,5\"\n\"2,5\",\"2,5\",\"3,5\",\"0,5\"\n",
+          "x y z radius\n1,5 2,5 3,5 0,5\n2,5 2,5 3,5 0,5\n"}) {
+        EXPECT_EQ(spheres(text), both) << text;
+    }
+    EXPECT_EQ(centers("1,5;2;3\n2,5;2;3\n"), (Centers{{1.5, 2, 3}, {2.5, 2, 3}}));
+    // 1,234 is a thousand where other numbers have points.
+    EXPECT_EQ(message_of<InputError>([] { spheres("x;y;z\n1,234;2.5;3\n"); }), "a.csv:2:1: found '1,234', expected x, a number");
+}
+
+TEST(CsvWithoutHeader, TakesTheFirstColumns) {
+    for (const char* text :
+         {"1,2,3\n4,5,6\n", "1 2 3\n4 5 6\n", "1;2;3;\n4;5;6;\n", "# a cloud\n1.0 2.0 3.0 0.7\n4.0 5.0 6.0 0.7\n"}) {
+        EXPECT_EQ(centers(text), two) << text;
+    }
+    const SphereData data = table("1,2,3\n4,5,6\n");
+    ASSERT_EQ(data.warnings.size(), 2U);
+    EXPECT_EQ(data.warnings[0], "a.csv: no header: the first columns are taken for x, y and z");
+    const SphereData colored = table("1.5 2 3 255 128 0 0.7\n4 5 6 255 128 0 0.7\n");
+    EXPECT_EQ(colored.scene.spheres[1].color, (Color{255, 128, 0}));
+    EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: '7'"});
+    // Names that nobody knows are no reason to guess.
+    EXPECT_EQ(message_of<InputError>([] { spheres("mass,time,depth\n1,2,3\n"); }),
+              "a.csv:1:1: found 'mass', expected a header with x, y, z, and perhaps radius, r, g, b, name; "
+              "--columns x=NAME,y=NAME,z=NAME names others");
+}
+
+TEST(CsvRows, WithoutCoordinatesAreLeftOutAndCounted) {
+    const SphereData one = table("x,y,z\n1,2,3\nnan,nan,nan\n");
+    EXPECT_EQ(one.scene.spheres.size(), 1U);
+    EXPECT_EQ(one.warnings, Lines{"a.csv: 1 row has no coordinates and is left out"});
+    const SphereData some = table("x,y,z,name\n1,2,3,a\n,,,b\nNA,NA,NA,c\n4,,6,d\n4,5,6,e\n#N/A,1,2,f\ninf,1,2,g\n,,,\n");
+    EXPECT_EQ(some.scene.spheres.size(), 2U);
+    EXPECT_EQ(some.scene.names, (std::map<std::uint32_t, std::string>{{0, "a"}, {1, "e"}}));
+    EXPECT_EQ(some.warnings[0], "a.csv: 5 rows have no coordinates and are left out");
+    EXPECT_EQ(table("x,y\n1,2\n4,5\n").warnings[0], "a.csv: no column for z: all lie in the plane z = 0");
+    EXPECT_EQ(centers("x,y\n1,2\n4,5\n"), (Centers{{1, 2, 0}, {4, 5, 0}}));
+}
+
+TEST(PointRadius, IsAQuarterOfTheMedianDistance) {
+    const auto radius = [](const Centers& points) {
+        std::vector<Sphere> spheres;
+        for (const glm::dvec3& point : points) spheres.push_back({point, 1.0, {}, false});
+        return radius_of_points(spheres);
+    };
+    EXPECT_EQ(radius({}), std::nullopt);
+    EXPECT_EQ(radius({{1, 2, 3}}), std::nullopt);
+    EXPECT_EQ(radius({{1, 2, 3}, {1, 2, 3}}), std::nullopt);
+    EXPECT_EQ(radius({{-1e308, 0, 0}, {1e308, 0, 0}}), std::nullopt);
+    EXPECT_EQ(radius({{0, 0, 0}, {0, 0, 8}}), 2.0);
+    EXPECT_EQ(radius({{0, 0, 0}, {0, 0, 0}, {0, 0, 8}}), 2.0);                          // places that differ count
+    EXPECT_EQ(radius({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, 0}, {1e9, 0, 0}}), 1.0);  // and one that is far does not
+    Centers lattice;
+    for (int i = 0; i < 30; ++i) {
+        for (int j = 0; j < 30; ++j) {
+            for (int k = 0; k < 30; ++k) lattice.emplace_back(8 * i, 8 * j, 8 * k);
+        }
+    }
+    EXPECT_EQ(radius(lattice), 2.0);
+    lattice.emplace_back(1e12, -1e12, 5);
+    EXPECT_EQ(radius(lattice), 2.0);
+}
+
+// The grid finds what comparing all with all finds, also where points are crowded, flat or in a row.
+TEST(PointRadius, IsThatOfAllPairs) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (int shape = 0; shape < 12; ++shape) {
+        std::vector<Sphere> points(400);
+        for (Sphere& sphere : points) {
+            glm::dvec3 p(uniform(random), uniform(random), uniform(random));
+            if (shape % 4 == 1) p.z = 3.0;
+            if (shape % 4 == 2) p = {p.x, 0.0, 0.0};
+            if (shape % 4 == 3 && uniform(random) < 0.9) p *= 1e-3;
+            sphere.center = p;
+        }
+        std::vector<double> nearest;
+        for (const Sphere& a : points) {
+            double least = INFINITY;
+            for (const Sphere& b : points) {
+                const glm::dvec3 d = a.center - b.center;
+                if (&a != &b) least = std::min(least, d.x * d.x + d.y * d.y + d.z * d.z);
+            }
+            nearest.push_back(std::sqrt(least));
+        }
+        std::ranges::sort(nearest);
+        const auto radius = radius_of_points(points);
+        ASSERT_TRUE(radius) << shape;
+        EXPECT_NEAR(*radius, 0.25 * nearest[199], 1e-12) << shape;
+    }
+}
+
+TEST(PointRadius, IsSaidAndGivesWayToAnotherOne) {
+    const std::string text = "x,y,z\n0,0,0\n0,0,8\n";
+    EXPECT_EQ(table(text).warnings, Lines{"a.csv: no radius in the file: all get 2, a quarter of the median distance to the "
+                                          "nearest neighbour; --radius gives another"});
+    EXPECT_EQ(spheres(text)[1].radius, 2.0);
+    EXPECT_EQ(spheres(text, {0, 4.5})[1].radius, 4.5);
+    EXPECT_EQ(read_xyz("0 0 0\n0 0 8\n", "a.xyz", {}).scene.spheres[1].radius, 2.0);  // points alone, too
+    EXPECT_EQ(table(text, {0, 4.5}).warnings, Lines{});
+}
+
+TEST(DetectFormat, KnowsTablesUnderATextsName) {
+    for (const std::string text : {"x y z\n1 2 3\n", "x\ty\tz\n1\t2\t3\n", "0.1 0.2 0.3\n0.4 0.5 0.6\n", "1,2,3\n", "1;2;3\n",
+                                   "sep=;\nx;y;z\n", "//X Y Z R G B\n1 2 3 4 5 6\n"}) {
+        for (const char* name : {"a.txt", "a.dat", "stdin"}) {
+            EXPECT_EQ(detect_format(text, name).name, "CSV") << text;
+            EXPECT_EQ(detect_format(as_utf16(text, true), name).name, "CSV") << text;
+        }
+        EXPECT_NE(detect_format(text, "a.toml").name, "CSV") << text;
+    }
+    for (const char* name : {"a.csv", "a.tsv", "a.asc", "a.CSV.gz"}) EXPECT_EQ(detect_format("", name).name, "CSV");
+    for (const std::string text : {"1 2 3\n4 5 6\n", "1\n255 0 0 1.5 2 3 4\n", "x y\n1 2\n", "the x y z of it\n1 2\n"}) {
+        EXPECT_EQ(detect_format(text, "a.txt").name, "text") << text;
+    }
+}
+
+}  // namespace sphereview
