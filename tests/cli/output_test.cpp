@@ -186,8 +186,9 @@ TEST(ExitStatus, Is3WhenMemoryRunsOut) {
 
 TEST(ExitStatus, Is3WhenASceneCannotFitInMemory) {
     const TemporaryFolder folder;
-    folder.write("big.txt", "50000000\n");
-    folder.write("big.toml", "# \n");
+    const std::string blanks(1 << 16, ' ');  // where a file shows what it is, it is text
+    folder.write("big.txt", "50000000\n" + blanks);
+    folder.write("big.toml", "# \n" + blanks);
     for (const char* name : {"big.txt", "big.toml"}) std::filesystem::resize_file(folder.path(name), 1'500'000'000);  // sparse
     for (const auto& [name, said] : {std::pair{"big.txt", "big.txt: 50,000,000 spheres need 6.5 GB of memory, "},
                                      std::pair{"big.toml", "big.toml: its bytes need 1.5 GB of memory, "}}) {
