@@ -108,7 +108,7 @@ public:
                 finish(block, visible);
             }
         }
-        if (kept_ != nullptr) kept_->finish();
+        if (lighting_ && kept_ != nullptr) kept_->finish();
         Image picture = colored_.take();
         draw_marks(options_.marks, options_.camera, picture);
         return picture;

@@ -23,7 +23,7 @@ auto beside_python(Work work) {
     const auto owned = std::make_shared<Work>(std::move(work));  // std::function wants what can be copied
     {
         const pybind11::gil_scoped_release others_may_run;
-        const BackgroundJob job([result, owned](WorkControl& control) { result->emplace((*owned)(control)); });
+        const BackgroundJob job([result, owned](WorkControl& control) { result->emplace((*owned)(control)); }, WorkPriority::usual);
         while (!job.wait_for(std::chrono::milliseconds(50))) {
             const pybind11::gil_scoped_acquire one_moment;
             if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();

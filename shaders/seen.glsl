@@ -43,7 +43,8 @@ int seen_at(ivec2 pixel) {
         int tried = 0;
         do {
             vec4 sphere = sphere_at(max(around.x, 0));
-            float hit = hit_distance(sphere.xyz - origin, abs(sphere.w), ray);
+            vec3 center = sphere.xyz - origin;
+            float hit = hit_distance(center, sphere.w != 0.0 ? abs(sphere.w) : length(center), ray);  // 0: the eye is on the surface
             bool nearer = around.x > visible_background && hit < distance;
             distance = nearer ? hit : distance;
             seen = nearer ? around.x : seen;

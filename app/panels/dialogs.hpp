@@ -61,6 +61,7 @@ struct FileBrowser {
     // a name with none of the endings gets the first of the chosen kind.
     std::vector<FileKind> kinds;
     std::size_t kind = 0;
+    bool only_kinds = false;          // so does the name of a file that is there, before anyone is asked whether to replace it
     std::vector<std::string> places;  // folders to go to by a click
     std::optional<PictureSize> size;
     PictureSize view;                        // of the picture in the window, for a button

@@ -35,7 +35,8 @@ fs::path chosen_file(const FileBrowser& browser) {
     const std::string name = text_from(path.filename());
     std::error_code none;
     const bool complete = std::ranges::any_of(browser.kinds, [&](const FileKind& kind) { return fits(kind, name); });
-    if (!browser.saving || complete || browser.kinds.empty() || fs::exists(path, none)) return path;
+    const bool stays = browser.only_kinds ? fs::exists(path, none) && !fs::is_regular_file(path, none) : fs::exists(path, none);
+    if (!browser.saving || complete || browser.kinds.empty() || stays) return path;
     const FileKind& kind = browser.kinds[browser.kind];
     return kind.endings.empty() ? path : path += path_from(kind.endings.front());
 }

@@ -42,8 +42,8 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
 // Text that is continued below where the line ends, or at a place in the window.
 void wrapped_text(std::string_view text, float wrap_at = 0.0F);
 void dim_text(const std::string& text);
-// As one item.
 inline ImVec4 fault_color() { return on_panel({1.0F, 0.45F, 0.42F, 1.0F}); }
+// As one item.
 void fault_text(const std::string& text);
 
 // Of a text on one line, in pixels.

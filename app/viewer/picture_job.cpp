@@ -155,6 +155,7 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
     form.folder = text_from(path_from(first).parent_path());
     form.name = text_from(path_from(first).filename());
     form.kinds = {{"PNG", {".png"}}};
+    form.only_kinds = true;
     form.size = PictureSize{state.settings.export_width, state.settings.export_height};
     form.view = state.picture_size;
     form.error = fault;

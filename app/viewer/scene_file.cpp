@@ -369,7 +369,8 @@ void look_at_file(ViewerState& state) {
                               },
                           .fail =
                               [&state](const std::string& why) {
-                                  note_back(state);
+                                  // Something is there, but not the scene: that is still in the window alone.
+                                  state.messages.scene_gone.clear();
                                   state.messages.scene_error = why;
                               },
                           .cancel = [&state] { state.document.mark_unsaved(); },

@@ -56,7 +56,10 @@ struct Work {
     bool then_quit = false;                         // the person has closed the window meanwhile
     std::shared_ptr<const FoundPath> found_path{};  // instead of `path`, where the job chooses
 
-    std::string shown_path() const { return found_path ? found_path->get() : path; }
+    std::string shown_path() const {
+        const std::string shown = found_path ? found_path->get() : path;
+        return shown.empty() ? "the view" : shown;  // its name is not found yet
+    }
 };
 
 // Whether to read it at once: a regular file that takes no time that anyone sees, or what is missing and says so.

@@ -73,8 +73,7 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
     const double done = static_cast<double>(control.done);
     const double total = static_cast<double>(control.total);
     if (!state.loading) {
-        const std::string path = state.exporting->shown_path();
-        return WorkShown{"Exporting " + (path.empty() ? "the view" : path), total > 0.0 ? done / total : 0.0, true};
+        return WorkShown{"Exporting " + state.exporting->shown_path(), total > 0.0 ? done / total : 0.0, true};
     }
     std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
@@ -88,7 +87,8 @@ Viewer::Viewer(ViewerState& state, Window& window)
       window_(window),
       imgui_(window, state.settings.text_scale, theme_of(state.settings)),
       picture_(state.options.shader_folder),
-      log_(state.options.redraw_log) {
+      log_(state.options.redraw_log),
+      kept_recent_(load_settings().recent) {
     facts_.status.renderer = shown_text(window.renderer());
     state_.clipboard = {[&window] { return window.clipboard(); },
                         [&window](const std::string& text) { window.set_clipboard(text); }};

@@ -10,13 +10,14 @@
 
 namespace sphereview {
 
-BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work) : control_(std::make_shared<WorkControl>()) {
+BackgroundJob::BackgroundJob(std::function<void(WorkControl&)> work, WorkPriority priority)
+    : control_(std::make_shared<WorkControl>()) {
     const auto end = std::make_shared<std::promise<void>>();
     end_ = end->get_future();
-    auto run = [control = control_, work = std::move(work), end]() mutable {
+    auto run = [control = control_, work = std::move(work), priority, end]() mutable {
         std::exception_ptr error;
         try {
-            give_way();
+            if (priority == WorkPriority::gives_way) give_way();
             cancel_loops_by(&control->cancelled);
             work(*control);
         } catch (...) {

@@ -31,12 +31,15 @@ struct WorkControl {
     }
 };
 
+// Whether work gets the processor only where others leave it, as what a window does beside its loop, or as the process itself does.
+enum class WorkPriority { gives_way, usual };
+
 class BackgroundJob {
 public:
     // Begins at once. The work owns what it touches: it may outlive this object, as a read of a pipe that nobody writes to
     // does. Cancelled, it ends at its next check(), or in its next loop on all cores (base/parallel.hpp). When there can be no
     // thread it has ended at once, and rethrow() throws RenderError.
-    explicit BackgroundJob(std::function<void(WorkControl&)> work);
+    explicit BackgroundJob(std::function<void(WorkControl&)> work, WorkPriority priority = WorkPriority::gives_way);
     // Cancels, and waits for nothing.
     ~BackgroundJob();
     BackgroundJob(BackgroundJob&&) noexcept = default;

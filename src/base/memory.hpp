@@ -26,8 +26,8 @@ std::string in_bytes(std::uint64_t bytes);
 // go. glibc keeps freed blocks of up to 32 MB otherwise; elsewhere this does nothing.
 void return_large_blocks();
 
-// Of memory that is reserved and not touched yet: the system may provide it some megabytes at a time. Page by page, it takes longer than
-// whoever fills the memory. Elsewhere than on Linux this does nothing.
+// Of memory that is reserved and not touched yet: the system may provide it some megabytes at a time. Page by page, it takes longer
+// than whoever fills the memory. Elsewhere than on Linux this does nothing.
 void prefer_large_pages(void* memory, std::size_t bytes);
 
 }  // namespace sphereview

@@ -56,18 +56,6 @@ int errno_of(const std::error_code& error) { return error.default_error_conditio
 // Something other than a regular file stands there: it is written into, not replaced.
 bool is_special(const fs::file_status& status) { return fs::exists(status) && !fs::is_regular_file(status); }
 
-// Windows has devices under names such as NUL in every folder, and does not show them as files.
-bool is_device_name([[maybe_unused]] const fs::path& path) {
-#ifdef _WIN32
-    constexpr DWORD longest = 32768;
-    std::wstring full(longest, L'\0');
-    full.resize(std::min(longest, GetFullPathNameW(path.c_str(), longest, full.data(), nullptr)));
-    return full.starts_with(L"\\\\.\\");
-#else
-    return false;
-#endif
-}
-
 // The file that `path` leads to, through symbolic links, also dangling ones. `error`: why that cannot be told.
 fs::path follow_links(fs::path path, std::error_code& error) {
     constexpr int most_links = 40;  // as many as Linux follows
@@ -300,6 +288,17 @@ Target checked_target_of(const std::string& path, MissingFolder missing) {
 }
 
 }  // namespace
+
+bool is_device_name([[maybe_unused]] const fs::path& path) {
+#ifdef _WIN32
+    constexpr DWORD longest = 32768;
+    std::wstring full(longest, L'\0');
+    full.resize(std::min(longest, GetFullPathNameW(path.c_str(), longest, full.data(), nullptr)));
+    return full.starts_with(L"\\\\.\\");
+#else
+    return false;
+#endif
+}
 
 void write_output(const std::string& path, std::string_view bytes, Durability durability, MissingFolder missing) {
     if (path == standard_stream) {

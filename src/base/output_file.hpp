@@ -1,6 +1,7 @@
 // Whole-or-nothing output: a file that appears under its name is complete.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,9 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
 // Throws OutputError when `path` plainly cannot become an output: a folder, below no folder, or not to be written to.
 // For saying so before long work, and makes nothing; write_output checks again.
 void check_output(const std::string& path, MissingFolder missing = MissingFolder::refused);
+
+// Whether the system takes the name for a device in any folder, as Windows does NUL.
+bool is_device_name(const std::filesystem::path& path);
 
 enum class FileUse { input, output };
 

@@ -177,8 +177,8 @@ void give_way() {
     gives_way = true;
 #ifdef __linux__
     constexpr int nicer = 10;  // a tenth of the time of a thread that competes
-    const auto thread = static_cast<id_t>(gettid());
-    setpriority(PRIO_PROCESS, thread, getpriority(PRIO_PROCESS, thread) + nicer);
+    // Than the process: a thread begins as nice as the one that made it.
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), getpriority(PRIO_PROCESS, static_cast<id_t>(getpid())) + nicer);
 #elif defined(__APPLE__)
     pthread_set_qos_class_self_np(QOS_CLASS_UTILITY, 0);
 #elif defined(_WIN32)

@@ -9,16 +9,17 @@ namespace sphereview {
 // How many threads share the work: one for each core that this process may use.
 int worker_count();
 
-// From now on this thread, and the loops that it begins, get the processor only where others leave it: a window that is used meanwhile
-// stays as quick as without them. There is no way back, which systems reserve for privileged processes. Nothing where the system has
-// no such thing.
+// From now on this thread, and the loops that it begins, get the processor only where others leave it: a window that is used
+// meanwhile stays as quick as without them. There is no way back, which systems reserve for privileged processes. Nothing where the
+// system has no such thing.
 void give_way();
 
 // From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled (base/background_job.hpp).
 // nullptr: they always end by themselves.
 void cancel_loops_by(const std::atomic<bool>* flag);
 
-// Throws Cancelled when the loop is to end in which this is called, or that this thread would begin: for work(i) that may take long.
+// Throws Cancelled when the loop is to end in which this is called, or that this thread would begin: for work(i) that may take
+// long.
 void check_cancelled();
 
 namespace detail {

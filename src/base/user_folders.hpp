@@ -26,7 +26,8 @@ std::vector<std::filesystem::path> drives();
 // The running program's file; empty where the system does not say.
 std::filesystem::path program_file();
 
-// What was installed with a program in PREFIX/bin (on Windows in PREFIX): PREFIX/share/sphereview, with the folder `scenes`. Empty when nothing was.
+// What was installed with a program in PREFIX/bin (on Windows in PREFIX): PREFIX/share/sphereview, with the folder `scenes`. Empty
+// when nothing was.
 std::filesystem::path share_folder(const std::filesystem::path& program = program_file());
 
 // Makes the folder, and those above it, for this user alone where they are missing. False when it is not there then.

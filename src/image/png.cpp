@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/output_file.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
 
@@ -38,6 +39,7 @@ std::string ending_of(const fs::path& path) {
 // Whether bytes go to `path` under no name of a file: /dev/stdout may lead to a regular one.
 bool is_no_file_name(const std::string& path) {
     if (path == "-" || path.starts_with("/dev/") || path.starts_with("/proc/")) return true;
+    if (is_device_name(path_from(path))) return true;
     std::error_code error;
     const fs::file_status status = fs::status(path_from(path), error);
     return (fs::exists(status) && !fs::is_regular_file(status)) || !path_from(path).has_filename();

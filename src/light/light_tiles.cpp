@@ -24,7 +24,7 @@ constexpr std::size_t most_asked = 16;   // tiles that a disc asks one by one wh
 constexpr double most_touched = 0x1p25;  // tiles that all discs of a light touch: many huge spheres get larger tiles
 constexpr std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere
 
-// A facing that float computes is off by less: normals are whole multiples of 2^-15, so off by 2^-16 in each of three components,
+// A facing that float computes is off by less: normals are whole multiples of 1/32767, so off by 1/65534 in each of three components,
 // and there are 5 roundings of products that sum to 1 at most, and the normal's own error.
 constexpr float facing_doubt = 0x1p-15F;
 

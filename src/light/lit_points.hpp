@@ -27,7 +27,7 @@ struct LitPoints {
     UninitializedVector<float> x;
     UninitializedVector<float> y;
     UninitializedVector<float> z;
-    // The unit normal, turned to the eye; each component is off by 2^-16 and 2^-21 at most.
+    // The unit normal, turned to the eye; each component is off by 1/65534 and 2^-21 at most.
     UninitializedVector<std::int16_t> normal_x;
     UninitializedVector<std::int16_t> normal_y;
     UninitializedVector<std::int16_t> normal_z;

@@ -39,7 +39,7 @@ TEST(Recovery, OnADiskThatHangsDoesNotKeepASignalFromEndingTheWindow) {
     window.send(SIGTERM);
     const Outcome outcome = window.wait_for_end();
     EXPECT_EQ(outcome.status, 128 + SIGTERM) << outcome;
-    EXPECT_TRUE(contains(outcome.errors, "does not answer")) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "the folder of unsaved changes does not answer")) << outcome;
 }
 
 // Each start offers what the last end has kept.
