@@ -62,11 +62,13 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name) {
     const auto view = std::ranges::find(views, name, &SavedView::name);
     if (view != views.end()) return view->camera;
     std::vector<std::string> candidates(view_sides.begin(), view_sides.end());
+    constexpr std::size_t most_listed = 10;
     std::vector<std::string> saved;
     for (const SavedView& one : views) {
         candidates.push_back(one.name);
-        saved.push_back(in_quotes(one.name));
+        if (saved.size() < most_listed) saved.push_back(in_quotes(one.name));
     }
+    if (views.size() > most_listed) saved.push_back(in_groups(views.size() - most_listed) + " more");
     throw InputError(loaded.name + ": found no view " + in_quotes(name) + ", expected " +
                      (saved.empty() ? std::string(view_syntax) + "; it has no saved views"
                                     : "one of its saved views, " + joined(saved, ", ") + ", or " + std::string(view_syntax)) +

@@ -190,6 +190,7 @@ private:
         const std::string order = scenes_ > 1 ? " (" + std::to_string(started_) + " of " + std::to_string(scenes_) + ")" : "";
         progress_.start(job.name + order, 1e-6 * options_.size.width * options_.size.height, "Mpixel");
         const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
+        const bool shows_any = std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden));
         const PictureOptions options{scene.camera,
                                      options_.size,
                                      options_.background.value_or(scene.background),
@@ -197,9 +198,9 @@ private:
                                      options_.samples,
                                      options_.shading,
                                      with_options(scene, options_.light),
-                                     {options_.axes, options_.scale_bar, middle_for_scale(scene)}};
+                                     {options_.axes, options_.scale_bar && shows_any, middle_for_scale(scene)}};
         const Image picture = render(scene, drawn, options, report);
-        if (loaded.fitted && !report.facts.shows_sphere && std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden))) {
+        if (loaded.fitted && !report.facts.shows_sphere && shows_any) {
             report.warnings.push_back(job.label +
                                       ": no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
                                       "a larger --size, or --radius where the file says none, shows them");

@@ -171,8 +171,9 @@ private:
         const PixelExplanation& e = pixel.explanation;
         ImGui::Spacing();
         draw_words(place_in_words(pixel.place));
-        ImGui::SameLine();
-        draw_dim_words("shows " + seen_in_words(pixel));
+        const std::string seen = "shows " + seen_in_words(pixel);
+        same_line_for(seen.c_str());
+        draw_dim_words(seen);
         draw_drawings(pixel);
         draw_ray(e);
         if (e.hits.empty()) {

@@ -138,6 +138,7 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
     const std::string before = fields.last_drawn;
     // Not the drag: a press on a field above has begun one already.
     fields.typed.clear();
+    fields.just_typed = name;
     fields.focus = false;
     fields.passes_on = step > 0;
     if (step < 0) open_box(fields, before);
@@ -184,7 +185,11 @@ NumberChange draw_drag(const PanelContext& context, NumberFields& fields, const 
     if (several.empty() && has_ends(rule)) draw_place_between_ends(rule, value, context.scale);
     const bool active = ImGui::IsItemActive();
     if (ImGui::IsItemHovered() || active) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    if (ImGui::IsItemHovered() && !active) say_what_it_is(name, rule, several.empty() ? shortest(value) : several);
+    if (fields.just_typed == name && !ImGui::IsItemHovered()) fields.just_typed.clear();
+    // What is said below the field, and the fields there, are not covered.
+    if (ImGui::IsItemHovered() && !active && fields.just_typed != name) {
+        say_what_it_is(name, rule, several.empty() ? shortest(value) : several);
+    }
     if (ImGui::IsItemActivated()) begin_drag(context, fields, rule, value);
     // A frame's movement comes before its release.
     if (!active && !ImGui::IsItemDeactivated()) return NumberChange::none;

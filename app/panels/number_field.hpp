@@ -33,6 +33,7 @@ struct NumberFields {
     bool opens = false;      // the box is to get the number as its text
     bool passes_on = false;  // what is drawn next gets the keyboard
     std::string last_drawn;  // the field that Shift+Tab goes back to
+    std::string just_typed;  // the field that says nothing of itself until the pointer has left it
 
     // The latest drag: the number is `from` and so many steps, of a pixel each. Nothing adds up, and back is back to the bit.
     struct Drag {

@@ -56,6 +56,11 @@ struct SidePanelState {
     std::string view_name;
     bool focus_view_name = false;
     std::string view_fault;       // why the name that was typed last was refused
+    // Whether a box for typing has been asked for, and a redraw or two go by until it has the keyboard.
+    bool opens_box() const { return numbers.focus || focus_view_name; }
+    // Whether a box is there, or opens.
+    bool has_box() const { return !numbers.typed.empty() || renamed_view; }
+
     std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
     float below_list = 0.0F;      // how high what comes below the list was
 };

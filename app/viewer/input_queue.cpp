@@ -83,10 +83,14 @@ void InputQueue::add(std::vector<InputEvent> events) {
     events_.insert(events_.end(), std::make_move_iterator(events.begin()), std::make_move_iterator(events.end()));
 }
 
-std::vector<InputEvent> InputQueue::take_frame() {
+std::vector<InputEvent> InputQueue::take_frame(bool keys_wait) {
     Taken taken;
+    const auto is_typed = [](const InputEvent& event) {
+        const auto* key = std::get_if<KeyChanged>(&event);
+        return (key != nullptr && key->pressed) || std::holds_alternative<CharacterTyped>(event);
+    };
     std::vector<InputEvent> frame;
-    while (!events_.empty()) {
+    while (!events_.empty() && !(keys_wait && is_typed(events_.front()))) {
         const bool repeats = is_repeat_of(frame, events_.front());
         if (!repeats && taken.hides(events_.front())) break;
         if (!repeats) frame.push_back(std::move(events_.front()));

@@ -17,7 +17,8 @@ public:
     void add(std::vector<InputEvent> events);
     bool empty() const { return events_.empty(); }
 
-    std::vector<InputEvent> take_frame();
+    // `keys_wait`: what is typed, and all that follows it, stays for a later redraw.
+    std::vector<InputEvent> take_frame(bool keys_wait = false);
 
 private:
     std::deque<InputEvent> events_;

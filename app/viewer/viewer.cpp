@@ -219,18 +219,21 @@ bool Viewer::is_lone_alt(const InputEvent& event) {
 }
 
 std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action>& actions) {
-    std::vector<InputEvent> events = input_.take_frame();
+    const bool typing = ImGui::GetIO().WantTextInput;
+    // What follows a click on a number, or the key that saves a view, is meant for the box that opens. In a panel that is not drawn
+    // none does.
+    const SidePanelState& panel = state_.side_panel;
+    const bool opens = state_.panel_shown && (panel.opens_box() || (panel.has_box() && !typing));
+    waited_for_box_ = opens ? waited_for_box_ + 1 : 0;
+    std::vector<InputEvent> events = input_.take_frame(opens && waited_for_box_ <= longest_wait_for_box);
     if (!events.empty()) pacing_.touch();
-    // A box that gets the keyboard in the next frames has it for the person who saved a view and types its name.
-    const bool awaits_name = state_.panel_shown && state_.side_panel.renamed_view && state_.side_panel.focus_view_name;
-    const bool typing = ImGui::GetIO().WantTextInput || awaits_name;
     const bool popped_up = has_popped_up(state_);
     const std::vector<CommandInfo> commands = commands_of(state_);
     for (const InputEvent& event : events) {
         if (takes_over(event)) state_.flight.reset();
         if (is_lone_alt(event) && state_.dialogs.empty() && !popped_up) state_.menu_keys.begins = true;
         if (std::holds_alternative<CloseRequested>(event)) {
-            actions.emplace_back(RunCommand{CommandId::quit});
+            (typing ? after_typing_ : actions).emplace_back(RunCommand{CommandId::quit});
         } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
             actions.emplace_back(OpenFile{dropped->paths.front()});
         } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
@@ -243,7 +246,7 @@ std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action
             if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(commands, key->name, m.control, m.shift, m.alt))
-                actions.emplace_back(RunCommand{*command});
+                (typing ? after_typing_ : actions).emplace_back(RunCommand{*command});
         } else if (const auto* typed = std::get_if<CharacterTyped>(&event);
                    typed != nullptr && !typing && !popped_up && state_.dialogs.empty()) {
             if (const auto command = command_for_character(commands, typed->character)) actions.emplace_back(RunCommand{*command});
@@ -356,6 +359,8 @@ void Viewer::redraw() {
     facts_.keys = {};
     const std::vector<InputEvent> events = take_events(facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
+    // The box that is typed into loses the keyboard, and gives what it holds, before a save or a quit could miss that.
+    if (!after_typing_.empty()) ImGui::SetWindowFocus(nullptr);
     widgets_.clear();
     facts_.difference = difference_.follow(state_.comparison ? state_.comparison->difference : nullptr);
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
@@ -401,6 +406,7 @@ void Viewer::redraw() {
     {
         const std::lock_guard lock(state_.changing);
         perform(state_, std::move(actions));
+        perform(state_, std::exchange(after_typing_, {}));
     }
     if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);

@@ -67,8 +67,11 @@ private:
     DifferenceTexture difference_;
     RestView rest_;
     LostHint lost_hint_;
-    bool alt_alone_ = false;        // Alt is down, and nothing came after it
-    bool shaders_changed_ = false;  // they are read once the edits are kept
+    bool alt_alone_ = false;  // Alt is down, and nothing came after it
+    int waited_for_box_ = 0;  // redraws
+    static constexpr int longest_wait_for_box = 8;
+    std::vector<Action> after_typing_{};  // commands that came while a box was typed into
+    bool shaders_changed_ = false;        // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
     std::vector<std::string> kept_recent_;          // the recent files as they were written last
     std::optional<BackgroundJob> settings_kept_{};  // a disk that hangs holds up nobody

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -186,6 +188,7 @@ std::vector<SavedView> read_views(const TomlText& document, const toml::node& no
     const toml::array* array = node.as_array();
     if (array == nullptr) wrong(document, node, expected);
     std::vector<SavedView> views;
+    std::set<std::string> names;
     for (const toml::node& item : *array) {
         const toml::table* table = item.as_table();
         if (table == nullptr) wrong(document, item, expected);
@@ -194,7 +197,7 @@ std::vector<SavedView> read_views(const TomlText& document, const toml::node& no
         SavedView view{reader.value<std::string>(name, "'name' as a string"), {}};
         if (const std::string fault = view_name_fault(view.name); !fault.empty())
             fail(document, name, "found " + in_quotes(view.name) + ", " + fault + ", expected a name of its own for the view");
-        if (std::ranges::find(views, view.name, &SavedView::name) != views.end())
+        if (!names.insert(view.name).second)
             fail(document, name, "found " + in_quotes(view.name) + " again, expected each name once");
         view.camera = read_camera(document, *table, reader);
         views.push_back(std::move(view));

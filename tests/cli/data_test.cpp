@@ -70,6 +70,10 @@ TEST_F(Data, IsOnlyRead) {
         if (format != "gzip") expect_fault({"convert", "a.xyz", name, "--to", "toml"}, fault);  // no command could open it
         EXPECT_FALSE(folder_.has(name));
     }
+    folder_.write("picture.PNG", "mine");
+    expect_fault({"convert", "a.xyz", "picture.PNG"},
+                 "picture.PNG: found a picture's name, expected one that ends with .txt or .toml");
+    EXPECT_EQ(folder_.read("picture.PNG"), "mine");
 }
 
 TEST_F(Data, IsRenderedAndExplainedByFrame) {

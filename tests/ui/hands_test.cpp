@@ -206,6 +206,16 @@ TEST_F(Pointer, DragsSlidersAndTypesValues) {
     window_.wait_until("a step", changed);
     expect_rendered();
     EXPECT_TRUE(contains(folder_.read(name_), "-40.125 0 300"));
+    window_.step("a value that is typed at once, and saved before it is entered");
+    select(1);
+    window_.click_widget("slider x");
+    window_.key("ctrl+a");
+    window_.type("12.5");
+    window_.key("ctrl+s");
+    window_.wait_until("what was typed is saved", [&](const Json& f) {
+        return f.at("changed") == false && folder_.read(name_).find("12.5 0 300") != std::string::npos;
+    });
+    EXPECT_EQ(window_.at("spheres"), 2);
 }
 
 TEST_F(Pointer, MovesSizesAndSelectsSpheres) {

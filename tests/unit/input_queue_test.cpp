@@ -103,6 +103,15 @@ TEST(InputQueue, AWordIsTypedInOneFrame) {
     EXPECT_EQ(queue.take_frame().size(), 1U);
 }
 
+TEST(InputQueue, KeysWaitForABoxThatOpens) {
+    InputQueue queue;
+    queue.add({PointerMoved{}, KeyChanged{"a", false, false, {}}, KeyChanged{"b", true, false, {}}, CharacterTyped{U'b'},
+               PointerMoved{}});
+    EXPECT_EQ(queue.take_frame(true).size(), 2U) << "a release is no key that is typed";
+    EXPECT_TRUE(queue.take_frame(true).empty());
+    EXPECT_EQ(queue.take_frame().size(), 3U);
+}
+
 TEST(InputQueue, AHeldKeyDoesNotRunOn) {
     InputQueue queue;
     queue.add({KeyChanged{"page down", true, false, {}}});
