@@ -21,7 +21,7 @@ constexpr std::size_t rows_looked_at = 1000;
 // By which a line may be divided: what stands between fields before what may stand inside of them.
 constexpr std::string_view separators = ";\t, ";
 
-using Names = std::vector<std::string>;
+using ColumnNames = std::vector<std::string>;
 
 bool is_number(std::string_view text, bool decimal_commas) {
     double ignored = 0.0;
@@ -29,8 +29,8 @@ bool is_number(std::string_view text, bool decimal_commas) {
 }
 
 // The names in a header. Between blanks a unit in brackets belongs to the name before it.
-Names names_of(const CsvRecords& records, char separator) {
-    Names names;
+ColumnNames names_of(const CsvRecords& records, char separator) {
+    ColumnNames names;
     for (const CsvField& field : records.fields()) {
         const std::string name = as_utf8(trimmed(unquoted(field), white_space));
         const bool is_unit = separator == ' ' && !names.empty() && (name.starts_with('[') || name.starts_with('('));
@@ -50,7 +50,7 @@ struct Chosen {
     bool places_by_number = false;  // x and y: then no header is needed
 };
 
-std::optional<std::size_t> place_of(const std::string& choice, const Names& names) {
+std::optional<std::size_t> place_of(const std::string& choice, const ColumnNames& names) {
     const auto alike = [&](auto like) {
         const auto found = std::ranges::find_if(names, like);
         return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
@@ -66,7 +66,7 @@ std::optional<std::size_t> number_of(const std::string& choice, std::size_t fiel
     return parse_whole(choice, number) && number >= 1 && number <= fields ? std::optional(number - 1) : std::nullopt;
 }
 
-Chosen choose(const Names& names, const std::vector<ColumnChoice>& choices) {
+Chosen choose(const ColumnNames& names, const std::vector<ColumnChoice>& choices) {
     Chosen chosen;
     chosen.columns = columns_by_name(names);
     std::size_t numbers = 0;
@@ -120,7 +120,7 @@ public:
 
 private:
     struct CommentHeader {
-        Names names;
+        ColumnNames names;
         char separator;
     };
 
@@ -157,7 +157,7 @@ private:
             table_.layout.separator = separator;
             CsvRecords header(line, table_.layout, begin, line.text.size(), most_csv_columns);
             if (!has_record(header) || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
-            Names names = names_of(header, separator);
+            ColumnNames names = names_of(header, separator);
             const Chosen chosen = choose(names, choices_);
             if (!is_whole_header(chosen) || chosen.places_by_number) continue;
             comment_.emplace(CommentHeader{std::move(names), separator});
@@ -182,7 +182,7 @@ private:
             if (header.fields().size() > most_csv_columns) {
                 header.fail(header.fields()[most_csv_columns], "at most " + std::to_string(most_csv_columns) + " columns");
             }
-            const Names names = names_of(header, separator);
+            const ColumnNames names = names_of(header, separator);
             const Chosen chosen = choose(names, choices_);
             if (!is_whole_header(chosen)) continue;
             if (chosen.places_by_number && !is_row(header, chosen.columns)) continue;
@@ -245,7 +245,7 @@ private:
                 return is_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
             };
             if (count < 2 || !std::all_of(fields.begin(), fields.end() - (trails ? 1 : 0), is_value)) continue;
-            // Names that nobody knows are no reason to guess.
+            // ColumnNames that nobody knows are no reason to guess.
             if (unknown_header_) {
                 CsvRecords header = records(separator, *unknown_header_);
                 if (has_record(header) && header.offset() <= begin && names_of(header, separator).size() == count) continue;
@@ -257,7 +257,7 @@ private:
             if (count >= 6 && has_colors(begin, 3)) {
                 for (std::size_t i = 3; i < 6; ++i) chosen.columns.places[static_cast<std::size_t>(CsvColumn::red) + i - 3] = i;
             }
-            Names numbers;
+            ColumnNames numbers;
             for (std::size_t i = 1; i <= count; ++i) numbers.push_back(std::to_string(i));
             take(chosen, separator);
             table_.has_header = false;
@@ -287,7 +287,7 @@ private:
     }
 
     // Two columns of one name do not tell which is meant.
-    void refuse_twice(const CsvRecords& header, const Names& names) const {
+    void refuse_twice(const CsvRecords& header, const ColumnNames& names) const {
         const auto fields = header.fields();
         for (const auto& place : table_.columns.places) {
             if (!place || names.size() != fields.size()) continue;
@@ -329,7 +329,7 @@ private:
     }
 
     // Looks at the first rows for what the header does not say.
-    void finish(const Names& names) {
+    void finish(const ColumnNames& names) {
         CsvColumns& columns = table_.columns;
         if (columns.has(CsvColumn::radius)) columns[CsvColumn::diameter].reset();
         look_for_data_behind_marks();
@@ -381,7 +381,7 @@ private:
         return std::ranges::find(choices_, column, &ColumnChoice::column) != choices_.end();
     }
 
-    std::string name_at(const Names& names, std::size_t place) const {
+    std::string name_at(const ColumnNames& names, std::size_t place) const {
         const std::size_t i = place - (shifted_ ? 1 : 0);
         return i < names.size() ? names[i] : "";
     }

@@ -7,6 +7,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/elements.hpp"
 #include "formats/lines.hpp"
 
 namespace sphereview {
@@ -121,17 +122,15 @@ constexpr auto beginnings = std::to_array<Mark>({
     {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that"},
 });
 
-bool is_number(std::string_view word) {
+bool is_written_number(std::string_view word) {
     double ignored = 0.0;
     return parse_double(word, ignored) == NumberFault::none;
 }
 
 bool is_whole(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
 bool are_numbers(const std::vector<std::string_view>& words, std::size_t count) {
-    return words.size() == count && std::ranges::all_of(words, is_number);
+    return words.size() == count && std::ranges::all_of(words, is_written_number);
 }
 
 // The first lines of a text, as they are; missing ones are empty.
@@ -149,7 +148,7 @@ bool is_gromacs(const FirstLines& lines) {
     if (!is_whole(trimmed(lines[1])) || atom.size() < 44) return false;
     const auto part = [&](std::size_t begin, std::size_t count) { return trimmed(atom.substr(begin, count)); };
     return is_whole(part(0, 5)) && is_whole(part(15, 5)) && is_letter(part(10, 5).empty() ? ' ' : part(10, 5)[0]) &&
-           is_number(part(20, 8)) && is_number(part(28, 8)) && is_number(part(36, 8));
+           is_written_number(part(20, 8)) && is_written_number(part(28, 8)) && is_written_number(part(36, 8));
 }
 
 // A title, a scale, three vectors, and then the symbols or numbers of the atoms, and how their places are meant.
@@ -191,7 +190,7 @@ bool is_obj(std::string_view text) {
         const auto words = words_of(line);
         if (words.empty()) continue;
         if (words[0] == "mtllib") return true;
-        if (words[0] == "v") return words.size() >= 4 && std::all_of(words.begin() + 1, words.end(), is_number);
+        if (words[0] == "v") return words.size() >= 4 && std::all_of(words.begin() + 1, words.end(), is_written_number);
         if (std::ranges::find(others, words[0]) == others.end()) return false;
     }
     return false;
