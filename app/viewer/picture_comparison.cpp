@@ -1,9 +1,6 @@
 #include "viewer/picture_comparison.hpp"
 
-#include <algorithm>
-#include <bit>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 #include "app/compare_words.hpp"
@@ -35,18 +32,6 @@ Comparison in_words(const Diagnosis& diagnosis, const Scene& scene, const std::s
 }
 
 }  // namespace
-
-std::optional<ImTextureID> DifferenceTexture::follow(const std::shared_ptr<const Image>& picture) {
-    if (!picture || std::max(picture->width(), picture->height()) > gl_limit(GL_MAX_TEXTURE_SIZE)) return std::nullopt;
-    if (picture != uploaded_) {
-        upload(*picture, texture_);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);  // it is shown smaller than it is
-        uploaded_ = picture;
-    }
-    // A number in some releases of ImGui, a pointer in others.
-    using Bits = std::conditional_t<sizeof(ImTextureID) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
-    return std::bit_cast<ImTextureID>(Bits{texture_.name()});
-}
 
 void ask_for_comparison(ViewerState& state) {
     FileBrowser browser = file_dialog(state);

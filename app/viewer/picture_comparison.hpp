@@ -2,10 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 
-#include "gpu/gl_object.hpp"
 #include "image/image.hpp"
 #include "panels/comparison.hpp"
 
@@ -18,17 +16,6 @@ struct ShownComparison {
     Comparison words;
     std::shared_ptr<const Image> difference{};  // null for an equal picture
     bool open = true;
-};
-
-// The picture of a difference in the window's context, for ImGui.
-class DifferenceTexture {
-public:
-    // Nothing for no picture, and for one that is larger than the context's textures.
-    std::optional<ImTextureID> follow(const std::shared_ptr<const Image>& picture);
-
-private:
-    std::shared_ptr<const Image> uploaded_{};
-    Texture texture_;
 };
 
 // Asks for a picture, then compares it.

@@ -1,7 +1,10 @@
 #include "viewer/pinned_pixels.hpp"
 
+#include <memory>
 #include <utility>
 
+#include "app/failure.hpp"
+#include "gpu/live_picture.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -34,9 +37,41 @@ bool explain(const ViewerState& state, const LivePicture& picture, const PinnedP
     return true;
 }
 
+// Begins to write down what `sphereview explain` prints of the pixel for the scene saved with this view and light, and copies it
+// once it is there, unless another is asked for before: of a million spheres that takes seconds.
+void copy_explanation(ViewerState& state, const PinnedPixel& pixel) {
+    const auto fail = [&state](const std::string& why) { report_error(state, "The arithmetic cannot be copied", why); };
+    try {
+        ExplainOptions options;
+        options.pixel = pixel.pixel;
+        options.size = pixel.size;
+        options.background = state.background;
+        options.shading = state.settings.shading;
+        Scene around;  // the spheres: without them
+        around.camera = state.camera;
+        around.light = state.shown_light();
+        around.background = state.scene().background;
+        around.names = state.scene().names;
+        const auto words = std::make_shared<std::string>();
+        BackgroundJob job([words, options, scene = std::move(around), name = state.name(),
+                           spheres = scene_snapshot(state)](WorkControl&) mutable {
+            scene.spheres = spheres->spheres;
+            spheres.reset();
+            *words = explain(scene, name, options);
+        });
+        const auto done = [&state, words, at = pixel.pixel] {
+            state.clipboard.set_text(*words);
+            announce(state, "Copied the arithmetic of pixel " + std::to_string(at.x) + ", " + std::to_string(at.y));
+        };
+        state.copying.emplace(Work{.path = "", .job = std::move(job), .done = done, .fail = fail});
+    } catch (...) {
+        fail(describe_current_exception().message);
+    }
+}
+
 }  // namespace
 
-std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool view_moves,
+std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool moves,
                     Inspection& inspection) {
     PinnedPixels& pins = state.pins;
     if (!state.inspector_shown) {
@@ -49,7 +84,7 @@ std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::o
     inspection.second_is_next = pins.second_is_next;
     // A picture that moves, or is still coarse, need not wait for what goes through millions of spheres.
     constexpr std::size_t most_spheres_on_the_way = 100'000;
-    if ((view_moves || picture.step() > 1) && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
+    if ((moves || picture.step() > 1) && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
     std::size_t explained = 0;
     const auto follow = [&](const std::optional<PinnedPixel>& pixel, std::optional<InspectedPixel>& kept) {
         if (!pixel) {
@@ -95,9 +130,7 @@ void grant(ViewerState& state, InspectorWish wish) {
     PinnedPixels& pins = state.pins;
     const std::optional<PinnedPixel>& shown = pins.first ? pins.first : pins.last;
     const auto copy = [&](const std::optional<PinnedPixel>& pixel) {
-        if (!pixel) return;
-        state.clipboard.set_text(explanation_in_words(state, *pixel));
-        announce(state, "Copied the arithmetic of pixel " + std::to_string(pixel->pixel.x) + ", " + std::to_string(pixel->pixel.y));
+        if (pixel) copy_explanation(state, *pixel);
     };
     switch (wish) {
         case InspectorWish::pin:
@@ -112,18 +145,6 @@ void grant(ViewerState& state, InspectorWish wish) {
         case InspectorWish::copy: copy(shown); break;
         case InspectorWish::copy_second: copy(pins.second); break;
     }
-}
-
-std::string explanation_in_words(const ViewerState& state, const PinnedPixel& pixel) {
-    Scene scene = state.scene();
-    scene.camera = state.camera;
-    ExplainOptions options;
-    options.pixel = pixel.pixel;
-    options.size = pixel.size;
-    options.background = state.background;
-    options.shading = state.settings.shading;
-    options.light = state.light;
-    return explain(scene, state.name(), options);
 }
 
 }  // namespace sphereview

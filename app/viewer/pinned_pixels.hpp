@@ -4,13 +4,12 @@
 #include <cstddef>
 #include <glm/vec2.hpp>
 #include <optional>
-#include <string>
 
-#include "gpu/live_picture.hpp"
 #include "panels/inspector.hpp"
 
 namespace sphereview {
 
+class LivePicture;
 struct ViewerState;
 
 // A pixel of a picture of that size. So its ray stays the same when the window's picture gets another size.
@@ -38,14 +37,11 @@ bool let_go(PinnedPixels& pins);
 glm::dvec2 place_in(PictureSize size, const PinnedPixel& pixel);
 
 // Brings what the inspector shows up to date: of the pinned pixels, else of the one under the pointer, as the picture's last
-// update() saw them. `view_moves`: then what takes time waits. Returns how many explanations were made anew.
-std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool view_moves,
+// update() saw them. `moves`: the view or a sphere does, and what takes time waits. Returns how many explanations were made anew.
+std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool moves,
                     Inspection& inspection);
 
-// Does what the inspector asks for.
+// Does what the inspector asks for; a copy goes on beside the loop (state.copying).
 void grant(ViewerState& state, InspectorWish wish);
-
-// What `sphereview explain` prints of the pixel for the scene saved with this view.
-std::string explanation_in_words(const ViewerState& state, const PinnedPixel& pixel);
 
 }  // namespace sphereview

@@ -256,6 +256,8 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.selection.clear();
     state.hovered.reset();
     state.side_panel = {};
+    state.comparing.reset();
+    state.comparison.reset();
     forget_file_messages(state);
     const bool has_file = !path.empty() && path != standard_stream;
     state.path = has_file ? absolute_path(path) : "";

@@ -92,12 +92,14 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
     if (state.scene().spheres.size() <= spheres_at_once && state.saving->job.wait_for(unnoticed)) end(state.saving);
 }
 
-bool is_working(const ViewerState& state) { return state.loading || state.saving || state.exporting || state.comparing; }
+bool is_working(const ViewerState& state) {
+    return state.loading || state.saving || state.exporting || state.comparing || state.copying;
+}
 
 bool finish_work(ViewerState& state) {
     bool any = false;
     // Saving first: its end may replace what is being loaded.
-    for (std::optional<Work>* work : {&state.saving, &state.loading, &state.exporting, &state.comparing}) {
+    for (std::optional<Work>* work : {&state.saving, &state.loading, &state.exporting, &state.comparing, &state.copying}) {
         if (!*work || !(*work)->job.ended()) continue;
         end(*work);
         any = true;

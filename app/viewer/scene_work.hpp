@@ -77,7 +77,7 @@ void cancel_work(ViewerState& state);
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 
-// Whether something is read, written, exported or compared: then finish_work() has to be called again and again.
+// Whether something is read, written, exported, compared or copied: then finish_work() has to be called again and again.
 bool is_working(const ViewerState& state);
 // Acts on what has ended. Returns whether anything has.
 bool finish_work(ViewerState& state);

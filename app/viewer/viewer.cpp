@@ -448,7 +448,9 @@ void Viewer::note_facts() {
         state_.hovered = sphere;
     }
     facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
-    const std::size_t explained = inspect(state_, picture_, pixel, mouse_.moves_camera(), facts_.inspection);
+    // A text field stays active when nothing moves; what is dragged in a panel has the button down.
+    const bool drags = mouse_.is_dragging() || (ImGui::IsAnyItemActive() && ImGui::IsMouseDown(0));
+    const std::size_t explained = inspect(state_, picture_, pixel, drags || state_.flight, facts_.inspection);
     explanations_ += explained;
     if (explained > 0) pacing_.touch();  // the panels of this redraw are drawn already
 }

@@ -8,6 +8,7 @@
 #include "base/file_watcher.hpp"
 #include "gpu/live_picture.hpp"
 #include "panels/status.hpp"
+#include "viewer/difference_texture.hpp"
 #include "viewer/imgui_bridge.hpp"
 #include "viewer/input_queue.hpp"
 #include "viewer/layout.hpp"

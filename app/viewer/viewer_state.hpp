@@ -67,6 +67,7 @@ struct ViewerState {
     std::optional<Work> saving;
     std::optional<Work> exporting;
     std::optional<Work> comparing;
+    std::optional<Work> copying;                // what explains a pixel, to the clipboard
     std::optional<ShownComparison> comparison;  // the latest
     Autosave autosave;
 

@@ -29,6 +29,17 @@ struct Inspecting : testing::Test {
             return !is_working(state);
         }));
     }
+    // What the window's loop does until the copy is there.
+    void copy(InspectorWish wish) {
+        perform(state, {wish});
+        finish_copying();
+    }
+    void finish_copying() {
+        EXPECT_TRUE(test::eventually([&] {
+            finish_work(state);
+            return !is_working(state);
+        }));
+    }
     // The scene as flat colours, upside down if it is to be wrong.
     void write_picture(const std::string& name, bool upside_down) {
         Image image(60, 40, 3);
@@ -87,7 +98,7 @@ TEST_F(Inspecting, CopiesTheWordsOfExplainForTheView) {
     state.camera.eye.x = 1.0;
     state.camera.center.x = 1.0;
     state.pins.last = one;
-    perform(state, {InspectorWish::copy});
+    copy(InspectorWish::copy);
     Scene scene = state.scene();
     scene.camera = state.camera;
     EXPECT_EQ(copied,
@@ -100,10 +111,40 @@ TEST_F(Inspecting, CopiesTheWordsOfExplainForTheView) {
     perform(state, {InspectorWish::compare});
     EXPECT_TRUE(state.pins.second_is_next);
     pin(state.pins, other, false);
-    perform(state, {InspectorWish::copy_second});
+    copy(InspectorWish::copy_second);
     EXPECT_NE(copied.find("pixel 5,6"), std::string::npos) << copied;
     perform(state, {InspectorWish::unpin});
     EXPECT_FALSE(state.pins.first || state.pins.second);
+}
+
+TEST_F(Inspecting, CopiesTheLightOfTheWindowAlsoWhereNoSunHasTheStrengthAskedFor) {
+    state.settings.shading = Shading::studio;
+    state.light.sun_strength = 2.0;
+    state.pins.last = PinnedPixel{{30, 20}, {60, 40}};
+    copy(InspectorWish::copy);
+    EXPECT_NE(copied.find("pixel 30,20"), std::string::npos) << copied;
+    EXPECT_TRUE(state.dialogs.empty());
+}
+
+TEST_F(Inspecting, CopiesBesideTheLoopTheLatestThatIsAskedFor) {
+    state.pins.last = one;
+    perform(state, {InspectorWish::copy});
+    EXPECT_TRUE(copied.empty()) << "the loop does not wait for it";
+    EXPECT_TRUE(is_working(state));
+    state.pins.last = other;
+    perform(state, {InspectorWish::copy});
+    finish_copying();
+    EXPECT_NE(copied.find("pixel 5,6"), std::string::npos) << copied;
+    EXPECT_NE(state.messages.announcement.find("5, 6"), std::string::npos);
+}
+
+TEST_F(Inspecting, AnotherSceneHasNoComparison) {
+    write_picture("mine.png", true);
+    compare("mine.png");
+    ASSERT_TRUE(state.comparison);
+    compare_with(state, folder.path("mine.png"));
+    adopt(state, load_scene(folder.path("scene.txt")), folder.path("scene.txt"));
+    EXPECT_FALSE(state.comparison || state.comparing);
 }
 
 TEST_F(Inspecting, SpacePinsAndLetsGoWhereAPixelIsInspected) {
