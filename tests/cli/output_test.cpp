@@ -76,16 +76,16 @@ TEST_F(Output, DoesNotReplaceWhatIsProtected) {
 
 TEST_F(Output, BeyondAFileSizeLimitLeavesTheOldFileAndNothingElse) {
     folder_.write("old.png", "old");
+    folder_.write("old.toml", "old");
     for (const char* path : {"old.png", "new.png"}) {
         Command command = cpu_render(folder_, {"red.txt", "-s", "1000x1000", "-o", path});
         command.largest_file = 100;
         EXPECT_TRUE(fails(run(command), 4, std::string(path) + ": cannot be written: File too large\n"));
     }
-    EXPECT_EQ(
-        run({.arguments = {"convert", "red.txt", "old.png", "--to", "toml"}, .folder = folder_.path(), .largest_file = 10}).status,
-        4);
+    EXPECT_EQ(run({.arguments = {"convert", "red.txt", "old.toml"}, .folder = folder_.path(), .largest_file = 10}).status, 4);
     EXPECT_EQ(folder_.read("old.png"), "old");
-    EXPECT_EQ(folder_.names(), (Names{"old.png", "red.txt"}));
+    EXPECT_EQ(folder_.read("old.toml"), "old");
+    EXPECT_EQ(folder_.names(), (Names{"old.png", "old.toml", "red.txt"}));
 }
 
 // A compressor whose choices depended on where its memory lies packed this picture in one of three ways: one of 40 processes
