@@ -170,10 +170,6 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
             options.control = &control;
             return load_scene(path, options);
         });
-    for (const std::string& warning : loaded.warnings) {
-        const std::string line = on_one_line(warning);
-        if (PyErr_WarnEx(PyExc_UserWarning, line.c_str(), 1) != 0) throw py::error_already_set();
-    }
     const Scene& scene = loaded.scene;
     const SphereArrays arrays = arrays_of(scene);
     py::dict read;
