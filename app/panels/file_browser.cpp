@@ -49,8 +49,9 @@ void note_listed(FileBrowser& browser, const fs::path& folder) {
     browser.listed_kind = browser.kind;
 }
 
-// Goes to a folder if it can be read; else stays, and says why.
+// Goes to a folder if it can be read; else stays, and says why. The name box gets the keyboard in any case.
 bool enter(FileBrowser& browser, const fs::path& folder) {
+    browser.focus = FileBrowser::Focus::name;
     Listing listing = list_folder(folder, listed_endings(browser), browser.hidden_files);
     browser.error = listing.error;
     if (!listing.error.empty()) return false;
@@ -58,7 +59,6 @@ bool enter(FileBrowser& browser, const fs::path& folder) {
     browser.entries = std::move(listing.entries);
     sort_entries(browser.entries, browser.order);
     browser.to_top = true;
-    browser.focus = FileBrowser::Focus::name;
     return true;
 }
 

@@ -90,6 +90,7 @@ Target target_of(const std::string& path) {
     return target;
 }
 
+// Not a file without a name (O_TMPFILE): a link to it cannot replace a file that stands there.
 fs::path hidden_sibling(const fs::path& target) {
     constexpr std::size_t longest_stem = 200;  // names of more than 255 bytes are refused by most file systems
     std::array<char, 32> suffix{};
