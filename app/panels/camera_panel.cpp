@@ -23,9 +23,7 @@ void draw_vector(const PanelContext& context, const char* label, const glm::dvec
     begin_field(context, label);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s, %s, %s", short_text(v.x).c_str(), short_text(v.y).c_str(), short_text(v.z).c_str());
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s\n%s\n%s", shortest(v.x).c_str(), shortest(v.y).c_str(), shortest(v.z).c_str());
-    }
+    explain_item(shortest(v.x) + "\n" + shortest(v.y) + "\n" + shortest(v.z));
 }
 
 class CameraPanel {
@@ -114,8 +112,8 @@ private:
                 v[i] = value;
                 return with(base, v);
             };
-            const NumberRule rule{.usual_size = std::max(0.25 * context_.bounds.extent(), 1e-290)};
-            edit(std::string(label) + axes.at(static_cast<std::size_t>(i)), rule, step, (camera_.*part)[i], with_part);
+            edit(std::string(label) + axes.at(static_cast<std::size_t>(i)), coordinate_rule(context_.bounds), step,
+                 (camera_.*part)[i], with_part);
         }
         ImGui::EndGroup();
         for (const char* axis : axes) draw_refusal(context_, state_.numbers, std::string(label) + axis);

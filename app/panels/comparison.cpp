@@ -61,7 +61,7 @@ void draw_examples(const PanelContext& context, const Comparison& comparison) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Button("Explain")) go_to(context, comparison, example.pixel);
         note_widget(context, "example " + std::to_string(i));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "Pins this pixel in the inspector, seen by the scene's own camera");
+        explain_item("Pins this pixel in the inspector, seen by the scene's own camera");
         ImGui::SameLine();
         draw_words(example.words);
         ImGui::PopID();
@@ -98,9 +98,7 @@ void draw_comparison(const PanelContext& context, const Comparison& comparison, 
         draw_words(comparison.counts);
         for (const std::string& line : comparison.verdict) {
             if (&line == comparison.verdict.data()) {
-                ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-                draw_words(line);
-                ImGui::PopStyleColor();
+                draw_colored_words(line, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
             } else {
                 draw_dim_words(line);
             }

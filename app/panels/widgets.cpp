@@ -75,9 +75,7 @@ void draw_command_button(const PanelContext& context, const CommandButton& butto
     if (ImGui::Button(button.label, {width, 0.0F})) context.actions.emplace_back(RunCommand{button.id});
     ImGui::EndDisabled();
     note_widget(context, button.widget);
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
-    ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
+    explain_item(std::string(info.help) + (info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut)));
 }
 
 }  // namespace
@@ -132,9 +130,7 @@ void draw_heading(const PanelContext& context, const std::string& name, const st
 
 void draw_title(const PanelContext& context, const std::string& title) {
     ImGui::Dummy({1.0F, 4.0F * context.scale});
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    wrapped_text(title);
-    ImGui::PopStyleColor();
+    colored_text(title, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
 }
 
 float row_height() { return std::round(ImGui::GetFrameHeight()); }
@@ -156,9 +152,7 @@ void begin_field(const PanelContext& context, const char* label) {
 
 void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const auto needed = [](const CommandButton& button) {
-        return ImGui::CalcTextSize(button.label, nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    };
+    const auto needed = [](const CommandButton& button) { return button_width(button.label); };
     const float whole = ImGui::GetContentRegionAvail().x;
     for (std::size_t begin = 0, end = 0; begin < buttons.size(); begin = end) {
         // As many as the line has room for, without a label cut off.
@@ -175,6 +169,19 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
     }
 }
 
+float button_width(std::string_view label) {
+    return ImGui::CalcTextSize(label.data(), label.data() + label.size(), true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+void explain_item(const std::string& help) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help.c_str());
+}
+
+void focus_next_box() {
+    ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
+    ImGui::SetKeyboardFocusHere();
+}
+
 void wrapped_text(std::string_view text, float wrap_at) {
     const std::string safe = shown_lines(text);
     ImGui::PushTextWrapPos(wrap_at);
@@ -182,17 +189,17 @@ void wrapped_text(std::string_view text, float wrap_at) {
     ImGui::PopTextWrapPos();
 }
 
-void dim_text(const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+void colored_text(std::string_view text, const ImVec4& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
     wrapped_text(text);
     ImGui::PopStyleColor();
 }
 
+void dim_text(const std::string& text) { colored_text(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
+
 void fault_text(const std::string& text) {
     ImGui::BeginGroup();
-    ImGui::PushStyleColor(ImGuiCol_Text, fault_color());
-    wrapped_text(text);
-    ImGui::PopStyleColor();
+    colored_text(text, fault_color());
     ImGui::EndGroup();
 }
 

@@ -10,6 +10,8 @@
 #include "panels/inspector.hpp"
 #include "panels/menus.hpp"
 #include "panels/status.hpp"
+#include "panels/widgets.hpp"
+#include "viewer/pointer_marks.hpp"
 
 namespace sphereview {
 
@@ -18,9 +20,7 @@ namespace {
 constexpr float splitter_width = 6.0F;
 constexpr float narrowest_picture = 100.0F;
 
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags fixed_window = bare_window | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 void place_window(const Rectangle& area) {
     ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
@@ -117,9 +117,8 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     if (state.comparison && state.comparison->open) {
         std::optional<ImVec2> pinned;
         if (state.inspector_shown && state.pins.first) {
-            const glm::dvec2 place = place_in(state.picture_size, *state.pins.first);
-            const double pixel = static_cast<double>(picture.width) / state.picture_size.width;
-            pinned = ImVec2(picture.x + static_cast<float>(pixel * place.x), picture.y + static_cast<float>(pixel * place.y));
+            pinned = on_screen(picture, state.picture_size.width / static_cast<double>(picture.width),
+                               place_in(state.picture_size, *state.pins.first));
         }
         draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, picture, pinned,
                         state.comparison->open);
@@ -128,60 +127,6 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     draw_about(context, state.about, state.options.program.name_and_version, state.options.program.licenses, facts.status.renderer);
     draw_dialogs(context, state.dialogs, facts.keys);
     return picture;
-}
-
-void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int light, int inside) {
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
-    draw->AddRectFilled(low, high, IM_COL32(255, 255, 255, inside));
-    draw->AddRect(ImVec2(low.x - 1.0F, low.y - 1.0F), ImVec2(high.x + 1.0F, high.y + 1.0F), IM_COL32(0, 0, 0, dark));
-    draw->AddRect(low, high, IM_COL32(255, 255, 255, light));
-    draw->PopClipRect();
-}
-
-void draw_cross(const Rectangle& picture, ImVec2 middle, float scale) {
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
-    const auto bars = [&](float length, float thickness, ImU32 color) {
-        const ImVec2 along(length * scale, 0.5F * thickness * scale);
-        draw->AddRectFilled(ImVec2(middle.x - along.x, middle.y - along.y), ImVec2(middle.x + along.x, middle.y + along.y), color);
-        draw->AddRectFilled(ImVec2(middle.x - along.y, middle.y - along.x), ImVec2(middle.x + along.y, middle.y + along.x), color);
-    };
-    bars(9.0F, 4.0F, IM_COL32(0, 0, 0, 170));
-    bars(8.0F, 2.0F, IM_COL32(255, 255, 255, 230));
-    draw->PopClipRect();
-}
-
-void draw_pin(const Rectangle& picture, ImVec2 place, float scale, const char* name) {
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
-    const ImVec2 middle(std::floor(place.x) + 0.5F, std::floor(place.y) + 0.5F);
-    const auto arms = [&](float from, float to, float thickness, ImU32 color) {
-        for (const auto& [x, y] : {std::pair{1.0F, 0.0F}, std::pair{-1.0F, 0.0F}, std::pair{0.0F, 1.0F}, std::pair{0.0F, -1.0F}}) {
-            draw->AddLine(ImVec2(middle.x + x * from * scale, middle.y + y * from * scale),
-                          ImVec2(middle.x + x * to * scale, middle.y + y * to * scale), color, thickness * scale);
-        }
-    };
-    arms(3.0F, 13.0F, 4.0F, IM_COL32(0, 0, 0, 190));
-    arms(4.0F, 12.0F, 2.0F, IM_COL32(255, 220, 90, 255));
-    const ImVec2 beside(middle.x + 8.0F * scale, middle.y + 6.0F * scale);
-    draw->AddText(ImVec2(beside.x + 1.0F, beside.y + 1.0F), IM_COL32(0, 0, 0, 220), name);
-    draw->AddText(beside, IM_COL32(255, 220, 90, 255), name);
-    draw->PopClipRect();
-}
-
-void draw_export_area(const ViewerState& state, const Rectangle& picture) {
-    if (!state.export_area_shown) return;
-    const PictureSize size{state.settings.export_width, state.settings.export_height};
-    // Both show `right` and `up` over half their shorter side.
-    const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());
-    const float half_width = unit * static_cast<float>(size.width);
-    const float half_height = unit * static_cast<float>(size.height);
-    if (half_width > 0.5F * picture.width - 1.0F && half_height > 0.5F * picture.height - 1.0F) return;
-    const ImVec2 middle(picture.x + 0.5F * picture.width, picture.y + 0.5F * picture.height);
-    const ImVec2 low(std::floor(middle.x - half_width), std::floor(middle.y - half_height));
-    const ImVec2 high(std::ceil(middle.x + half_width), std::ceil(middle.y + half_height));
-    draw_frame(picture, low, high, 140, 90);
 }
 
 }  // namespace sphereview

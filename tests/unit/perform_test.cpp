@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "viewer/command_table.hpp"
 #include "viewer/layout.hpp"
 
 namespace sphereview {
