@@ -2,10 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "panels/math_text.hpp"
 
 namespace sphereview {
+
+namespace {
+
+struct TextPlace {
+    ImVec2 low;
+    ImVec2 high;
+
+    bool overlaps(const TextPlace& other) const {
+        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+    }
+};
+
+}  // namespace
 
 ImU32 faded(const ImVec4& color, float opacity) {
     return ImGui::ColorConvertFloat4ToU32({color.x, color.y, color.z, color.w * opacity});
@@ -21,7 +35,7 @@ ImVec4 line_color(const Scene& scene, std::int32_t number) {
 }
 
 Canvas::Canvas(const PanelContext& context, const char* name, float height_by_width, const SectionWindow& window)
-    : window_(window), scale_(context.scale), low_(ImGui::GetCursorScreenPos()) {
+    : context_(context), name_(name), window_(window), scale_(context.scale), low_(ImGui::GetCursorScreenPos()) {
     size_.x = std::max(ImGui::GetContentRegionAvail().x, 40.0F * scale_);
     size_.y = std::floor(height_by_width * size_.x);
     ImGui::PushID(name);
@@ -35,6 +49,7 @@ Canvas::Canvas(const PanelContext& context, const char* name, float height_by_wi
 }
 
 Canvas::~Canvas() {
+    draw_texts();
     list_->PopClipRect();
     list_->AddRect(low_, high(), ImGui::GetColorU32(ImGuiCol_Border), 4.0F * scale_);
 }
@@ -92,18 +107,43 @@ void Canvas::point(const glm::dvec2& place, float radius, ImU32 color, bool fill
     list_->AddCircle(middle, radius * scale_, filled ? text_color(1.0F) : color, 0, 1.5F * scale_);
 }
 
-void Canvas::text(ImVec2 place, float across, float down, const std::string& words, ImU32 color) const {
-    const std::string shown = in_glyphs(words);
-    const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
+void Canvas::text(ImVec2 place, float across, float down, const std::string& words, ImU32 color, Importance importance) {
+    texts_.push_back({place, across, down, in_glyphs(words), color, importance});
+}
+
+void Canvas::draw_texts() {
+    std::ranges::stable_sort(texts_, {}, &Text::importance);
     const float margin = 3.0F * scale_;
-    const auto inside = [margin](float wanted, float low, float high, float extent) {
-        return std::max(std::min(wanted, high - extent - margin), low + margin);
-    };
-    const ImVec2 corner{std::round(inside(place.x - across * size.x, low_.x, high().x, size.x)),
-                        std::round(inside(place.y - down * size.y, low_.y, high().y, size.y))};
-    list_->AddRectFilled({corner.x - 2.0F * scale_, corner.y}, {corner.x + size.x + 2.0F * scale_, corner.y + size.y},
-                         faded(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg), 0.62F), 2.0F * scale_);
-    list_->AddText(corner, color, shown.c_str());
+    std::vector<TextPlace> taken;
+    for (const Text& text : texts_) {
+        const ImVec2 size = ImGui::CalcTextSize(text.words.c_str());
+        if (size.x > size_.x - 2.0F * margin || size.y > size_.y - 2.0F * margin) continue;
+        const auto at = [&](float across, float down, float lines) {
+            const auto inside = [&](float wanted, float low, float high, float extent) {
+                return std::round(std::max(std::min(wanted, high - extent - margin), low + margin));
+            };
+            const ImVec2 corner{inside(text.place.x - across * size.x, low_.x, high().x, size.x),
+                                inside(text.place.y + (lines - down) * size.y, low_.y, high().y, size.y)};
+            return TextPlace{{corner.x - 2.0F * scale_, corner.y}, {corner.x + size.x + 2.0F * scale_, corner.y + size.y}};
+        };
+        const auto is_free = [&](const TextPlace& place) {
+            return std::ranges::none_of(taken, [&](const TextPlace& other) { return place.overlaps(other); });
+        };
+        std::optional<TextPlace> found;
+        for (const float lines : {0.0F, 1.0F, -1.0F}) {
+            for (const float across : {text.across, 1.0F - text.across}) {
+                for (const float down : {text.down, 1.0F - text.down}) {
+                    const TextPlace place = at(across, down, lines);
+                    if (!found && is_free(place)) found = place;
+                }
+            }
+        }
+        if (!found) continue;
+        taken.push_back(*found);
+        list_->AddRectFilled(found->low, found->high, faded(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg), 0.62F), 2.0F * scale_);
+        list_->AddText({found->low.x + 2.0F * scale_, found->low.y}, text.color, text.words.c_str());
+        note_rectangle(context_, name_ + " text " + text.words, found->low, {found->high.x - found->low.x, size.y});
+    }
 }
 
 void Canvas::cross(const glm::dvec2& place, float reach, ImU32 color, float thickness) const {

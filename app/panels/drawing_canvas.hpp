@@ -19,6 +19,9 @@ ImU32 text_color(float opacity);
 // A sphere's own colour, but never so dark that it is lost on the panel.
 ImVec4 line_color(const Scene& scene, std::int32_t number);
 
+// Of a text in a drawing: where there is room for one alone, the other is left out.
+enum class Importance { most, more, some, least };
+
 // A part of the window that is drawn on, and a plane's window that it shows.
 class Canvas {
 public:
@@ -46,14 +49,30 @@ public:
     void curve(const std::vector<glm::dvec2>& points, ImU32 color, float thickness, bool dashed = false) const;
     void fill(const std::vector<glm::dvec2>& points, ImU32 color) const;
     void point(const glm::dvec2& place, float radius, ImU32 color, bool filled) const;
-    // `across`, `down`: which part of the text lies at the place: 0 its left or upper edge, 1 its right or lower. Kept inside.
-    void text(ImVec2 place, float across, float down, const std::string& words, ImU32 color) const;
+    // Notes a text, which is drawn above all else once the drawing is complete. `across`, `down`: which part of the text is to lie
+    // at the place: 0 its left or upper edge, 1 its right or lower.
+    void text(ImVec2 place, float across, float down, const std::string& words, ImU32 color, Importance importance);
     void cross(const glm::dvec2& place, float reach, ImU32 color, float thickness) const;
     ImDrawList& list() const { return *list_; }
 
 private:
     std::vector<ImVec2> places_of(const std::vector<glm::dvec2>& points) const;
 
+    struct Text {
+        ImVec2 place;
+        float across;
+        float down;
+        std::string words;  // in glyphs
+        ImU32 color;
+        Importance importance;
+    };
+    // The most important first: each inside and free of those before, beside its place or, where there is no room, not at all.
+    // Noted as "NAME text WORDS".
+    void draw_texts();
+
+    const PanelContext& context_;
+    std::string name_;
+    std::vector<Text> texts_;
     SectionWindow window_;
     float scale_;
     ImVec2 low_;

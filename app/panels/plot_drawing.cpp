@@ -12,8 +12,7 @@ namespace {
 
 class PlotDrawing {
 public:
-    PlotDrawing(const Canvas& canvas, const QuadraticPlot& plot, const Scene& scene)
-        : canvas_(canvas), plot_(plot), scene_(scene) {}
+    PlotDrawing(Canvas& canvas, const QuadraticPlot& plot, const Scene& scene) : canvas_(canvas), plot_(plot), scene_(scene) {}
 
     void draw() const {
         draw_axes();
@@ -46,10 +45,11 @@ private:
         }
         canvas_.line({plot_.left, 0.0}, {plot_.right, 0.0}, text_color(0.6F), 1.0F);
         const float y = canvas_.at({0.0, 0.0}).y;
-        canvas_.text({canvas_.high().x - 4.0F * s, y - 3.0F * s}, 1.0F, 1.0F, "t", text_color(0.85F));
+        canvas_.text({canvas_.high().x - 4.0F * s, y - 3.0F * s}, 1.0F, 1.0F, "t", text_color(0.85F), Importance::some);
         if (!plot_.shows_origin) return;
         canvas_.line({0.0, plot_.bottom}, {0.0, plot_.top}, text_color(0.35F), 1.0F);
-        canvas_.text({canvas_.at({0.0, 0.0}).x + 3.0F * s, canvas_.high().y - 3.0F * s}, 0.0F, 1.0F, "t = 0", text_color(0.6F));
+        canvas_.text({canvas_.at({0.0, 0.0}).x + 3.0F * s, canvas_.high().y - 3.0F * s}, 0.0F, 1.0F, "t = 0", text_color(0.6F),
+                     Importance::least);
     }
 
     void draw_curve(const QuadraticCurve& curve) const {
@@ -80,10 +80,10 @@ private:
         const ImVec2 at = canvas_.at(lowest);
         if (curve.sign >= 0) {
             canvas_.text({at.x, at.y + 6.0F * s}, 0.5F, 0.0F,
-                         curve.sign > 0 ? "−(b² − 4ac) / 4a, below 0" : "b² − 4ac = 0: it touches", color);
+                         curve.sign > 0 ? "−(b² − 4ac) / 4a, below 0" : "b² − 4ac = 0: it touches", color, Importance::more);
         } else {
             const ImVec2 middle = canvas_.at(0.5 * (lowest + glm::dvec2(curve.lowest_t, 0.0)));
-            canvas_.text({middle.x + 7.0F * s, middle.y}, 0.0F, 0.5F, "−(b² − 4ac) / 4a, above 0", color);
+            canvas_.text({middle.x + 7.0F * s, middle.y}, 0.0F, 0.5F, "−(b² − 4ac) / 4a, above 0", color, Importance::more);
         }
     }
 
@@ -103,13 +103,13 @@ private:
             if (at.x < canvas_.low().x || at.x > canvas_.high().x) return;
             const float aside = (across > 0.5F ? -6.0F : 6.0F) * canvas_.scale();
             canvas_.text({at.x + aside, at.y - 4.0F * canvas_.scale()}, across, 1.0F, name + number_text(t, digits),
-                         text_color(0.95F));
+                         text_color(0.95F), Importance::most);
         };
         label(curve.t1, "t₁ = ", 1.0F);
         label(curve.t2, "t₂ = ", 0.0F);
     }
 
-    const Canvas& canvas_;
+    Canvas& canvas_;
     const QuadraticPlot& plot_;
     const Scene& scene_;
 };
@@ -124,7 +124,7 @@ std::optional<std::int32_t> draw_quadratic_plot(const PanelContext& context, con
         return static_cast<std::size_t>(curve.number) < scene.spheres.size();
     };
     if (plot.curves.empty() || !is_there(plot.curves.front())) return std::nullopt;
-    const Canvas canvas(context, name, 0.42F, {{plot.left, plot.bottom}, {plot.right, plot.top}});
+    Canvas canvas(context, name, 0.42F, {{plot.left, plot.bottom}, {plot.right, plot.top}});
     const PlotDrawing drawing(canvas, plot, scene);
     drawing.draw();
     const QuadraticCurve* const curve = drawing.under_mouse();

@@ -16,7 +16,7 @@ namespace {
 const ImVec4 screen_color{0.36F, 0.62F, 0.95F, 1.0F};
 const ImVec4 sun_color{0.98F, 0.80F, 0.30F, 1.0F};
 
-void draw_length(const Canvas& canvas) {
+void draw_length(Canvas& canvas) {
     const double width = canvas.window().high.x - canvas.window().low.x;
     if (!std::isfinite(width) || !(width > 0.0)) return;
     const double length = round_number_below(0.25 * width);
@@ -29,12 +29,12 @@ void draw_length(const Canvas& canvas) {
     canvas.list().AddLine(begin, end, color, 1.5F * s);
     for (const ImVec2& tip : {begin, end})
         canvas.list().AddLine({tip.x, tip.y - 3.0F * s}, {tip.x, tip.y + 3.0F * s}, color, 1.5F * s);
-    canvas.text({end.x, end.y - 5.0F * s}, 1.0F, 1.0F, number_text(length), color);
+    canvas.text({end.x, end.y - 5.0F * s}, 1.0F, 1.0F, number_text(length), color, Importance::least);
 }
 
 class SectionDrawing {
 public:
-    SectionDrawing(const Canvas& canvas, const RaySection& section, const SectionSubject& of)
+    SectionDrawing(Canvas& canvas, const RaySection& section, const SectionSubject& of)
         : canvas_(canvas), section_(section), of_(of) {}
 
     void draw() const {
@@ -106,7 +106,7 @@ private:
         const float y = std::max(upper.y, canvas_.low().y + height);
         const float x = upper.x + (lower.x - upper.x) * (y - upper.y) / (lower.y - upper.y);
         if (x < canvas_.low().x || x > canvas_.high().x || y > canvas_.high().y) return;
-        canvas_.text({x, y}, 0.5F, 1.0F, name, faded(color, 0.9F));
+        canvas_.text({x, y}, 0.5F, 1.0F, name, faded(color, 0.9F), Importance::some);
     }
 
     void draw_ray() const {
@@ -143,7 +143,7 @@ private:
         canvas_.point(foot, 3.0F, faded(color_of_sign(-1), 1.0F), false);
         const ImVec2 middle = canvas_.at(0.5 * (foot + edge));
         canvas_.text({middle.x + 6.0F * canvas_.scale(), middle.y}, 0.0F, 0.5F, "misses by " + number_text(side * edge.y, 3),
-                     faded(color_of_sign(-1), 1.0F));
+                     faded(color_of_sign(-1), 1.0F), Importance::most);
     }
 
     // From the centre to the hit.
@@ -159,7 +159,7 @@ private:
         const ImVec2 at = canvas_.at(circle.center);
         const float below = circle.center.y < 0.0 ? 1.0F : -1.0F;
         canvas_.text({at.x + 5.0F * canvas_.scale(), at.y + below * 5.0F * canvas_.scale()}, 0.0F, below > 0.0F ? 0.0F : 1.0F, "C",
-                     text_color(0.85F));
+                     text_color(0.85F), Importance::more);
     }
 
     void draw_sun() const {
@@ -179,7 +179,7 @@ private:
         if (blocked || length < 60.0F * canvas_.scale()) return;
         const float on = std::min(length, 46.0F * canvas_.scale()) / length;
         canvas_.text({a.x + on * (b.x - a.x) + 6.0F * canvas_.scale(), a.y + on * (b.y - a.y)}, 0.0F, 0.5F, "to the sun",
-                     faded(sun_color, 0.95F));
+                     faded(sun_color, 0.95F), Importance::some);
     }
 
     void draw_roots() const {
@@ -200,7 +200,7 @@ private:
             const ImVec2 at = canvas_.at({x, 0.0});
             if (at.x < canvas_.low().x || at.x > canvas_.high().x) return;
             canvas_.text({at.x + (across > 0.5F ? -3.0F : 3.0F) * s, at.y + aside}, across, down, name,
-                         text_color(counts ? 1.0F : 0.7F));
+                         text_color(counts ? 1.0F : 0.7F), counts ? Importance::most : Importance::more);
         };
         if (circle.first == circle.second) return label(circle.first, 1.0F, "t₁ = t₂", true);
         label(circle.first, 1.0F, "t₁", circle.first_counts);
@@ -213,11 +213,11 @@ private:
         canvas_.point(glm::dvec2(0.0), 4.0F, text_color(1.0F), true);
         const ImVec2 at = canvas_.at(glm::dvec2(0.0));
         const char* name = !of_.from_eye ? "P" : section_.eye_plane ? "O" : "eye";
-        canvas_.text({at.x - 2.0F * s, at.y + 7.0F * s}, 0.5F, 0.0F, name, text_color(1.0F));
+        canvas_.text({at.x - 2.0F * s, at.y + 7.0F * s}, 0.5F, 0.0F, name, text_color(1.0F), Importance::most);
         if (of_.from_eye) return;
         const ImVec2 sun{canvas_.high().x - 12.0F * s, at.y};
         canvas_.list().AddCircleFilled(sun, 6.0F * s, faded(sun_color, 1.0F));
-        canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, "sun", faded(sun_color, 1.0F));
+        canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, "sun", faded(sun_color, 1.0F), Importance::some);
     }
 
     void draw_outside() const {
@@ -229,16 +229,18 @@ private:
                                              text_color(0.95F));
             const std::string what = section_.screen_outside ? "eye and screen" : "eye";
             canvas_.text({tip.x, tip.y + 8.0F * s}, 0.0F, 0.0F,
-                         what + ", " + number_text(std::fabs(canvas_.window().low.x), 3) + " away", text_color(0.85F));
+                         what + ", " + number_text(std::fabs(canvas_.window().low.x), 3) + " away", text_color(0.85F),
+                         Importance::more);
         }
         if (section_.outside.empty()) return;
         const std::string words = section_.outside.size() == 1
                                       ? title_of(of_.scene, static_cast<std::uint32_t>(section_.outside[0]))
                                       : spheres_in_words(section_.outside.size());
-        canvas_.text({canvas_.low().x + 4.0F * s, canvas_.high().y - 4.0F * s}, 0.0F, 1.0F, "outside: " + words, text_color(0.6F));
+        canvas_.text({canvas_.low().x + 4.0F * s, canvas_.high().y - 4.0F * s}, 0.0F, 1.0F, "outside: " + words, text_color(0.6F),
+                     Importance::least);
     }
 
-    const Canvas& canvas_;
+    Canvas& canvas_;
     const RaySection& section_;
     const SectionSubject& of_;
 };
@@ -268,7 +270,7 @@ std::optional<std::int32_t> draw_ray_section(const PanelContext& context, const 
                                              std::optional<std::int32_t> subject) {
     constexpr float height_by_width = 0.56F;
     const RaySection section = section_of(of, subject, 1.0 / static_cast<double>(height_by_width));
-    const Canvas canvas(context, name, height_by_width, section.window);
+    Canvas canvas(context, name, height_by_width, section.window);
     const SectionDrawing drawing(canvas, section, of);
     drawing.draw();
     const SectionCircle* const circle = drawing.under_mouse();
