@@ -54,25 +54,15 @@ bool EventRouting::is_escape_for_another(bool typing, bool popped_up, DialogKeys
         keys.escape = false;  // ImGui's
         return true;
     }
-    if (state_.help_shown) {
-        state_.help_shown = false;
+    // Work is cancelled by others, and only where nothing of these is above it.
+    const bool closed = std::exchange(state_.help_shown, false) || std::exchange(state_.about.shown, false);
+    if (!closed && (state_.loading || state_.exporting || state_.comparing)) return true;
+    if (closed || (state_.comparison && std::exchange(state_.comparison->open, false)) || let_go(state_.pins) ||
+        std::exchange(state_.measuring, {}).on) {
         keys.escape = false;
         return true;
     }
-    if (state_.about.shown) {
-        state_.about.shown = false;
-        keys.escape = false;
-        return true;
-    }
-    if (state_.loading || state_.exporting || state_.comparing) return true;
-    if (let_go(state_.pins)) {
-        keys.escape = false;
-        return true;
-    }
-    if (!state_.measuring.on) return false;
-    state_.measuring = {};
-    keys.escape = false;
-    return true;
+    return false;
 }
 
 bool EventRouting::is_lone_alt(const InputEvent& event) {
@@ -91,7 +81,7 @@ std::vector<InputEvent> EventRouting::take(InputQueue& input, DialogKeys& keys, 
     // What follows a click on a number, or the key that saves a view, is meant for the box that opens. In a panel that is not drawn
     // none does.
     const SidePanelState& panel = state_.side_panel;
-    const bool opens = state_.panel_shown && (panel.opens_box() || (panel.has_box() && !typing));
+    const bool opens = state_.panel_drawn && (panel.opens_box() || (panel.has_box() && !typing));
     waited_for_box_ = opens ? waited_for_box_ + 1 : 0;
     std::vector<InputEvent> events = input.take_frame(opens && waited_for_box_ <= longest_wait_for_box);
     if (!events.empty()) pacing_.touch();
@@ -111,7 +101,7 @@ std::vector<InputEvent> EventRouting::take(InputQueue& input, DialogKeys& keys, 
             if (popped_up && key->name == "left") state_.menu_keys.step = -1;
             if (popped_up && !key->modifiers.control) continue;
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
-            if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
+            if (state_.panel_drawn && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(commands, key->name, m.control, m.shift, m.alt))
                 (typing ? after_typing_ : actions).emplace_back(RunCommand{*command});

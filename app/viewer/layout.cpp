@@ -19,6 +19,10 @@ namespace {
 
 constexpr float splitter_width = 6.0F;
 constexpr float narrowest_picture = 100.0F;
+// What is smaller yields to the picture: nothing could be read in it.
+constexpr float narrowest_panel = 200.0F;
+constexpr float narrowest_inspector = 120.0F;
+constexpr float lowest_picture = 100.0F;  // above the status bar
 
 constexpr ImGuiWindowFlags fixed_window = bare_window | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
@@ -49,6 +53,7 @@ Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context,
     constexpr float most = 0.55F;  // of the room: the picture is what it is about
     const double wanted = inspector_width_range.nearest(state.settings.inspector_width);
     const float width = std::floor(std::min(static_cast<float>(wanted) * context.scale, most * picture.width));
+    if (width < narrowest_inspector * context.scale) return picture;
     place_window({picture.x, picture.y, width, picture.height});
     ImGui::Begin("##inspector", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_inspector(context, facts.inspection, state.inspector);
@@ -75,16 +80,18 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
     const float menu_height =
         std::ceil(draw_menu_bar(context, state.settings.recent, state.menu_keys));  // the picture has whole pixels
-    const float status_height = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
+    const float status_line = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
+    const bool has_status = whole.y - menu_height - status_line >= lowest_picture * context.scale;
+    const float status_height = has_status ? status_line : 0.0F;
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
-    if (state.panel_shown) {
-        const float splitter = splitter_width * context.scale;
-        const float room = whole.x - splitter - narrowest_picture * context.scale;
+    const float splitter = splitter_width * context.scale;
+    const float room = whole.x - splitter - narrowest_picture * context.scale;
+    state.panel_drawn = state.panel_shown && room >= narrowest_panel * context.scale;
+    if (state.panel_drawn) {
         // A small window or large text narrows the panel for as long as that lasts: what the person chose is kept.
         const double shown = panel_width_within(state.settings.panel_width, room / context.scale);
-        const float widest = std::max(room, static_cast<float>(panel_width_range.least));
-        const float width = std::floor(std::min(static_cast<float>(shown) * context.scale, widest));
+        const float width = std::floor(std::min(static_cast<float>(shown) * context.scale, room));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
         place_window(panel);
         // The list scrolls in itself, by its own means.
@@ -99,13 +106,16 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
     if (state.inspector_shown) picture = draw_inspector_beside(state, context, facts, picture);
 
-    place_window({0.0F, whole.y - status_height, whole.x, status_height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, 1.0F * context.scale));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
-    ImGui::Begin("##status", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    draw_status_bar(context, facts.status);
-    ImGui::End();
-    ImGui::PopStyleVar(4);
+    if (has_status) {
+        place_window({0.0F, whole.y - status_height, whole.x, status_height});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, 1.0F * context.scale));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+        ImGui::Begin("##status", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+        draw_status_bar(context, facts.status);
+        ImGui::End();
+        ImGui::PopStyleVar(2);
+    }
+    ImGui::PopStyleVar(2);
 
     if (draw_messages(context, state.messages, picture)) cancel_work(state);
     if (state.is_at_start()) {

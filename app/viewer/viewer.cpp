@@ -247,7 +247,7 @@ void Viewer::redraw() {
         perform(state_, std::move(actions));
         perform(state_, routing_.take_after_typing());
     }
-    if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
+    if (fly_on(state_, begin) || (state_.panel_drawn && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
     imgui_.set_theme(theme_of(state_.settings));
     window_.set_title(title_for(state_));
