@@ -30,14 +30,21 @@ void center_on_selection(ViewerState& state) {
 void change_projection(ViewerState& state) {
     const double depth = depth_of(state.camera, state.pivot);
     const Projection other = state.camera.orthographic() ? Projection::perspective : Projection::orthographic;
-    state.flight.reset();
-    state.camera = with_projection(state.camera, other, depth > 0.0 ? depth : 1.0);
+    const Camera camera = with_projection(state.camera, other, depth > 0.0 ? depth : 1.0);
+    for (EditScene& step : steps_to_view(state.scene().camera, state.camera, camera, "Change the projection")) {
+        apply(state, std::move(step));
+    }
 }
 
 void save_view(ViewerState& state) {
-    const std::size_t view = state.scene().views.size();
-    EditScene step = saved_view_of(state.scene(), state.camera);
-    state.document.apply(std::move(step.edit), std::move(step.name));
+    const std::vector<SavedView>& views = state.scene().views;
+    const auto same = std::ranges::find(views, state.camera, &SavedView::camera);
+    const auto view = static_cast<std::size_t>(same - views.begin());
+    if (same == views.end()) {
+        apply(state, saved_view_of(state.scene(), state.camera));
+    } else {
+        announce(state, "This view is saved already, as '" + shown_text(same->name) + "'.");
+    }
     state.panel_shown = true;
     start_renaming_view(state.side_panel, state.scene(), view);
 }
@@ -184,7 +191,8 @@ std::vector<Command> make_commands() {
           "An edit like any other: Home returns here then.", true},
          edits(use_view_as_camera),
          [](const ViewerState& s) { return s.camera != s.scene().camera; }},
-        {{Id::save_view, "View", "Save this view", "V", "Keeps the view under a name, in the scene: to come back to it."},
+        {{Id::save_view, "View", "Save this view", "V",
+          "Keeps the view under a name, in the scene: to come back to it. One that is kept already is only named."},
          save_view},
         {{Id::next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays.", true},
          [](ViewerState& s) { show_frame(s, s.frame + 1); },
