@@ -78,6 +78,11 @@ void draw_command_button(const PanelContext& context, const CommandButton& butto
     explain_item(std::string(info.help) + (info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut)));
 }
 
+// So that a colour is seen on a panel of the same colour.
+void draw_edge(ImVec2 low, ImVec2 high, float scale) {
+    ImGui::GetWindowDrawList()->AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Text, 0.55F), 2.0F * scale);
+}
+
 }  // namespace
 
 void apply_style(float scale, Theme theme) {
@@ -210,7 +215,7 @@ void draw_swatch(const Color& color, ImVec2 place, float side, float scale, floa
     const ImVec2 end{place.x + side, place.y + side};
     const ImU32 fill = IM_COL32(color.r, color.g, color.b, static_cast<int>(std::lround(255.0F * opacity)));
     list.AddRectFilled(place, end, fill, 2.0F * scale);
-    list.AddRect(place, end, ImGui::GetColorU32(ImGuiCol_Border), 2.0F * scale);
+    draw_edge(place, end, scale);
 }
 
 bool key_pressed(ImGuiKey key) {
@@ -227,6 +232,8 @@ std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const 
     const ImGuiColorEditFlags flags =
         ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoDragDrop | (numbers ? 0 : ImGuiColorEditFlags_NoInputs);
     const bool changed = ImGui::ColorEdit3(label, parts.data(), flags);
+    const ImVec2 end = ImGui::GetItemRectMax();
+    draw_edge({end.x - ImGui::GetFrameHeight(), ImGui::GetItemRectMin().y}, end, context.scale);
     // ImGui counts the three numbers and the picker as one item: a drag in one activates the item.
     if (ImGui::IsItemActivated()) ++context.gesture;
     if (!changed) return std::nullopt;
