@@ -135,9 +135,9 @@ void draw_scale_bar_on_screen(const ViewerState& state, const Rectangle& picture
 }  // namespace
 
 void draw_view_marks(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {
-    const int unit = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
-    const double needed = 2.0 * (axes_radius + marks_margin) * unit / stroke_unit;
-    if (state.is_at_start() || needed > pixels * static_cast<double>(std::min(picture.width, picture.height))) return;
+    const int wanted = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
+    const int unit = unit_of_marks(state.picture_size.shorter_side(), wanted);
+    if (state.is_at_start() || unit == 0) return;
     if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, pixels, unit);
     if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
 }
