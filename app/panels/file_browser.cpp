@@ -163,7 +163,7 @@ void draw_places(const PanelContext& context, FileBrowser& browser, const ImVec2
         const std::string path = text_from(folder);
         if (ImGui::Selectable((as_label(label) + "###" + widget).c_str(), path == browser.folder)) chosen = folder;
         note_widget(context, widget);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shown_text(path).c_str());
+        explain_item(shown_text(path));
     };
     if (ImGui::BeginChild("places", size, true)) {
         if (!home_folder().empty()) place("Home", "browser home", home_folder());

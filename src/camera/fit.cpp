@@ -28,8 +28,8 @@ constexpr double slope = half_side / distance * (31.0 / 32.0);
 
 // What is smaller than this part of its distance from the origin counts as larger: an eye's numbers could not place it well enough.
 constexpr double smallest_part = 0x1p-46;
-// Squares and reciprocals of smaller radii leave the range of doubles.
-constexpr double smallest_radius = 0x1p-900;
+// The scale that brings smaller ones near 1 would leave the range of doubles.
+constexpr double smallest_radius = 0x1p-1000;
 // For an eye: its screen's numbers must be finite as well.
 constexpr double farthest = 0x1p1023;
 

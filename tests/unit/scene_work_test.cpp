@@ -11,7 +11,7 @@
 #include "support/eventually.hpp"
 #include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
-#include "viewer/perform.hpp"
+#include "viewer/command_table.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {
