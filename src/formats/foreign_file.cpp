@@ -22,6 +22,9 @@ struct Mark {
     std::size_t offset = 0;
 };
 
+// Of what a text begins with, behind blank lines and in lower case.
+constexpr std::size_t of_text = std::string_view::npos;
+
 // Bytes that no text holds, or that begin files of one kind alone.
 constexpr auto marks = std::to_array<Mark>({
     {"BZh"sv, "a file that is packed with bzip2, which is not unpacked here: gzip is"},
@@ -90,36 +93,32 @@ constexpr auto marks = std::to_array<Mark>({
      "ELF"sv,
      "a program"},
     {"MZ\x90\0"sv, "a program"},
-});
-
-// What the first lines begin with, in lower case.
-constexpr auto beginnings = std::to_array<Mark>({
-    {"<!doctype html"sv, "an HTML page"},
-    {"<html"sv, "an HTML page"},
-    {"<!--"sv, "an HTML page or XML file"},
-    {"<svg"sv, "an SVG picture"},
-    {"<vtkfile"sv, "a VTK file"},
-    {"<?xml"sv, "an XML file"},
-    {"# vtk datafile"sv, "a VTK file"},
-    {"# .pcd"sv, "a PCD point cloud"},
-    {"#vrml"sv, "a VRML model"},
-    {"#inventor"sv, "an Inventor model"},
-    {"#!/"sv, "a script"},
-    {"ply\n"sv, "a PLY model"},
-    {"ply\r"sv, "a PLY model"},
-    {"off\n"sv, "an OFF model"},
-    {"off\r"sv, "an OFF model"},
-    {"coff\n"sv, "an OFF model"},
-    {"item: timestep"sv, "a LAMMPS dump"},
-    {"item: units"sv, "a LAMMPS dump"},
-    {"lammps "sv, "a LAMMPS data file"},
-    {"@<tripos>"sv, "a MOL2 file"},
-    {"psf"sv, "a PSF file"},
-    {"%version "sv, "an AMBER topology"},
-    {"entering gaussian"sv, "a Gaussian log"},
-    {"%chk="sv, "a Gaussian input"},
-    {"%nproc"sv, "a Gaussian input"},
-    {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that"},
+    {"<!doctype html"sv, "an HTML page", of_text},
+    {"<html"sv, "an HTML page", of_text},
+    {"<!--"sv, "an HTML page or XML file", of_text},
+    {"<svg"sv, "an SVG picture", of_text},
+    {"<vtkfile"sv, "a VTK file", of_text},
+    {"<?xml"sv, "an XML file", of_text},
+    {"# vtk datafile"sv, "a VTK file", of_text},
+    {"# .pcd"sv, "a PCD point cloud", of_text},
+    {"#vrml"sv, "a VRML model", of_text},
+    {"#inventor"sv, "an Inventor model", of_text},
+    {"#!/"sv, "a script", of_text},
+    {"ply\n"sv, "a PLY model", of_text},
+    {"ply\r"sv, "a PLY model", of_text},
+    {"off\n"sv, "an OFF model", of_text},
+    {"off\r"sv, "an OFF model", of_text},
+    {"coff\n"sv, "an OFF model", of_text},
+    {"item: timestep"sv, "a LAMMPS dump", of_text},
+    {"item: units"sv, "a LAMMPS dump", of_text},
+    {"lammps "sv, "a LAMMPS data file", of_text},
+    {"@<tripos>"sv, "a MOL2 file", of_text},
+    {"psf"sv, "a PSF file", of_text},
+    {"%version "sv, "an AMBER topology", of_text},
+    {"entering gaussian"sv, "a Gaussian log", of_text},
+    {"%chk="sv, "a Gaussian input", of_text},
+    {"%nproc"sv, "a Gaussian input", of_text},
+    {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that", of_text},
 });
 
 bool is_written_number(std::string_view word) {
@@ -237,19 +236,18 @@ std::string_view foreign_kind(std::string_view head) {
     constexpr std::size_t enough = 4096;
     const std::string_view raw = head.substr(0, enough);
     const bool is_binary = raw.find('\0') != std::string_view::npos;
+    if (const std::string_view kind = zip_kind(head); !kind.empty()) return kind;
+    if (is_bmp(head)) return "a BMP picture";
+    const std::string_view text = trimmed(raw, white_space);
+    const std::string lower = lower_case(text);
     for (const Mark& mark : marks) {
+        if (mark.offset == of_text) {
+            if (!lower.starts_with(mark.bytes)) continue;
+            return lower.find("<vtkfile") == std::string::npos ? mark.kind : "a VTK file";
+        }
         // Behind its beginning a text may hold such letters, too.
         if ((mark.offset == 0 || is_binary) && head.size() > mark.offset && head.substr(mark.offset).starts_with(mark.bytes))
             return mark.kind;
-    }
-    if (const std::string_view kind = zip_kind(head); !kind.empty()) return kind;
-    if (is_bmp(head)) return "a BMP picture";
-
-    const std::string_view text = trimmed(raw, white_space);
-    const std::string lower = lower_case(text);
-    for (const Mark& beginning : beginnings) {
-        if (!lower.starts_with(beginning.bytes)) continue;
-        return lower.find("<vtkfile") == std::string::npos ? beginning.kind : "a VTK file";
     }
     if (const std::string_view kind = json_kind(text); !kind.empty()) return kind;
     const FirstLines lines = first_lines(raw);
