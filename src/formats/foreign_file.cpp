@@ -109,8 +109,6 @@ constexpr auto marks = std::to_array<Mark>({
     {"off\n"sv, "an OFF model", of_text},
     {"off\r"sv, "an OFF model", of_text},
     {"coff\n"sv, "an OFF model", of_text},
-    {"item: timestep"sv, "a LAMMPS dump", of_text},
-    {"item: units"sv, "a LAMMPS dump", of_text},
     {"lammps "sv, "a LAMMPS data file", of_text},
     {"@<tripos>"sv, "a MOL2 file", of_text},
     {"psf"sv, "a PSF file", of_text},

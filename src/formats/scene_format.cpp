@@ -14,7 +14,7 @@ namespace sphereview {
 namespace {
 
 // When names do not tell, the last is asked first: the lower ones look at more.
-constexpr std::array<SceneFormat, 6> table = {{
+constexpr std::array<SceneFormat, 7> table = {{
     {.name = "text",
      .endings = {".txt"},
      .holds_only_spheres = true,
@@ -32,6 +32,13 @@ constexpr std::array<SceneFormat, 6> table = {{
      .read = read_csv},
     {.name = "PDB", .endings = {".pdb", ".ent"}, .is_data = true, .has_frames = true, .sniff = shows_pdb, .read = read_pdb},
     {.name = "mmCIF", .endings = {".cif", ".mmcif"}, .is_data = true, .has_frames = true, .sniff = shows_mmcif, .read = read_mmcif},
+    {.name = "LAMMPS",
+     .endings = {".lammpstrj", ".lammpsdump"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_lammps,
+     .read = read_lammps},
 }};
 
 // Null for a name that none of the endings ends.

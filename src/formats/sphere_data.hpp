@@ -92,4 +92,9 @@ SphereData read_pdb(std::string_view content, const std::string& name, const Dat
 bool shows_mmcif(std::string_view head);
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options);
 
+// Dumps of LAMMPS in text: places as x, xs, xu or xsu, in boxes of any form; radius or diameter, element or type, in the order of
+// the ids.
+bool shows_lammps(std::string_view head);
+SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options);
+
 }  // namespace sphereview

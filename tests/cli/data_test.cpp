@@ -181,7 +181,7 @@ TEST_F(Data, HasTheColumnsThatAreAskedFor) {
 }
 
 TEST_F(Data, OfAnotherKindSaysWhatItIs) {
-    const std::string formats = ", expected text, TOML, XYZ, CSV, PDB or mmCIF";
+    const std::string formats = ", expected text, TOML, XYZ, CSV, PDB, mmCIF or LAMMPS";
     folder_.write("a.gro", "water, t= 0.0\n    1\n    1WATER  OW1    1   0.126   1.624   1.679\n   1.8 1.8 1.8\n");
     folder_.write("b.xyz.bz2", "BZh91AY&SY");
     folder_.write("c.csv", "\xFF\xD8\xFF\xE0 JFIF");

@@ -49,4 +49,6 @@ std::string fuzz_pdb(std::string_view bytes) { return wrong_with(bytes, "PDB"); 
 
 std::string fuzz_mmcif(std::string_view bytes) { return wrong_with(bytes, "mmCIF"); }
 
+std::string fuzz_lammps(std::string_view bytes) { return wrong_with(bytes, "LAMMPS"); }
+
 }  // namespace sphereview
