@@ -139,15 +139,6 @@ FirstLines first_lines(std::string_view text) {
     return lines;
 }
 
-// A title, the number of atoms, and atoms in columns: 5 for the residue's number, 10 for names, 5 for the atom's, 8 for each place.
-bool is_gromacs(const FirstLines& lines) {
-    const std::string_view atom = lines[2];
-    if (!is_whole(trimmed(lines[1])) || atom.size() < 44) return false;
-    const auto part = [&](std::size_t begin, std::size_t count) { return trimmed(atom.substr(begin, count)); };
-    return is_whole(part(0, 5)) && is_whole(part(15, 5)) && is_letter(part(10, 5).empty() ? ' ' : part(10, 5)[0]) &&
-           is_written_number(part(20, 8)) && is_written_number(part(28, 8)) && is_written_number(part(36, 8));
-}
-
 // A title, a scale, three vectors, and then the symbols or numbers of the atoms, and how their places are meant.
 bool is_poscar(const FirstLines& lines) {
     if (!are_numbers(words_of(lines[1]), 1)) return false;
@@ -249,7 +240,6 @@ std::string_view foreign_kind(std::string_view head) {
     }
     if (const std::string_view kind = json_kind(text); !kind.empty()) return kind;
     const FirstLines lines = first_lines(raw);
-    if (is_gromacs(lines)) return "a GROMACS file";
     if (is_poscar(lines)) return "a POSCAR file";
     if (is_mol(lines)) return "a MOL or SDF file";
     if (is_stl(lines)) return "an STL model";

@@ -14,7 +14,7 @@ namespace sphereview {
 namespace {
 
 // When names do not tell, the last is asked first: the lower ones look at more.
-constexpr std::array<SceneFormat, 7> table = {{
+constexpr std::array<SceneFormat, 8> table = {{
     {.name = "text",
      .endings = {".txt"},
      .holds_only_spheres = true,
@@ -39,6 +39,13 @@ constexpr std::array<SceneFormat, 7> table = {{
      .has_frames = true,
      .sniff = shows_lammps,
      .read = read_lammps},
+    {.name = "GROMACS",
+     .endings = {".gro"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_gromacs,
+     .read = read_gromacs},
 }};
 
 // Null for a name that none of the endings ends.

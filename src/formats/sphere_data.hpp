@@ -97,4 +97,8 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
 bool shows_lammps(std::string_view head);
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options);
 
+// GROMACS's .gro: nanometres, which become angstrom, in columns whose width the decimals show.
+bool shows_gromacs(std::string_view head);
+SphereData read_gromacs(std::string_view content, const std::string& name, const DataOptions& options);
+
 }  // namespace sphereview

@@ -51,4 +51,6 @@ std::string fuzz_mmcif(std::string_view bytes) { return wrong_with(bytes, "mmCIF
 
 std::string fuzz_lammps(std::string_view bytes) { return wrong_with(bytes, "LAMMPS"); }
 
+std::string fuzz_gromacs(std::string_view bytes) { return wrong_with(bytes, "GROMACS"); }
+
 }  // namespace sphereview
