@@ -126,10 +126,6 @@ bool is_written_number(std::string_view word) {
 
 bool is_whole(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
 
-bool are_numbers(const std::vector<std::string_view>& words, std::size_t count) {
-    return words.size() == count && std::ranges::all_of(words, is_written_number);
-}
-
 // The first lines of a text, as they are; missing ones are empty.
 using FirstLines = std::array<std::string_view, 8>;
 
@@ -137,21 +133,6 @@ FirstLines first_lines(std::string_view text) {
     FirstLines lines{};
     for (std::string_view& line : lines) line = take_line(text);
     return lines;
-}
-
-// A title, a scale, three vectors, and then the symbols or numbers of the atoms, and how their places are meant.
-bool is_poscar(const FirstLines& lines) {
-    if (!are_numbers(words_of(lines[1]), 1)) return false;
-    for (std::size_t i = 2; i < 5; ++i) {
-        if (!are_numbers(words_of(lines[i]), 3)) return false;
-    }
-    const auto begins_with_letter = [](std::string_view line) {
-        line = trimmed(line);
-        return !line.empty() && is_letter(line[0]);
-    };
-    const auto counts = words_of(lines[begins_with_letter(lines[5]) ? 6 : 5]);
-    return !counts.empty() && std::ranges::all_of(counts, is_whole) &&
-           begins_with_letter(lines[begins_with_letter(lines[5]) ? 7 : 6]);
 }
 
 bool is_mol(const FirstLines& lines) {
@@ -240,7 +221,6 @@ std::string_view foreign_kind(std::string_view head) {
     }
     if (const std::string_view kind = json_kind(text); !kind.empty()) return kind;
     const FirstLines lines = first_lines(raw);
-    if (is_poscar(lines)) return "a POSCAR file";
     if (is_mol(lines)) return "a MOL or SDF file";
     if (is_stl(lines)) return "an STL model";
     if (is_obj(text)) return "an OBJ model";

@@ -14,7 +14,7 @@ namespace sphereview {
 namespace {
 
 // When names do not tell, the last is asked first: the lower ones look at more.
-constexpr std::array<SceneFormat, 8> table = {{
+constexpr std::array<SceneFormat, 9> table = {{
     {.name = "text",
      .endings = {".txt"},
      .holds_only_spheres = true,
@@ -46,6 +46,13 @@ constexpr std::array<SceneFormat, 8> table = {{
      .has_frames = true,
      .sniff = shows_gromacs,
      .read = read_gromacs},
+    {.name = "POSCAR",
+     .endings = {".vasp", "poscar", "contcar", "xdatcar"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_poscar,
+     .read = read_poscar},
 }};
 
 // Null for a name that none of the endings ends.

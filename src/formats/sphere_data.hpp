@@ -101,4 +101,8 @@ SphereData read_lammps(std::string_view content, const std::string& name, const 
 bool shows_gromacs(std::string_view head);
 SphereData read_gromacs(std::string_view content, const std::string& name, const DataOptions& options);
 
+// VASP's POSCAR and CONTCAR, in parts of a cell or not, and XDATCAR with its frames.
+bool shows_poscar(std::string_view head);
+SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options);
+
 }  // namespace sphereview

@@ -53,4 +53,6 @@ std::string fuzz_lammps(std::string_view bytes) { return wrong_with(bytes, "LAMM
 
 std::string fuzz_gromacs(std::string_view bytes) { return wrong_with(bytes, "GROMACS"); }
 
+std::string fuzz_poscar(std::string_view bytes) { return wrong_with(bytes, "POSCAR"); }
+
 }  // namespace sphereview
