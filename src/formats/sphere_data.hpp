@@ -88,7 +88,8 @@ inline constexpr const char* column_choices_syntax =
 bool shows_pdb(std::string_view head);
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options);
 
-// mmCIF (PDBx), likewise; the models of each data block follow on those before. Builds without gemmi say that they cannot read it.
+// CIF: mmCIF (PDBx), likewise, crystals in parts of a cell with their symmetry, and chemical components; the models of each data
+// block follow on those before. Builds without gemmi say that they cannot read it.
 bool shows_mmcif(std::string_view head);
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options);
 
