@@ -135,11 +135,6 @@ FirstLines first_lines(std::string_view text) {
     return lines;
 }
 
-bool is_mol(const FirstLines& lines) {
-    const std::string_view counts = trimmed(lines[3]);
-    return counts.ends_with("V2000") || counts.ends_with("V3000");
-}
-
 bool is_stl(const FirstLines& lines) {
     return lower_case(lines[0].substr(0, 5)) == "solid" && lower_case(trimmed(lines[1])).starts_with("facet ");
 }
@@ -221,7 +216,6 @@ std::string_view foreign_kind(std::string_view head) {
     }
     if (const std::string_view kind = json_kind(text); !kind.empty()) return kind;
     const FirstLines lines = first_lines(raw);
-    if (is_mol(lines)) return "a MOL or SDF file";
     if (is_stl(lines)) return "an STL model";
     if (is_obj(text)) return "an OBJ model";
     if (is_lammps_data(lines)) return "a LAMMPS data file";

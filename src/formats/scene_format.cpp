@@ -14,7 +14,7 @@ namespace sphereview {
 namespace {
 
 // When names do not tell, the last is asked first: the lower ones look at more.
-constexpr std::array<SceneFormat, 9> table = {{
+constexpr std::array<SceneFormat, 10> table = {{
     {.name = "text",
      .endings = {".txt"},
      .holds_only_spheres = true,
@@ -53,6 +53,13 @@ constexpr std::array<SceneFormat, 9> table = {{
      .has_frames = true,
      .sniff = shows_poscar,
      .read = read_poscar},
+    {.name = "SDF",
+     .endings = {".sdf", ".sd", ".mol", ".mdl"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_sdf,
+     .read = read_sdf},
 }};
 
 // Null for a name that none of the endings ends.

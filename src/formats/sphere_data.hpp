@@ -106,4 +106,8 @@ SphereData read_gromacs(std::string_view content, const std::string& name, const
 bool shows_poscar(std::string_view head);
 SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options);
 
+// SDF and MOL, V2000 and V3000: molecules are frames.
+bool shows_sdf(std::string_view head);
+SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options);
+
 }  // namespace sphereview

@@ -55,4 +55,6 @@ std::string fuzz_gromacs(std::string_view bytes) { return wrong_with(bytes, "GRO
 
 std::string fuzz_poscar(std::string_view bytes) { return wrong_with(bytes, "POSCAR"); }
 
+std::string fuzz_sdf(std::string_view bytes) { return wrong_with(bytes, "SDF"); }
+
 }  // namespace sphereview
