@@ -14,7 +14,7 @@ namespace sphereview {
 namespace {
 
 // When names do not tell, the last is asked first: the lower ones look at more.
-constexpr std::array<SceneFormat, 10> table = {{
+constexpr std::array<SceneFormat, 11> table = {{
     {.name = "text",
      .endings = {".txt"},
      .holds_only_spheres = true,
@@ -60,6 +60,13 @@ constexpr std::array<SceneFormat, 10> table = {{
      .has_frames = true,
      .sniff = shows_sdf,
      .read = read_sdf},
+    {.name = "PQR",
+     .endings = {".pqr"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_pqr,
+     .read = read_pqr},
 }};
 
 // Null for a name that none of the endings ends.

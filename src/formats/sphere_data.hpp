@@ -110,4 +110,8 @@ SphereData read_poscar(std::string_view content, const std::string& name, const 
 bool shows_sdf(std::string_view head);
 SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options);
 
+// PQR: atoms of PDB with charges and radii; models are frames.
+bool shows_pqr(std::string_view head);
+SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options);
+
 }  // namespace sphereview

@@ -57,4 +57,6 @@ std::string fuzz_poscar(std::string_view bytes) { return wrong_with(bytes, "POSC
 
 std::string fuzz_sdf(std::string_view bytes) { return wrong_with(bytes, "SDF"); }
 
+std::string fuzz_pqr(std::string_view bytes) { return wrong_with(bytes, "PQR"); }
+
 }  // namespace sphereview

@@ -68,7 +68,7 @@ TEST(ForeignFile, SaysWhatItIs) {
         for (const std::string name : {"a.txt", "a.csv", "a.xyz", "a"}) {
             const std::string message = message_of<InputError>([&bytes = bytes, &name] { parse_scene(bytes, name); });
             EXPECT_EQ(message,
-                      name + ": found " + std::string(foreign_kind(bytes)) + ", expected text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR or SDF");
+                      name + ": found " + std::string(foreign_kind(bytes)) + ", expected text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF or PQR");
         }
     }
 }
