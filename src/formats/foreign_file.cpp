@@ -104,8 +104,6 @@ constexpr auto marks = std::to_array<Mark>({
     {"#vrml"sv, "a VRML model", of_text},
     {"#inventor"sv, "an Inventor model", of_text},
     {"#!/"sv, "a script", of_text},
-    {"ply\n"sv, "a PLY model", of_text},
-    {"ply\r"sv, "a PLY model", of_text},
     {"off\n"sv, "an OFF model", of_text},
     {"off\r"sv, "an OFF model", of_text},
     {"coff\n"sv, "an OFF model", of_text},

@@ -114,4 +114,8 @@ SphereData read_sdf(std::string_view content, const std::string& name, const Dat
 bool shows_pqr(std::string_view head);
 SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options);
 
+// PLY: the points of the element `vertex`, in text or in bytes of either order; faces are passed over.
+bool shows_ply(std::string_view head);
+SphereData read_ply(std::string_view content, const std::string& name, const DataOptions& options);
+
 }  // namespace sphereview

@@ -181,7 +181,7 @@ TEST_F(Data, HasTheColumnsThatAreAskedFor) {
 }
 
 TEST_F(Data, OfAnotherKindSaysWhatItIs) {
-    const std::string formats = ", expected text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF or PQR";
+    const std::string formats = ", expected text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF, PQR or PLY";
     folder_.write("a.mol2", "@<TRIPOS>MOLECULE\n");
     folder_.write("b.xyz.bz2", "BZh91AY&SY");
     folder_.write("c.csv", "\xFF\xD8\xFF\xE0 JFIF");

@@ -59,4 +59,6 @@ std::string fuzz_sdf(std::string_view bytes) { return wrong_with(bytes, "SDF"); 
 
 std::string fuzz_pqr(std::string_view bytes) { return wrong_with(bytes, "PQR"); }
 
+std::string fuzz_ply(std::string_view bytes) { return wrong_with(bytes, "PLY"); }
+
 }  // namespace sphereview

@@ -58,7 +58,6 @@ TEST(ForeignFile, SaysWhatItIs) {
         {"LAMMPS data file\n\n2 atoms\n", "a LAMMPS data file"},
         {"my system\n\n  2 atoms\n  1 atom types\n", "a LAMMPS data file"},
         {"@<TRIPOS>MOLECULE\n", "a MOL2 file"},
-        {"ply\nformat ascii 1.0\n", "a PLY model"},
         {"\x93NUMPY\1\0"s, "a NumPy array"},
         {"MATLAB 5.0 MAT-file, Platform", "a MATLAB file"},
         {"1 2\0 3"s, "binary data"},
@@ -67,8 +66,8 @@ TEST(ForeignFile, SaysWhatItIs) {
         EXPECT_NE(foreign_kind(bytes).find(kind), std::string::npos) << kind << ": " << foreign_kind(bytes);
         for (const std::string name : {"a.txt", "a.csv", "a.xyz", "a"}) {
             const std::string message = message_of<InputError>([&bytes = bytes, &name] { parse_scene(bytes, name); });
-            EXPECT_EQ(message,
-                      name + ": found " + std::string(foreign_kind(bytes)) + ", expected text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF or PQR");
+            EXPECT_EQ(message, name + ": found " + std::string(foreign_kind(bytes)) +
+                                   ", expected text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF, PQR or PLY");
         }
     }
 }

@@ -112,7 +112,7 @@ TEST(ParseScene, SaysThatTheTextFormatHasNoComments) {
 }
 
 TEST(SceneFormats, AreListedForHelpDialogsAndMessages) {
-    EXPECT_EQ(listed(format_names(), "or"), "text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF or PQR");
+    EXPECT_EQ(listed(format_names(), "or"), "text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF, PQR or PLY");
     EXPECT_EQ(listed(format_names(has_frames), "and"), "XYZ, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF and PQR");
     EXPECT_EQ(listed(format_endings(is_written), "or"), ".txt or .toml");
     EXPECT_EQ(listed(std::vector<std::string>{"a"}, "or"), "a");
