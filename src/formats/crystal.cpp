@@ -221,6 +221,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
     const std::size_t most = table.length() * std::max<std::size_t>(1, operations.size());
     require_memory(most * sizeof(Sphere), source.name + ": up to " + in_groups(most) + " spheres need");
     Atoms atoms;
+    atoms.spheres.reserve(table.length());
     std::vector<glm::dvec3> places;
     std::size_t nowhere = 0;
     std::size_t others = 0;
@@ -228,7 +229,8 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
         glm::dvec3 parts;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::string& value = row[axis];
-            const double number = cif::as_number(cif::as_string(value));
+            double number = cif::as_number(value);
+            if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));  // in quotes
             if (!std::isfinite(number) && !cif::is_null(value)) {
                 fail_in_line(source, item,
                              found_expected(value, std::string("fract_") + "xyz"[axis] + " of atom " +

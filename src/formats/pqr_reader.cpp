@@ -1,7 +1,7 @@
 // PQR: PDB's records of atoms with blanks between what they say, and at the end the atom's charge and radius.
 #include <algorithm>
 #include <array>
-#include <span>
+#include <unordered_map>
 
 #include "base/memory.hpp"
 #include "base/number.hpp"
@@ -22,58 +22,76 @@ bool is_pqr_number(std::string_view word) {
     return parse_double(word, ignored) == NumberFault::none;
 }
 
-// Which of the words of a line say what: ATOM, a number, the atom, its residue, perhaps a chain, the residue's number, and
-// last_fields.
+// Reads ATOM, a number, the atom, its residue, perhaps a chain, the residue's number, and last_fields.
 class PqrAtoms {
 public:
     explicit PqrAtoms(const TextSource& source) : source_(source) {}
 
     // The atom of the line that begins at `begin`.
     MoleculeAtom atom(std::size_t begin, std::string_view line) {
-        words_ = words_of(line.substr(0, longest_line));
-        const std::size_t places = first_place();
-        std::array<double, last_fields.size()> values{};
-        for (std::size_t i = 0; i < last_fields.size(); ++i) values[i] = value(begin, line, places + i, last_fields[i]);
+        split(line);
+        const std::size_t places = read_values(begin + line.size());
         MoleculeAtom atom;
-        atom.position = {values[0], values[1], values[2]};
-        atom.radius = values[4];
-        if (atom.radius < 0.0) fail(words_[places + 4], "the atom's radius, 0 or above");
-        const std::span names = std::span(words_).first(places);
-        const auto name = [&](std::size_t i) { return i < names.size() ? names[i] : std::string_view(); };
-        atom.atom = name(2);
-        atom.residue = name(3);
-        if (names.size() > 5) atom.chain = name(4);
-        atom.residue_number = std::string(name(std::max<std::size_t>(4, names.size() - 1)));
-        atom.element = &element_of_name(atom.atom, atom.residue, NameColumns::unknown);
+        atom.position = {values_[0], values_[1], values_[2]};
+        atom.radius = values_[4];
+        if (atom.radius < 0.0) source_.fail(words_[places + 4], "the atom's radius, 0 or above");
+        atom.atom = words_[2];
+        atom.residue = words_[3];
+        if (places > fewest_names) atom.chain = words_[4];
+        atom.residue_number = std::string(words_[places - 1]);
+        atom.element = &element_of(atom.atom, atom.residue);
         return atom;
     }
 
 private:
-    static constexpr std::size_t longest_line = 1024;  // that is looked at
+    static constexpr std::size_t fewest_names = 5;  // without a chain
+    static constexpr std::size_t most_words = 16;   // that are looked at
 
-    // Where x stands: five numbers end the line. Where more stands behind them, what would be a chain is none if it is a number.
-    std::size_t first_place() const {
-        const std::size_t count = words_.size();
-        const std::size_t usual = count - std::min(count, last_fields.size());
-        const bool ends_so =
-            usual >= 5 && usual <= 6 && std::all_of(words_.end() - last_fields.size(), words_.end(), is_pqr_number);
-        if (ends_so) return usual;
-        return count > 4 && !is_pqr_number(words_[4]) ? 6 : 5;
+    void split(std::string_view line) {
+        count_ = 0;
+        std::size_t begin = 0;
+        while (count_ < most_words && (begin = line.find_first_not_of(white_space, begin)) != std::string_view::npos) {
+            const std::size_t end = std::min(line.find_first_of(white_space, begin), line.size());
+            words_[count_++] = line.substr(begin, end - begin);
+            begin = end;
+        }
     }
 
-    double value(std::size_t begin, std::string_view line, std::size_t place, const char* what) const {
-        const std::string expected = std::string("the atom's ") + what;
-        if (place >= words_.size()) source_.fail(begin + line.size(), "the line ends, expected " + expected);
-        double number = 0.0;
-        const NumberFault fault = parse_double(words_[place], number);
-        if (fault != NumberFault::none) fail(words_[place], expected + ", " + expected_instead_of(fault));
-        return number;
+    // Reads last_fields, and returns where they begin: five numbers end the line. Where more stands behind them, what would be a
+    // chain is none if it is a number. `line_end`: of the text.
+    std::size_t read_values(std::size_t line_end) {
+        const std::size_t usual = count_ - std::min(count_, last_fields.size());
+        const bool may_end_so = usual == fewest_names || usual == fewest_names + 1;
+        std::size_t read = 0;
+        while (may_end_so && read < last_fields.size() && parse_double(words_[usual + read], values_[read]) == NumberFault::none)
+            ++read;
+        if (read == last_fields.size()) return usual;
+        const std::size_t places = fewest_names + (count_ > 4 && !is_pqr_number(words_[4]) ? 1 : 0);
+        for (std::size_t i = 0; i < last_fields.size(); ++i) {
+            const std::string expected = std::string("the atom's ") + last_fields[i];
+            if (places + i >= count_) source_.fail(line_end, "the line ends, expected " + expected);
+            const NumberFault fault = parse_double(words_[places + i], values_[i]);
+            if (fault != NumberFault::none) source_.fail(words_[places + i], expected + ", " + expected_instead_of(fault));
+        }
+        return places;
     }
 
-    [[noreturn]] void fail(std::string_view word, const std::string& expected) const { source_.fail(word, expected); }
+    // Few names of many atoms are new.
+    const Element& element_of(std::string_view atom, std::string_view residue) {
+        constexpr std::size_t most_kept = 4096;
+        if (elements_.size() > most_kept) elements_.clear();
+        key_.assign(residue).append(1, ' ').append(atom);
+        const auto [known, is_new] = elements_.try_emplace(key_, nullptr);
+        if (is_new) known->second = &element_of_name(atom, residue, NameColumns::unknown);
+        return *known->second;
+    }
 
     const TextSource& source_;
-    std::vector<std::string_view> words_{};  // of the line
+    std::array<std::string_view, most_words> words_{};  // of the line, the first count_
+    std::size_t count_ = 0;
+    std::array<double, last_fields.size()> values_{};
+    std::string key_{};
+    std::unordered_map<std::string, const Element*> elements_{};
 };
 
 }  // namespace

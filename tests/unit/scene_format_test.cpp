@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/text.hpp"
+#include "support/folders.hpp"
 #include "support/trials.hpp"
 #include "unit/message_of.hpp"
 #include "unit/random_scene.hpp"
@@ -123,6 +125,17 @@ TEST(SceneFormats, AreListedForHelpDialogsAndMessages) {
     }
     EXPECT_EQ(find_format("xyz"), find_format("XYZ"));
     EXPECT_EQ(find_format("yaml"), nullptr);
+}
+
+// Desktops know CSV by a type that other programs share.
+TEST(SceneFormats, OfDataHaveMimeTypes) {
+    const std::string types(InputFile(test::source_file("packaging/sphereview.mime.xml")).bytes());
+    for (const SceneFormat& format : scene_formats()) {
+        if (!format.is_data || format.name == "CSV") continue;
+        for (const std::string& ending : endings_of(format)) {
+            EXPECT_NE(lower_case(types).find("<glob pattern=\"*" + ending + "\""), std::string::npos) << ending;
+        }
+    }
 }
 
 TEST(LostIn, NamesWhatTheTextFormatCannotHold) {
