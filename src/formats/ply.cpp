@@ -133,15 +133,15 @@ public:
         TokenReader reader(line_, begin, line_ends, parse_or_nothing);
         VertexValues values;
         values.fill(nothing);
-        for (const auto& [property, field] : vertices_.properties) {
-            const auto expected = [&] { return in_quotes(property.name) + of_atom(index, vertices_.count, "vertex"); };
-            if (property.count_type) {
+        for (const VertexProperty& next : vertices_.properties) {
+            const auto expected = [&] { return in_quotes(next.property.name) + of_atom(index, vertices_.count, "vertex"); };
+            if (next.property.count_type) {
                 const auto most = static_cast<std::int64_t>(end - begin);
                 reader.skip_tokens(static_cast<std::size_t>(reader.integer(0, most, expected)));
-            } else if (field == no_field) {
+            } else if (next.field == no_field) {
                 reader.skip_tokens(1);
             } else {
-                values[field] = reader.number(expected);
+                values[next.field] = reader.number(expected);
             }
         }
         return {sphere_of(values, vertices_, options_, index, notes_)};
