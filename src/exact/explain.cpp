@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -118,6 +120,12 @@ struct Hit {
     std::int32_t number;
     ExactQuadratic quadratic;
     ExactRoot root;
+
+    // Nearer, or as near and earlier in the file.
+    bool operator<(const Hit& other) const {
+        const int order = compare(root, other.root);
+        return order < 0 || (order == 0 && number < other.number);
+    }
 };
 
 // The integers belong to f D and to half of b, and to g times the scene: A t'^2 - 2 q.b t' + q.c = 0 with g t = f t'. `out`: a hit,
@@ -246,29 +254,26 @@ PixelExplanation explain_pixel(const Scene& scene, const DrawnSpheres& drawn, co
         if (camera.orthographic()) out.origin[axis] = rounded(ray.origin.place[i], ray.origin.factor, ray.scale.exponent());
     }
 
-    std::vector<Hit> hits;
+    std::set<Hit> hits;  // no more than are explained: each takes kilobytes
     for (const std::int32_t number : numbers) {
         const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
         ExactQuadratic quadratic(sphere, ray.origin, ray.direction, ray.square, ray.scale);
-        if (auto root = smallest_positive_root(quadratic)) {
-            hits.push_back({&sphere, number, std::move(quadratic), *std::move(root)});
-        } else {
+        auto root = smallest_positive_root(quadratic);
+        if (!root) {
             ++(quadratic.d < 0 ? out.missed : out.behind);
+            continue;
         }
+        hits.insert({&sphere, number, std::move(quadratic), *std::move(root)});
+        if (hits.size() <= most_hits) continue;
+        hits.erase(std::prev(hits.end()));
+        ++out.farther;
     }
-    // By pointers: the integers of a hit are too large to be moved about.
-    std::vector<const Hit*> nearest;
-    for (const Hit& hit : hits) nearest.push_back(&hit);
-    const std::size_t explained = std::min(hits.size(), most_hits);
-    std::ranges::partial_sort(nearest, nearest.begin() + static_cast<std::ptrdiff_t>(explained), [](const Hit* a, const Hit* b) {
-        const int order = compare(a->root, b->root);
-        return order < 0 || (order == 0 && a->number < b->number);
-    });
-    out.farther = static_cast<std::int64_t>(hits.size() - explained);
-    for (std::size_t i = 0; i < explained; ++i) {
-        out.hits.push_back(explain(*nearest[i], ray));
+    const Hit* before = nullptr;
+    for (const Hit& hit : hits) {
+        out.hits.push_back(explain(hit, ray));
         out.hits.back().projection = camera.projection;
-        out.hits.back().as_near_as_last = i > 0 && compare(nearest[i - 1]->root, nearest[i]->root) == 0;
+        out.hits.back().as_near_as_last = before != nullptr && compare(before->root, hit.root) == 0;
+        before = &hit;
     }
     for (const bool in_front : {true, false}) {
         for (const std::int32_t number : in_front ? passed.in_front : passed.behind) {
