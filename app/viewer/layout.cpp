@@ -61,6 +61,20 @@ Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context,
     return {picture.x + taken, picture.y, picture.width - taken, picture.height};
 }
 
+// What the eye sees whose rays are shown: the pixel under the pointer there is the eye's.
+void draw_rays_over(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, const Rectangle& picture) {
+    RaysInSpace& rays = state.rays;
+    RaysFacts shown = facts_of_rays(state, facts.inspection.first);
+    shown.picture = facts.seen_by_eye;
+    const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, picture);
+    const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
+    fly_beside(state, {pixels * static_cast<double>(answer.size.x), pixels * static_cast<double>(answer.size.y)});
+    rays.pointed.reset();
+    if (!answer.pointed) return;
+    rays.pointed = PinnedPixel{*answer.pointed, rays.size};
+    if (answer.clicked) pin(state.pins, *rays.pointed, answer.beside);
+}
+
 }  // namespace
 
 double panel_width_within(double wanted, double room) {
@@ -114,9 +128,10 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
     draw_measuring(context, state.measuring, picture);
+    if (state.rays.on) draw_rays_over(state, context, facts, picture);
     if (state.comparison && state.comparison->open) {
         std::optional<ImVec2> pinned;
-        if (state.inspector_shown && state.pins.first) {
+        if (state.inspector_shown && !state.rays.on && state.pins.first) {
             const glm::dvec2 place = place_in(state.picture_size, *state.pins.first);
             const double pixel = static_cast<double>(picture.width) / state.picture_size.width;
             pinned = ImVec2(picture.x + static_cast<float>(pixel * place.x), picture.y + static_cast<float>(pixel * place.y));
@@ -171,7 +186,7 @@ void draw_pin(const Rectangle& picture, ImVec2 place, float scale, const char* n
 }
 
 void draw_export_area(const ViewerState& state, const Rectangle& picture) {
-    if (!state.export_area_shown) return;
+    if (!state.export_area_shown || state.rays.on) return;
     const PictureSize size{state.settings.export_width, state.settings.export_height};
     // Both show `right` and `up` over half their shorter side.
     const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());

@@ -14,7 +14,8 @@ struct RedrawFacts {
     Status status;
     Inspection inspection;
     DialogKeys keys;
-    std::optional<ImTextureID> difference{};  // the picture of the comparison's
+    std::optional<ImTextureID> difference{};   // the picture of the comparison's
+    std::optional<ImTextureID> seen_by_eye{};  // what the eye sees whose rays are shown
 };
 
 // The width of the side panel, in its setting's range, that is nearest to `wanted` and leaves the picture its place where `room`
@@ -34,7 +35,7 @@ void draw_cross(const Rectangle& picture, ImVec2 middle, float scale);
 // Marks a pixel with a cross that leaves it free, and a name beside it.
 void draw_pin(const Rectangle& picture, ImVec2 place, float scale, const char* name);
 
-// Marks, over the picture, what an export shows of it, where that is not all.
+// Marks, over the picture, what an export shows of it, where that is not all. Not over rays in space.
 void draw_export_area(const ViewerState& state, const Rectangle& picture);
 
 }  // namespace sphereview

@@ -176,6 +176,7 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
         if (grabbed_ >= 0) actions.push_back(MeasureSphere{static_cast<std::uint32_t>(grabbed_)});
         return;
     }
+    if (!mouse.control && state.is_covered && state.is_covered(start_)) return;
     Selection selection = state.selection;
     if (grabbed_ < 0) {
         if (mouse.control || mouse.shift) return;

@@ -321,8 +321,13 @@ std::vector<Command> make_commands() {
                &ViewerState::inspector_shown),
         {{Id::pin_pixel, "View", "Pin the pixel", "Space", "Holds the pixel inspector at its pixel; again: lets the pixel go."},
          [](ViewerState& s) { grant(s, s.pins.first ? InspectorWish::unpin : InspectorWish::pin); },
-         [](const ViewerState& s) { return s.inspector_shown && (s.pins.first || s.pins.last); },
-         [](const ViewerState& s) { return s.inspector_shown && s.pins.first; }},
+         [](const ViewerState& s) { return s.has_pins() && (s.pins.first || s.pins.last); },
+         [](const ViewerState& s) { return s.has_pins() && s.pins.first; }},
+        {{Id::toggle_rays, "View", "Rays", "R",
+          "Shows the view from beside: its eye, its screen with the picture on it, and its rays; Escape goes back."},
+         [](ViewerState& s) { s.rays.on ? end_rays(s) : show_rays(s); },
+         [](const ViewerState& s) { return s.rays.on || !s.is_at_start(); },
+         [](const ViewerState& s) { return s.rays.on; }},
         {{Id::measure, "View", "Measure", "D",
           "Clicks on spheres give distances, and of three the angle, of four the dihedral; Escape ends it."},
          [](ViewerState& s) { s.measuring = Measuring{.on = !s.measuring.on}; },
@@ -414,6 +419,7 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             grant(state, *wish);
         } else if (const auto* pinned = std::get_if<PinPixel>(&action)) {
             state.inspector_shown = true;
+            state.rays.on = false;
             state.pins = {.first = PinnedPixel{pinned->pixel, pinned->size}};
         }
     }

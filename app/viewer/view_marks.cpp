@@ -10,6 +10,7 @@
 #include <string>
 
 #include "camera/navigation.hpp"
+#include "camera/projected_line.hpp"
 #include "panels/widgets.hpp"
 #include "viewer/viewer_state.hpp"
 
@@ -150,10 +151,18 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
     if (measuring.spheres.empty() || measuring.spheres.size() > measures.size() + 1) return;
     ImDrawList& draw = *ImGui::GetBackgroundDrawList();
     draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height});
+    const auto on_window = [&](const glm::dvec2& at) {
+        return ImVec2(picture.x + static_cast<float>(at.x / pixels), picture.y + static_cast<float>(at.y / pixels));
+    };
     const auto place = [&](std::size_t i) -> std::optional<ImVec2> {
         const auto at = place_of(state.camera, state.picture_size, spheres[measuring.spheres[i]].center);
-        if (!at) return std::nullopt;
-        return ImVec2(picture.x + static_cast<float>(at->x / pixels), picture.y + static_cast<float>(at->y / pixels));
+        return at ? std::optional(on_window(*at)) : std::nullopt;
+    };
+    // To the next: also where one of the two is behind the eye.
+    const auto line_from = [&](std::size_t i) -> std::optional<ProjectedLine> {
+        if (i + 1 >= measuring.spheres.size()) return std::nullopt;
+        return projected_line(state.camera, state.picture_size, spheres[measuring.spheres[i]].center,
+                              spheres[measuring.spheres[i + 1]].center);
     };
     constexpr ImU32 dark = IM_COL32(18, 20, 26, 220);
     constexpr ImU32 light = IM_COL32(255, 214, 92, 255);
@@ -162,23 +171,23 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
         const float more = color == dark ? 1.5F * context.scale : 0.0F;
         for (std::size_t i = 0; i < measuring.spheres.size(); ++i) {
             const auto at = place(i);
-            const auto next = i + 1 < measuring.spheres.size() ? place(i + 1) : std::nullopt;
-            if (at && next) draw.AddLine(*at, *next, color, line + 2.0F * more);
+            const auto shown = line_from(i);
+            if (shown) draw.AddLine(on_window(shown->from), on_window(shown->to), color, line + 2.0F * more);
             if (at) draw.AddCircleFilled(*at, 3.5F * context.scale + more, color, 24);
         }
     }
     for (const Measure& one : measures) {
         if (one.name.starts_with("dihedral")) continue;  // of all of them: the window beside has it
-        const auto at = place(one.middle);
-        const auto next = one.is_angle ? at : place(one.middle + 1);
-        if (!at || !next) continue;
+        // In the middle of what is seen of a line.
+        const auto shown = one.is_angle ? std::nullopt : line_from(one.middle);
+        const auto at = shown ? std::optional(on_window(shown->place_at(0.5))) : one.is_angle ? place(one.middle) : std::nullopt;
+        if (!at) continue;
         const std::string text = short_text(one.value, 4) + (one.is_angle ? "\xC2\xB0" : "");
         const float width = width_of(text);
         const float height = ImGui::GetTextLineHeight();
         const float pad = 3.0F * context.scale;
         // Of an angle below its sphere: its distances are above.
-        const ImVec2 low{std::round(0.5F * (at->x + next->x) - 0.5F * width),
-                         std::round(0.5F * (at->y + next->y) + (one.is_angle ? 0.5F : -1.3F) * height)};
+        const ImVec2 low{std::round(at->x - 0.5F * width), std::round(at->y + (one.is_angle ? 0.5F : -1.3F) * height)};
         draw.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
                            ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92F), pad);
         draw.AddText(low, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());

@@ -8,12 +8,12 @@
 #include "base/file_watcher.hpp"
 #include "gpu/live_picture.hpp"
 #include "panels/status.hpp"
-#include "viewer/difference_texture.hpp"
 #include "viewer/imgui_bridge.hpp"
 #include "viewer/input_queue.hpp"
 #include "viewer/layout.hpp"
 #include "viewer/mouse_control.hpp"
 #include "viewer/pacing.hpp"
+#include "viewer/picture_texture.hpp"
 #include "viewer/redraw_log.hpp"
 #include "viewer/rest_view.hpp"
 #include "viewer/viewer_state.hpp"
@@ -52,6 +52,12 @@ private:
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
+    // What the inspector follows: the pixel under the pointer, or the pixel of the eye whose rays are shown; `sphere`: what the
+    // window shows under the pointer.
+    std::optional<PinnedPixel> pointed_pixel(const std::optional<Pixel>& pixel, const std::optional<std::uint32_t>& sphere) const;
+    // Pins what a click in the picture is meant for.
+    void pin_clicked(const glm::dvec2& place, bool beside);
+    void draw_rays_in_space();
     // Marks the pinned pixels.
     void draw_pins() const;
     ImVec2 on_screen(const glm::dvec2& place) const;  // of a place in the picture
@@ -65,7 +71,8 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
-    DifferenceTexture difference_;
+    PictureTexture difference_;
+    PictureTexture seen_by_eye_;
     RestView rest_;
     LostHint lost_hint_;
     bool alt_alone_ = false;  // Alt is down, and nothing came after it

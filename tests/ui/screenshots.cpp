@@ -48,6 +48,16 @@ void take(const std::string& folder) {
         return !frame.at("inspected").is_null() && frame.at("inspected").at("pinned") == true && frame.at("exact") == true;
     });
     save(window, folder + "/inspector.png");
+    window.key("r");
+    window.wait_until("the rays", [](const Json& frame) {
+        return !frame.at("rays").is_null() && frame.at("rays").at("picture") == true && frame.at("exact") == true;
+    });
+    window.click_widget("rays row");
+    window.move_to({5, 5});
+    window.wait_until("the row's rays", [](const Json& frame) {
+        return frame.at("rays").at("rays").get<int>() > 10 && frame.at("hovered").is_null() && frame.at("exact") == true;
+    });
+    save(window, folder + "/rays.png");
 }
 
 }  // namespace

@@ -36,7 +36,9 @@ struct Hand : testing::Test {
                                      }
                                  },
                                  {},
-                                 trackball};
+                                 trackball,
+                                 false,
+                                 [this](glm::dvec2) { return covered; }};
         const PictureConsequences done = control.frame(mouse, state, gesture, actions);
         mouse.pressed = {};
         mouse.released = {};
@@ -87,6 +89,7 @@ struct Hand : testing::Test {
     PictureSize size{1000, 1000};
     std::uint64_t gesture = 0;
     bool trackball = false;
+    bool covered = false;  // by something that takes clicks
     std::vector<Action> actions;
     std::vector<std::uint32_t> in_box;      // in any box
     std::vector<std::array<int, 4>> boxes;  // asked for
@@ -155,6 +158,22 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     release();
     EXPECT_TRUE(selection.contains(0));
     press_at({10, 10});
+    release();
+    EXPECT_TRUE(selection.empty());
+}
+
+TEST_F(Hand, AClickOnWhatCoversTheSphereSelectsNothingAndIsReported) {
+    covered = true;
+    press();
+    mouse.released[0] = true;
+    EXPECT_TRUE(frame().clicked);
+    EXPECT_TRUE(selection.empty());
+    selection.set_only(0);
+    press_at({900, 900});
+    release();
+    EXPECT_FALSE(selection.empty()) << "nor does it select none";
+    covered = false;
+    press_at({900, 900});
     release();
     EXPECT_TRUE(selection.empty());
 }
