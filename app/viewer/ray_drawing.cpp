@@ -407,7 +407,7 @@ private:
         draw_.PathFillConvex(IM_COL32(245, 247, 250, 255));
         draw_.AddCircleFilled(middle, 5.0F * s, IM_COL32(58, 110, 190, 255), 24);
         draw_.AddCircleFilled(middle, 2.3F * s, IM_COL32(10, 12, 18, 255), 16);
-        words({middle.x, middle.y + ImGui::GetTextLineHeight() + 6.0F * s}, "eye", edge_ink);
+        words({middle.x, middle.y - ImGui::GetTextLineHeight() - 6.0F * s}, "eye", edge_ink);
     }
 
     const ViewerState& state_;
@@ -421,6 +421,13 @@ private:
 };
 
 }  // namespace
+
+std::optional<glm::dvec3> middle_of_rays(const ViewerState& state) {
+    const RaysInSpace& rays = state.rays;
+    if (!rays.on) return std::nullopt;
+    const glm::dvec2 middle{0.5 * rays.size.width, 0.5 * rays.size.height};
+    return point_at(rays.camera, rays.size, middle, 0.5 * rays.far_depth);
+}
 
 void draw_rays(const ViewerState& state, const Inspection& inspection, const std::optional<ImTextureID>& seen_by_eye,
                const DrawnOver& over) {

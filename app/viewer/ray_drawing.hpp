@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <glm/vec3.hpp>
 #include <optional>
 
 #include "panels/inspector.hpp"
@@ -20,6 +21,9 @@ struct DrawnOver {
     double pixels = 1.0;  // of a screen coordinate
     float scale = 1.0F;
 };
+
+// The middle of what the rays go through, while they are shown.
+std::optional<glm::dvec3> middle_of_rays(const ViewerState& state);
 
 // `seen_by_eye`: the picture on the screen. `inspection`: of the pixels whose rays are drawn singly. What lies behind a sphere is
 // drawn faintly: where a ray goes on is what the drawing is for.

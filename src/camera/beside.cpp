@@ -106,19 +106,34 @@ std::optional<Camera> camera_beside(const Camera& camera, PictureSize size, std:
                       std::cos(from_above) * level - std::sin(from_above) * axes.up};
 
     const glm::dvec2 whole(size.width, size.height);
-    std::optional<glm::dvec3> nearest;
-    for (int i = 0; i < 2; ++i) {
-        if (covered[i] > (1.0 - least_free) * whole[i]) continue;
-        Region free{glm::dvec2(0.0), whole};
-        free.low[i] = covered[i];
-        const glm::dvec3 eye = eye_for(points, along, size, free);
-        if (!nearest || eye.z > nearest->z) nearest = eye;
+    const auto view_for = [&](const Region& region) {
+        const glm::dvec3 place = eye_for(points, along, size, region);
+        const glm::dvec3 eye = points.front() + place.x * along.right + place.y * along.up + place.z * along.ahead;
+        constexpr double distance = 100.0;  // to the screen, as the default camera's
+        return camera_with(eye, distance * along.ahead, slope * distance * along.right, slope * distance * along.up);
+    };
+    const auto is_clear = [&](const Camera& view) {
+        return std::ranges::none_of(points, [&](const glm::dvec3& point) {
+            const auto place = place_of(view, size, point);
+            return place && place->x < covered.x && place->y < covered.y;
+        });
+    };
+    // Everything may be clear of the corner as it is. Else what is free beside it or below it, whichever shows more.
+    Camera best = view_for({glm::dvec2(0.0), whole});
+    if (!is_clear(best)) {
+        std::optional<double> nearest;
+        for (int i = 0; i < 2; ++i) {
+            if (covered[i] > (1.0 - least_free) * whole[i]) continue;
+            Region free{glm::dvec2(0.0), whole};
+            free.low[i] = covered[i];
+            const Camera view = view_for(free);
+            const double depth = dot(view.eye - points.front(), along.ahead);
+            if (nearest && depth <= *nearest) continue;
+            nearest = depth;
+            best = view;
+        }
     }
-    if (!nearest) nearest = eye_for(points, along, size, {glm::dvec2(0.0), whole});
-    const glm::dvec3 eye = points.front() + nearest->x * along.right + nearest->y * along.up + nearest->z * along.ahead;
-    constexpr double distance = 100.0;  // to the screen, as the default camera's
-    const Camera view = camera_with(eye, distance * along.ahead, slope * distance * along.right, slope * distance * along.up);
-    return camera_fault(view) ? std::nullopt : std::optional(view);
+    return camera_fault(best) ? std::nullopt : std::optional(best);
 }
 
 }  // namespace sphereview
