@@ -4,6 +4,7 @@
 #include "cli/fails.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview::test {
 namespace {
@@ -93,7 +94,7 @@ TEST_F(Output, BeyondAFileSizeLimitLeavesTheOldFileAndNothingElse) {
 TEST(Png, IsTheSameBytesInEveryProcess) {
     const TemporaryFolder folder;
     folder.write("empty.txt", "0");
-    for (int process = 0; process < 100; ++process) {
+    for (int process = 0; process < trials(100); ++process) {
         const std::string path = process == 0 ? "first.png" : "next.png";
         const Outcome outcome = render(folder, {"empty.txt", "-s", "8x2", "--background", "white", "--no-sync", "-o", path});
         ASSERT_EQ(outcome.status, 0) << outcome;

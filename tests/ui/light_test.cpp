@@ -29,7 +29,7 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     const TemporaryFolder folder;
     folder.write("home/config/sphereview/viewer.json", R"({"axes": false})");
     const std::string scene = folder.write("scene.txt", two_spheres);
-    ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5", "--size", "200x200"});
+    ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5", "--size", "100x100"});
     window.key("m");
     window.wait_until("the default",
                       [](const Json& f) { return f.at("shading") == "studio" && f.at("samples") == 16 && f.at("exact") == true; });
@@ -37,10 +37,10 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     EXPECT_TRUE(grew(folder));
     window.step("F12 shows what the window shows");
     window.key("F12");
-    announced(window, "scene.png (200 x 200, 16 samples a pixel)");
+    announced(window, "scene.png (100 x 100, 16 samples a pixel)");
     EXPECT_EQ(
         folder.read("scene.png"),
-        render_bytes(folder, scene, {"-s", "200x200", "--shade", "studio", "--samples", "16", "--sun", "1,2,-3", "--sky", "0.5"}));
+        render_bytes(folder, scene, {"-s", "100x100", "--shade", "studio", "--samples", "16", "--sun", "1,2,-3", "--sky", "0.5"}));
     window.step("the sun's ray in the inspector");
     window.key("i");
     window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
@@ -79,6 +79,8 @@ TEST_F(LightPanel, MovesTheSunInOneStepThatIsSaved) {
         window_.key("ctrl+z");
         window_.wait_for("undo", step);
     }
+    window_.key("ctrl+1");
+    window_.wait_for("shading", "flat");
     expect_rendered();
     EXPECT_FALSE(contains(folder_.read(name_), "[light]"));
 }

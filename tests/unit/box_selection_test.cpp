@@ -22,6 +22,21 @@ Scene hard_scene(int count) {
     return scene;
 }
 
+// Every pixel of it is exact work.
+void open_hard_scene(ViewerState& state) {
+    state.document = Document(hard_scene(3000));
+    state.camera = state.scene().camera;
+    state.picture_size = {1000, 1000};
+}
+
+// Whether the selection that is under way comes to its end.
+bool ends(ViewerState& state) {
+    return eventually([&] {
+        finish_box_selection(state);
+        return !state.box_selection;
+    });
+}
+
 }  // namespace
 
 TEST(SpheresSeen, AreThoseThatPixelsOfTheBlockShow) {
@@ -45,48 +60,33 @@ TEST(SpheresSeen, AreThoseThatPixelsOfTheBlockShow) {
 
 TEST(BoxSelection, DoesNotWaitForExactWork) {
     ViewerState state{ViewOptions{}, ViewerSettings{}};
-    state.document = Document(hard_scene(3000));
-    state.camera = state.scene().camera;
-    state.picture_size = {1000, 1000};
+    open_hard_scene(state);
     select_seen(state, {0, 0, 1000, 1000}, false);
     ASSERT_TRUE(state.box_selection) << "a million pixels of exact work were waited for";
     EXPECT_TRUE(state.selection.empty());
     // Another box takes its place: of a few pixels, so that it ends soon.
     select_seen(state, {500, 500, 2, 2}, true);
-    EXPECT_TRUE(eventually([&] {
-        finish_box_selection(state);
-        return !state.box_selection;
-    }));
+    EXPECT_TRUE(ends(state));
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{2999});
 }
 
 TEST(BoxSelection, GivesWayToWhatIsSelectedMeanwhile) {
     ViewerState state{ViewOptions{}, ViewerSettings{}};
-    state.document = Document(hard_scene(3000));
-    state.camera = state.scene().camera;
-    state.picture_size = {1000, 1000};
+    open_hard_scene(state);
     select_seen(state, {450, 450, 64, 64}, false);
     ASSERT_TRUE(state.box_selection);
     state.selection.set_only(7);
-    EXPECT_TRUE(eventually([&] {
-        finish_box_selection(state);
-        return !state.box_selection;
-    }));
+    EXPECT_TRUE(ends(state));
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{7});
 }
 
 TEST(BoxSelection, IsDroppedWhenItsNumbersMeanOtherSpheres) {
     ViewerState state{ViewOptions{}, ViewerSettings{}};
-    state.document = Document(hard_scene(3000));
-    state.camera = state.scene().camera;
-    state.picture_size = {1000, 1000};
+    open_hard_scene(state);
     select_seen(state, {450, 450, 64, 64}, false);
     ASSERT_TRUE(state.box_selection);
     state.document.apply(RemoveSpheres{{0}}, "Delete sphere");
-    EXPECT_TRUE(eventually([&] {
-        finish_box_selection(state);
-        return !state.box_selection;
-    }));
+    EXPECT_TRUE(ends(state));
     EXPECT_TRUE(state.selection.empty());
 }
 
