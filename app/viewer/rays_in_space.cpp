@@ -18,7 +18,7 @@ namespace sphereview {
 namespace {
 
 // How long a redraw waits for rays: those of few spheres move with what is dragged.
-constexpr std::chrono::milliseconds patience{8};
+constexpr std::chrono::milliseconds patience_with_rays{8};
 constexpr int probes = 12;                    // rows of rays that find out where the scene is
 constexpr double beyond_hits = 1.2;           // where rays end that hit nothing, relative to the deepest hit
 constexpr double beyond_screen = 3.0;         // and relative to the screen where nothing is hit
@@ -192,7 +192,7 @@ void follow_rays(ViewerState& state) {
                 return trace_rays(*scene, camera, size, pixels, far);
             };
         });
-        rays.rays.take(patience);
+        rays.rays.take(patience_with_rays);
     }
     const AskedPicture picture = asked_picture(state);
     rays.picture.ask(picture, [&]() -> std::function<Image(WorkControl&)> {

@@ -13,17 +13,17 @@ namespace sphereview {
 namespace {
 
 // Where the camera's own screen may stay, relative to the nearest hit.
-constexpr double nearest_screen = 0.12;
-constexpr double farthest_screen = 0.9;
-constexpr double usual_screen = 0.4;
+constexpr double least_screen_depth = 0.12;
+constexpr double most_screen_depth = 0.9;
+constexpr double usual_screen_depth = 0.4;
 
 // From beside, by so much from behind and from above.
 constexpr double from_behind = 46.0 * std::numbers::pi / 180.0;
 constexpr double from_above = 20.0 * std::numbers::pi / 180.0;
 // Of the second view, half of its screen's shorter side by the screen's distance.
-constexpr double slope = 0.5;
-constexpr double margin = 0.07;     // at each side of the picture, or of what of it is free
-constexpr double least_free = 0.4;  // of the picture's side, or all of it is taken
+constexpr double view_slope = 0.5;
+constexpr double room_around = 0.07;  // at each side of the picture, or of what of it is free
+constexpr double least_free = 0.4;    // of the picture's side, or all of it is taken
 
 // A part of a picture, in pixels.
 struct Region {
@@ -44,12 +44,14 @@ struct Along {
 // for fitted() (camera/fit.cpp): planes through the eye and the region's sides, outside of which no point lies.
 glm::dvec3 eye_for(std::span<const glm::dvec3> points, const Along& along, PictureSize size, const Region& region) {
     const double m = size.shorter_side();
-    const glm::dvec2 room = margin * (region.high - region.low);
+    const glm::dvec2 room = room_around * (region.high - region.low);
     const glm::dvec2 low = region.low + room;
     const glm::dvec2 high = region.high - room;
     // How far to the right, and up, the sides are of what is one away.
-    const std::array<double, 2> least = {slope * (2.0 * low.x - size.width) / m, slope * (size.height - 2.0 * high.y) / m};
-    const std::array<double, 2> most = {slope * (2.0 * high.x - size.width) / m, slope * (size.height - 2.0 * low.y) / m};
+    const std::array<double, 2> lowest = {view_slope * (2.0 * low.x - size.width) / m,
+                                          view_slope * (size.height - 2.0 * high.y) / m};
+    const std::array<double, 2> highest = {view_slope * (2.0 * high.x - size.width) / m,
+                                           view_slope * (size.height - 2.0 * low.y) / m};
     constexpr double nothing = -std::numeric_limits<double>::max();
     std::array<double, 2> above{nothing, nothing};
     std::array<double, 2> below{nothing, nothing};
@@ -57,21 +59,22 @@ glm::dvec3 eye_for(std::span<const glm::dvec3> points, const Along& along, Pictu
         const glm::dvec3 place = along(point - points.front());
         for (int i = 0; i < 2; ++i) {
             const auto axis = static_cast<std::size_t>(i);
-            above[axis] = std::max(above[axis], place[i] - most[axis] * place.z);
-            below[axis] = std::max(below[axis], least[axis] * place.z - place[i]);
+            above[axis] = std::max(above[axis], place[i] - highest[axis] * place.z);
+            below[axis] = std::max(below[axis], lowest[axis] * place.z - place[i]);
         }
     }
-    const double z = std::min((above[0] + below[0]) / (least[0] - most[0]), (above[1] + below[1]) / (least[1] - most[1]));
+    const double z = std::min((above[0] + below[0]) / (lowest[0] - highest[0]), (above[1] + below[1]) / (lowest[1] - highest[1]));
     // Between the two planes of each pair.
-    return {0.5 * (above[0] - below[0] + (most[0] + least[0]) * z), 0.5 * (above[1] - below[1] + (most[1] + least[1]) * z), z};
+    return {0.5 * (above[0] - below[0] + (highest[0] + lowest[0]) * z), 0.5 * (above[1] - below[1] + (highest[1] + lowest[1]) * z),
+            z};
 }
 
 }  // namespace
 
 double screen_depth_before(std::optional<double> nearest_hit) {
     if (!nearest_hit) return 1.0;
-    const bool fits = nearest_screen * *nearest_hit <= 1.0 && 1.0 <= farthest_screen * *nearest_hit;
-    return fits ? 1.0 : usual_screen * *nearest_hit;
+    const bool fits = least_screen_depth * *nearest_hit <= 1.0 && 1.0 <= most_screen_depth * *nearest_hit;
+    return fits ? 1.0 : usual_screen_depth * *nearest_hit;
 }
 
 std::array<glm::dvec3, 4> screen_corners(const Camera& camera, PictureSize size, double depth) {
@@ -109,8 +112,8 @@ std::optional<Camera> camera_beside(const Camera& camera, PictureSize size, std:
     const auto view_for = [&](const Region& region) {
         const glm::dvec3 place = eye_for(points, along, size, region);
         const glm::dvec3 eye = points.front() + place.x * along.right + place.y * along.up + place.z * along.ahead;
-        constexpr double distance = 100.0;  // to the screen, as the default camera's
-        return camera_with(eye, distance * along.ahead, slope * distance * along.right, slope * distance * along.up);
+        constexpr double to_screen = 100.0;  // to the screen, as the default camera's
+        return camera_with(eye, to_screen * along.ahead, view_slope * to_screen * along.right, view_slope * to_screen * along.up);
     };
     const auto is_clear = [&](const Camera& view) {
         return std::ranges::none_of(points, [&](const glm::dvec3& point) {

@@ -59,8 +59,8 @@ std::optional<ProjectedLine> projected_line(const Camera& camera, PictureSize si
     const glm::dvec2 edge = (1.0 + 2.0 * margin) * glm::dvec2(size.width / m, size.height / m);
     Part part;
     // A depth of 0 has no place in the picture.
-    const double least = 1e-12 * std::max(std::fabs(a.depth), std::fabs(b.depth));
-    part.keep(a.depth - least, b.depth - least);
+    const double nearest = 1e-12 * std::max(std::fabs(a.depth), std::fabs(b.depth));
+    part.keep(a.depth - nearest, b.depth - nearest);
     for (int axis = 0; axis < 2; ++axis) {
         for (const double side : {-1.0, 1.0}) {
             part.keep(edge[axis] * a.divisor - side * a.across[axis], edge[axis] * b.divisor - side * b.across[axis]);
