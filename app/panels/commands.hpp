@@ -57,7 +57,8 @@ enum class CommandId {
     last_shading = first_shading + static_cast<int>(shading_modes.size()) - 1,
     toggle_panel,
     toggle_inspector,
-    pin_pixel,  // that the inspector shows
+    pin_pixel,    // that the inspector shows
+    toggle_rays,  // in space, seen from beside
     measure,
     toggle_export_area,
     toggle_axes,

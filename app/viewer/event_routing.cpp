@@ -62,7 +62,10 @@ bool EventRouting::is_escape_for_another(bool typing, bool popped_up, DialogKeys
         keys.escape = false;
         return true;
     }
-    return false;
+    if (!state_.rays.on) return false;
+    end_rays(state_);
+    keys.escape = false;
+    return true;
 }
 
 bool EventRouting::is_lone_alt(const InputEvent& event) {

@@ -66,6 +66,20 @@ Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context,
     return {picture.x + taken, picture.y, picture.width - taken, picture.height};
 }
 
+// What the eye sees whose rays are shown: the pixel under the pointer there is the eye's.
+void draw_rays_over(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, const Rectangle& picture) {
+    RaysInSpace& rays = state.rays;
+    RaysFacts shown = facts_of_rays(state, facts.inspection.first);
+    shown.picture = facts.seen_by_eye;
+    const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, picture);
+    const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
+    fly_beside(state, {pixels * static_cast<double>(answer.size.x), pixels * static_cast<double>(answer.size.y)});
+    rays.pointed.reset();
+    if (!answer.pointed) return;
+    rays.pointed = PinnedPixel{*answer.pointed, rays.size};
+    if (answer.clicked) pin(state.pins, *rays.pointed, answer.beside);
+}
+
 }  // namespace
 
 double panel_width_within(double wanted, double room) {
@@ -124,9 +138,10 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
     draw_measuring(context, state.measuring, picture);
+    if (state.rays.on) draw_rays_over(state, context, facts, picture);
     if (state.comparison && state.comparison->open) {
         std::optional<ImVec2> pinned;
-        if (state.inspector_shown && state.pins.first) {
+        if (state.inspector_shown && !state.rays.on && state.pins.first) {
             pinned = on_screen(picture, state.picture_size.width / static_cast<double>(picture.width),
                                place_in(state.picture_size, *state.pins.first));
         }

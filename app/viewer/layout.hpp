@@ -14,7 +14,8 @@ struct RedrawFacts {
     Status status;
     Inspection inspection;
     DialogKeys keys;
-    std::optional<ImTextureID> difference{};  // the picture of the comparison's
+    std::optional<ImTextureID> difference{};   // the picture of the comparison's
+    std::optional<ImTextureID> seen_by_eye{};  // what the eye sees whose rays are shown
 };
 
 // The width of the side panel, in its setting's range, that is nearest to `wanted` and leaves the picture its place where `room`

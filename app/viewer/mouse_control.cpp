@@ -159,7 +159,8 @@ void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, Pi
     if (mode_ == Mode::orbit) {
         // Half a turn across the shorter side.
         const double angle = std::numbers::pi / state.size.shorter_side();
-        if (!orbit_point_) orbit_point_ = grabbed_ >= 0 ? grabbed_point_ : middle_of_seen(state);
+        if (!orbit_point_)
+            orbit_point_ = grabbed_ >= 0 ? grabbed_point_ : state.turns_about ? *state.turns_about : middle_of_seen(state);
         consequences.pivot = orbit_point_;
         const auto turn = state.trackball ? tumbled : orbited;
         consequences.camera = turn(state.camera, *orbit_point_, moved.x * angle, moved.y * angle);
@@ -176,6 +177,7 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
         if (grabbed_ >= 0) actions.push_back(MeasureSphere{static_cast<std::uint32_t>(grabbed_)});
         return;
     }
+    if (!mouse.control && state.is_covered && state.is_covered(start_)) return;
     Selection selection = state.selection;
     if (grabbed_ < 0) {
         if (mouse.control || mouse.shift) return;

@@ -40,6 +40,10 @@ struct PictureState {
     SceneBounds bounds{};    // zooming out ends where these are small
     bool trackball = false;  // a drag turns the view as a ball, without an upright
     bool measures = false;   // a click measures a sphere instead of selecting it, and no drag moves one
+    // What an orbit that begins beside all spheres turns about, instead of the middle of what is seen.
+    std::optional<glm::dvec3> turns_about{};
+    // Whether a click there is for something that is drawn over the picture: it selects nothing.
+    std::function<bool(glm::dvec2)> is_covered{};
 };
 
 // What the mouse did to the view; edits are in `actions`.

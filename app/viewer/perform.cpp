@@ -69,6 +69,7 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             grant(state, *wish);
         } else if (const auto* pinned = std::get_if<PinPixel>(&action)) {
             state.inspector_shown = true;
+            state.rays.on = false;
             state.pins = {.first = PinnedPixel{pinned->pixel, pinned->size}};
         }
     }

@@ -33,21 +33,6 @@ bool same_spheres(const Document& document, std::uint64_t& revision) {
     return true;
 }
 
-// The very function that `render` calls.
-Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts = nullptr,
-                    KeptLight* kept = nullptr) {
-    constexpr double parts = 1000.0;
-    control.total = static_cast<std::uint64_t>(parts);
-    OpenBackend cpu;
-    Timings timings;
-    PictureFacts facts;
-    const auto progress = [&](double done) {
-        control.check();
-        control.done = static_cast<std::uint64_t>(parts * done);
-    };
-    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts, kept);
-}
-
 // Of what is available: so much, at most, may be kept of lights.
 constexpr std::uint64_t part_for_lights = 8;
 constexpr std::uint64_t most_for_lights = std::uint64_t{512} << 20;
@@ -175,6 +160,20 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
 }
 
 }  // namespace
+
+Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts,
+                    KeptLight* kept) {
+    constexpr double parts = 1000.0;
+    control.total = static_cast<std::uint64_t>(parts);
+    OpenBackend cpu;
+    Timings timings;
+    PictureFacts facts;
+    const auto progress = [&](double done) {
+        control.check();
+        control.done = static_cast<std::uint64_t>(parts * done);
+    };
+    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts, kept);
+}
 
 std::shared_ptr<const Scene> scene_snapshot(ViewerState& state) {
     SceneSnapshot& kept = state.snapshot;

@@ -97,6 +97,10 @@ struct RestPicture {
     }
 };
 
+// The very function that `render` calls; `control` cancels it and is told how far it is.
+Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts = nullptr,
+                    KeptLight* kept = nullptr);
+
 // Forgets the window's rest picture, and cancels its job, if the window has come to show something else. Where that differs in the
 // strengths of lights alone, and it is kept which of them shine where, begins to make it anew; until there is something of that,
 // what there was stays. Returns whether what is left is finished: then the window shows that.

@@ -14,21 +14,22 @@ namespace {
 // Explains the pixel, unless what is kept is of the same. Returns whether it did.
 bool explain(const ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, std::optional<InspectedPixel>& kept) {
     const std::optional<Sun> sun = state.settings.shading == Shading::studio ? state.shown_light().sun : std::nullopt;
-    const InspectedPlace place{pixel.pixel, pixel.size, state.camera, state.document.revision(), sun};
+    const Camera& camera = state.inspected_camera();
+    const InspectedPlace place{pixel.pixel, pixel.size, camera, state.document.revision(), sun};
     if (kept && kept->place == place) return false;
     const Scene& scene = state.scene();
-    const bool of_window = pixel.size == state.picture_size;
-    // Of a pixel of another size than the window's there are no lists.
+    const bool of_window = !state.rays.on && pixel.size == state.picture_size;
+    // Of a pixel of another picture than the window's there are no lists.
     std::optional<DrawnSpheres> drawn;
-    if (!of_window) drawn = drawn_spheres(scene, state.camera);
+    if (!of_window) drawn = drawn_spheres(scene, camera);
     InspectedPixel inspected{place, of_window ? picture.explain(state.document, pixel.pixel)
-                                              : explain_pixel(scene, *drawn, state.camera, pixel.size, pixel.pixel, nullptr,
+                                              : explain_pixel(scene, *drawn, camera, pixel.size, pixel.pixel, nullptr,
                                                               most_hits_explained, most_passed_explained)};
     const std::int32_t visible = inspected.explanation.visible();
     if (sun && visible >= 0) {
         const LightExplanation light =
             of_window ? picture.explain_light(state.document, pixel.pixel, visible, sun->direction)
-                      : explain_light({scene, *drawn, state.camera, pixel.size, pixel.pixel, visible}, sun->direction);
+                      : explain_light({scene, *drawn, camera, pixel.size, pixel.pixel, visible}, sun->direction);
         inspected.sun_shines = light.shines();
         inspected.sun = in_words(light);
         inspected.blocker = light.blocker;
@@ -48,7 +49,7 @@ void copy_explanation(ViewerState& state, const PinnedPixel& pixel) {
         options.background = state.background;
         options.shading = state.settings.shading;
         Scene around;  // the spheres: without them
-        around.camera = state.camera;
+        around.camera = state.inspected_camera();
         around.light = state.shown_light();
         around.background = state.scene().background;
         around.names = state.scene().names;
@@ -71,15 +72,15 @@ void copy_explanation(ViewerState& state, const PinnedPixel& pixel) {
 
 }  // namespace
 
-std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool moves,
+std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<PinnedPixel>& under_pointer, bool moves,
                     Inspection& inspection) {
     PinnedPixels& pins = state.pins;
-    if (!state.inspector_shown) {
+    if (!state.has_pins()) {
         inspection = {};
         pins = {};
         return 0;
     }
-    if (under_pointer) pins.last = PinnedPixel{*under_pointer, state.picture_size};
+    if (under_pointer) pins.last = under_pointer;
     inspection.pinned = pins.first.has_value();
     inspection.second_is_next = pins.second_is_next;
     // A picture that moves, or is still coarse, need not wait for what goes through millions of spheres.

@@ -37,8 +37,9 @@ bool let_go(PinnedPixels& pins);
 glm::dvec2 place_in(PictureSize size, const PinnedPixel& pixel);
 
 // Brings what the inspector shows up to date: of the pinned pixels, else of the one under the pointer, as the picture's last
-// update() saw them. `moves`: the view or a sphere does, and what takes time waits. Returns how many explanations were made anew.
-std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<Pixel>& under_pointer, bool moves,
+// update() saw them, or the eye whose rays are shown. `moves`: the view or a sphere does, and what takes time waits. Returns how
+// many explanations were made anew.
+std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<PinnedPixel>& under_pointer, bool moves,
                     Inspection& inspection);
 
 // Does what the inspector asks for; a copy goes on beside the loop (state.copying).

@@ -64,14 +64,14 @@ void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, con
         const auto place = place_of(state.camera, state.picture_size, *point);
         if (place) draw_cross(picture, at(*place), scale);
     }
-    if (!state.inspector_shown) return;
+    if (!state.inspector_shown || state.rays.on) return;
     for (const auto& [pixel, name] : {std::pair{&state.pins.first, "1"}, std::pair{&state.pins.second, "2"}}) {
         if (*pixel) draw_pin(picture, at(place_in(state.picture_size, **pixel)), scale, state.pins.second ? name : "");
     }
 }
 
 void draw_export_area(const ViewerState& state, const Rectangle& picture) {
-    if (!state.export_area_shown) return;
+    if (!state.export_area_shown || state.rays.on) return;
     const PictureSize size{state.settings.export_width, state.settings.export_height};
     // Both show `right` and `up` over half their shorter side.
     const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());

@@ -35,7 +35,7 @@ ImVec2 on_screen(const Rectangle& picture, double pixels, const glm::dvec2& plac
 // The box, the point and the pins, where they are.
 void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, const Rectangle& picture, double pixels, float scale);
 
-// Marks what an export shows of the picture, where that is not all.
+// Marks what an export shows of the picture, where that is not all. Not over rays in space.
 void draw_export_area(const ViewerState& state, const Rectangle& picture);
 
 }  // namespace sphereview

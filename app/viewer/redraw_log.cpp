@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
+#include "camera/navigation.hpp"
 
 namespace sphereview {
 
@@ -34,6 +35,27 @@ Json inspected(const Inspection& inspection) {
             {"pinned", inspection.pinned},
             {"second", pixel_of(inspection.second)},
             {"visible", inspection.first->explanation.visible()}};
+}
+
+// An eye that is seen from beside, with its rays.
+Json rays_of(const ViewerState& state, const std::optional<InspectedPixel>& inspected) {
+    const RaysInSpace& rays = state.rays;
+    if (!rays.on) return nullptr;
+    const auto& made = rays.rays.made();
+    const auto is_hit = [](const TracedRay& ray) { return ray.visible >= 0; };
+    Json end = nullptr;  // where the picture shows the end of the single ray
+    if (inspected && !inspected->explanation.hits.empty()) {
+        const auto place = place_of(state.camera, state.picture_size, inspected->explanation.hits.front().point);
+        if (place) end = {place->x, place->y};
+    }
+    return {{"eye", vector(rays.camera.eye)},
+            {"size", {rays.size.width, rays.size.height}},
+            {"screen", rays.screen_depth},
+            {"every", rays.choice.every()},
+            {"rays", made ? made->size() : 0},
+            {"hits", made ? std::ranges::count_if(*made, is_hit) : 0},
+            {"end", end},
+            {"picture", rays.picture.made() != nullptr}};
 }
 
 }  // namespace
@@ -81,6 +103,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"picture", {p.x, p.y, p.width, p.height}},
         {"picture_size", {state.picture_size.width, state.picture_size.height}},
         {"inspected", inspected(facts.inspection)},
+        {"rays", rays_of(state, facts.inspection.first)},
         {"comparison", state.comparison ? Json(joined(state.comparison->words.verdict, "; ")) : Json(nullptr)},
         {"camera", {vector(camera.eye), vector(camera.center), vector(camera.right), vector(camera.up)}},
         {"projection", name_of(camera.projection)},
@@ -89,6 +112,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
          {{"panel", state.panel_shown},
           {"inspector", state.inspector_shown},
           {"export area", state.export_area_shown},
+          {"rays", state.rays.on},
           {"help", state.help_shown}}},
         {"loading", state.messages.work && state.loading ? Json(state.messages.work->fraction.value_or(0.0)) : Json(nullptr)},
         {"saving", state.saving.has_value()},

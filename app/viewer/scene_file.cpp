@@ -258,6 +258,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.side_panel = {};
     state.comparing.reset();
     state.comparison.reset();
+    state.rays = {.choice = state.rays.choice};
     forget_file_messages(state);
     const bool has_file = !path.empty() && path != standard_stream;
     state.path = has_file ? absolute_path(path) : "";

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "camera/navigation.hpp"
+#include "camera/projected_line.hpp"
 #include "panels/widgets.hpp"
 #include "viewer/pointer_marks.hpp"
 #include "viewer/viewer_state.hpp"
@@ -152,6 +153,12 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
         const auto at = place_of(state.camera, state.picture_size, spheres[measuring.spheres[i]].center);
         return at ? std::optional(on_screen(picture, pixels, *at)) : std::nullopt;
     };
+    // To the next: also where one of the two is behind the eye.
+    const auto line_from = [&](std::size_t i) -> std::optional<ProjectedLine> {
+        if (i + 1 >= measuring.spheres.size()) return std::nullopt;
+        return projected_line(state.camera, state.picture_size, spheres[measuring.spheres[i]].center,
+                              spheres[measuring.spheres[i + 1]].center);
+    };
     constexpr ImU32 dark = IM_COL32(18, 20, 26, 220);
     constexpr ImU32 light = IM_COL32(255, 214, 92, 255);
     const float line = 1.6F * context.scale;
@@ -159,23 +166,27 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
         const float more = color == dark ? 1.5F * context.scale : 0.0F;
         for (std::size_t i = 0; i < measuring.spheres.size(); ++i) {
             const auto at = place(i);
-            const auto next = i + 1 < measuring.spheres.size() ? place(i + 1) : std::nullopt;
-            if (at && next) draw->AddLine(*at, *next, color, line + 2.0F * more);
+            if (const auto shown = line_from(i)) {
+                draw->AddLine(on_screen(picture, pixels, shown->from), on_screen(picture, pixels, shown->to), color,
+                              line + 2.0F * more);
+            }
             if (at) draw->AddCircleFilled(*at, 3.5F * context.scale + more, color, 24);
         }
     }
     for (const Measure& one : measures) {
         if (one.name.starts_with("dihedral")) continue;  // of all of them: the window beside has it
-        const auto at = place(one.middle);
-        const auto next = one.is_angle ? at : place(one.middle + 1);
-        if (!at || !next) continue;
+        // In the middle of what is seen of a line.
+        const auto shown = one.is_angle ? std::nullopt : line_from(one.middle);
+        const auto at = shown          ? std::optional(on_screen(picture, pixels, shown->place_at(0.5)))
+                        : one.is_angle ? place(one.middle)
+                                       : std::nullopt;
+        if (!at) continue;
         const std::string text = value_text(one, 4);
         const float width = width_of(text);
         const float height = ImGui::GetTextLineHeight();
         const float pad = 3.0F * context.scale;
         // Of an angle below its sphere: its distances are above.
-        const ImVec2 low{std::round(0.5F * (at->x + next->x) - 0.5F * width),
-                         std::round(0.5F * (at->y + next->y) + (one.is_angle ? 0.5F : -1.3F) * height)};
+        const ImVec2 low{std::round(at->x - 0.5F * width), std::round(at->y + (one.is_angle ? 0.5F : -1.3F) * height)};
         draw->AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
                             ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92F), pad);
         draw->AddText(low, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());

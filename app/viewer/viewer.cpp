@@ -11,6 +11,7 @@
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/pointer_marks.hpp"
+#include "viewer/ray_drawing.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {
@@ -77,7 +78,7 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_.works() || state_.box_selection || shaders_changed_;
+    const bool looks_again = is_working(state_) || rest_.works() || makes_rays(state_) || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
@@ -117,6 +118,7 @@ void Viewer::follow_work() {
     if (news == RestView::News::end) pacing_.touch();
     if (news == RestView::News::draft) pacing_.show_once();
     if (finish_box_selection(state_)) pacing_.touch();
+    if (take_rays(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
 
@@ -159,25 +161,47 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
                        std::clamp(static_cast<int>(place.y), 0, state_.picture_size.height - 1)};
         return picture_.pick(state_.document, at);
     };
-    const PictureState picture{state_.scene(),
-                               state_.selection,
-                               state_.camera,
-                               state_.picture_size,
-                               state_.pivot,
-                               pick,
-                               [this](Pixel low, Pixel high, bool toggles) {
-                                   select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
-                               },
-                               state_.bounds,
-                               state_.settings.trackball,
-                               state_.measuring.on};
+    const PictureState picture{
+        state_.scene(),
+        state_.selection,
+        state_.camera,
+        state_.picture_size,
+        state_.pivot,
+        pick,
+        [this](Pixel low, Pixel high, bool toggles) {
+            select_seen(state_, {low.x, low.y, high.x - low.x + 1, high.y - low.y + 1}, toggles);
+        },
+        state_.bounds,
+        state_.settings.trackball,
+        state_.measuring.on,
+        middle_of_rays(state_),
+        [&](glm::dvec2 place) { return state_.rays.on && eye_pixel_at(state_, place, pick(place), true).has_value(); }};
     const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
-    if (done.clicked && state_.inspector_shown) {
-        pin(state_.pins, {{static_cast<int>(done.clicked->x), static_cast<int>(done.clicked->y)}, state_.picture_size},
-            mouse.shift);
-    }
+    if (done.clicked && state_.has_pins()) pin_clicked(*done.clicked, mouse.shift);
+}
+
+std::optional<PinnedPixel> Viewer::pointed_pixel(const std::optional<Pixel>& pixel,
+                                                 const std::optional<std::uint32_t>& sphere) const {
+    if (state_.rays.on && state_.rays.pointed) return state_.rays.pointed;
+    if (!pixel) return std::nullopt;
+    if (!state_.rays.on) return PinnedPixel{*pixel, state_.picture_size};
+    if (state_.flight || mouse_.is_dragging()) return std::nullopt;
+    return eye_pixel_at(state_, {pixel->x + 0.5, pixel->y + 0.5}, sphere ? static_cast<std::int32_t>(*sphere) : visible_background);
+}
+
+void Viewer::pin_clicked(const glm::dvec2& place, bool beside) {
+    const Pixel pixel{static_cast<int>(place.x), static_cast<int>(place.y)};
+    const std::optional<PinnedPixel> meant = state_.rays.on ? eye_pixel_at(state_, place, picture_.pick(state_.document, pixel))
+                                                            : PinnedPixel{pixel, state_.picture_size};
+    if (meant) pin(state_.pins, *meant, beside);
+}
+
+void Viewer::draw_rays_in_space() {
+    if (!state_.rays.on) return;
+    const SeenTexels seen = picture_.seen_texels();
+    draw_rays(state_, facts_.inspection, facts_.seen_by_eye, {seen, area_, pixels_, imgui_.scale()});
 }
 
 void Viewer::update_picture(int step) {
@@ -204,6 +228,7 @@ void Viewer::redraw() {
     if (routing_.waits_for_typing()) ImGui::SetWindowFocus(nullptr);
     widgets_.clear();
     facts_.difference = difference_.follow(state_.comparison ? state_.comparison->difference : nullptr);
+    facts_.seen_by_eye = seen_by_eye_.follow(state_.rays.picture.made());
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 
     if (!pointer_in_picture_) state_.hovered.reset();  // the list may say otherwise
@@ -240,21 +265,24 @@ void Viewer::redraw() {
         const std::lock_guard lock(state_.changing);
         cancel_work(state_);
     }
-    imgui_.end_frame();
 
     {
         const std::lock_guard lock(state_.changing);
         perform(state_, std::move(actions));
         perform(state_, routing_.take_after_typing());
     }
-    if (fly_on(state_, begin) || (state_.panel_drawn && !state_.side_panel.search.done())) pacing_.touch();
-    imgui_.set_text_scale(state_.settings.text_scale);
-    imgui_.set_theme(theme_of(state_.settings));
+    const bool searches = state_.panel_drawn && !state_.side_panel.search.done();
+    if (fly_on(state_, begin) || !state_.rays.to_see.empty() || searches) pacing_.touch();
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);
     update_picture(refines ? 1 : pacing_.moving_step());
     note_facts();
+    follow_rays(state_);
+    draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them
+    imgui_.end_frame();
+    imgui_.set_text_scale(state_.settings.text_scale);
+    imgui_.set_theme(theme_of(state_.settings));
     show(area_);
     imgui_.render();
     window_.swap_buffers();
@@ -262,7 +290,8 @@ void Viewer::redraw() {
     if (lost_hint_.update(state_, picture_, pacing_.rests() && input_.empty())) pacing_.touch();
     rest_.end_redraw(state_, picture_, pacing_.rests() && input_.empty());
     if (log_.wanted()) {
-        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !state_.box_selection;
+        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !makes_rays(state_) &&
+                             !state_.box_selection;
         log_.add(state_, facts_,
                  {++redraw_number_, picture_.builds(), explanations_, rest_.is_exact(), rest_.works(), rest_.draft_seconds(state_),
                   resting, area_, seconds_between(begin, Clock::now()), title_for(state_)},
@@ -289,7 +318,8 @@ void Viewer::note_facts() {
     facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
     // A text field stays active when nothing moves; what is dragged in a panel has the button down.
     const bool drags = mouse_.is_dragging() || (ImGui::IsAnyItemActive() && ImGui::IsMouseDown(0));
-    const std::size_t explained = inspect(state_, picture_, pixel, drags || state_.flight, facts_.inspection);
+    const std::size_t explained =
+        inspect(state_, picture_, pointed_pixel(pixel, sphere), drags || state_.flight, facts_.inspection);
     explanations_ += explained;
     if (explained > 0) pacing_.touch();  // the panels of this redraw are drawn already
 }

@@ -8,13 +8,13 @@
 #include "base/file_watcher.hpp"
 #include "gpu/live_picture.hpp"
 #include "panels/status.hpp"
-#include "viewer/difference_texture.hpp"
 #include "viewer/event_routing.hpp"
 #include "viewer/imgui_bridge.hpp"
 #include "viewer/input_queue.hpp"
 #include "viewer/layout.hpp"
 #include "viewer/mouse_control.hpp"
 #include "viewer/pacing.hpp"
+#include "viewer/picture_texture.hpp"
 #include "viewer/redraw_log.hpp"
 #include "viewer/rest_view.hpp"
 #include "viewer/viewer_state.hpp"
@@ -43,6 +43,12 @@ private:
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
+    // What the inspector follows: the pixel under the pointer, or the pixel of the eye whose rays are shown; `sphere`: what the
+    // window shows under the pointer.
+    std::optional<PinnedPixel> pointed_pixel(const std::optional<Pixel>& pixel, const std::optional<std::uint32_t>& sphere) const;
+    // Pins what a click in the picture is meant for.
+    void pin_clicked(const glm::dvec2& place, bool beside);
+    void draw_rays_in_space();
 
     ViewerState& state_;
     Window& window_;
@@ -54,7 +60,8 @@ private:
     MouseControl mouse_;
     Pacing pacing_;
     EventRouting routing_{state_, mouse_, pacing_};
-    DifferenceTexture difference_;
+    PictureTexture difference_;
+    PictureTexture seen_by_eye_;
     RestView rest_;
     LostHint lost_hint_;
     bool shaders_changed_ = false;  // they are read once the edits are kept

@@ -25,6 +25,7 @@
 #include "viewer/picture_comparison.hpp"
 #include "viewer/picture_job.hpp"
 #include "viewer/pinned_pixels.hpp"
+#include "viewer/rays_in_space.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_work.hpp"
 #include "viewer/settings.hpp"
@@ -101,6 +102,7 @@ struct ViewerState {
     bool inspector_shown = false;
     PinnedPixels pins;
     InspectorState inspector;
+    RaysInSpace rays;
     bool export_area_shown = true;
     bool help_shown = false;
     Measuring measuring{};
@@ -111,6 +113,9 @@ struct ViewerState {
 
     const Scene& scene() const { return document.scene(); }
     Background shown_background() const { return background.value_or(scene().background); }
+    // Of the pixels that are inspected: the view, or, while its rays are seen from beside, the eye's.
+    const Camera& inspected_camera() const { return rays.on ? rays.camera : camera; }
+    bool has_pins() const { return inspector_shown || rays.on; }
     // The scene's light with what the command line says instead.
     Light shown_light() const;
     // Whether there is nothing to show and nothing to take back: the window offers where to begin.

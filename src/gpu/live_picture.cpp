@@ -312,15 +312,29 @@ std::optional<std::int32_t> LivePicture::traced_number(Pixel pixel) const {
     return visible[0] < 0 ? visible[0] : scene_.drawn().number(static_cast<std::size_t>(visible[0]));
 }
 
+std::vector<std::int32_t> LivePicture::traced_indices() const {
+    const KeptFramebuffers kept;
+    const auto [width, height] = PixelGrid{view_.size, step_}.size();
+    std::vector<std::int32_t> traced(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    visible_.read({0, 0, width, height}, traced);
+    return traced;
+}
+
+std::int32_t LivePicture::number_of(std::int32_t index) const {
+    return index < 0 ? index : scene_.drawn().number(static_cast<std::size_t>(index));
+}
+
 std::vector<std::int32_t> LivePicture::seen_numbers() const {
     if (!traced_ || step_ != 1) return {};
-    const KeptFramebuffers kept;
-    std::vector<std::int32_t> seen(static_cast<std::size_t>(view_.size.width) * static_cast<std::size_t>(view_.size.height));
-    visible_.read({0, 0, view_.size.width, view_.size.height}, seen);
-    const auto number = [&](std::int32_t index) {
-        return index < 0 ? index : scene_.drawn().number(static_cast<std::size_t>(index));
-    };
-    for (std::int32_t& one : seen) one = is_doubtful(one) ? doubtful(number(doubtful(one))) : number(one);
+    std::vector<std::int32_t> seen = traced_indices();
+    for (std::int32_t& one : seen) one = is_doubtful(one) ? doubtful(number_of(doubtful(one))) : number_of(one);
+    return seen;
+}
+
+SeenTexels LivePicture::seen_texels() const {
+    if (!traced_) return {};
+    SeenTexels seen{step_, PixelGrid{view_.size, step_}.size().width, traced_indices()};
+    for (std::int32_t& one : seen.numbers) one = number_of(is_doubtful(one) ? doubtful(one) : one);
     return seen;
 }
 

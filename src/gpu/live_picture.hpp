@@ -39,6 +39,14 @@ struct Highlights {
     float thickness = 2.0F;  // of a selected sphere's line, in pixels, at least 1, without its rims; a hovered one's is half
 };
 
+// What the traced pixels of a picture show: numbers of the scene's spheres, or visible_background; where float could not tell, the
+// best guess.
+struct SeenTexels {
+    int step = 1;   // every step-th pixel of each row and column is traced
+    int width = 0;  // texels in a row
+    std::vector<std::int32_t> numbers{};
+};
+
 // Belongs to the current context, like GpuRenderer. It alone decides what to upload and whether anything must be traced again.
 // Others may draw in the same context in between. update(), show() and pick() leave the bound framebuffers as they were; the
 // program, the textures, the viewport and the uniform buffers not; blending, tests and masks are off.
@@ -80,6 +88,9 @@ public:
     // marked. Nothing while the picture is coarse.
     std::vector<std::int32_t> seen_numbers() const;
 
+    // The same of a picture that may be coarse, with guesses for what is doubtful; none before the first.
+    SeenTexels seen_texels() const;
+
     // The arithmetic of a pixel in the picture, of the document as it is now, seen as in the last update(). Of a fine picture it
     // tries only the spheres in the pixel's lists.
     PixelExplanation explain(const Document& document, Pixel pixel) const;
@@ -118,6 +129,9 @@ private:
     void prepare_shading(const Document& document, Shading shading, const Light& light);
     void mark_selected(const Selection* selection);
     std::optional<std::int32_t> traced_number(Pixel pixel) const;
+    // Of the picture's grid, row by row: indices among the drawn spheres.
+    std::vector<std::int32_t> traced_indices() const;
+    std::int32_t number_of(std::int32_t index) const;
     bool is_of(const Document& document) const;
     // Lists of a grid know nothing of other pixels.
     const CandidateLists* lists_for_any_pixel() const { return lists_step_ == 1 ? &scene_.lists() : nullptr; }

@@ -48,6 +48,23 @@ void take(const std::string& folder) {
         return !frame.at("inspected").is_null() && frame.at("inspected").at("pinned") == true && frame.at("exact") == true;
     });
     save(window, folder + "/inspector.png");
+    window.keys({"i", "Tab"});
+    window.wait_until("the picture alone", [](const Json& frame) {
+        return frame.at("shown").at("inspector") == false && frame.at("shown").at("panel") == false && frame.at("exact") == true;
+    });
+    window.key("r");
+    window.wait_until("the rays", [](const Json& frame) {
+        return !frame.at("rays").is_null() && frame.at("rays").at("picture") == true && frame.at("exact") == true;
+    });
+    const std::vector<double> seen = window.rectangle("rays picture");
+    window.click({seen[0] + 0.57 * (seen[2] - seen[0]), seen[1] + 0.6 * (seen[3] - seen[1])});
+    window.wait_until("a pinned pixel", [](const Json& frame) { return frame.at("inspected").at("pinned") == true; });
+    window.click_widget("rays row");
+    window.move_to({5, 780});
+    window.wait_until("the row's rays", [](const Json& frame) {
+        return frame.at("rays").at("rays").get<int>() > 10 && frame.at("hovered").is_null() && frame.at("exact") == true;
+    });
+    save(window, folder + "/rays.png");
 }
 
 }  // namespace

@@ -36,7 +36,10 @@ struct Hand : testing::Test {
                                      }
                                  },
                                  {},
-                                 trackball};
+                                 trackball,
+                                 false,
+                                 turns_about,
+                                 [this](glm::dvec2) { return covered; }};
         const PictureConsequences done = control.frame(mouse, state, gesture, actions);
         mouse.pressed = {};
         mouse.released = {};
@@ -87,6 +90,8 @@ struct Hand : testing::Test {
     PictureSize size{1000, 1000};
     std::uint64_t gesture = 0;
     bool trackball = false;
+    std::optional<glm::dvec3> turns_about;
+    bool covered = false;  // by something that takes clicks
     std::vector<Action> actions;
     std::vector<std::uint32_t> in_box;      // in any box
     std::vector<std::array<int, 4>> boxes;  // asked for
@@ -159,6 +164,22 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     EXPECT_TRUE(selection.empty());
 }
 
+TEST_F(Hand, AClickOnWhatCoversTheSphereSelectsNothingAndIsReported) {
+    covered = true;
+    press();
+    mouse.released[0] = true;
+    EXPECT_TRUE(frame().clicked);
+    EXPECT_TRUE(selection.empty());
+    selection.set_only(0);
+    press_at({900, 900});
+    release();
+    EXPECT_FALSE(selection.empty()) << "nor does it select none";
+    covered = false;
+    press_at({900, 900});
+    release();
+    EXPECT_TRUE(selection.empty());
+}
+
 TEST_F(Hand, TurnsAboutWhatIsUnderThePointerOrTheMiddleOfWhatIsSeen) {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         camera = with_projection(Camera{}, projection, 3.0);
@@ -182,6 +203,17 @@ TEST_F(Hand, TurnsAboutWhatIsUnderThePointerOrTheMiddleOfWhatIsSeen) {
         expect_shown({0, 0, 240}, {500, 500});
         release();
     }
+}
+
+TEST_F(Hand, TurnsBesideAllSpheresAboutWhatItIsTold) {
+    turns_about = glm::dvec3(10, 20, 150);
+    press_at({100, 900});
+    drag_to({160, 900});
+    EXPECT_EQ(control.turns_about(), turns_about);
+    release();
+    press_at({500, 500});
+    drag_to({560, 500});
+    EXPECT_NE(control.turns_about(), turns_about) << "over a sphere, about that";
 }
 
 TEST_F(Hand, ZoomingOutEndsWhereTheSceneIsSmall) {

@@ -1,4 +1,4 @@
-// The picture of a comparison's difference, as the window's panels draw it.
+// A finished picture as the window's panels draw it: the difference of a comparison, or what an eye sees.
 #pragma once
 
 #include <imgui.h>
@@ -11,8 +11,8 @@
 
 namespace sphereview {
 
-// The picture of a difference in the window's context, for ImGui.
-class DifferenceTexture {
+// A picture in the window's context, for ImGui, which draws it smaller than it is.
+class PictureTexture {
 public:
     // Nothing for no picture, and for one that is larger than the context's textures.
     std::optional<ImTextureID> follow(const std::shared_ptr<const Image>& picture);

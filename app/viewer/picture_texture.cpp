@@ -1,4 +1,4 @@
-#include "viewer/difference_texture.hpp"
+#include "viewer/picture_texture.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -9,11 +9,14 @@
 
 namespace sphereview {
 
-std::optional<ImTextureID> DifferenceTexture::follow(const std::shared_ptr<const Image>& picture) {
+std::optional<ImTextureID> PictureTexture::follow(const std::shared_ptr<const Image>& picture) {
     if (!picture || std::max(picture->width(), picture->height()) > gl_limit(GL_MAX_TEXTURE_SIZE)) return std::nullopt;
     if (picture != uploaded_) {
         upload(*picture, texture_);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);  // it is shown smaller than it is
+        constexpr GLint smallest = 4;  // levels: a picture that is drawn still smaller shows nothing any more
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, smallest);
+        glGenerateMipmap(GL_TEXTURE_2D);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
         uploaded_ = picture;
     }
     // A number in some releases of ImGui, a pointer in others.
