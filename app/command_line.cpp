@@ -192,12 +192,18 @@ void declare(CLI::App& command, ExplainOptions& options) {
     add_scene_options(command, options.data, options.fit);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
+    add_option(command, options.light_to_show,
+               {"--light", "K",
+                "Explain one of the lights: 0 is the sun, and the sky's begin at 1 [the sun, or the nearest to the key light]",
+                "the number of a light, from 0"},
+               [](const std::string& text) { return whole_number(text, 0); });
     add_flag(command, options.json, "--json", "The same as one JSON line");
     command.footer(std::string(explain_examples) + exit_codes);
 }
 
 void check(const CLI::App&, const ExplainOptions& options) {
     check_light(options.light, options.shading);
+    if (options.light_to_show) check_shows_light("--light", options.shading);
     const auto& [pixel, size] = std::pair(options.pixel, options.size);
     if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height) return;
     wrong("--pixel", in_quotes(std::to_string(pixel.x) + "," + std::to_string(pixel.y)),

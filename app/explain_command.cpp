@@ -21,20 +21,18 @@ namespace {
 // What the shading `studio` knows of a pixel that shows a sphere.
 struct PixelLight {
     LightVector sum;
-    std::optional<Sun> sun;
-    LightExplanation of_sun;
-    std::optional<SkyExplanation> of_sky;  // unless there is none
+    PixelLights lights;
+    std::optional<ExplainedLight> asked;
 };
 
-PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std::int32_t visible) {
-    const Light light = with_options(scene, options.light);
+PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std::int32_t visible, const Light& light,
+                          const NumberedLights& lights) {
     const DrawnSpheres drawn = drawn_spheres(scene);
     const Lighting lighting(scene, drawn, scene.camera, options.size, 1, light);
-    PixelLight found{lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), light.sun, {}, {}};
     const LitPixel pixel{scene, drawn, scene.camera, options.size, options.pixel, visible};
-    if (light.sun) found.of_sun = explain_light(pixel, light.sun->direction);
-    const std::span sky = std::span(lighting.lights(0)).subspan(light.sun ? 1 : 0);
-    if (!sky.empty()) found.of_sky = explain_sky(pixel, sky);
+    PixelLight found{
+        lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), explain_lights(pixel, lights), {}};
+    if (options.light_to_show) found.asked = explain_light(pixel, lights, *options.light_to_show);
     return found;
 }
 
@@ -63,6 +61,22 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     return text + "\n";
 }
 
+std::string in_words(const ExplainedLight& light, bool main) {
+    const std::string name = light.is_sun() ? "sun" : "light " + std::to_string(light.number);
+    return name + (main && !light.is_sun() ? ", of the sky's the nearest to the key light" : "") +
+           ": L = " + vector_in_words(light.light.direction) + " " + in_words(light.explanation) + "\n";
+}
+
+std::string in_words(const PixelLight& light) {
+    const auto& [sum, lights, asked] = light;
+    std::string text = "light: B = (" + std::to_string(sum.x) + ", " + std::to_string(sum.y) + ", " + std::to_string(sum.z) +
+                       ") / 2^28, the sum of the lights that shine\n";
+    if (lights.sky) text += "sky: " + in_words(*lights.sky) + "\n";
+    if (lights.main) text += in_words(*lights.main, true);
+    if (asked && asked->number != lights.main->number) text += in_words(*asked, false);
+    return text;
+}
+
 std::string in_words(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
                      const Background& background, const Color& color, const std::optional<PixelLight>& light) {
     const PictureSize size = options.size;
@@ -86,14 +100,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
                 (tie ? " and comes first in the file of those that have it" : "") + "\n";
         const std::string shaded =
             options.shading == Shading::flat ? "" : " (--shade " + std::string(name_of(options.shading)) + ")";
-        if (light) {
-            text += "light: B = (" + std::to_string(light->sum.x) + ", " + std::to_string(light->sum.y) + ", " +
-                    std::to_string(light->sum.z) + ") / 2^28, the sum of the lights that shine\n";
-        }
-        if (light && light->of_sky) text += "sky: " + in_words(*light->of_sky) + "\n";
-        if (light && light->sun) {
-            text += "sun: L = " + vector_in_words(light->sun->direction) + " " + in_words(light->of_sun) + "\n";
-        }
+        if (light) text += in_words(*light);
         text += "colour: " + in_words(color) + shaded + "\n";
     }
     return text + "decided: " + level_in_words(e.level) + "\n";
@@ -129,6 +136,22 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
             {"as_near_as_last", hit.as_near_as_last}};
 }
 
+Json to_json(const LightVector& light) { return {light.x, light.y, light.z}; }
+
+// `share`: whether to say what the light adds where it shines.
+Json to_json(const ExplainedLight& light, bool share) {
+    const LightExplanation& e = light.explanation;
+    Json json = {{"direction", vector(light.light.direction)},
+                 {"shines", e.shines()},
+                 {"facing_sign", e.facing},
+                 {"blocker", e.blocker ? Json(*e.blocker) : Json(nullptr)},
+                 {"along_sign", e.blocker ? Json(e.signs.along) : Json(nullptr)},
+                 {"disc_sign", e.blocker ? Json(e.signs.disc) : Json(nullptr)}};
+    if (share) json.set("number", light.number);
+    if (share) json.set("share", to_json(light.light.share));
+    return json;
+}
+
 Json to_json(const ExplainOptions& options, const std::string& name, const Scene& scene, const PixelExplanation& e,
              const Color& color, const std::optional<PixelLight>& light) {
     Json hits = Json::array();
@@ -150,24 +173,23 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
                  {"color", rgb(color)},
                  {"decided_in", level}};
     if (!light) return json;
-    json.set("light", {light->sum.x, light->sum.y, light->sum.z});
-    if (light->of_sky) {
+    const auto& [sum, lights, asked] = *light;
+    json.set("light", to_json(sum));
+    if (lights.sky) {
         Json blockers = Json::array();
-        for (const auto& [sphere, lights] : light->of_sky->blockers) blockers.push_back({{"sphere", sphere}, {"lights", lights}});
-        json.set("sky", {{"lights", light->of_sky->lights},
-                         {"shine", light->of_sky->shining},
-                         {"behind", light->of_sky->behind},
-                         {"in_shadow", light->of_sky->blocked},
+        for (const auto& [sphere, lights] : lights.sky->blockers) blockers.push_back({{"sphere", sphere}, {"lights", lights}});
+        json.set("sky", {{"lights", lights.sky->lights},
+                         {"shine", lights.sky->shining},
+                         {"behind", lights.sky->behind},
+                         {"in_shadow", lights.sky->blocked},
                          {"blockers", blockers}});
     }
-    if (!light->sun) return json;
-    const LightExplanation& sun = light->of_sun;
-    json.set("sun", {{"direction", vector(light->sun->direction)},
-                     {"shines", sun.shines()},
-                     {"facing_sign", sun.facing},
-                     {"blocker", sun.blocker ? Json(*sun.blocker) : Json(nullptr)},
-                     {"along_sign", sun.blocker ? Json(sun.signs.along) : Json(nullptr)},
-                     {"disc_sign", sun.blocker ? Json(sun.signs.disc) : Json(nullptr)}});
+    if (lights.main && lights.main->is_sun()) json.set("sun", to_json(*lights.main, false));
+    if (asked) {
+        json.set("explained_light", to_json(*asked, true));
+    } else if (lights.main && !lights.main->is_sun()) {
+        json.set("explained_light", to_json(*lights.main, true));
+    }
     return json;
 }
 
@@ -178,8 +200,13 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
     const Background background = options.background.value_or(scene.background);
     const PictureShader shader(scene, scene.camera, options.size, options.shading, background);
     std::optional<PixelLight> light;
-    if (options.shading == Shading::studio && explanation.visible() >= 0) {
-        light = light_of_pixel(scene, options, explanation.visible());
+    if (options.shading == Shading::studio) {
+        const Light of_scene = with_options(scene, options.light);
+        const NumberedLights lights(of_scene, scene.spheres.size(), scene.camera);
+        if (const std::optional<int> number = options.light_to_show; number && !lights.has(*number)) {
+            throw InputError("sphereview: --light: found " + std::to_string(*number) + ", expected " + lights.numbers_in_words());
+        }
+        if (explanation.visible() >= 0) light = light_of_pixel(scene, options, explanation.visible(), of_scene, lights);
     }
     const Color color = shader.color(options.pixel, explanation.visible(), light ? light->sum : LightVector{});
     return options.json ? to_json(options, name, scene, explanation, color, light).dump() + "\n"

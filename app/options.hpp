@@ -65,7 +65,8 @@ struct ExplainOptions {
     FitOptions fit;
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
-    LightOptions light;  // instead of the scene's own
+    LightOptions light;                // instead of the scene's own
+    std::optional<int> light_to_show{};  // one of NumberedLights, besides the one that is explained anyway
     bool json = false;
 };
 

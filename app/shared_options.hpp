@@ -124,14 +124,19 @@ inline void add_light(CLI::App& command, LightOptions& light) {
                });
 }
 
+// Of an option that is about light.
+inline void check_shows_light(const std::string& option, Shading shading) {
+    if (shading != Shading::studio) wrong("--shade", in_quotes(name_of(shading)), "studio with " + option);
+}
+
 inline void check_light(const LightOptions& light, Shading shading) {
-    if (shading == Shading::studio || !light.any()) return;
+    if (!light.any()) return;
     const std::string option = light.lights ? "--lights"
                                : light.sky  ? "--sky"
                                : light.key  ? "--key"
                                : light.sun  ? "--sun"
                                             : "--sun-strength";
-    wrong("--shade", in_quotes(name_of(shading)), "studio with " + option);
+    check_shows_light(option, shading);
 }
 
 }  // namespace sphereview

@@ -178,7 +178,7 @@ private:
             if (!is_there(scene_, hit.number)) continue;
             if (shown == most_hits_explained) break;
             draw_hit(hit, shown == 0);
-            if (shown == 0) draw_sun(pixel);
+            if (shown == 0) draw_light(pixel);
             ++shown;
         }
         const std::uint64_t all_hits = e.hits.size() + static_cast<std::uint64_t>(e.farther);
@@ -201,8 +201,10 @@ private:
                                 pixel.place.size,
                                 pixel.place.pixel,
                                 e,
-                                pixel.place.sun && !pixel.sun.empty() ? std::optional(pixel.place.sun->direction) : std::nullopt,
-                                pixel.blocker};
+                                pixel.light ? std::optional(pixel.light->direction) : std::nullopt,
+                                pixel.light ? pixel.light->blocker : std::nullopt,
+                                true,
+                                kind_of(pixel)};
         const auto explained = [&](std::int32_t number) {
             return std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
                    std::ranges::find(e.passed, number, &PassedSphere::number) != e.passed.end();
@@ -283,24 +285,32 @@ private:
         }
     }
 
-    void draw_sun_section(const InspectedPixel& pixel) {
-        const auto shadow = shadow_ray(scene_, pixel.explanation, pixel.place.sun->direction, pixel.blocker);
+    static const char* kind_of(const InspectedPixel& pixel) { return pixel.light && !pixel.light->is_sun() ? "light" : "sun"; }
+
+    void draw_light_section(const InspectedPixel& pixel, const InspectedLight& light) {
+        const auto shadow = shadow_ray(scene_, pixel.explanation, light.direction, light.blocker);
         if (!shadow) return;
-        draw_ray_section(context_, "sun drawing",
-                         {scene_, pixel.place.camera, pixel.place.size, pixel.place.pixel, *shadow, {}, {}, false}, {});
-        draw_dim_words("The ray from the point P to the sun" +
-                       (pixel.blocker && is_there(scene_, *pixel.blocker)
-                            ? ": " + title_of(scene_, static_cast<std::uint32_t>(*pixel.blocker)) + " is in the way."
+        draw_ray_section(context_, "light drawing",
+                         {scene_, pixel.place.camera, pixel.place.size, pixel.place.pixel, *shadow, {}, {}, false, kind_of(pixel)},
+                         {});
+        draw_dim_words("The ray from the point P to the " + std::string(kind_of(pixel)) +
+                       (light.blocker && is_there(scene_, *light.blocker)
+                            ? ": " + title_of(scene_, static_cast<std::uint32_t>(*light.blocker)) + " is in the way."
                             : std::string(".")));
     }
 
-    // The ray from the point to the sun.
-    void draw_sun(const InspectedPixel& pixel) {
-        if (pixel.sun.empty() || !pixel.place.sun) return;
-        draw_sun_section(pixel);
-        draw_words("sun: L = " + vector_text(pixel.place.sun->direction), vector_in_words(pixel.place.sun->direction));
-        note_widget(context_, "sun ray");
-        draw_colored_words("The sun " + typeset(pixel.sun) + ".", color_of_sign(pixel.sun_shines ? 1 : -1));
+    // The ray from the point to the sun or to a light of the sky.
+    void draw_light(const InspectedPixel& pixel) {
+        if (pixel.light) {
+            const InspectedLight& light = *pixel.light;
+            draw_light_section(pixel, light);
+            const std::string name = light.is_sun() ? "sun" : "light " + std::to_string(light.number);
+            draw_words(name + ": L = " + vector_text(light.direction), vector_in_words(light.direction));
+            note_widget(context_, "light ray");
+            if (!light.is_sun()) draw_dim_words("of the sky's lights the nearest to the key light");
+            draw_colored_words((light.is_sun() ? "The sun " : "It ") + typeset(light.why) + ".", color_of_sign(light.shines ? 1 : -1));
+        }
+        if (!pixel.sky.empty()) draw_words("sky: " + typeset(pixel.sky) + ".");
     }
 
     void draw_passed(const PassedSphere& passed, const char* behind) {

@@ -16,17 +16,27 @@ struct InspectedPlace {
     PictureSize size;  // of the picture that the pixel is in
     Camera camera;     // of the view
     std::uint64_t revision = 0;
-    std::optional<Sun> sun{};  // in the shading that shows light
+    std::optional<Light> light{};  // in the shading that shows it
 
     bool operator==(const InspectedPlace&) const = default;
+};
+
+// Whether a light shines on what a pixel shows.
+struct InspectedLight {
+    int number = 0;  // 0: the sun, else one of the sky's
+    glm::dvec3 direction{0.0};
+    bool shines = false;
+    std::string why{};                      // or why not, in words
+    std::optional<std::int32_t> blocker{};  // the sphere that keeps it away
+
+    bool is_sun() const { return number == 0; }
 };
 
 struct InspectedPixel {
     InspectedPlace place;
     PixelExplanation explanation;
-    bool sun_shines = false;
-    std::string sun{};                      // whether it shines and why not, in words; "" where nothing is lit
-    std::optional<std::int32_t> blocker{};  // the sphere that keeps the sun away
+    std::optional<InspectedLight> light{};  // the sun, or else the sky's strongest; none where nothing is lit
+    std::string sky{};                      // what becomes of the sky's lights, in words; "" where that is not known
 };
 
 // What is inspected.
@@ -44,7 +54,7 @@ struct InspectorState {
 };
 
 // Draws into the current ImGui window. Widgets: "unpin", "compare pixels", "copy explanation", "close inspector", "ray drawing",
-// "quadratic drawing", "hit 3", "passed 3", "sun ray", "compared", "detail 1" and "detail 2".
+// "quadratic drawing", "hit 3", "passed 3", "light ray", "light drawing", "compared", "detail 1" and "detail 2".
 void draw_inspector(const PanelContext& context, const Inspection& inspection, InspectorState& state);
 
 }  // namespace sphereview

@@ -67,9 +67,10 @@ struct SectionSubject {
     PictureSize size;
     Pixel pixel;
     const PixelExplanation& explanation;  // numbers of spheres that are gone are passed over
-    std::optional<glm::dvec3> sun{};      // the direction, where light is shown
+    std::optional<glm::dvec3> sun{};      // the direction to the sun, or to another light, where light is shown
     std::optional<std::int32_t> blocker{};
-    bool from_eye = true;  // else the ray goes from a point to the sun, and there is no screen
+    bool from_eye = true;             // else the ray goes from a point to the sun, and there is no screen
+    const char* name_of_sun = "sun";  // or "light"
 };
 
 // The ray from the point that a pixel shows to the sun as an explanation of its own, in double, whose t are lengths: what is in the

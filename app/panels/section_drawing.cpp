@@ -178,7 +178,7 @@ private:
         const float length = std::hypot(b.x - a.x, b.y - a.y);
         if (blocked || length < 60.0F * canvas_.scale()) return;
         const float on = std::min(length, 46.0F * canvas_.scale()) / length;
-        canvas_.text({a.x + on * (b.x - a.x) + 6.0F * canvas_.scale(), a.y + on * (b.y - a.y)}, 0.0F, 0.5F, "to the sun",
+        canvas_.text({a.x + on * (b.x - a.x) + 6.0F * canvas_.scale(), a.y + on * (b.y - a.y)}, 0.0F, 0.5F, "to the " + std::string(of_.name_of_sun),
                      faded(sun_color, 0.95F), Importance::some);
     }
 
@@ -217,7 +217,7 @@ private:
         if (of_.from_eye) return;
         const ImVec2 sun{canvas_.high().x - 12.0F * s, at.y};
         canvas_.list().AddCircleFilled(sun, 6.0F * s, faded(sun_color, 1.0F));
-        canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, "sun", faded(sun_color, 1.0F), Importance::some);
+        canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, of_.name_of_sun, faded(sun_color, 1.0F), Importance::some);
     }
 
     void draw_outside() const {

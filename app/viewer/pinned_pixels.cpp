@@ -11,11 +11,15 @@ namespace sphereview {
 
 namespace {
 
+// The pointer need not wait for the sky's lights: some 20 milliseconds.
+constexpr std::size_t most_lines_to_lights = 250'000;
+
 // Explains the pixel, unless what is kept is of the same. Returns whether it did.
 bool explain(const ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, std::optional<InspectedPixel>& kept) {
-    const std::optional<Sun> sun = state.settings.shading == Shading::studio ? state.shown_light().sun : std::nullopt;
+    const std::optional<Light> light =
+        state.settings.shading == Shading::studio ? std::optional(state.shown_light()) : std::nullopt;
     const Camera& camera = state.inspected_camera();
-    const InspectedPlace place{pixel.pixel, pixel.size, camera, state.document.revision(), sun};
+    const InspectedPlace place{pixel.pixel, pixel.size, camera, state.document.revision(), light};
     if (kept && kept->place == place) return false;
     const Scene& scene = state.scene();
     const bool of_window = !state.rays.on && pixel.size == state.picture_size;
@@ -26,13 +30,17 @@ bool explain(const ViewerState& state, const LivePicture& picture, const PinnedP
                                               : explain_pixel(scene, *drawn, camera, pixel.size, pixel.pixel, nullptr,
                                                               most_hits_explained, most_passed_explained)};
     const std::int32_t visible = inspected.explanation.visible();
-    if (sun && visible >= 0) {
-        const LightExplanation light =
-            of_window ? picture.explain_light(state.document, pixel.pixel, visible, sun->direction)
-                      : explain_light({scene, *drawn, camera, pixel.size, pixel.pixel, visible}, sun->direction);
-        inspected.sun_shines = light.shines();
-        inspected.sun = in_words(light);
-        inspected.blocker = light.blocker;
+    if (light && visible >= 0) {
+        const NumberedLights lights(*light, scene.spheres.size(), camera);
+        const PixelLights found =
+            of_window
+                ? picture.explain_lights(state.document, pixel.pixel, visible, lights, most_lines_to_lights)
+                : explain_lights({scene, *drawn, camera, pixel.size, pixel.pixel, visible}, lights, most_lines_to_lights);
+        if (found.main) {
+            const auto& [number, directed, why] = *found.main;
+            inspected.light = InspectedLight{number, directed.direction, why.shines(), in_words(why), why.blocker};
+        }
+        if (found.sky) inspected.sky = in_words(*found.sky);
     }
     kept = std::move(inspected);
     return true;

@@ -197,8 +197,9 @@ private:
 
     void draw_shadow_ray(const InspectedPixel& pixel) const {
         const ExplainedHit* hit = hit_of(pixel);
-        if (hit == nullptr || !pixel.place.sun || !(pixel.sun_shines || pixel.blocker)) return;
-        const auto shadow = shadow_ray(state_.scene(), pixel.explanation, pixel.place.sun->direction, pixel.blocker);
+        const std::optional<InspectedLight>& light = pixel.light;
+        if (hit == nullptr || !light || !(light->shines || light->blocker)) return;
+        const auto shadow = shadow_ray(state_.scene(), pixel.explanation, light->direction, light->blocker);
         if (!shadow) return;
         const glm::dvec3 way = hit->point - pixel.explanation.origin;
         const double length = shadow->hits.empty() ? 0.6 * std::sqrt(dot(way, way)) : shadow->hits.front().t;
@@ -207,7 +208,7 @@ private:
         line(hit->point, end, sun_ink, 1.8F);
         if (!shadow->hits.empty()) {
             dot_at(end, sun_ink, 3.5F);
-        } else if (const auto at = place(end)) {
+        } else if (const auto at = place(end); at && light->is_sun()) {
             sun_at(on_window(*at));
         }
     }

@@ -124,10 +124,11 @@ AskedPicture asked_picture(const ViewerState& state) {
     return {state.document.revision(), options};
 }
 
-std::string light_in_words(const ViewerState& state, const InspectedPixel& pixel) {
-    if (pixel.sun_shines) return "The sun shines there: no sphere is in the way.";
-    if (!pixel.blocker) return "The surface faces away from the sun.";
-    return title_of(state.scene(), static_cast<std::uint32_t>(*pixel.blocker)) + " is in the way of the sun.";
+std::string light_in_words(const ViewerState& state, const InspectedLight& light) {
+    const std::string name = light.is_sun() ? "sun" : "sky's strongest light";
+    if (light.shines) return "The " + name + " shines there: no sphere is in the way.";
+    if (!light.blocker) return "The surface faces away from the " + name + ".";
+    return title_of(state.scene(), static_cast<std::uint32_t>(*light.blocker)) + " is in the way of the " + name + ".";
 }
 
 }  // namespace
@@ -241,7 +242,7 @@ RaysFacts facts_of_rays(const ViewerState& state, const std::optional<InspectedP
         facts.meets +=
             hit ? title_of(state.scene(), static_cast<std::uint32_t>(e.visible())) + " at t = " + number_text(e.hits.front().t, 4)
                 : "its ray hits nothing";
-        if (hit && !first->sun.empty()) facts.light = light_in_words(state, *first);
+        if (hit && first->light) facts.light = light_in_words(state, *first->light);
     }
     if (rays.rays.made()) {
         facts.rays = rays.rays.made()->size();

@@ -226,9 +226,11 @@ Light read_light(const TomlText& document, const toml::table& table) {
     read_part("sky", most_sky, light.sky);
     read_part("key", most_key, light.key);
     if (const auto* node = reader.find("sun")) {
-        light.sun = Sun{reader.vector(*node, "sun")};
-        if (light.sun->direction == glm::dvec3(0.0))
-            fail(document, *node, "found a sun in no direction, expected 'sun' other than [0, 0, 0]");
+        const glm::dvec3 direction = reader.vector(*node, "sun");
+        if (direction == glm::dvec3(0.0)) fail(document, *node, "found a sun in no direction, expected 'sun' other than [0, 0, 0]");
+        // The defaults are the command line's: without a word of the sky it makes room for the sun.
+        if (reader.find("sky") != nullptr) light.sun.emplace();
+        light = with_sun(light, direction);
     }
     if (const auto* node = reader.find("sun_strength")) {
         const std::string expected = "'sun_strength' as a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun);

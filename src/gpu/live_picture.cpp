@@ -344,11 +344,11 @@ bool LivePicture::is_of(const Document& document) const {
     return revision_ != 0 && !changes.order && !changes.geometry;
 }
 
-LightExplanation LivePicture::explain_light(const Document& document, Pixel pixel, std::int32_t visible,
-                                            const glm::dvec3& direction) const {
+PixelLights LivePicture::explain_lights(const Document& document, Pixel pixel, std::int32_t visible, const NumberedLights& lights,
+                                        std::size_t most_lines) const {
     const Scene& scene = document.scene();
     const auto of = [&](const DrawnSpheres& drawn) {
-        return sphereview::explain_light({scene, drawn, view_.camera, view_.size, pixel, visible}, direction);
+        return sphereview::explain_lights({scene, drawn, view_.camera, view_.size, pixel, visible}, lights, most_lines);
     };
     return is_of(document) ? of(scene_.drawn()) : of(drawn_spheres(scene, view_.camera));
 }

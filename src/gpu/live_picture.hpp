@@ -95,8 +95,10 @@ public:
     // tries only the spheres in the pixel's lists.
     PixelExplanation explain(const Document& document, Pixel pixel) const;
 
-    // Whether a light shines on a pixel in the picture, which shows that sphere; of the same document and view.
-    LightExplanation explain_light(const Document& document, Pixel pixel, std::int32_t visible, const glm::dvec3& direction) const;
+    // The lights on a pixel in the picture, which shows that sphere; of the same document and view. `most_lines`: as
+    // explain_lights() takes it.
+    PixelLights explain_lights(const Document& document, Pixel pixel, std::int32_t visible, const NumberedLights& lights,
+                               std::size_t most_lines) const;
 
     // Reads the shaders in the folder again; the next update() traces with them. What does not compile leaves the last good
     // ones running. Returns the log, naming file and line, or "" when all is well.

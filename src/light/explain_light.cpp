@@ -8,6 +8,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "light/hit_places.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -63,6 +64,25 @@ std::string counted(int count, const std::string& what) { return std::to_string(
 
 }  // namespace
 
+NumberedLights::NumberedLights(const Light& light, std::size_t spheres, const Camera& camera)
+    : lights_(light_set(light, sky_lights(light, spheres, 1), camera, 0)),
+      first_(light.sun ? 0 : 1),
+      key_(key_direction(camera_axes(camera))) {}
+
+std::optional<int> NumberedLights::main() const {
+    if (lights_.empty()) return std::nullopt;
+    if (first_ == 0) return 0;
+    const auto from_key = [this](const DirectedLight& light) { return -dot(unit(light.direction), key_); };
+    return static_cast<int>(std::ranges::min_element(lights_, {}, from_key) - lights_.begin()) + first_;
+}
+
+std::string NumberedLights::numbers_in_words() const {
+    std::vector<std::string> parts;
+    if (first_ == 0) parts.emplace_back("0 (the sun)");
+    if (!sky().empty()) parts.push_back("1 to " + std::to_string(sky().size()));
+    return parts.empty() ? "a scene with a light" : joined(parts, " or ");
+}
+
 LightExplanation explain_light(const LitPixel& pixel, const glm::dvec3& direction) {
     const Shadows shadows(pixel);
     LightExplanation explanation;
@@ -73,6 +93,11 @@ LightExplanation explain_light(const LitPixel& pixel, const glm::dvec3& directio
     explanation.blocker = blockers.front();
     explanation.signs = shadows.point().blocking(shadows.sphere(blockers.front()), direction);
     return explanation;
+}
+
+ExplainedLight explain_light(const LitPixel& pixel, const NumberedLights& lights, int number) {
+    const DirectedLight& light = lights.at(number);
+    return {number, light, explain_light(pixel, light.direction)};
 }
 
 SkyExplanation explain_sky(const LitPixel& pixel, std::span<const DirectedLight> lights) {
@@ -93,6 +118,14 @@ SkyExplanation explain_sky(const LitPixel& pixel, std::span<const DirectedLight>
     std::ranges::stable_sort(explanation.blockers, std::ranges::greater{}, &SkyExplanation::Blocker::lights);
     if (explanation.blockers.size() > most_blockers) explanation.blockers.resize(most_blockers);
     return explanation;
+}
+
+PixelLights explain_lights(const LitPixel& pixel, const NumberedLights& lights, std::size_t most_lines) {
+    PixelLights found;
+    if (const std::optional<int> main = lights.main()) found.main = explain_light(pixel, lights, *main);
+    const std::span<const DirectedLight> sky = lights.sky();
+    if (!sky.empty() && pixel.drawn.size() <= most_lines / sky.size()) found.sky = explain_sky(pixel, sky);
+    return found;
 }
 
 std::string in_words(const SkyExplanation& explanation) {

@@ -141,6 +141,72 @@ TEST(Explain, CountsTheLightsOfTheSky) {
                          "of 64 lights shine; 33 behind the surface (n.L <= 0), "));
 }
 
+// Without a sun it is the light nearest to the key light that is followed.
+TEST(Explain, FollowsTheRayToOneLightOfTheSky) {
+    const std::string under_plate = "2 200 30 40 0 0 200 20 9 9 9 0 1060 180 1000";
+    const auto asked = [&](const std::string& scene, const std::vector<std::string>& options) {
+        std::vector<std::string> all = {"--json", "--shade", "studio", "--lights", "16"};
+        all.insert(all.end(), options.begin(), options.end());
+        const Outcome outcome = explain(scene, all);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        return Json::parse(outcome.output);
+    };
+    const Json nearest = asked(under_plate, {}).at("explained_light");
+    EXPECT_EQ(nearest.at("shines"), false);
+    EXPECT_EQ(nearest.at("facing_sign"), 1);
+    EXPECT_EQ(nearest.at("blocker"), 1);
+    EXPECT_EQ(nearest.at("along_sign"), -1);
+    EXPECT_EQ(nearest.at("disc_sign"), 1);
+    // What the lights add that shine is the whole light.
+    std::vector<int> sum(3);
+    double most = 0.0;
+    int brightest = 0;
+    for (int number = 1; number <= 16; ++number) {
+        const Json light = asked(under_plate, {"--light", std::to_string(number)}).at("explained_light");
+        EXPECT_EQ(light.at("number"), number);
+        const auto share = light.at("share").get<std::vector<int>>();
+        const double strength = std::hypot(share[0], share[1], share[2]);
+        if (strength > most) brightest = number;
+        most = std::max(most, strength);
+        for (std::size_t axis = 0; axis < 3 && light.at("shines") == true; ++axis) sum[axis] += share[axis];
+    }
+    EXPECT_EQ(asked(under_plate, {}).at("light").get<std::vector<int>>(), sum);
+    EXPECT_EQ(nearest.at("number"), brightest);
+    const Json with_sun = asked(under_plate, {"--sun", "0,0,-1"});
+    EXPECT_FALSE(with_sun.contains("explained_light"));
+    EXPECT_EQ(with_sun.at("sun").at("shines"), true);
+    EXPECT_EQ(asked(under_plate, {"--sun", "0,0,-1", "--light", "0"}).at("explained_light").at("shines"), true);
+    EXPECT_EQ(asked(under_plate, {"--sun", "0,0,-1", "--light", "3"}).at("explained_light").at("number"), 3);
+
+    const auto words = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> all = {"--shade", "studio", "--lights", "16"};
+        all.insert(all.end(), options.begin(), options.end());
+        return explain(under_plate, all);
+    };
+    const std::string number = std::to_string(brightest);
+    EXPECT_TRUE(contains(words({}).output, "light " + number + ", of the sky's the nearest to the key light: L = (")) << words({});
+    EXPECT_TRUE(contains(words({}).output, ") does not shine: n.L > 0, but sphere 1 is in the way.")) << words({});
+    const std::string another = "\nlight " + std::to_string(brightest == 1 ? 2 : 1) + ": L = (";
+    EXPECT_TRUE(contains(words({"--light", brightest == 1 ? "2" : "1"}).output, another));
+    EXPECT_EQ(words({"--light", number}).output, words({}).output) << "is said once";
+}
+
+TEST(Explain, RefusesALightThatThereIsNot) {
+    const std::string scene = "1 200 30 40 0 0 200 20";
+    const auto refused = [&](const std::vector<std::string>& options, const std::string& message) {
+        std::vector<std::string> all = {"--shade", "studio", "--lights", "16"};
+        all.insert(all.end(), options.begin(), options.end());
+        EXPECT_TRUE(fails(explain(scene, all), 2, message));
+    };
+    refused({"--light", "17"}, "sphereview: --light: found 17, expected 1 to 16");
+    refused({"--light", "0"}, "sphereview: --light: found 0, expected 1 to 16");
+    refused({"--light", "17", "--sun", "0,0,-1"}, "sphereview: --light: found 17, expected 0 (the sun) or 1 to 16");
+    refused({"--light", "1", "--sun", "0,0,-1", "--sky", "0"}, "sphereview: --light: found 1, expected 0 (the sun)");
+    refused({"--light", "1", "--sky", "0"}, "sphereview: --light: found 1, expected a scene with a light");
+    EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--light", "one"}), 2, "sphereview: --light: found 'one', expected the number"));
+    EXPECT_TRUE(fails(explain(scene, {"--light", "1"}), 2, "sphereview: --shade: found 'flat', expected studio with --light"));
+}
+
 TEST(Explain, TellsWhatANothingPixelShows) {
     const Outcome outcome = explain("0", {"--background", "white"});
     EXPECT_EQ(outcome.status, 0) << outcome;

@@ -147,10 +147,19 @@ TEST(Inspector, LeavesOutSpheresThatAreGone) {
 TEST(Inspector, FollowsTheRayToTheSun) {
     InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_EQ(panel.text().find("sun"), std::string::npos);
-    panel.pixel().place.sun = Sun{{1.0, 2.0, -3.0}, 1.0};
-    panel.pixel().sun = "does not shine: so it is";
+    panel.pixel().light = InspectedLight{.number = 0, .direction = {1.0, 2.0, -3.0}, .why = "does not shine: so it is"};
     expect_in_order(panel.text(),
                     {"n = ", "from the point P to the sun", "sun: L = (1, 2, -3)", "The sun does not shine: so it is."});
+    EXPECT_EQ(panel.text().find("sky"), std::string::npos);
+}
+
+TEST(Inspector, FollowsTheRayToALightOfTheSky) {
+    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{90.0, 0.0, 200.0}, 20.0}}));
+    panel.pixel().light = InspectedLight{.number = 17, .direction = {1.0, 2.0, -3.0}, .why = "is kept away", .blocker = 1};
+    panel.pixel().sky = "3 of 5 lights shine";
+    expect_in_order(panel.text(), {"from the point P to the light: sphere 1 is in the way.", "light 17: L = (1, 2, -3)",
+                                   "the nearest to the key light", "It is kept away.", "sky: 3 of 5 lights shine."});
+    EXPECT_EQ(panel.text().find("sun"), std::string::npos);
 }
 
 TEST(Inspector, IsAskedByItsButtons) {

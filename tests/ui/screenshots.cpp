@@ -27,8 +27,8 @@ void take(const std::string& folder) {
     const ScreenOptions screen{1280, 800, 96};
     {
         ViewerWindow window(files, {source_file("scenes/planets.toml"), "--shade", "studio", "--samples", "16"}, screen);
-        window.click_widget("row 3");
-        window.wait_for("selection", {3});
+        window.click_widget("row 2");
+        window.wait_for("selection", {2});
         window.move_to(at(window, 0.72, 0.42));
         window.wait_until("a rest", [](const Json& frame) { return frame.at("exact") == true; });
         save(window, folder + "/viewer.png");
@@ -42,7 +42,7 @@ void take(const std::string& folder) {
     ViewerWindow window(files, {source_file("scenes/planets.toml"), "--shade", "studio", "--samples", "16"}, screen);
     window.key("i");
     window.wait_until("the inspector", [](const Json& frame) { return frame.at("shown").at("inspector") == true; });
-    window.click(window.on_screen(6.3, -13.4));
+    window.click(window.on_screen(-26, -6.4));  // the shadow of a moon
     window.move_to(at(window, 0.5, 0.9));
     window.wait_until("a pinned pixel of a sphere", [](const Json& frame) {
         return !frame.at("inspected").is_null() && frame.at("inspected").at("pinned") == true && frame.at("exact") == true;
