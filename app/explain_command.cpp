@@ -86,6 +86,7 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
     text += "ray P = O + t D\n  " + origin_in_words(e) + "\n  " + direction_in_words(e) +
             (e.projection == Projection::perspective ? ", where t = 1\n\n" : "\n\n");
     for (const ExplainedHit& hit : e.hits) text += hit_in_words(scene, hit);
+    if (e.farther > 0) text += "and " + std::to_string(e.farther) + " more hits, farther away\n\n";
     text += "not hit: " + std::to_string(e.missed + e.behind) + " of " + std::to_string(scene.spheres.size()) +
             " spheres: " + std::to_string(e.missed) + " missed (discriminant < 0), " + std::to_string(e.behind) +
             " without a positive root (" + behind_in_words(e) + ")";
@@ -165,6 +166,7 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
                  {"origin", vector(e.origin)},
                  {"direction", vector(e.direction)},
                  {"hits", hits},
+                 {"farther_hits", e.farther},
                  {"missed", e.missed},
                  {"behind", e.behind},
                  {"hidden", e.hidden},
@@ -196,7 +198,8 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
 }  // namespace
 
 std::string explain(const Scene& scene, const std::string& name, const ExplainOptions& options) {
-    const PixelExplanation explanation = explain_pixel(scene, drawn_spheres(scene), scene.camera, options.size, options.pixel);
+    const PixelExplanation explanation =
+        explain_pixel(scene, drawn_spheres(scene), scene.camera, options.size, options.pixel, nullptr, most_hits_listed);
     const Background background = options.background.value_or(scene.background);
     const PictureShader shader(scene, scene.camera, options.size, options.shading, background);
     std::optional<PixelLight> light;

@@ -189,6 +189,7 @@ private:
         for (const PassedSphere& passed : e.passed) {
             if (is_there(scene_, passed.number)) draw_passed(passed, behind_in_words(e));
         }
+        if (!pixel.place.with_passed) draw_dim_words("Pin the pixel (Space) to see what its ray just misses in so large a scene.");
         ImGui::Separator();
         draw_rest(e);
         draw_dim_words(std::string("Decided: ") + level_in_words(e.level) + ".");
@@ -308,7 +309,8 @@ private:
             draw_words(name + ": L = " + vector_text(light.direction), vector_in_words(light.direction));
             note_widget(context_, "light ray");
             if (!light.is_sun()) draw_dim_words("of the sky's lights the nearest to the key light");
-            draw_colored_words((light.is_sun() ? "The sun " : "It ") + typeset(light.why) + ".", color_of_sign(light.shines ? 1 : -1));
+            draw_colored_words((light.is_sun() ? "The sun " : "It ") + typeset(light.why) + ".",
+                               color_of_sign(light.shines ? 1 : -1));
         }
         if (!pixel.sky.empty()) draw_words("sky: " + typeset(pixel.sky) + ".");
     }

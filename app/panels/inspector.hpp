@@ -17,6 +17,7 @@ struct InspectedPlace {
     Camera camera;     // of the view
     std::uint64_t revision = 0;
     std::optional<Light> light{};  // in the shading that shows it
+    bool with_passed = true;       // whether the spheres that the ray passes were looked for
 
     bool operator==(const InspectedPlace&) const = default;
 };

@@ -14,28 +14,34 @@ namespace {
 // The pointer need not wait for the sky's lights: some 20 milliseconds.
 constexpr std::size_t most_lines_to_lights = 250'000;
 
-// Explains the pixel, unless what is kept is of the same. Returns whether it did.
-bool explain(const ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, std::optional<InspectedPixel>& kept) {
+// Of more spheres, nothing that goes through all of them keeps up with the pointer or a drag.
+constexpr std::size_t most_spheres_on_the_way = 100'000;
+
+// Explains the pixel, unless what is kept is of the same. Returns whether it did. `pinned`: it is worth some time.
+bool explain(const ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, bool pinned,
+             std::optional<InspectedPixel>& kept) {
     const std::optional<Light> light =
         state.settings.shading == Shading::studio ? std::optional(state.shown_light()) : std::nullopt;
     const Camera& camera = state.inspected_camera();
-    const InspectedPlace place{pixel.pixel, pixel.size, camera, state.document.revision(), light};
-    if (kept && kept->place == place) return false;
     const Scene& scene = state.scene();
+    const bool with_passed = pinned || scene.spheres.size() <= most_spheres_on_the_way;
+    const InspectedPlace place{pixel.pixel, pixel.size, camera, state.document.revision(), light, with_passed};
+    if (kept && kept->place == place) return false;
     const bool of_window = !state.rays.on && pixel.size == state.picture_size;
+    if (!of_window && !with_passed) return false;
+    const std::size_t most_passed = with_passed ? most_passed_explained : 0;
     // Of a pixel of another picture than the window's there are no lists.
     std::optional<DrawnSpheres> drawn;
     if (!of_window) drawn = drawn_spheres(scene, camera);
-    InspectedPixel inspected{place, of_window ? picture.explain(state.document, pixel.pixel)
+    InspectedPixel inspected{place, of_window ? picture.explain(state.document, pixel.pixel, most_passed)
                                               : explain_pixel(scene, *drawn, camera, pixel.size, pixel.pixel, nullptr,
-                                                              most_hits_explained, most_passed_explained)};
+                                                              most_hits_explained, most_passed)};
     const std::int32_t visible = inspected.explanation.visible();
     if (light && visible >= 0) {
         const NumberedLights lights(*light, scene.spheres.size(), camera);
         const PixelLights found =
-            of_window
-                ? picture.explain_lights(state.document, pixel.pixel, visible, lights, most_lines_to_lights)
-                : explain_lights({scene, *drawn, camera, pixel.size, pixel.pixel, visible}, lights, most_lines_to_lights);
+            of_window ? picture.explain_lights(state.document, pixel.pixel, visible, lights, most_lines_to_lights)
+                      : explain_lights({scene, *drawn, camera, pixel.size, pixel.pixel, visible}, lights, most_lines_to_lights);
         if (found.main) {
             const auto& [number, directed, why] = *found.main;
             inspected.light = InspectedLight{number, directed.direction, why.shines(), in_words(why), why.blocker};
@@ -91,19 +97,17 @@ std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::o
     if (under_pointer) pins.last = under_pointer;
     inspection.pinned = pins.first.has_value();
     inspection.second_is_next = pins.second_is_next;
-    // A picture that moves, or is still coarse, need not wait for what goes through millions of spheres.
-    constexpr std::size_t most_spheres_on_the_way = 100'000;
     if ((moves || picture.step() > 1) && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
     std::size_t explained = 0;
-    const auto follow = [&](const std::optional<PinnedPixel>& pixel, std::optional<InspectedPixel>& kept) {
+    const auto follow = [&](const std::optional<PinnedPixel>& pixel, bool pinned, std::optional<InspectedPixel>& kept) {
         if (!pixel) {
             kept.reset();
-        } else if (explain(state, picture, *pixel, kept)) {
+        } else if (explain(state, picture, *pixel, pinned, kept)) {
             ++explained;
         }
     };
-    follow(pins.first ? pins.first : pins.last, inspection.first);
-    follow(pins.second, inspection.second);
+    follow(pins.first ? pins.first : pins.last, pins.first.has_value(), inspection.first);
+    follow(pins.second, true, inspection.second);
     return explained;
 }
 

@@ -77,6 +77,8 @@ struct PixelExplanation {
 // As many as a window shows: a ray may hit thousands, and the window waits.
 inline constexpr std::size_t most_hits_explained = 20;
 inline constexpr std::size_t most_passed_explained = 4;
+// As many as a person could read: each takes kilobytes.
+inline constexpr std::size_t most_hits_listed = 1000;
 
 // A pixel inside the picture that `camera` sees, with the spheres that are drawn for the camera. With the lists of the picture it
 // tries only the spheres in the pixel's lists, and finds the same hits. It explains so many of them, the nearest: each takes some

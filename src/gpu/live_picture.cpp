@@ -353,14 +353,12 @@ PixelLights LivePicture::explain_lights(const Document& document, Pixel pixel, s
     return is_of(document) ? of(scene_.drawn()) : of(drawn_spheres(scene, view_.camera));
 }
 
-PixelExplanation LivePicture::explain(const Document& document, Pixel pixel) const {
+PixelExplanation LivePicture::explain(const Document& document, Pixel pixel, std::size_t most_passed) const {
     const Scene& scene = document.scene();
-    if (!is_of(document)) {
-        return explain_pixel(scene, drawn_spheres(scene, view_.camera), view_.camera, view_.size, pixel, nullptr,
-                             most_hits_explained, most_passed_explained);
-    }
-    return explain_pixel(scene, scene_.drawn(), view_.camera, view_.size, pixel, lists_for_any_pixel(), most_hits_explained,
-                         most_passed_explained);
+    const auto of = [&](const DrawnSpheres& drawn, const CandidateLists* lists) {
+        return explain_pixel(scene, drawn, view_.camera, view_.size, pixel, lists, most_hits_explained, most_passed);
+    };
+    return is_of(document) ? of(scene_.drawn(), lists_for_any_pixel()) : of(drawn_spheres(scene, view_.camera), nullptr);
 }
 
 std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {

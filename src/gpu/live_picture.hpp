@@ -92,8 +92,8 @@ public:
     SeenTexels seen_texels() const;
 
     // The arithmetic of a pixel in the picture, of the document as it is now, seen as in the last update(). Of a fine picture it
-    // tries only the spheres in the pixel's lists.
-    PixelExplanation explain(const Document& document, Pixel pixel) const;
+    // tries only the spheres in the pixel's lists, unless some are asked for that the ray passes (see explain_pixel()).
+    PixelExplanation explain(const Document& document, Pixel pixel, std::size_t most_passed) const;
 
     // The lights on a pixel in the picture, which shows that sphere; of the same document and view. `most_lines`: as
     // explain_lights() takes it.

@@ -207,6 +207,18 @@ TEST(Explain, RefusesALightThatThereIsNot) {
     EXPECT_TRUE(fails(explain(scene, {"--light", "1"}), 2, "sphereview: --shade: found 'flat', expected studio with --light"));
 }
 
+TEST(Explain, TellsOfTheNearestOfThousandsOfHits) {
+    std::string scene = "1200";
+    for (int i = 0; i < 1200; ++i) scene += "  1 2 3  0 0 " + std::to_string(3000 - i) + " 50";
+    const Outcome outcome = explain(scene, {});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(contains(outcome.output, "visible: sphere 1199, which has the smallest t\n"));
+    EXPECT_TRUE(contains(outcome.output, "\nand 200 more hits, farther away\n"));
+    const Json report = Json::parse(explain(scene, {"--json"}).output);
+    EXPECT_EQ(report.at("hits").size(), 1000U);
+    EXPECT_EQ(report.at("farther_hits"), 200);
+}
+
 TEST(Explain, TellsWhatANothingPixelShows) {
     const Outcome outcome = explain("0", {"--background", "white"});
     EXPECT_EQ(outcome.status, 0) << outcome;
