@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t most_at_once = 64;  // pixels
 
 constexpr std::size_t spheres_at_once = 4096;
-constexpr double smallest_radius = 1e-300;  // its inverse is finite
+constexpr double smallest_radius = 0x1p-1021;  // its inverse is finite
 constexpr double narrowest = 1.0 + 1.0 / 256.0;
 
 // The squares must neither over- nor underflow.

@@ -96,6 +96,20 @@ TEST(Marks, HaveTheSameBytesEverywhere) {
     EXPECT_EQ(sha256(decode_png(outcome.output).bytes), "58e8d1a78a8a6fdc0cb1a61168425ebaaad701c34a2021fe9bd220eed5c59e6a");
 }
 
+// Near the end of what doubles hold nothing is lost: neither the fitted camera nor the shading underflows.
+TEST(Fit, TinyScenesLookAsOthersDo) {
+    const std::string scene = "2\n255 0 0\n0 0 5@\n1@\n0 255 0\n2@ 0 6@\n1@\n";
+    const auto of_size = [&](const std::string& exponent) {
+        std::string sized = scene;
+        for (std::size_t at = sized.find('@'); at != std::string::npos; at = sized.find('@')) sized.replace(at, 1, exponent);
+        return sized;
+    };
+    for (const char* mode : {"flat", "headlight", "normal", "depth"}) {
+        const std::vector<std::string> options = {"--fit", "-s", "60x40", "--shade", mode};
+        EXPECT_EQ(picture_of(of_size("e-300"), "cpu", options), picture_of(of_size(""), "cpu", options)) << mode;
+    }
+}
+
 struct BackendCase {
     std::optional<std::string> variable;
     std::vector<std::string> options;
