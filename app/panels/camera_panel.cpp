@@ -54,13 +54,15 @@ public:
     }
 
 private:
+    // Makes the view that camera, by edits of the scene's. So that undoing the change gives this view back, one that is not the
+    // scene's camera becomes it in a step of its own before.
     void change(const Camera& camera, const std::string& step, std::uint64_t gesture) {
-        const Camera& made = context_.document.scene().camera;
-        for (EditScene& edit : steps_to_view(made, changed_ ? made : context_.camera, camera, step, gesture)) {
-            context_.actions.emplace_back(std::move(edit));
+        if (!changed_ && context_.camera != context_.document.scene().camera) {
+            context_.actions.emplace_back(EditScene{ChangeCamera{context_.camera}, "Use of this view as the camera"});
         }
         changed_ = true;
         camera_ = camera;
+        context_.actions.emplace_back(EditScene{ChangeCamera{camera, true}, step, gesture});
     }
 
     // What a drag of a number changes: nothing adds up, and back is back to the bit.
@@ -141,14 +143,6 @@ private:
 };
 
 }  // namespace
-
-std::vector<EditScene> steps_to_view(const Camera& scene_camera, const Camera& view, const Camera& camera, const std::string& name,
-                                     std::uint64_t gesture) {
-    std::vector<EditScene> steps;
-    if (view != scene_camera) steps.push_back({ChangeCamera{view}, "Use of this view as the camera"});
-    steps.push_back({ChangeCamera{camera, true}, name, gesture});
-    return steps;
-}
 
 void draw_camera_panel(const PanelContext& context, SidePanelState& state) {
     ImGui::PushID("camera");

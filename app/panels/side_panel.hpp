@@ -89,10 +89,6 @@ void draw_sphere_editor(const PanelContext& context, SidePanelState& state);
 // The scene's light, and the sun as a handle on a ball, which is lit as the view sees it.
 void draw_light_panel(const PanelContext& context, SidePanelState& state);
 
-// The edits of the scene's camera that make the view another one. So that undoing the last gives the view back that there was, one
-// that is not the scene's camera becomes it in a step of its own before.
-std::vector<EditScene> steps_to_view(const Camera& scene_camera, const Camera& view, const Camera& camera, const std::string& name,
-                                     std::uint64_t gesture = 0);
 // The view's camera, in numbers. An edit makes it the scene's.
 void draw_camera_panel(const PanelContext& context, SidePanelState& state);
 

@@ -30,10 +30,8 @@ void center_on_selection(ViewerState& state) {
 void change_projection(ViewerState& state) {
     const double depth = depth_of(state.camera, state.pivot);
     const Projection other = state.camera.orthographic() ? Projection::perspective : Projection::orthographic;
-    const Camera camera = with_projection(state.camera, other, depth > 0.0 ? depth : 1.0);
-    for (EditScene& step : steps_to_view(state.scene().camera, state.camera, camera, "Change the projection")) {
-        apply(state, std::move(step));
-    }
+    state.flight.reset();
+    state.camera = with_projection(state.camera, other, depth > 0.0 ? depth : 1.0);
 }
 
 void save_view(ViewerState& state) {
