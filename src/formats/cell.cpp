@@ -25,7 +25,9 @@ std::optional<Cell> cell_of(const glm::dvec3& lengths, double alpha, double beta
     const auto [sin_gamma, cos_gamma] = sine_cosine(gamma);
     const double y = (cos_alpha - cos_beta * cos_gamma) / sin_gamma;
     const double square = (1.0 - cos_beta * cos_beta) - y * y;
-    if (!(square > 0.0)) return std::nullopt;
+    // Rounded, a flat cell need not be quite flat.
+    constexpr double flat = 1e-12;
+    if (!(square > flat)) return std::nullopt;
     Cell cell;
     cell.a = {lengths.x, 0.0, 0.0};
     cell.b = {lengths.y * cos_gamma, lengths.y * sin_gamma, 0.0};

@@ -11,6 +11,7 @@
 
 #include "base/memory.hpp"
 #include "base/number.hpp"
+#include "base/parallel.hpp"
 #include "base/square_root.hpp"
 #include "formats/atom_lines.hpp"
 #include "formats/atom_names.hpp"
@@ -249,6 +250,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
         }
         const std::string_view name = site_text(row, SiteColumn::label);
         const Element& element = element_of(site_text(row, SiteColumn::type_symbol), name);
+        check_cancelled();  // many atoms and many operations take seconds
         find_places(cell, operations, parts, places);
         if (atoms.spheres.size() + places.size() > most_spheres) {
             throw InputError(source.name + ": found more spheres than can be, expected at most " + in_groups(most_spheres));

@@ -131,6 +131,7 @@ TEST(Cell, HasEdgesOfLengthsAndAngles) {
     EXPECT_NEAR(cosine(any.a, any.b), std::cos(100 * degree), 1e-14);
     for (const double angle : {0.0, 180.0, -90.0, 360.0, std::nan("")}) EXPECT_FALSE(cell_of({1, 1, 1}, angle, 90, 90));
     EXPECT_FALSE(cell_of({1, 1, 1}, 120, 120, 120.1));
+    EXPECT_FALSE(cell_of({1, 1, 1}, 120, 120, 120));
 }
 
 TEST(Cell, CubeRootsAreNear) {
