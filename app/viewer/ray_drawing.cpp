@@ -29,10 +29,7 @@ struct Ink {
     }
 };
 
-constexpr Ink edge_ink{235, 240, 250, 0.85};
-constexpr Ink grid_ink{235, 240, 250, 0.30};
-constexpr Ink frustum_ink{235, 240, 250, 0.40};
-constexpr Ink missed_ink{170, 180, 200, 0.32};
+constexpr Ink word_ink{235, 240, 250, 0.95};
 constexpr Ink first_ink{255, 220, 90, 1.0};
 constexpr Ink second_ink{120, 205, 255, 1.0};
 constexpr Ink sun_ink{255, 176, 46, 1.0};
@@ -51,12 +48,28 @@ constexpr float largest_patch = 36.0F;  // of the picture on the screen, in scre
 constexpr float smallest_patch = 2.0F;  // at the edge of what hides it
 constexpr int most_halvings = 12;
 
-// Light enough to be seen on a dark ground.
-Ink ray_ink(const Scene& scene, std::int32_t number) {
-    if (number < 0 || static_cast<std::size_t>(number) >= scene.spheres.size()) return missed_ink;
-    const Color& color = scene.spheres[static_cast<std::size_t>(number)].color;
-    const auto part = [](std::uint8_t byte) { return 90 + byte * 165 / 255; };
-    return {part(color.r), part(color.g), part(color.b), 0.62};
+// What is seen on the picture's background.
+struct Inks {
+    Ink edge{235, 240, 250, 0.85};
+    Ink grid{235, 240, 250, 0.30};
+    Ink frustum{235, 240, 250, 0.40};
+    Ink missed{170, 180, 200, 0.32};
+    bool on_light = false;
+
+    // The colour of what a ray hits, lighter on a dark ground and darker on a light one.
+    Ink of(const Scene& scene, std::int32_t number) const {
+        if (number < 0 || static_cast<std::size_t>(number) >= scene.spheres.size()) return missed;
+        const Color& color = scene.spheres[static_cast<std::size_t>(number)].color;
+        const auto part = [&](std::uint8_t byte) { return (on_light ? 0 : 90) + byte * 165 / 255; };
+        return {part(color.r), part(color.g), part(color.b), 0.62};
+    }
+};
+
+Inks inks_on(const Background& background) {
+    const Color& color = background.color;
+    const bool light = background.transparent || 3 * color.r + 6 * color.g + color.b > 10 * 140;
+    if (!light) return {};
+    return {{30, 36, 50, 0.9}, {30, 36, 50, 0.35}, {30, 36, 50, 0.5}, {90, 98, 115, 0.4}, true};
 }
 
 class RayDrawing {
@@ -70,7 +83,8 @@ public:
           over_(over),
           hidden_(state.scene(), state.camera, state.picture_size, over.seen),
           draw_(*ImGui::GetBackgroundDrawList()),
-          corners_(screen_corners(rays_.camera, rays_.size, rays_.screen_depth)) {}
+          corners_(screen_corners(rays_.camera, rays_.size, rays_.screen_depth)),
+          inks_(inks_on(state.shown_background())) {}
 
     void draw() {
         draw_.PushClipRect({over_.area.x, over_.area.y}, {over_.area.x + over_.area.width, over_.area.y + over_.area.height});
@@ -124,7 +138,7 @@ private:
         const double step = step_of_all();
         if (rays_.rays.made()) {
             for (const TracedRay& ray : *rays_.rays.made()) {
-                Ink ink = ray_ink(state_.scene(), ray.visible);
+                Ink ink = inks_.of(state_.scene(), ray.visible);
                 // Of a whole picture they lie side by side: before the screen, and where they hit nothing.
                 if (rays_.choice.shown == RaysShown::all && (eye_side || ray.visible < 0)) ink.opacity *= crowded;
                 draw_part(ray.from, ray.to, eye_side, ink, 1.0F, step);
@@ -163,13 +177,13 @@ private:
     void draw_frustum(bool eye_side) const {
         if (!eye_side) return;
         if (!rays_.camera.orthographic()) {
-            for (const glm::dvec3& corner : corners_) line(rays_.camera.eye, corner, frustum_ink, 1.0F);
+            for (const glm::dvec3& corner : corners_) line(rays_.camera.eye, corner, inks_.frustum, 1.0F);
             return;
         }
         const auto plane = screen_corners(rays_.camera, rays_.size, 0.0);
         for (std::size_t i = 0; i < plane.size(); ++i) {
-            line(plane[i], corners_[i], frustum_ink, 1.0F);
-            line(plane[i], plane[(i + 1) % plane.size()], edge_ink, 1.5F);
+            line(plane[i], corners_[i], inks_.frustum, 1.0F);
+            line(plane[i], plane[(i + 1) % plane.size()], inks_.edge, 1.5F);
         }
     }
 
@@ -234,9 +248,9 @@ private:
         const double width = rays_.size.width;
         const double height = rays_.size.height;
         const int cell = grid_cell();
-        for (int x = cell; x < rays_.size.width; x += cell) line_across({x, 0.0}, {x, height}, grid_ink, 1.0F);
-        for (int y = cell; y < rays_.size.height; y += cell) line_across({0.0, y}, {width, y}, grid_ink, 1.0F);
-        for (std::size_t i = 0; i < corners_.size(); ++i) line(corners_[i], corners_[(i + 1) % corners_.size()], edge_ink, 1.6F);
+        for (int x = cell; x < rays_.size.width; x += cell) line_across({x, 0.0}, {x, height}, inks_.grid, 1.0F);
+        for (int y = cell; y < rays_.size.height; y += cell) line_across({0.0, y}, {width, y}, inks_.grid, 1.0F);
+        for (std::size_t i = 0; i < corners_.size(); ++i) line(corners_[i], corners_[(i + 1) % corners_.size()], inks_.edge, 1.6F);
     }
 
     // So many pixels of the eye's picture a square of the grid is wide: one in which one ray of all is drawn.
@@ -382,7 +396,7 @@ private:
             const ImVec2 middle = on_window(*at);
             if (!lowest || middle.y > lowest->y) lowest = middle;
         }
-        if (lowest) words({lowest->x, lowest->y + ImGui::GetTextLineHeight()}, name, edge_ink);
+        if (lowest) words({lowest->x, lowest->y + ImGui::GetTextLineHeight()}, name, word_ink);
     }
 
     void draw_eye() const {
@@ -408,7 +422,7 @@ private:
         draw_.PathFillConvex(IM_COL32(245, 247, 250, 255));
         draw_.AddCircleFilled(middle, 5.0F * s, IM_COL32(58, 110, 190, 255), 24);
         draw_.AddCircleFilled(middle, 2.3F * s, IM_COL32(10, 12, 18, 255), 16);
-        words({middle.x, middle.y - ImGui::GetTextLineHeight() - 6.0F * s}, "eye", edge_ink);
+        words({middle.x, middle.y - ImGui::GetTextLineHeight() - 6.0F * s}, "eye", word_ink);
     }
 
     const ViewerState& state_;
@@ -419,6 +433,7 @@ private:
     HiddenParts hidden_;
     ImDrawList& draw_;
     std::array<glm::dvec3, 4> corners_;
+    Inks inks_;
 };
 
 }  // namespace
