@@ -34,6 +34,6 @@ struct Blockers {
 
 // In the given order of the drawn spheres' indices. `sides`: the eye's, by the spheres' numbers.
 Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, std::span<const std::uint32_t> order,
-                  std::span<const EyeSide> sides, const glm::dvec3& eye, const LitPoints& points);
+                  std::span<const EyeSide> sides, const HitPlaces& places, const LitPoints& points);
 
 }  // namespace sphereview

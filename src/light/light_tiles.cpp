@@ -24,8 +24,8 @@ constexpr std::size_t most_asked = 16;   // tiles that a disc asks one by one wh
 constexpr double most_touched = 0x1p25;  // tiles that all discs of a light touch: many huge spheres get larger tiles
 constexpr std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere
 
-// A facing that float computes is off by less: normals are whole multiples of 1/32767, so off by 1/65534 in each of three components,
-// and there are 5 roundings of products that sum to 1 at most, and the normal's own error.
+// A facing that float computes is off by less: normals are whole multiples of 1/32767, so off by 1/65534 in each of three
+// components, and there are 5 roundings of products that sum to 1 at most, and the normal's own error.
 constexpr float facing_doubt = 0x1p-15F;
 
 using Numbers = std::array<float, at_once>;
@@ -79,21 +79,6 @@ glm::dvec3 perpendicular(const glm::dvec3& l) {
 
 float square(float x) { return x * x; }
 
-// Whether a light shines on a point of which float knows too little: every sphere is asked.
-bool shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction) {
-    const Pixel pixel = lit_scene.pixel(point);
-    const std::int32_t own = lit_scene.number(point);
-    const Sphere& sphere = lit_scene.sphere(own);
-    const EyeSide side = lit_scene.side(own);
-    if (!lit_scene.places.faces(pixel, sphere, side, direction)) return false;
-    const HitPlace place = lit_scene.places.at(pixel, sphere, side);
-    return std::ranges::none_of(lit_scene.order, [&](std::uint32_t index) {
-        const std::int32_t other = lit_scene.drawn.number(index);
-        return other != own && lit_scene.drawn.side(index) == EyeSide::outside &&
-               lit_scene.places.blocked(place, pixel, sphere, side, lit_scene.sphere(other), direction);
-    });
-}
-
 }  // namespace
 
 LightCounts& LightCounts::operator+=(const LightCounts& other) {
@@ -109,6 +94,16 @@ std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::s
     const glm::dvec3 across = perpendicular(l);
     frame_ = {to_float(across), to_float(cross(l, across)), to_float(l)};
     const Points points{begin, end};
+    if (find_far(lit_scene, direction)) {
+        light_known(lit_scene, points, direction);
+    } else {
+        left_.assign((end - begin + in_word - 1) / in_word, 0);
+    }
+    ask_unknown(lit_scene, points, direction);
+    return left_;
+}
+
+void LightTiles::light_known(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
     do {
         choose_tiles(lit_scene.blockers, lit_scene.points.farthest);
         find_facing(lit_scene, points, direction);
@@ -120,7 +115,18 @@ std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::s
     } while (!list_discs());
     decide(lit_scene, points, direction);
     std::vector<std::uint32_t>().swap(begins_);
-    return left_;
+}
+
+bool LightTiles::find_far(const LitScene& lit_scene, const glm::dvec3& direction) {
+    far_.clear();
+    const HitPlace ball = lit_scene.points.ball();
+    for (const std::int32_t number : lit_scene.blockers.far) {
+        ++counts_.doubts;
+        const Shadow shadow = lit_scene.places.shadow(ball, lit_scene.sphere(number), direction);
+        if (shadow == Shadow::all) return false;
+        if (shadow == Shadow::unsure) far_.push_back(number);
+    }
+    return true;
 }
 
 void LightTiles::choose_tiles(const Blockers& blockers, float farthest) {
@@ -358,6 +364,10 @@ void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dve
         return is_lit(lit_scene, direction, facing);
     });
     counts_.tests += static_cast<std::int64_t>(tried);
+}
+
+// Whether a light shines on the points of which float knows too little: every sphere is asked.
+void LightTiles::ask_unknown(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
     const std::vector<std::uint32_t>& unknown = lit_scene.points.unknown;
     for (auto point = std::ranges::lower_bound(unknown, points.begin); point != unknown.end() && *point < points.end; ++point) {
         check_cancelled();
@@ -365,6 +375,22 @@ void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dve
         const std::size_t i = *point - points.begin;
         left_[i / in_word] |= std::uint64_t{1} << i % in_word;
     }
+}
+
+bool LightTiles::shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction) {
+    const Pixel pixel = lit_scene.pixel(point);
+    const std::int32_t own = lit_scene.number(point);
+    const Sphere& sphere = lit_scene.sphere(own);
+    const EyeSide side = lit_scene.side(own);
+    ++counts_.doubts;
+    if (!lit_scene.places.faces(pixel, sphere, side, direction)) return false;
+    const HitPlace place = lit_scene.places.at(pixel, sphere, side);
+    return std::ranges::none_of(lit_scene.order, [&](std::uint32_t index) {
+        const std::int32_t other = lit_scene.drawn.number(index);
+        if (other == own || lit_scene.drawn.side(index) != EyeSide::outside) return false;
+        ++counts_.doubts;
+        return lit_scene.places.blocked(place, pixel, sphere, side, lit_scene.sphere(other), direction);
+    });
 }
 
 bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing) {
@@ -394,7 +420,7 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, 
             if (blocked(disc.number)) return false;
         }
     }
-    return std::ranges::none_of(lit_scene.blockers.far, blocked);
+    return std::ranges::none_of(far_, blocked);
 }
 
 }  // namespace sphereview

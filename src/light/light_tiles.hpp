@@ -36,7 +36,7 @@ struct LitScene {
     EyeSide side(std::int32_t number) const { return sides[static_cast<std::size_t>(number)]; }
 };
 
-// How many questions float left open, of a point and a sphere.
+// How much there was to do. `doubts`: questions that float left open, of a point and a sphere.
 struct LightCounts {
     std::int64_t points_facing = 0;
     std::int64_t tests = 0;
@@ -91,6 +91,8 @@ private:
         // With room for all doubts.
         float reach() const { return radius + 2.0F * doubt; }
     };
+    // Of the points that float knows enough about.
+    void light_known(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     void choose_tiles(const Blockers& blockers, float farthest);
     std::size_t tile(float coordinate) const;
     void find_facing(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
@@ -102,6 +104,10 @@ private:
     void drop_what_is_cut(const LitScene& lit_scene, Points points);
     bool list_discs();
     void decide(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
+    // Which of the spheres that are too far for float may keep the light from a point. Returns false where one keeps it from all.
+    bool find_far(const LitScene& lit_scene, const glm::dvec3& direction);
+    void ask_unknown(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
+    bool shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction);
     bool is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing);
     // Calls each(row, first, last) for the rows of tiles that a disc touches: the range in each.
     template <typename Each>
@@ -117,6 +123,7 @@ private:
     std::vector<float> cut_;           // every point of the tile below this is in shadow
     std::vector<std::uint64_t> left_;  // a bit for each point: faces the light, and is not found to be in shadow
     std::vector<Disc> discs_;
+    std::vector<std::int32_t> far_;  // numbers of spheres, beside the discs
     std::vector<std::uint32_t> begins_;
     UninitializedVector<std::uint32_t> lists_;
     LightCounts counts_;

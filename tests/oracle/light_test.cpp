@@ -158,6 +158,44 @@ std::vector<LitTrial> edges() {
     return all;
 }
 
+// Ordinary spheres in the middle of the picture, among others that are farther away or larger by many orders of magnitude.
+struct Surroundings {
+    std::string name;
+    Scene scene;
+};
+
+std::vector<Surroundings> surroundings(int spheres, int others) {
+    Random random(seed());
+    Scene ordinary;
+    for (int i = 0; i < spheres; ++i) {
+        const glm::dvec3 center = random.in_cube(60.0) + glm::dvec3(0.0, 0.0, 220.0);
+        ordinary.spheres.push_back({center, 4.0 + i % 9, {255, 0, 0}, false});
+    }
+    std::vector<Surroundings> all;
+    all.push_back({"nothing around", ordinary});
+    for (const double distance : {1e7, 1e15, 1e190}) {
+        Surroundings far{"spheres at " + std::to_string(distance), ordinary};
+        for (int i = 0; i < others; ++i) {
+            const glm::dvec3 center = 0.1 * distance * random.in_cube(1.0) + glm::dvec3(0.0, distance, 0.0);
+            far.scene.spheres.push_back({center, 0.1 * distance, {0, 255, 0}, false});
+        }
+        all.push_back(far);
+    }
+    for (const double distance : {1e6, 1e10, 1e20, 1e200}) {
+        Surroundings background{"before a sphere at " + std::to_string(distance), ordinary};
+        background.scene.spheres.push_back({{0.0, 0.0, distance}, 0.9 * distance, {0, 0, 255}, false});
+        all.push_back(background);
+    }
+    for (const double factor : {1e-140, 1e160}) {
+        Surroundings scaled{"scaled by " + std::to_string(factor), ordinary};
+        for (Sphere& sphere : scaled.scene.spheres) sphere = {sphere.center * factor, sphere.radius * factor, sphere.color};
+        Camera& camera = scaled.scene.camera;
+        for (glm::dvec3* v : {&camera.eye, &camera.center, &camera.right, &camera.up}) *v *= factor;
+        all.push_back(scaled);
+    }
+    return all;
+}
+
 // Spheres that each cover the whole plane of any light, before few that are seen; and spheres nearly in one place, or quite: lists
 // that would be endless.
 std::vector<LitTrial> crowds() {
@@ -186,6 +224,10 @@ std::vector<LitTrial> crowds() {
             scene.spheres.push_back({center, 25.0 + apart * (i % 11), {0, 255, 0}, false});
         }
         add("spheres " + std::to_string(apart) + " apart", scene, {13, 9}, slanting);
+    }
+    for (const Surroundings& around : surroundings(20, 30)) {
+        add(around.name, around.scene, {13, 9}, slanting);
+        all.push_back({orthographic(all.back().trial), all.back().light});
     }
     return all;
 }
@@ -335,6 +377,23 @@ TEST(Light, previews_are_as_bright_as_all) {
     }
 }
 
+// What is far away or huge makes float and double ask no more than it must: nearly all is decided for all points at once.
+TEST(Light, work_is_bounded_whatever_is_around) {
+    constexpr int others = 300;
+    constexpr int lights = 16;
+    constexpr PictureSize size{60, 60};
+    for (const Surroundings& around : surroundings(200, others)) {
+        const Scene& scene = around.scene;
+        const std::vector<std::int32_t> visible = picture(scene, size);
+        const DrawnSpheres drawn = drawn_spheres(scene);
+        const Lighting lighting(scene, drawn, scene.camera, size, 1, {.lights = lights, .sky = 1.0, .sun = {}});
+        LightCounts counts;
+        lighting.light({0, 0, size.width, size.height}, visible, nullptr, nullptr, nullptr, &counts);
+        EXPECT_GT(counts.points_facing, 1000) << around.name;
+        EXPECT_LT(counts.doubts, 2 * lights * others) << around.name;
+    }
+}
+
 // Points that double cannot place are lit with all others, and keep nobody from looking on.
 TEST(Light, previews_have_points_that_double_cannot_place) {
     Scene scene = lit_middle();
@@ -363,7 +422,10 @@ TEST(Light, that_is_kept_is_as_decided_anew) {
         {.lights = 37, .sky = 0.0, .key = 1.0, .sun = sun},
     };
     for (const int side : {1, 2, 4}) {
-        const Trial trial = random_trial(seed() + static_cast<std::uint64_t>(side));
+        Trial trial = random_trial(seed() + static_cast<std::uint64_t>(side));
+        // So far behind all that its points are lit apart from the others.
+        const glm::dvec3 ahead = trial.scene.camera.center - trial.scene.camera.eye;
+        trial.scene.spheres.push_back({trial.scene.camera.eye + 1e9 * ahead, 9e8 * largest_of(ahead), {}, false});
         const PictureSize size = sampled_size({19, 13}, side);
         const std::vector<std::int32_t> visible = picture(trial.scene, size);
         const DrawnSpheres drawn = drawn_spheres(trial.scene);
