@@ -161,7 +161,7 @@ void check(const CLI::App& command, RenderOptions& options) {
 
 void declare(CLI::App& command, ConvertOptions& options) {
     add_file(command, options.input, "IN", "", scene_files())->required();
-    add_file(command, options.output, "OUT", "", "Scene file: .toml is TOML, all else text; - is standard output")->required();
+    add_file(command, options.output, "OUT", "", "Scene file, whose ending tells its format; - is standard output")->required();
     const std::string formats = lower_case(listed(format_names(is_written), "or"));
     add_option(command, options.to, {"--to", "FORMAT", formats + ", whatever OUT is called", formats},
                [](const std::string& text) -> std::optional<SceneFormat> {
@@ -174,7 +174,8 @@ void declare(CLI::App& command, ConvertOptions& options) {
 
 void check(const CLI::App&, const ConvertOptions& options) {
     if (options.output == standard_stream && !options.to) {
-        throw CLI::ValidationError("OUT", "standard output has no name to tell the format; add --to text or --to toml");
+        throw CLI::ValidationError("OUT", "standard output has no name to tell the format; add --to FORMAT: " +
+                                              lower_case(listed(format_names(is_written), "or")));
     }
 }
 

@@ -36,11 +36,10 @@ void append(std::vector<Stroke>& strokes, const std::vector<Stroke>& more, int e
 
 }  // namespace
 
-int unit_of_marks(int shorter_side) {
+int unit_of_marks(int shorter_side, int wanted) {
     constexpr int smallest = stroke_unit;  // letters of 7 pixels
-    const int unit = std::max(smallest, shorter_side * stroke_unit / 450);
-    const int needed = 2 * (axes_radius + marks_margin) * unit / stroke_unit;
-    return needed <= shorter_side ? unit : 0;
+    const int most = shorter_side * stroke_unit / (3 * 2 * (axes_radius + marks_margin));
+    return most < smallest ? 0 : std::clamp(wanted, smallest, most);
 }
 
 std::vector<Stroke> strokes_of_axes(const Camera& camera, StrokePlace middle, int unit) {
@@ -74,23 +73,27 @@ std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner
     const int left = corner.x - static_cast<int>(std::lround(bar.pixels * stroke_unit));
     std::string words = in_words(bar);
     if (width_of_strokes(words, unit) > most) words = in_words(ScaleBar{bar.length, bar.pixels, {}});
-    const int width = width_of_strokes(words, unit);
+    std::ranges::replace(words, '0', 'O');  // the font's 0 has a slash, and looks like its 8
+    // Digits are told apart the better the larger they are.
+    const int larger = unit * 3 / 2;
+    const int letter = width_of_strokes(words, larger) <= most ? larger : unit;
+    const int width = width_of_strokes(words, letter);
     // In the bar's middle, but no farther to the right than the bar.
     const int text_left = std::min(left + (corner.x - left - width) / 2, corner.x - width);
-    const int text_top = corner.y - tick - 3 * unit - height_of_letters * unit;
+    const int text_top = corner.y - tick - (3 + height_of_letters) * letter;
     std::vector<Stroke> strokes;
     append(strokes,
            {{{left, corner.y}, corner, 2 * unit, light},
             {{left, corner.y - tick}, {left, corner.y}, 2 * unit, light},
             {{corner.x, corner.y - tick}, corner, 2 * unit, light}},
            edge);
-    append(strokes, strokes_of_text(words, {text_left, text_top}, unit, unit * 5 / 4, light), edge);
+    append(strokes, strokes_of_text(words, {text_left, text_top}, letter, letter * 5 / 4, light), edge);
     return strokes;
 }
 
 void draw_marks(const PictureMarks& marks, const Camera& camera, Image& picture) {
     const PictureSize size{picture.width(), picture.height()};
-    const int unit = unit_of_marks(size.shorter_side());
+    const int unit = unit_of_marks(size.shorter_side(), size.shorter_side() * stroke_unit / 450);
     if (unit == 0) return;
     const int right = size.width * stroke_unit;
     const int bottom = size.height * stroke_unit;

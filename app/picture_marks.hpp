@@ -21,8 +21,9 @@ struct PictureMarks {
 // Sizes are in units of so many sixteenths of a pixel.
 inline constexpr int axes_radius = 26;  // from the middle to the outermost edge
 inline constexpr int marks_margin = 6;  // to the picture's edges
-// Of a picture; 0 where it is too small for marks.
-int unit_of_marks(int shorter_side);
+// Of a picture: the wanted one, or the largest with which the axes take no more than a third of the picture; 0 where letters would
+// be too small to be read.
+int unit_of_marks(int shorter_side, int wanted);
 // The longest that the bar may be, of the picture's shorter side.
 inline constexpr double longest_scale_bar = 0.25;
 

@@ -27,6 +27,7 @@
 #include "image/png.hpp"
 #include "light/light_set.hpp"
 #include "scene/vectors.hpp"
+#include "shade/brightness.hpp"
 
 namespace {
 

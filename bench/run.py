@@ -65,7 +65,9 @@ def reading(bench: Bench) -> tuple[list[Row], dict]:
     scenes["volume, TOML"] = bench.out / "volume.toml"
     subprocess.run([bench.program("sphereview"), "convert", str(scenes["volume"]), str(scenes["volume, TOML"])], check=True)
     data_formats = {"volume, XYZ": "xyz", "volume, extended XYZ": "extxyz", "volume, CSV": "csv", "volume, PDB": "pdb",
-                    "volume, mmCIF": "mmcif"}
+                    "volume, mmCIF": "mmcif", "volume, crystal in CIF": "cif", "volume, LAMMPS": "lammps",
+                    "volume, GROMACS": "gro", "volume, POSCAR": "poscar", "volume, SDF": "sdf", "volume, PQR": "pqr",
+                    "volume, PLY": "ply", "volume, binary PLY": "binary_ply"}
     for name, kind in data_formats.items():
         scenes[name] = bench.out / f"volume.{kind}"
         with scenes[name].open("wb") as file:

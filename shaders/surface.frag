@@ -48,7 +48,7 @@ void main() {
         shaded = color_at(index).rgb * (0.3 + 0.7 * facing / (1.0 + depth));
     } else if (shading == studio) {
         // What moves has no shadows: the sky and the key light of a free surface, and the sun. docs/shading.md. Twin:
-        // brightness_of_free_sky() and shown_part() in src/scene/light.hpp.
+        // brightness_of_free_sky() and shown_part() in src/shade/brightness.hpp.
         vec3 normal = -(side * q) - facing * ray;
         float toward_key = 0.5 + 0.5 * dot(normal, key_light.xyz);
         float sky = 0.62 + 0.45 * sun_light.w * toward_key * toward_key * (0.5 + 0.5 * toward_key);

@@ -48,7 +48,7 @@ void draw_about(const PanelContext& context, About& about, const std::string& na
         wrapped_text(facts);
         if (ImGui::Button("Copy")) ImGui::SetClipboardText((name_and_version + "\n" + facts + "\n").c_str());
         note_widget(context, "about copy");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Copies the version and the renderer, for a report");
+        explain_item("Copies the version and the renderer, for a report");
         ImGui::Spacing();
         dim_text("The licences of this program and of the parts of others in it:");
         draw_licenses(about.lines);

@@ -23,9 +23,7 @@ void draw_vector(const PanelContext& context, const char* label, const glm::dvec
     begin_field(context, label);
     ImGui::AlignTextToFramePadding();
     ImGui::TextDisabled("%s, %s, %s", short_text(v.x).c_str(), short_text(v.y).c_str(), short_text(v.z).c_str());
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s\n%s\n%s", shortest(v.x).c_str(), shortest(v.y).c_str(), shortest(v.z).c_str());
-    }
+    explain_item(shortest(v.x) + "\n" + shortest(v.y) + "\n" + shortest(v.z));
 }
 
 class CameraPanel {
@@ -56,15 +54,13 @@ public:
     }
 
 private:
-    // Makes the view that camera, by edits of the scene's. So that undoing the change gives this view back, one that is not the
-    // scene's camera becomes it in a step of its own before.
     void change(const Camera& camera, const std::string& step, std::uint64_t gesture) {
-        if (!changed_ && context_.camera != context_.document.scene().camera) {
-            context_.actions.emplace_back(EditScene{ChangeCamera{context_.camera}, "Use of this view as the camera"});
+        const Camera& made = context_.document.scene().camera;
+        for (EditScene& edit : steps_to_view(made, changed_ ? made : context_.camera, camera, step, gesture)) {
+            context_.actions.emplace_back(std::move(edit));
         }
         changed_ = true;
         camera_ = camera;
-        context_.actions.emplace_back(EditScene{ChangeCamera{camera, true}, step, gesture});
     }
 
     // What a drag of a number changes: nothing adds up, and back is back to the bit.
@@ -114,8 +110,8 @@ private:
                 v[i] = value;
                 return with(base, v);
             };
-            const NumberRule rule{.usual_size = std::max(0.25 * context_.bounds.extent(), 1e-290)};
-            edit(std::string(label) + axes.at(static_cast<std::size_t>(i)), rule, step, (camera_.*part)[i], with_part);
+            edit(std::string(label) + axes.at(static_cast<std::size_t>(i)), coordinate_rule(context_.bounds), step,
+                 (camera_.*part)[i], with_part);
         }
         ImGui::EndGroup();
         for (const char* axis : axes) draw_refusal(context_, state_.numbers, std::string(label) + axis);
@@ -145,6 +141,14 @@ private:
 };
 
 }  // namespace
+
+std::vector<EditScene> steps_to_view(const Camera& scene_camera, const Camera& view, const Camera& camera, const std::string& name,
+                                     std::uint64_t gesture) {
+    std::vector<EditScene> steps;
+    if (view != scene_camera) steps.push_back({ChangeCamera{view}, "Use of this view as the camera"});
+    steps.push_back({ChangeCamera{camera, true}, name, gesture});
+    return steps;
+}
 
 void draw_camera_panel(const PanelContext& context, SidePanelState& state) {
     ImGui::PushID("camera");

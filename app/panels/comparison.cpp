@@ -61,24 +61,39 @@ void draw_examples(const PanelContext& context, const Comparison& comparison) {
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Button("Explain")) go_to(context, comparison, example.pixel);
         note_widget(context, "example " + std::to_string(i));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", "Pins this pixel in the inspector, seen by the scene's own camera");
+        explain_item("Pins this pixel in the inspector, seen by the scene's own camera");
         ImGui::SameLine();
         draw_words(example.words);
         ImGui::PopID();
     }
 }
 
-// Moves the current window to where it does not cover the place: in the area, else over what is beside that.
+float least_side() { return 12.0F * ImGui::GetFontSize(); }
+
+// Moves the current window to where it does not cover the place; where the area is too small for that, makes the window smaller.
+// What is beside the picture stays free.
 void keep_free(ImVec2 place, const Rectangle& area, float margin) {
     const ImVec2 low = ImGui::GetWindowPos();
     const ImVec2 size = ImGui::GetWindowSize();
     const auto covers = [&](float left) { return place.x > left - margin && place.x < left + size.x + margin; };
     if (!covers(low.x) || place.y < low.y || place.y > low.y + size.y || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    const float whole = ImGui::GetIO().DisplaySize.x;
-    for (const float left : {area.x + margin, area.x + area.width - size.x - margin, whole - size.x - margin, margin}) {
-        if (covers(left)) continue;
+    const float right = area.x + area.width - margin;
+    const float bottom = area.y + area.height - margin;
+    for (const float left : {area.x + margin, right - size.x}) {
+        if (size.x > right - area.x || covers(left)) continue;
         ImGui::SetWindowPos({left, low.y});
         return;
+    }
+    const float before = place.x - area.x - 2.0F * margin;
+    const float behind = right - place.x - margin;
+    const float above = place.y - area.y - 2.0F * margin;
+    const float below = bottom - place.y - margin;
+    if (std::max(before, behind) >= least_side()) {
+        ImGui::SetWindowSize({std::max(before, behind), size.y});
+        ImGui::SetWindowPos({before > behind ? area.x + margin : place.x + margin, low.y});
+    } else {
+        ImGui::SetWindowSize({size.x, std::max({above, below, 1.0F})});
+        ImGui::SetWindowPos({low.x, above > below ? area.y + margin : place.y + margin});
     }
 }
 
@@ -87,10 +102,11 @@ void keep_free(ImVec2 place, const Rectangle& area, float margin) {
 void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
                      const Rectangle& area, const std::optional<ImVec2>& free, bool& open) {
     const float margin = 12.0F * context.scale;
-    const float width = std::max(std::min(440.0F * context.scale, area.width - 2.0F * margin), 12.0F * ImGui::GetFontSize());
-    const float height = std::max(std::min(620.0F * context.scale, area.height - 2.0F * margin), 12.0F * ImGui::GetFontSize());
+    // In a narrow picture it reaches over what is at the left of that, so that it can be read.
+    const ImVec2 most{std::max(area.width - 2.0F * margin, least_side()), std::max(area.height - 2.0F * margin, 1.0F)};
+    const ImVec2 size{std::min(440.0F * context.scale, most.x), std::min(620.0F * context.scale, most.y)};
     ImGui::SetNextWindowPos({area.x + area.width - margin, area.y + margin}, ImGuiCond_Appearing, {1.0F, 0.0F});
-    ImGui::SetNextWindowSize({width, height}, ImGuiCond_Appearing);
+    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
     const std::string title = as_label("Compared with " + comparison.picture) + "###comparison";
     if (ImGui::Begin(title.c_str(), &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
         note_rectangle(context, "comparison", ImGui::GetWindowPos(), ImGui::GetWindowSize());
@@ -98,9 +114,7 @@ void draw_comparison(const PanelContext& context, const Comparison& comparison, 
         draw_words(comparison.counts);
         for (const std::string& line : comparison.verdict) {
             if (&line == comparison.verdict.data()) {
-                ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-                draw_words(line);
-                ImGui::PopStyleColor();
+                draw_colored_words(line, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
             } else {
                 draw_dim_words(line);
             }

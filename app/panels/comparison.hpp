@@ -32,8 +32,8 @@ struct Comparison {
 
 // As a window over `area`, the picture's, that `open` shows; its close button makes `open` false. `difference`: the picture of the
 // difference as a texture of ImGui's, if it is there. A click on an example, or into the difference, pins that pixel and returns to
-// the scene's own camera, which pictures are compared by. The window goes aside where it would cover
-// the place `free`. Widgets: "comparison", "difference", "example 0".
+// the scene's own camera, which pictures are compared by. The window goes aside, or gets smaller, where it
+// would cover the place `free`, and covers nothing beside the area. Widgets: "comparison", "difference", "example 0".
 void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
                      const Rectangle& area, const std::optional<ImVec2>& free, bool& open);
 

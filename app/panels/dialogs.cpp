@@ -179,7 +179,7 @@ Decision draw_content(const PanelContext& context, Question& question, const Dia
         const bool focused = i == question.focused;
         if (focused) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
         const float least = 88.0F * context.scale;
-        const float wanted = ImGui::CalcTextSize(answer.c_str()).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+        const float wanted = button_width(as_label(answer));
         ImGui::PushID(i);
         if (ImGui::Button(as_label(answer).c_str(), {std::max(least, wanted), 0.0F})) chosen = i;
         ImGui::PopID();

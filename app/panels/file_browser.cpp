@@ -49,8 +49,9 @@ void note_listed(FileBrowser& browser, const fs::path& folder) {
     browser.listed_kind = browser.kind;
 }
 
-// Goes to a folder if it can be read; else stays, and says why.
+// Goes to a folder if it can be read; else stays, and says why. The name box gets the keyboard in any case.
 bool enter(FileBrowser& browser, const fs::path& folder) {
+    browser.focus = FileBrowser::Focus::name;
     Listing listing = list_folder(folder, listed_endings(browser), browser.hidden_files);
     browser.error = listing.error;
     if (!listing.error.empty()) return false;
@@ -58,7 +59,6 @@ bool enter(FileBrowser& browser, const fs::path& folder) {
     browser.entries = std::move(listing.entries);
     sort_entries(browser.entries, browser.order);
     browser.to_top = true;
-    browser.focus = FileBrowser::Focus::name;
     return true;
 }
 
@@ -163,7 +163,7 @@ void draw_places(const PanelContext& context, FileBrowser& browser, const ImVec2
         const std::string path = text_from(folder);
         if (ImGui::Selectable((as_label(label) + "###" + widget).c_str(), path == browser.folder)) chosen = folder;
         note_widget(context, widget);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shown_text(path).c_str());
+        explain_item(shown_text(path));
     };
     if (ImGui::BeginChild("places", size, true)) {
         if (!home_folder().empty()) place("Home", "browser home", home_folder());

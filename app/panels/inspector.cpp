@@ -21,12 +21,6 @@ bool is_there(const Scene& scene, std::int32_t number) {
     return static_cast<std::size_t>(number) < scene.spheres.size();
 }
 
-void draw_colored(std::string_view text, const ImVec4& color, std::string_view on_hover = "") {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    draw_words(text, on_hover);
-    ImGui::PopStyleColor();
-}
-
 // A number rounded to what matters, unless its words say what no double can.
 std::string short_of(double value, const std::string& words, int digits = digits_that_matter) {
     return words.starts_with('(') ? words : number_text(value, digits);
@@ -63,15 +57,14 @@ private:
         const bool pressed = ImGui::Button(label);
         ImGui::EndDisabled();
         note_widget(context_, widget);
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help);
+        explain_item(help);
         return pressed;
     }
 
     // Goes on in the line where the next button fits.
     void same_line_for(const char* label) const {
-        const float needed = width_of(label) + 2.0F * ImGui::GetStyle().FramePadding.x;
         ImGui::SameLine();
-        if (ImGui::GetContentRegionAvail().x < needed) ImGui::NewLine();
+        if (ImGui::GetContentRegionAvail().x < button_width(label)) ImGui::NewLine();
     }
 
     void draw_head() {
@@ -85,7 +78,7 @@ private:
         if (!inspection_.pinned) {
             draw_dim_words("Follows the pointer. A click, or Space, pins the pixel.");
         } else if (inspection_.second_is_next) {
-            draw_colored("Click the pixel to compare with.", color_of_sign(0));
+            draw_colored_words("Click the pixel to compare with.", color_of_sign(0));
         } else {
             draw_dim_words("Pinned: Escape lets it go.");
         }
@@ -276,8 +269,8 @@ private:
         draw_title(hit.number, "hit " + std::to_string(hit.number), seen ? "seen" : nullptr, color_of_sign(1));
         const HitInWords words = in_words(hit);
         draw_coefficients(words.a, words.b, words.c, hit);
-        draw_colored("b² − 4ac = " + short_of(hit.discriminant, words.discriminant) + "  " + words.roots,
-                     color_of_sign(hit.discriminant_sign), "discriminant = " + words.discriminant);
+        draw_colored_words("b² − 4ac = " + short_of(hit.discriminant, words.discriminant) + "  " + words.roots,
+                           color_of_sign(hit.discriminant_sign), "discriminant = " + words.discriminant);
         const int digits = digits_to_tell(hit.t1, hit.t2);
         draw_words("t₁ = " + short_of(hit.t1, words.t1, digits), "t₁ = " + words.t1);
         draw_words("t₂ = " + short_of(hit.t2, words.t2, digits), "t₂ = " + words.t2);
@@ -286,7 +279,7 @@ private:
         draw_words("P = O + t D = " + vector_text(hit.point), "point = " + words.point);
         draw_words("n = (P − C) / r = " + vector_text(hit.normal), "normal = " + words.normal);
         if (hit.as_near_as_last) {
-            draw_colored("exactly as near as the sphere before it, which comes first in the file", color_of_sign(0));
+            draw_colored_words("exactly as near as the sphere before it, which comes first in the file", color_of_sign(0));
         }
     }
 
@@ -307,7 +300,7 @@ private:
         draw_sun_section(pixel);
         draw_words("sun: L = " + vector_text(pixel.place.sun->direction), vector_in_words(pixel.place.sun->direction));
         note_widget(context_, "sun ray");
-        draw_colored("The sun " + typeset(pixel.sun) + ".", color_of_sign(pixel.sun_shines ? 1 : -1));
+        draw_colored_words("The sun " + typeset(pixel.sun) + ".", color_of_sign(pixel.sun_shines ? 1 : -1));
     }
 
     void draw_passed(const PassedSphere& passed, const char* behind) {
@@ -316,8 +309,8 @@ private:
         draw_coefficients(shortest(passed.a), shortest(passed.b), shortest(passed.c), passed);
         const std::string discriminant = number_text(passed.discriminant);
         if (missed) {
-            draw_colored("b² − 4ac = " + discriminant + "  < 0: no root", color_of_sign(-1),
-                         "discriminant = " + shortest(passed.discriminant));
+            draw_colored_words("b² − 4ac = " + discriminant + "  < 0: no root", color_of_sign(-1),
+                               "discriminant = " + shortest(passed.discriminant));
             // The square of the line's distance from the centre is r^2 - discriminant / (4 a).
             const double r = scene_.spheres[static_cast<std::size_t>(passed.number)].radius;
             const double distance = std::sqrt(r * r - passed.discriminant / (4.0 * passed.a));
@@ -333,7 +326,7 @@ private:
 
     void draw_rest(const PixelExplanation& e) {
         const auto count = [](std::int64_t spheres) { return in_groups(static_cast<std::uint64_t>(spheres)); };
-        if (e.missed > 0) draw_colored(count(e.missed) + " missed: discriminant < 0", color_of_sign(-1));
+        if (e.missed > 0) draw_colored_words(count(e.missed) + " missed: discriminant < 0", color_of_sign(-1));
         const std::string behind = behind_in_words(e);
         if (e.elsewhere > 0) draw_words(count(e.elsewhere) + " elsewhere or " + behind + ": not hit");
         if (e.behind > 0) draw_words(count(e.behind) + " " + behind + ": no positive root");

@@ -12,6 +12,7 @@
 #include "panels/side_panel.hpp"
 #include "panels/widgets.hpp"
 #include "scene/vectors.hpp"
+#include "shade/brightness.hpp"
 
 namespace sphereview {
 
@@ -142,7 +143,7 @@ private:
     // As the window shades a grey sphere that moves: docs/shading.md.
     double brightness(const glm::dvec3& normal) const {
         constexpr double own = 0.85;
-        double e = brightness_of_free_sky(light_, dot(normal, unit(key_in_view)));
+        double e = brightness_of_free_sky(light_, normal);
         if (light_.sun) e += light_.sun->strength * std::max(dot(normal, in_view(unit(light_.sun->direction))), 0.0);
         return own * std::min(shown_part(e), 1.0);
     }
@@ -241,7 +242,7 @@ private:
         const bool open = ImGui::BeginCombo("##lights", shown.c_str());
         note_widget(context_, "lights");
         if (!open) {
-            if (ImGui::IsItemHovered()) ImGui::SetTooltip("How many directions the light of the sky comes from");
+            explain_item("How many directions the light of the sky comes from");
             return;
         }
         const auto choose = [&](const std::string& name, std::optional<int> lights) {

@@ -176,10 +176,12 @@ void draw_words(std::string_view text, std::string_view on_hover) {
     if (!on_hover.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", in_glyphs(on_hover).c_str());
 }
 
-void draw_dim_words(std::string_view text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    draw_words(text);
+void draw_colored_words(std::string_view text, const ImVec4& color, std::string_view on_hover) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    draw_words(text, on_hover);
     ImGui::PopStyleColor();
 }
+
+void draw_dim_words(std::string_view text) { draw_colored_words(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
 
 }  // namespace sphereview

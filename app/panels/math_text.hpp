@@ -30,6 +30,7 @@ int digits_to_tell(double a, double b);
 // Draws the text, after in_glyphs(), on as many lines as the window's width needs; a line ends only where the text has a space.
 // With `on_hover` the mouse over the text shows that, in the same glyphs. Makes one item of ImGui's.
 void draw_words(std::string_view text, std::string_view on_hover = "");
+void draw_colored_words(std::string_view text, const ImVec4& color, std::string_view on_hover = "");
 void draw_dim_words(std::string_view text);
 
 }  // namespace sphereview

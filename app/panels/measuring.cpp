@@ -28,15 +28,15 @@ void draw_values(const std::vector<Measure>& measures) {
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     float widest = 0.0F;
     for (const Measure& one : measures) {
-        widest = std::max(widest, width_of(short_text(one.value, digits) + (one.is_angle ? "\xC2\xB0" : "")));
+        widest = std::max(widest, width_of(value_text(one, digits)));
     }
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
     for (const Measure& one : measures) {
         ImGui::TableNextColumn();
         wrapped_text(one.name);
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted((short_text(one.value, digits) + (one.is_angle ? "\xC2\xB0" : "")).c_str());
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shortest(one.value).c_str());
+        ImGui::TextUnformatted(value_text(one, digits).c_str());
+        explain_item(shortest(one.value));
     }
     ImGui::EndTable();
 }
@@ -80,9 +80,13 @@ std::vector<Measure> measures_of(const Measuring& measuring, const Scene& scene,
     return measures;
 }
 
+std::string value_text(const Measure& measure, int significant) {
+    return short_text(measure.value, significant) + (measure.is_angle ? "\xC2\xB0" : "");
+}
+
 std::string in_words(const Measure& measure, bool in_full) {
-    return measure.name + " = " + (in_full ? shortest(measure.value) : short_text(measure.value, digits)) +
-           (measure.is_angle ? "\xC2\xB0" : "");
+    return measure.name + " = " +
+           (in_full ? shortest(measure.value) + (measure.is_angle ? "\xC2\xB0" : "") : value_text(measure, digits));
 }
 
 void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area) {
@@ -93,9 +97,8 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
     ImGui::SetNextWindowPos({area.x + area.width - margin, area.y + margin}, ImGuiCond_Always, {1.0F, 0.0F});
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - 2.0F * margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+    constexpr ImGuiWindowFlags flags =
+        bare_window | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("###measuring", nullptr, flags)) {
         const std::vector<Measure> measures = measures_of(measuring, context.document.scene(), !context.view.mirrored);
         draw_title(context, "Measure");

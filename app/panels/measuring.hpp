@@ -29,6 +29,8 @@ struct Measure {
 
 // What the spheres' centres give; `left_handed`: the coordinates, as they are seen. Nothing once they have other numbers.
 std::vector<Measure> measures_of(const Measuring& measuring, const Scene& scene, bool left_handed);
+// "12.5", "109.47°", with so many digits.
+std::string value_text(const Measure& measure, int significant);
 // "distance ... = 12.5", "... = 109.47°"; in full, or with 6 digits.
 std::string in_words(const Measure& measure, bool in_full);
 

@@ -96,9 +96,7 @@ void draw_item(const PanelContext& context, const CommandInfo& info) {
 void draw_history(const PanelContext& context) {
     ImGui::MenuItem((history_text(context) + "###history").c_str(), nullptr, false, false);
     note_widget(context, "history");
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
-        ImGui::SetTooltip("What the steps to undo take; beyond that the oldest are forgotten.");
-    }
+    explain_item("What the steps to undo take; beyond that the oldest are forgotten.");
 }
 
 // Notes a menu's title before it is drawn: ImGui's last item is another once the menu is open.
@@ -118,7 +116,7 @@ void draw_recent(const PanelContext& context, const std::vector<std::string>& re
         const std::string folder = shown_text(text_from(path.parent_path().filename()));
         if (ImGui::MenuItem(label.c_str(), folder.c_str())) context.actions.emplace_back(OpenFile{recent[i]});
         note_widget(context, "recent " + std::to_string(i));
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", shown_text(recent[i]).c_str());
+        explain_item(shown_text(recent[i]));
         ImGui::PopID();
     }
     ImGui::EndMenu();

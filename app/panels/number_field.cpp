@@ -26,9 +26,7 @@ bool has_ends(const NumberRule& rule) { return std::isfinite(rule.high - rule.lo
 
 // What a pixel of a drag that begins there changes: 1, 2 or 5 times a power of ten.
 double step_from(const NumberRule& rule, double from) {
-    const double most = std::max(std::fabs(from), rule.usual_size) / steps_of_own_size;
-    const double unit = std::pow(10.0, std::floor(std::log10(most)));
-    return most >= 5.0 * unit ? 5.0 * unit : most >= 2.0 * unit ? 2.0 * unit : unit;
+    return round_number_below(std::max(std::fabs(from), rule.usual_size) / steps_of_own_size);
 }
 
 double value_after(const NumberRule& rule, const NumberFields::Drag& drag, double steps) {
@@ -115,10 +113,7 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
     }
     const bool untouched = fields.text == fields.opened_with || trimmed(fields.text).empty();
     const ExpressionValue shown = untouched ? ExpressionValue{} : entered(fields.text, rule);
-    if (fields.focus) {
-        ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
-        ImGui::SetKeyboardFocusHere();
-    }
+    if (fields.focus) focus_next_box();
     ImGui::PushStyleColor(ImGuiCol_Text, shown.fault.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : fault_color());
     const int step = draw_text_box("##typed", "", fields.text, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();

@@ -1,6 +1,7 @@
 // The field in which panels show a number, to be dragged or typed into.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -21,6 +22,13 @@ struct NumberRule {
     double usual_size = 1.0;
     const char* help = "";  // a sentence for the tooltip
 };
+
+// Of a coordinate in a scene: one near 0 moves by a part of what the scene takes up.
+inline NumberRule coordinate_rule(const SceneBounds& bounds) {
+    NumberRule rule;
+    rule.usual_size = std::max(0.25 * bounds.extent(), 1e-290);
+    return rule;
+}
 
 // What a panel's number fields remember from redraw to redraw.
 struct NumberFields {

@@ -103,8 +103,8 @@ std::string title_of(const Scene& scene, const Selection& selection);
 // Text from outside as ImGui gets it: safe, on one line or on its own, and no longer than ImGui can draw, which is some 16,000
 // characters.
 inline constexpr std::size_t most_shown = 2000;
-inline std::string shown_text(std::string_view text) { return on_one_line(text, most_shown); }
-inline std::string shown_lines(std::string_view text) { return on_lines(text, most_shown); }
+inline std::string shown_text(std::string_view text) { return on_one_line(composed(text), most_shown); }
+inline std::string shown_lines(std::string_view text) { return on_lines(composed(text), most_shown); }
 
 // For a label, in which ImGui takes "##" for the end of what is shown.
 std::string as_label(std::string_view text);

@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "panels/panel_context.hpp"
-#include "panels/quadratic_plot.hpp"
 #include "panels/ray_section.hpp"
 
 namespace sphereview {
@@ -21,5 +20,8 @@ std::optional<std::int32_t> draw_ray_section(const PanelContext& context, const 
                                              std::optional<std::int32_t> subject);
 std::optional<std::int32_t> draw_quadratic_plot(const PanelContext& context, const char* name, const PixelExplanation& explanation,
                                                 std::int32_t subject);
+
+// What the mouse over a sphere of a drawing says.
+void show_numbers(const Scene& scene, const PixelExplanation& explanation, std::int32_t number);
 
 }  // namespace sphereview

@@ -54,7 +54,7 @@ private:
         ImGui::SameLine(0.0F, gap);
         if (ImGui::Button("x", {side, side})) remove(i);
         note_widget(context_, widget_of(i) + " delete");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Delete this view");
+        explain_item("Delete this view");
     }
 
     void draw_view(std::size_t i, ImVec2 size) {
@@ -65,10 +65,7 @@ private:
         const bool clicked = ImGui::Selectable(label.c_str(), shown, ImGuiSelectableFlags_AllowDoubleClick, size);
         ImGui::PopStyleVar();
         note_widget(context_, widget_of(i));
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s\nClick to go there, double-click to rename; the right button has more.",
-                              shown_text(view.name).c_str());
-        }
+        explain_item(shown_text(view.name) + "\nClick to go there, double-click to rename; the right button has more.");
         if (clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
             start_renaming_view(state_, context_.document.scene(), i);
         } else if (clicked) {
@@ -104,10 +101,7 @@ private:
     }
 
     void draw_name(std::size_t i, float width) {
-        if (state_.focus_view_name) {
-            ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
-            ImGui::SetKeyboardFocusHere();
-        }
+        if (state_.focus_view_name) focus_next_box();
         ImGui::SetNextItemWidth(width);
         draw_text_box("##name", "name", state_.view_name, ImGuiInputTextFlags_AutoSelectAll);
         note_widget(context_, "view name");

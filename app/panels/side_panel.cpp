@@ -59,7 +59,7 @@ void draw_frame_slider(const PanelContext& context, SidePanelState& state) {
     const std::int64_t last = context.frames - 1;
     // The number stands beside the knob, not under it, with room for the longest.
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float number = width_of(std::to_string(last)) + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float number = button_width(std::to_string(last));
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - number - gap));
     ImGui::SliderScalar("##frame", ImGuiDataType_S64, &frame, &first, &last, "",
                         ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
@@ -109,7 +109,7 @@ void select_filtered(const PanelContext& context, SidePanelState& state) {
 void draw_filter(const PanelContext& context, SidePanelState& state) {
     const float side = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float select = ImGui::CalcTextSize("Select").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float select = button_width("Select");
     const float buttons = state.filter.empty() ? 0.0F : side + select + 2.0F * gap;
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons));
     ImGui::InputTextWithHint("##filter", "Filter by name or number", &state.filter);
@@ -118,11 +118,11 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
     ImGui::SameLine(0.0F, gap);
     if (ImGui::Button("Select##filtered", {select, side})) select_filtered(context, state);
     note_widget(context, "select filtered");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Select what the filter shows; with Ctrl, besides what is selected");
+    explain_item("Select what the filter shows; with Ctrl, besides what is selected");
     ImGui::SameLine(0.0F, gap);
     if (ImGui::Button("x##clear filter", {side, side})) state.filter.clear();
     note_widget(context, "clear filter");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all spheres");
+    explain_item("Show all spheres");
 }
 
 std::string count_in_words(const PanelContext& context, const SidePanelState& state) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "edit/selection.hpp"
 #include "panels/listed_spheres.hpp"
@@ -55,7 +56,7 @@ struct SidePanelState {
     std::optional<std::size_t> renamed_view;  // the saved view whose name is being typed
     std::string view_name;
     bool focus_view_name = false;
-    std::string view_fault;       // why the name that was typed last was refused
+    std::string view_fault;  // why the name that was typed last was refused
     // Whether a box for typing has been asked for, and a redraw or two go by until it has the keyboard.
     bool opens_box() const { return numbers.focus || focus_view_name; }
     // Whether a box is there, or opens.
@@ -88,6 +89,10 @@ void draw_sphere_editor(const PanelContext& context, SidePanelState& state);
 // The scene's light, and the sun as a handle on a ball, which is lit as the view sees it.
 void draw_light_panel(const PanelContext& context, SidePanelState& state);
 
+// The edits of the scene's camera that make the view another one. So that undoing the last gives the view back that there was, one
+// that is not the scene's camera becomes it in a step of its own before.
+std::vector<EditScene> steps_to_view(const Camera& scene_camera, const Camera& view, const Camera& camera, const std::string& name,
+                                     std::uint64_t gesture = 0);
 // The view's camera, in numbers. An edit makes it the scene's.
 void draw_camera_panel(const PanelContext& context, SidePanelState& state);
 

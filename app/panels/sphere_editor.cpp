@@ -12,9 +12,6 @@ namespace sphereview {
 
 namespace {
 
-// Where a coordinate is 0, a drag moves as where it is this: by a part of what the scene takes up.
-double usual_coordinate(const SceneBounds& bounds) { return std::max(0.25 * bounds.extent(), 1e-290); }
-
 class SphereEditor {
 public:
     // `shared`: of the selected spheres, of which `number` is the primary one.
@@ -28,7 +25,7 @@ public:
 
     void draw() {
         if (numbers_.size() == 1) draw_name();
-        const NumberRule coordinate{.usual_size = usual_coordinate(context_.bounds)};
+        const NumberRule coordinate = coordinate_rule(context_.bounds);
         number("x", coordinate, SphereValue::x);
         number("y", coordinate, SphereValue::y);
         number("z", coordinate, SphereValue::z);

@@ -67,10 +67,7 @@ void draw_name_field(const PanelContext& context, SidePanelState& state, ImVec2 
     ImGui::SetCursorScreenPos(place);
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0F * context.scale, ImGui::GetStyle().FramePadding.y});
-    if (state.focus_rename) {
-        ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
-        ImGui::SetKeyboardFocusHere();
-    }
+    if (state.focus_rename) focus_next_box();
     ImGui::InputTextWithHint("##rename", "name", &state.new_name, ImGuiInputTextFlags_AutoSelectAll);
     note_widget(context, "rename");
     ImGui::PopStyleVar();
@@ -115,7 +112,7 @@ RowResult draw_sphere_row(const PanelContext& context, SidePanelState& state, st
     result.eye = ImGui::InvisibleButton("eye", {size.y, size.y});
     note_widget(context, row + " eye");
     const bool eye_hovered = ImGui::IsItemHovered();
-    if (eye_hovered) ImGui::SetTooltip("%s", sphere.hidden ? "Show" : "Hide");
+    explain_item(sphere.hidden ? "Show" : "Hide");
 
     const bool renaming = state.renaming == number;
     bool hovered = eye_hovered;

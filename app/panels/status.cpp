@@ -11,9 +11,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr ImGuiWindowFlags quiet_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                          ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+constexpr ImGuiWindowFlags quiet_window = bare_window | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
 void note_window(const PanelContext& context, const std::string& name) {
     note_rectangle(context, name, ImGui::GetWindowPos(), ImGui::GetWindowSize());
@@ -66,7 +64,7 @@ struct Trouble {
 
 // Draws the heading and the button that closes. Returns whether the button was pressed.
 bool draw_heading(const PanelContext& context, const Trouble& trouble) {
-    const float button = ImGui::CalcTextSize("Close").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+    const float button = button_width("Close");
     const float left = ImGui::GetCursorPosX();
     const float width = ImGui::GetContentRegionAvail().x;
     wrapped_text(trouble.heading, left + std::max(width - button - ImGui::GetStyle().ItemSpacing.x, button));

@@ -75,9 +75,12 @@ void draw_command_button(const PanelContext& context, const CommandButton& butto
     if (ImGui::Button(button.label, {width, 0.0F})) context.actions.emplace_back(RunCommand{button.id});
     ImGui::EndDisabled();
     note_widget(context, button.widget);
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
-    const std::string shortcut = info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut);
-    ImGui::SetTooltip("%s%s", std::string(info.help).c_str(), shortcut.c_str());
+    explain_item(std::string(info.help) + (info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut)));
+}
+
+// So that a colour is seen on a panel of the same colour.
+void draw_edge(ImVec2 low, ImVec2 high, float scale) {
+    ImGui::GetWindowDrawList()->AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Text, 0.55F), 2.0F * scale);
 }
 
 }  // namespace
@@ -132,9 +135,7 @@ void draw_heading(const PanelContext& context, const std::string& name, const st
 
 void draw_title(const PanelContext& context, const std::string& title) {
     ImGui::Dummy({1.0F, 4.0F * context.scale});
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
-    wrapped_text(title);
-    ImGui::PopStyleColor();
+    colored_text(title, ImGui::GetStyleColorVec4(ImGuiCol_CheckMark));
 }
 
 float row_height() { return std::round(ImGui::GetFrameHeight()); }
@@ -156,9 +157,7 @@ void begin_field(const PanelContext& context, const char* label) {
 
 void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons) {
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const auto needed = [](const CommandButton& button) {
-        return ImGui::CalcTextSize(button.label, nullptr, true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
-    };
+    const auto needed = [](const CommandButton& button) { return button_width(button.label); };
     const float whole = ImGui::GetContentRegionAvail().x;
     for (std::size_t begin = 0, end = 0; begin < buttons.size(); begin = end) {
         // As many as the line has room for, without a label cut off.
@@ -175,6 +174,19 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
     }
 }
 
+float button_width(std::string_view label) {
+    return ImGui::CalcTextSize(label.data(), label.data() + label.size(), true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
+void explain_item(const std::string& help) {
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help.c_str());
+}
+
+void focus_next_box() {
+    ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
+    ImGui::SetKeyboardFocusHere();
+}
+
 void wrapped_text(std::string_view text, float wrap_at) {
     const std::string safe = shown_lines(text);
     ImGui::PushTextWrapPos(wrap_at);
@@ -182,17 +194,17 @@ void wrapped_text(std::string_view text, float wrap_at) {
     ImGui::PopTextWrapPos();
 }
 
-void dim_text(const std::string& text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+void colored_text(std::string_view text, const ImVec4& color) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
     wrapped_text(text);
     ImGui::PopStyleColor();
 }
 
+void dim_text(const std::string& text) { colored_text(text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled)); }
+
 void fault_text(const std::string& text) {
     ImGui::BeginGroup();
-    ImGui::PushStyleColor(ImGuiCol_Text, fault_color());
-    wrapped_text(text);
-    ImGui::PopStyleColor();
+    colored_text(text, fault_color());
     ImGui::EndGroup();
 }
 
@@ -203,7 +215,7 @@ void draw_swatch(const Color& color, ImVec2 place, float side, float scale, floa
     const ImVec2 end{place.x + side, place.y + side};
     const ImU32 fill = IM_COL32(color.r, color.g, color.b, static_cast<int>(std::lround(255.0F * opacity)));
     list.AddRectFilled(place, end, fill, 2.0F * scale);
-    list.AddRect(place, end, ImGui::GetColorU32(ImGuiCol_Border), 2.0F * scale);
+    draw_edge(place, end, scale);
 }
 
 bool key_pressed(ImGuiKey key) {
@@ -220,6 +232,8 @@ std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const 
     const ImGuiColorEditFlags flags =
         ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoDragDrop | (numbers ? 0 : ImGuiColorEditFlags_NoInputs);
     const bool changed = ImGui::ColorEdit3(label, parts.data(), flags);
+    const ImVec2 end = ImGui::GetItemRectMax();
+    draw_edge({end.x - ImGui::GetFrameHeight(), ImGui::GetItemRectMin().y}, end, context.scale);
     // ImGui counts the three numbers and the picker as one item: a drag in one activates the item.
     if (ImGui::IsItemActivated()) ++context.gesture;
     if (!changed) return std::nullopt;

@@ -39,8 +39,22 @@ struct CommandButton {
 };
 void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons);
 
+// How wide a button with that label is, at least.
+float button_width(std::string_view label);
+
+// The mouse over ImGui's last item, also a disabled one, says that.
+void explain_item(const std::string& help);
+
+// The next item, a box for typing, takes the keyboard.
+void focus_next_box();
+
+// A window that stays where it is put, with nothing of ImGui's around it.
+inline constexpr ImGuiWindowFlags bare_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                                ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+
 // Text that is continued below where the line ends, or at a place in the window.
 void wrapped_text(std::string_view text, float wrap_at = 0.0F);
+void colored_text(std::string_view text, const ImVec4& color);
 void dim_text(const std::string& text);
 inline ImVec4 fault_color() { return on_panel({1.0F, 0.45F, 0.42F, 1.0F}); }
 // As one item.

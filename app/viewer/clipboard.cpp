@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
+#include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 
 namespace sphereview {

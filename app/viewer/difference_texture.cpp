@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "gpu/picture_texture.hpp"
+
 namespace sphereview {
 
 std::optional<ImTextureID> DifferenceTexture::follow(const std::shared_ptr<const Image>& picture) {

@@ -133,8 +133,8 @@ void ImguiBridge::set_theme(Theme theme) {
 void ImguiBridge::build_fonts() {
     ImGuiIO& io = ImGui::GetIO();
     io.Fonts->Clear();
-    // Latin, Greek, Cyrillic, and the punctuation, powers, indices, arrows and operators that the panels use.
-    static constexpr std::array<ImWchar, 15> ranges = {0x20,   0x17F,  0x370,  0x3FF,  0x400,  0x4FF,  0x2010, 0x205E,
+    // Latin, accents, Greek, Cyrillic, and the punctuation, powers, indices, arrows and operators that the panels use.
+    static constexpr std::array<ImWchar, 15> ranges = {0x20,   0x17F,  0x300,  0x3FF,  0x400,  0x4FF,  0x2010, 0x205E,
                                                        0x2070, 0x209C, 0x2190, 0x21FF, 0x2200, 0x22FF, 0};
     // The second is for what must stand in columns: a compiler's log.
     for (const FontFamily family : {FontFamily::sans_serif, FontFamily::monospaced}) {

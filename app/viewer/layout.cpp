@@ -10,6 +10,8 @@
 #include "panels/inspector.hpp"
 #include "panels/menus.hpp"
 #include "panels/status.hpp"
+#include "panels/widgets.hpp"
+#include "viewer/pointer_marks.hpp"
 
 namespace sphereview {
 
@@ -17,10 +19,12 @@ namespace {
 
 constexpr float splitter_width = 6.0F;
 constexpr float narrowest_picture = 100.0F;
+// What is smaller yields to the picture: nothing could be read in it.
+constexpr float narrowest_panel = 200.0F;
+constexpr float narrowest_inspector = 120.0F;
+constexpr float lowest_picture = 100.0F;  // above the status bar
 
-constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags fixed_window = bare_window | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 void place_window(const Rectangle& area) {
     ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
@@ -49,6 +53,7 @@ Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context,
     constexpr float most = 0.55F;  // of the room: the picture is what it is about
     const double wanted = inspector_width_range.nearest(state.settings.inspector_width);
     const float width = std::floor(std::min(static_cast<float>(wanted) * context.scale, most * picture.width));
+    if (width < narrowest_inspector * context.scale) return picture;
     place_window({picture.x, picture.y, width, picture.height});
     ImGui::Begin("##inspector", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_inspector(context, facts.inspection, state.inspector);
@@ -75,16 +80,18 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     const ImVec2 whole = ImGui::GetIO().DisplaySize;
     const float menu_height =
         std::ceil(draw_menu_bar(context, state.settings.recent, state.menu_keys));  // the picture has whole pixels
-    const float status_height = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
+    const float status_line = std::round(ImGui::GetFrameHeight() + 2.0F * context.scale);
+    const bool has_status = whole.y - menu_height - status_line >= lowest_picture * context.scale;
+    const float status_height = has_status ? status_line : 0.0F;
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
-    if (state.panel_shown) {
-        const float splitter = splitter_width * context.scale;
-        const float room = whole.x - splitter - narrowest_picture * context.scale;
+    const float splitter = splitter_width * context.scale;
+    const float room = whole.x - splitter - narrowest_picture * context.scale;
+    state.panel_drawn = state.panel_shown && room >= narrowest_panel * context.scale;
+    if (state.panel_drawn) {
         // A small window or large text narrows the panel for as long as that lasts: what the person chose is kept.
         const double shown = panel_width_within(state.settings.panel_width, room / context.scale);
-        const float widest = std::max(room, static_cast<float>(panel_width_range.least));
-        const float width = std::floor(std::min(static_cast<float>(shown) * context.scale, widest));
+        const float width = std::floor(std::min(static_cast<float>(shown) * context.scale, room));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
         place_window(panel);
         // The list scrolls in itself, by its own means.
@@ -99,13 +106,16 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
     if (state.inspector_shown) picture = draw_inspector_beside(state, context, facts, picture);
 
-    place_window({0.0F, whole.y - status_height, whole.x, status_height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, 1.0F * context.scale));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
-    ImGui::Begin("##status", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    draw_status_bar(context, facts.status);
-    ImGui::End();
-    ImGui::PopStyleVar(4);
+    if (has_status) {
+        place_window({0.0F, whole.y - status_height, whole.x, status_height});
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, 1.0F * context.scale));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+        ImGui::Begin("##status", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+        draw_status_bar(context, facts.status);
+        ImGui::End();
+        ImGui::PopStyleVar(2);
+    }
+    ImGui::PopStyleVar(2);
 
     if (draw_messages(context, state.messages, picture)) cancel_work(state);
     if (state.is_at_start()) {
@@ -117,9 +127,8 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     if (state.comparison && state.comparison->open) {
         std::optional<ImVec2> pinned;
         if (state.inspector_shown && state.pins.first) {
-            const glm::dvec2 place = place_in(state.picture_size, *state.pins.first);
-            const double pixel = static_cast<double>(picture.width) / state.picture_size.width;
-            pinned = ImVec2(picture.x + static_cast<float>(pixel * place.x), picture.y + static_cast<float>(pixel * place.y));
+            pinned = on_screen(picture, state.picture_size.width / static_cast<double>(picture.width),
+                               place_in(state.picture_size, *state.pins.first));
         }
         draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, picture, pinned,
                         state.comparison->open);
@@ -128,60 +137,6 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     draw_about(context, state.about, state.options.program.name_and_version, state.options.program.licenses, facts.status.renderer);
     draw_dialogs(context, state.dialogs, facts.keys);
     return picture;
-}
-
-void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int light, int inside) {
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
-    draw->AddRectFilled(low, high, IM_COL32(255, 255, 255, inside));
-    draw->AddRect(ImVec2(low.x - 1.0F, low.y - 1.0F), ImVec2(high.x + 1.0F, high.y + 1.0F), IM_COL32(0, 0, 0, dark));
-    draw->AddRect(low, high, IM_COL32(255, 255, 255, light));
-    draw->PopClipRect();
-}
-
-void draw_cross(const Rectangle& picture, ImVec2 middle, float scale) {
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
-    const auto bars = [&](float length, float thickness, ImU32 color) {
-        const ImVec2 along(length * scale, 0.5F * thickness * scale);
-        draw->AddRectFilled(ImVec2(middle.x - along.x, middle.y - along.y), ImVec2(middle.x + along.x, middle.y + along.y), color);
-        draw->AddRectFilled(ImVec2(middle.x - along.y, middle.y - along.x), ImVec2(middle.x + along.y, middle.y + along.x), color);
-    };
-    bars(9.0F, 4.0F, IM_COL32(0, 0, 0, 170));
-    bars(8.0F, 2.0F, IM_COL32(255, 255, 255, 230));
-    draw->PopClipRect();
-}
-
-void draw_pin(const Rectangle& picture, ImVec2 place, float scale, const char* name) {
-    ImDrawList* draw = ImGui::GetBackgroundDrawList();
-    draw->PushClipRect(ImVec2(picture.x, picture.y), ImVec2(picture.x + picture.width, picture.y + picture.height));
-    const ImVec2 middle(std::floor(place.x) + 0.5F, std::floor(place.y) + 0.5F);
-    const auto arms = [&](float from, float to, float thickness, ImU32 color) {
-        for (const auto& [x, y] : {std::pair{1.0F, 0.0F}, std::pair{-1.0F, 0.0F}, std::pair{0.0F, 1.0F}, std::pair{0.0F, -1.0F}}) {
-            draw->AddLine(ImVec2(middle.x + x * from * scale, middle.y + y * from * scale),
-                          ImVec2(middle.x + x * to * scale, middle.y + y * to * scale), color, thickness * scale);
-        }
-    };
-    arms(3.0F, 13.0F, 4.0F, IM_COL32(0, 0, 0, 190));
-    arms(4.0F, 12.0F, 2.0F, IM_COL32(255, 220, 90, 255));
-    const ImVec2 beside(middle.x + 8.0F * scale, middle.y + 6.0F * scale);
-    draw->AddText(ImVec2(beside.x + 1.0F, beside.y + 1.0F), IM_COL32(0, 0, 0, 220), name);
-    draw->AddText(beside, IM_COL32(255, 220, 90, 255), name);
-    draw->PopClipRect();
-}
-
-void draw_export_area(const ViewerState& state, const Rectangle& picture) {
-    if (!state.export_area_shown) return;
-    const PictureSize size{state.settings.export_width, state.settings.export_height};
-    // Both show `right` and `up` over half their shorter side.
-    const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());
-    const float half_width = unit * static_cast<float>(size.width);
-    const float half_height = unit * static_cast<float>(size.height);
-    if (half_width > 0.5F * picture.width - 1.0F && half_height > 0.5F * picture.height - 1.0F) return;
-    const ImVec2 middle(picture.x + 0.5F * picture.width, picture.y + 0.5F * picture.height);
-    const ImVec2 low(std::floor(middle.x - half_width), std::floor(middle.y - half_height));
-    const ImVec2 high(std::ceil(middle.x + half_width), std::ceil(middle.y + half_height));
-    draw_frame(picture, low, high, 140, 90);
 }
 
 }  // namespace sphereview

@@ -9,9 +9,11 @@ namespace sphereview {
 
 void perform(ViewerState& state, std::vector<Action> actions);
 
-void run_command(ViewerState& state, CommandId command);
+// An edit, with what it does to the selection and to the view.
+void apply(ViewerState& state, EditScene action);
 
-// Every command as it is now, in the order of the menus.
-std::vector<CommandInfo> commands_of(const ViewerState& state);
+// A view that shows the scene's camera goes along where that was edited as a view.
+void undo(ViewerState& state);
+void redo(ViewerState& state);
 
 }  // namespace sphereview

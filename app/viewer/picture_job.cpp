@@ -16,6 +16,7 @@
 #include "base/user_folders.hpp"
 #include "image/png.hpp"
 #include "viewer/lit_draft.hpp"
+#include "viewer/scene_file.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -149,7 +150,7 @@ void start_export(ViewerState& state, const std::string& path, Naming naming, Pi
 }
 
 void ask_for_export(ViewerState& state, const std::string& first, const std::string& fault) {
-    FileBrowser form;
+    FileBrowser form = file_dialog(state);
     form.saving = true;
     form.title = "Export picture";
     form.folder = text_from(path_from(first).parent_path());

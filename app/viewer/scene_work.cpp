@@ -11,6 +11,7 @@
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/path.hpp"
+#include "base/text.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -94,6 +95,23 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
 
 bool is_working(const ViewerState& state) {
     return state.loading || state.saving || state.exporting || state.comparing || state.copying;
+}
+
+std::optional<WorkShown> work_of(const ViewerState& state) {
+    if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
+    if (!state.loading && !state.exporting) {
+        if (!state.comparing) return {};
+        return WorkShown{"Comparing " + state.comparing->path, {}, true};
+    }
+    const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
+    const double done = static_cast<double>(control.done);
+    const double total = static_cast<double>(control.total);
+    if (!state.loading) {
+        return WorkShown{"Exporting " + state.exporting->shown_path(), total > 0.0 ? done / total : 0.0, true};
+    }
+    std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
+    if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
+    return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
 }
 
 bool finish_work(ViewerState& state) {

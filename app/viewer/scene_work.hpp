@@ -5,11 +5,13 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
+#include "panels/status.hpp"
 
 namespace sphereview {
 
@@ -79,6 +81,8 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
 
 // Whether something is read, written, exported, compared or copied: then finish_work() has to be called again and again.
 bool is_working(const ViewerState& state);
+// In words.
+std::optional<WorkShown> work_of(const ViewerState& state);
 // Acts on what has ended. Returns whether anything has.
 bool finish_work(ViewerState& state);
 // Cancels an export; waits for what is being written all the same, at most so long, and acts on what is saved.

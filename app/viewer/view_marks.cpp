@@ -11,6 +11,7 @@
 
 #include "camera/navigation.hpp"
 #include "panels/widgets.hpp"
+#include "viewer/pointer_marks.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -19,11 +20,9 @@ namespace {
 
 constexpr double unit_on_screen = 2.0;  // screen coordinates, at the usual scale
 
-constexpr ImGuiWindowFlags bare_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
-                                         ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                                         ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing |
-                                         ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags marks_window = bare_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                                          ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing |
+                                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::string name_of_end(const AxisEnd& end) { return std::string(end.positive ? "+" : "-") + "xyz"[end.axis]; }
 
@@ -56,7 +55,7 @@ public:
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0F, 0.0F));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
-        ImGui::Begin("##axes", nullptr, bare_window);
+        ImGui::Begin("##axes", nullptr, marks_window);
         ImGui::InvisibleButton("##axes", {2.0F * radius, 2.0F * radius});
         note_widget(context_, "axes");
         const std::optional<AxisEnd> end = ImGui::IsItemHovered() ? end_at(ImGui::GetIO().MousePos) : std::nullopt;
@@ -136,9 +135,9 @@ void draw_scale_bar_on_screen(const ViewerState& state, const Rectangle& picture
 }  // namespace
 
 void draw_view_marks(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {
-    const int unit = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
-    const double needed = 2.0 * (axes_radius + marks_margin) * unit / stroke_unit;
-    if (state.is_at_start() || needed > pixels * static_cast<double>(std::min(picture.width, picture.height))) return;
+    const int wanted = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
+    const int unit = unit_of_marks(state.picture_size.shorter_side(), wanted);
+    if (state.is_at_start() || unit == 0) return;
     if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, pixels, unit);
     if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
 }
@@ -148,12 +147,10 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
     const std::vector<Sphere>& spheres = state.scene().spheres;
     const std::vector<Measure> measures = measures_of(measuring, state.scene(), !context.view.mirrored);
     if (measuring.spheres.empty() || measuring.spheres.size() > measures.size() + 1) return;
-    ImDrawList& draw = *ImGui::GetBackgroundDrawList();
-    draw.PushClipRect({picture.x, picture.y}, {picture.x + picture.width, picture.y + picture.height});
+    const OverPicture draw(picture);
     const auto place = [&](std::size_t i) -> std::optional<ImVec2> {
         const auto at = place_of(state.camera, state.picture_size, spheres[measuring.spheres[i]].center);
-        if (!at) return std::nullopt;
-        return ImVec2(picture.x + static_cast<float>(at->x / pixels), picture.y + static_cast<float>(at->y / pixels));
+        return at ? std::optional(on_screen(picture, pixels, *at)) : std::nullopt;
     };
     constexpr ImU32 dark = IM_COL32(18, 20, 26, 220);
     constexpr ImU32 light = IM_COL32(255, 214, 92, 255);
@@ -163,8 +160,8 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
         for (std::size_t i = 0; i < measuring.spheres.size(); ++i) {
             const auto at = place(i);
             const auto next = i + 1 < measuring.spheres.size() ? place(i + 1) : std::nullopt;
-            if (at && next) draw.AddLine(*at, *next, color, line + 2.0F * more);
-            if (at) draw.AddCircleFilled(*at, 3.5F * context.scale + more, color, 24);
+            if (at && next) draw->AddLine(*at, *next, color, line + 2.0F * more);
+            if (at) draw->AddCircleFilled(*at, 3.5F * context.scale + more, color, 24);
         }
     }
     for (const Measure& one : measures) {
@@ -172,18 +169,17 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
         const auto at = place(one.middle);
         const auto next = one.is_angle ? at : place(one.middle + 1);
         if (!at || !next) continue;
-        const std::string text = short_text(one.value, 4) + (one.is_angle ? "\xC2\xB0" : "");
+        const std::string text = value_text(one, 4);
         const float width = width_of(text);
         const float height = ImGui::GetTextLineHeight();
         const float pad = 3.0F * context.scale;
         // Of an angle below its sphere: its distances are above.
         const ImVec2 low{std::round(0.5F * (at->x + next->x) - 0.5F * width),
                          std::round(0.5F * (at->y + next->y) + (one.is_angle ? 0.5F : -1.3F) * height)};
-        draw.AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
-                           ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92F), pad);
-        draw.AddText(low, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
+        draw->AddRectFilled({low.x - pad, low.y - pad}, {low.x + width + pad, low.y + height + pad},
+                            ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92F), pad);
+        draw->AddText(low, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     }
-    draw.PopClipRect();
 }
 
 PictureMarks exported_marks(const ViewerState& state) {

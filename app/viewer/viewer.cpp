@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <utility>
 
 #include "base/text.hpp"
+#include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
+#include "viewer/pointer_marks.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {
@@ -20,65 +21,11 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
     return std::chrono::duration<double>(end - begin).count();
 }
 
-// A key that is typed into a field is not a shortcut; one with Ctrl, and a function key, is, unless the field edits with it.
-bool is_typed(const KeyChanged& key) {
-    if (key.modifiers.alt) return false;
-    if (key.modifiers.control) {
-        for (const char* editing : {"a", "c", "v", "x", "z", "y", "left", "right", "home", "end", "backspace", "delete"}) {
-            if (key.name == editing) return true;
-        }
-        return false;
-    }
-    const bool function_key = key.name.size() > 1 && key.name[0] == 'f' && key.name[1] >= '1' && key.name[1] <= '9';
-    return !function_key;
-}
-
-// Keys that go through the list of spheres while it has them.
-bool scrolls_list(const KeyChanged& key) {
-    if (key.modifiers.control || key.modifiers.alt) return false;
-    return key.name == "home" || key.name == "end" || key.name == "page up" || key.name == "page down";
-}
-
-void note_dialog_key(const KeyChanged& key, bool typing, DialogKeys& keys) {
-    if (key.name == "enter" && !key.repeated) keys.enter = true;
-    if (key.name == "escape" && !key.repeated) keys.escape = true;
-    if (typing) return;
-    if (key.name == "right" || (key.name == "tab" && !key.modifiers.shift)) keys.step = 1;
-    if (key.name == "left" || (key.name == "tab" && key.modifiers.shift)) keys.step = -1;
-}
-
-// Whether the person begins something: then the view moves by itself no longer.
-bool takes_over(const InputEvent& event) {
-    if (const auto* key = std::get_if<KeyChanged>(&event)) return key->pressed;
-    if (const auto* button = std::get_if<ButtonChanged>(&event)) return button->pressed;
-    return std::holds_alternative<WheelTurned>(event);
-}
-
-// A menu or a colour picker is open. Dialogs have keys of their own.
-bool has_popped_up(const ViewerState& state) { return state.dialogs.empty() && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup); }
-
 std::string title_for(const ViewerState& state) {
     return shown_text(state.name()) + (state.document.is_changed() ? " *" : "") + " - sphereview";
 }
 
 Theme theme_of(const ViewerSettings& settings) { return settings.light_theme ? Theme::light : Theme::dark; }
-
-std::optional<WorkShown> work_of(const ViewerState& state) {
-    if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
-    if (!state.loading && !state.exporting) {
-        if (!state.comparing) return {};
-        return WorkShown{"Comparing " + state.comparing->path, {}, true};
-    }
-    const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
-    const double done = static_cast<double>(control.done);
-    const double total = static_cast<double>(control.total);
-    if (!state.loading) {
-        return WorkShown{"Exporting " + state.exporting->shown_path(), total > 0.0 ? done / total : 0.0, true};
-    }
-    std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
-    if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
-    return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
-}
 
 }  // namespace
 
@@ -180,87 +127,6 @@ void Viewer::end_announcement() {
     pacing_.touch();
 }
 
-bool Viewer::is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys) {
-    if (!state_.dialogs.empty() || mouse_.is_dragging()) return true;
-    if (popped_up || typing || ImGui::IsAnyItemActive()) {
-        keys.escape = false;  // ImGui's
-        return true;
-    }
-    if (state_.help_shown) {
-        state_.help_shown = false;
-        keys.escape = false;
-        return true;
-    }
-    if (state_.about.shown) {
-        state_.about.shown = false;
-        keys.escape = false;
-        return true;
-    }
-    if (state_.loading || state_.exporting || state_.comparing) return true;
-    if (let_go(state_.pins)) {
-        keys.escape = false;
-        return true;
-    }
-    if (!state_.measuring.on) return false;
-    state_.measuring = {};
-    keys.escape = false;
-    return true;
-}
-
-bool Viewer::is_lone_alt(const InputEvent& event) {
-    const auto* key = std::get_if<KeyChanged>(&event);
-    if (key != nullptr && key->name == "alt" && !key->pressed) return std::exchange(alt_alone_, false);
-    if (key != nullptr && key->pressed) {
-        alt_alone_ = key->name == "alt" && !key->modifiers.control && !key->modifiers.shift;
-    } else if (!std::holds_alternative<PointerMoved>(event)) {
-        alt_alone_ = false;
-    }
-    return false;
-}
-
-std::vector<InputEvent> Viewer::take_events(DialogKeys& keys, std::vector<Action>& actions) {
-    const bool typing = ImGui::GetIO().WantTextInput;
-    // What follows a click on a number, or the key that saves a view, is meant for the box that opens. In a panel that is not drawn
-    // none does.
-    const SidePanelState& panel = state_.side_panel;
-    const bool opens = state_.panel_shown && (panel.opens_box() || (panel.has_box() && !typing));
-    waited_for_box_ = opens ? waited_for_box_ + 1 : 0;
-    std::vector<InputEvent> events = input_.take_frame(opens && waited_for_box_ <= longest_wait_for_box);
-    if (!events.empty()) pacing_.touch();
-    const bool popped_up = has_popped_up(state_);
-    const std::vector<CommandInfo> commands = commands_of(state_);
-    for (const InputEvent& event : events) {
-        if (takes_over(event)) state_.flight.reset();
-        if (is_lone_alt(event) && state_.dialogs.empty() && !popped_up) state_.menu_keys.begins = true;
-        if (std::holds_alternative<CloseRequested>(event)) {
-            (typing ? after_typing_ : actions).emplace_back(RunCommand{CommandId::quit});
-        } else if (const auto* dropped = std::get_if<FilesDropped>(&event)) {
-            actions.emplace_back(OpenFile{dropped->paths.front()});
-        } else if (const auto* key = std::get_if<KeyChanged>(&event); key != nullptr && key->pressed) {
-            note_dialog_key(*key, typing, keys);
-            if (key->name == "escape" && is_escape_for_another(typing, popped_up, keys)) continue;
-            if (popped_up && key->name == "right") state_.menu_keys.step = 1;
-            if (popped_up && key->name == "left") state_.menu_keys.step = -1;
-            if (popped_up && !key->modifiers.control) continue;
-            if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
-            if (state_.panel_shown && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
-            const Modifiers& m = key->modifiers;
-            if (const auto command = command_for_key(commands, key->name, m.control, m.shift, m.alt))
-                (typing ? after_typing_ : actions).emplace_back(RunCommand{*command});
-        } else if (const auto* typed = std::get_if<CharacterTyped>(&event);
-                   typed != nullptr && !typing && !popped_up && state_.dialogs.empty()) {
-            if (const auto command = command_for_character(commands, typed->character)) actions.emplace_back(RunCommand{*command});
-        }
-    }
-    // Between the menus of the bar the keyboard goes by menu_keys; ImGui 1.86 would close them on its way.
-    const bool steps_menus = popped_up && !state_.menu_keys.open.empty() && !state_.menu_keys.in_submenu;
-    std::erase_if(events, [&](const InputEvent& event) {
-        const auto* key = std::get_if<KeyChanged>(&event);
-        return steps_menus && key != nullptr && key->pressed && (key->name == "left" || key->name == "right");
-    });
-    return events;
-}
-
 std::optional<Pixel> Viewer::pixel_under_pointer() const {
     const ImVec2 at = ImGui::GetIO().MousePos;
     const double x = (static_cast<double>(at.x) - static_cast<double>(area_.x)) * pixels_;
@@ -321,31 +187,6 @@ void Viewer::update_picture(int step) {
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
 }
 
-ImVec2 Viewer::on_screen(const glm::dvec2& place) const {
-    return {static_cast<float>(area_.x + place.x / pixels_), static_cast<float>(area_.y + place.y / pixels_)};
-}
-
-void Viewer::draw_orbit_point() const {
-    const auto point = mouse_.turns_about();
-    if (!point) return;
-    const auto place = place_of(state_.camera, state_.picture_size, *point);
-    if (place) draw_cross(area_, on_screen(*place), imgui_.scale());
-}
-
-void Viewer::draw_pins() const {
-    if (!state_.inspector_shown) return;
-    for (const auto& [pixel, name] : {std::pair{&state_.pins.first, "1"}, std::pair{&state_.pins.second, "2"}}) {
-        if (!*pixel) continue;
-        draw_pin(area_, on_screen(place_in(state_.picture_size, **pixel)), imgui_.scale(), state_.pins.second ? name : "");
-    }
-}
-
-void Viewer::draw_box() const {
-    const auto box = mouse_.box();
-    if (!box) return;
-    draw_frame(area_, on_screen(glm::min(box->from, box->to)), on_screen(glm::max(box->from, box->to)), 160, 220, 40);
-}
-
 void Viewer::redraw() {
     const auto begin = Clock::now();
     const Window::Extent framebuffer = window_.framebuffer();
@@ -357,10 +198,10 @@ void Viewer::redraw() {
     std::vector<Action> actions;
     const bool refines = pacing_.refines();
     facts_.keys = {};
-    const std::vector<InputEvent> events = take_events(facts_.keys, actions);
+    const std::vector<InputEvent> events = routing_.take(input_, facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
     // The box that is typed into loses the keyboard, and gives what it holds, before a save or a quit could miss that.
-    if (!after_typing_.empty()) ImGui::SetWindowFocus(nullptr);
+    if (routing_.waits_for_typing()) ImGui::SetWindowFocus(nullptr);
     widgets_.clear();
     facts_.difference = difference_.follow(state_.comparison ? state_.comparison->difference : nullptr);
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
@@ -393,9 +234,7 @@ void Viewer::redraw() {
     draw_view_marks(state_, context, area_, pixels_);
     draw_measured(state_, context, area_, pixels_);
     use_mouse(context, facts_.keys.escape);
-    draw_box();
-    draw_orbit_point();
-    draw_pins();
+    draw_pointer_marks(state_, mouse_, area_, pixels_, imgui_.scale());
     if (facts_.keys.escape && state_.announcement_ends) state_.announcement_ends = begin;
     if (facts_.keys.escape && !asked) {
         const std::lock_guard lock(state_.changing);
@@ -406,9 +245,9 @@ void Viewer::redraw() {
     {
         const std::lock_guard lock(state_.changing);
         perform(state_, std::move(actions));
-        perform(state_, std::exchange(after_typing_, {}));
+        perform(state_, routing_.take_after_typing());
     }
-    if (fly_on(state_, begin) || (state_.panel_shown && !state_.side_panel.search.done())) pacing_.touch();
+    if (fly_on(state_, begin) || (state_.panel_drawn && !state_.side_panel.search.done())) pacing_.touch();
     imgui_.set_text_scale(state_.settings.text_scale);
     imgui_.set_theme(theme_of(state_.settings));
     window_.set_title(title_for(state_));

@@ -9,6 +9,7 @@
 #include "gpu/live_picture.hpp"
 #include "panels/status.hpp"
 #include "viewer/difference_texture.hpp"
+#include "viewer/event_routing.hpp"
 #include "viewer/imgui_bridge.hpp"
 #include "viewer/input_queue.hpp"
 #include "viewer/layout.hpp"
@@ -34,27 +35,14 @@ private:
     void keep_recent_files();
     void wait_for_work();
     void redraw();
-    // What concerns the window as a whole, and the shortcuts; the rest is the panels' and the picture's.
-    std::vector<InputEvent> take_events(DialogKeys& keys, std::vector<Action>& actions);
-    // Escape ends the topmost thing alone. Returns whether that is another thing than the selection; keys.escape is left to those
-    // who ask for it themselves: dialogs, the mouse, work.
-    bool is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys);
-    // Whether Alt was pressed and let go with nothing between.
-    bool is_lone_alt(const InputEvent& event);
     // Brings the picture up to date with the state.
     void update_picture(int step);
-    void draw_box() const;
-    // Marks what the view is being turned about.
-    void draw_orbit_point() const;
     void use_mouse(const PanelContext& context, bool cancelled);
     void show(const Rectangle& area);
     void note_facts();
     void end_announcement();
     void follow_work();
     std::optional<Pixel> pixel_under_pointer() const;
-    // Marks the pinned pixels.
-    void draw_pins() const;
-    ImVec2 on_screen(const glm::dvec2& place) const;  // of a place in the picture
 
     ViewerState& state_;
     Window& window_;
@@ -65,14 +53,11 @@ private:
     InputQueue input_;
     MouseControl mouse_;
     Pacing pacing_;
+    EventRouting routing_{state_, mouse_, pacing_};
     DifferenceTexture difference_;
     RestView rest_;
     LostHint lost_hint_;
-    bool alt_alone_ = false;  // Alt is down, and nothing came after it
-    int waited_for_box_ = 0;  // redraws
-    static constexpr int longest_wait_for_box = 8;
-    std::vector<Action> after_typing_{};  // commands that came while a box was typed into
-    bool shaders_changed_ = false;        // they are read once the edits are kept
+    bool shaders_changed_ = false;  // they are read once the edits are kept
     std::shared_ptr<const BackgroundJob> edits_kept_{};
     std::vector<std::string> kept_recent_;          // the recent files as they were written last
     std::optional<BackgroundJob> settings_kept_{};  // a disk that hangs holds up nobody

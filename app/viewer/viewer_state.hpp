@@ -97,6 +97,7 @@ struct ViewerState {
 
     MenuKeys menu_keys;
     bool panel_shown = true;
+    bool panel_drawn = true;  // in the last redraw: a small window has no room for it
     bool inspector_shown = false;
     PinnedPixels pins;
     InspectorState inspector;

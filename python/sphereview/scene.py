@@ -29,7 +29,7 @@ class Scene:
     hidden: NDArray[numpy.bool_] | None = None  #: (N,) bool; None: no sphere is
     names: dict[int, str] = field(default_factory=dict)  #: by the spheres' numbers, only of those that have one
     source: str = "the scene"  #: the file, as messages call it
-    format: str | None = None  #: of that file: "text", "TOML", "XYZ", "CSV", "PDB" or "mmCIF"
+    format: str | None = None  #: of that file: "text", "TOML", "XYZ", and so on, as `sphereview --help` lists them
     frames: int = 1  #: in that file
 
     def __post_init__(self) -> None:

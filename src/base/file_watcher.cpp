@@ -39,20 +39,43 @@ FileStates file_states(const std::string& path) {
 }
 
 void FileWatcher::watch(const std::vector<std::string>& paths) {
+    std::vector<std::string> wanted = paths;
+    std::erase(wanted, "");
+    if (std::ranges::equal(wanted, watched_, {}, {}, &Watched::path)) return;
+    round_.reset();  // it is of other files
     std::vector<Watched> before = std::exchange(watched_, {});
-    for (const std::string& path : paths) {
-        if (path.empty()) continue;
+    for (const std::string& path : wanted) {
         const auto old = std::ranges::find(before, path, &Watched::path);
-        watched_.push_back(old != before.end() ? std::move(*old) : Watched{path, file_states(path)});
+        watched_.push_back(old != before.end() ? std::move(*old) : Watched{path, states_of_(path)});
     }
 }
 
 std::vector<std::string> FileWatcher::look(Time now) {
-    std::vector<std::string> changed;
-    if (now < next_look_) return changed;
+    if (now < next_look_ || watched_.empty()) return {};
     next_look_ = now + interval;
-    for (Watched& watched : watched_) {
-        FileStates states = file_states(watched.path);
+    if (!round_) begin_round();
+    return round_->job.wait_for(patience_) ? end_round() : std::vector<std::string>();
+}
+
+void FileWatcher::begin_round() {
+    std::vector<std::string> paths;
+    for (const Watched& watched : watched_) paths.push_back(watched.path);
+    const auto states = std::make_shared<std::vector<FileStates>>();
+    round_.emplace(Round{states, BackgroundJob(
+                                     [states, paths = std::move(paths), states_of = states_of_](WorkControl&) {
+                                         for (const std::string& path : paths) states->push_back(states_of(path));
+                                     },
+                                     WorkPriority::usual)});
+}
+
+std::vector<std::string> FileWatcher::end_round() {
+    const Round round = std::move(*round_);
+    round_.reset();
+    std::vector<std::string> changed;
+    if (round.states->size() != watched_.size()) return changed;  // memory or threads ran out: the next look may succeed
+    for (std::size_t i = 0; i < watched_.size(); ++i) {
+        Watched& watched = watched_[i];
+        FileStates& states = (*round.states)[i];
         if (states != watched.last) {
             watched.unsettled = true;
             watched.last = std::move(states);

@@ -4,10 +4,15 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "base/background_job.hpp"
 
 namespace sphereview {
 
@@ -28,6 +33,11 @@ FileStates file_states(const std::string& path);
 class FileWatcher {
 public:
     using Time = std::chrono::steady_clock::time_point;
+    using StatesOf = std::function<FileStates(const std::string& path)>;
+
+    // Disks are asked beside the caller: where one hangs, each look takes `patience` and tells nothing until the disk answers.
+    explicit FileWatcher(std::chrono::milliseconds patience = std::chrono::milliseconds(2), StatesOf states_of = file_states)
+        : patience_(patience), states_of_(std::move(states_of)) {}
 
     // The files to watch from now on, instead of those before; "" stands for none. A folder stands for all files in it.
     void watch(const std::vector<std::string>& paths);
@@ -46,7 +56,19 @@ private:
         FileStates last;
         bool unsettled = false;  // it had changed when it was last looked at
     };
+    // One look at all that was watched when it began.
+    struct Round {
+        std::shared_ptr<std::vector<FileStates>> states;
+        BackgroundJob job;
+    };
+
+    void begin_round();
+    std::vector<std::string> end_round();
+
+    std::chrono::milliseconds patience_;
+    StatesOf states_of_;
     std::vector<Watched> watched_;
+    std::optional<Round> round_;
     Time next_look_;
 };
 

@@ -1,4 +1,5 @@
-// Unpacks gzip (RFC 1952) as it comes in.
+// Unpacks gzip (RFC 1952) as it comes in, by zlib's inflate(): its gzread() opens files alone, and here the beginning was read
+// already to tell what the file is, perhaps from a pipe.
 #pragma once
 
 #include <cstddef>

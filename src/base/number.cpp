@@ -66,6 +66,24 @@ std::string decimal(double value, std::chars_format format, int digits) {
     return {buffer.data(), end.ptr};
 }
 
+double round_number_below(double most) {
+    if (!(most > 0.0) || !std::isfinite(most)) return 0.0;
+    // Through text: no power of ten is inexact there.
+    const std::string text = decimal(most, std::chars_format::scientific, 0);
+    int exponent = 0;
+    const std::size_t digits = text.find('e') + (text[text.find('e') + 1] == '+' ? 2 : 1);
+    parse_whole(std::string_view(text).substr(digits), exponent);
+    // Rounding to one digit may have led to the next power.
+    for (const int power : {exponent, exponent - 1}) {
+        for (const char* digit : {"5", "2", "1"}) {
+            double number = 0.0;
+            const bool is_number = parse_double(digit + ("e" + std::to_string(power)), number) == NumberFault::none;
+            if (is_number && number > 0.0 && number <= most) return number;
+        }
+    }
+    return 0.0;
+}
+
 std::string fixed(double value, int places) { return decimal(value, std::chars_format::fixed, places); }
 
 }  // namespace sphereview

@@ -90,6 +90,7 @@ Target target_of(const std::string& path) {
     return target;
 }
 
+// Not a file without a name (O_TMPFILE): a link to it cannot replace a file that stands there.
 fs::path hidden_sibling(const fs::path& target) {
     constexpr std::size_t longest_stem = 200;  // names of more than 255 bytes are refused by most file systems
     std::array<char, 32> suffix{};
@@ -111,8 +112,11 @@ fs::path hidden_sibling(const fs::path& target) {
 bool write_to_stdout(std::string_view bytes) {
     std::FILE* file = binary(stdout);
     errno = 0;
-    const bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    return std::fflush(file) == 0 && good;
+    bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+    good = std::fflush(file) == 0 && good;
+    // The library has no number of its own for a pipe whose reader is gone.
+    if (!good && errno == EINVAL && GetLastError() == ERROR_NO_DATA) errno = EPIPE;
+    return good;
 }
 
 using Opened = std::FILE*;

@@ -1,5 +1,8 @@
 #include "base/text.hpp"
 
+#include <algorithm>
+#include <array>
+
 namespace sphereview {
 
 TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin) {
@@ -122,6 +125,59 @@ std::string in_quotes(std::string_view found) {
         }
     }
     return text + "'";
+}
+
+namespace {
+
+struct Accent {
+    char32_t code;
+    std::string_view letters;  // each without the accent, then with it
+};
+
+constexpr std::array<Accent, 13> accents = {{
+    {0x300, "AÀEÈIÌOÒUÙaàeèiìoòuù"},
+    {0x301, "AÁEÉIÍOÓUÚYÝaáeéiíoóuúyýCĆcćLĹlĺNŃnńRŔrŕSŚsśZŹzź"},
+    {0x302, "AÂEÊIÎOÔUÛaâeêiîoôuûCĈcĉGĜgĝHĤhĥJĴjĵSŜsŝWŴwŵYŶyŷ"},
+    {0x303, "AÃNÑOÕaãnñoõIĨiĩUŨuũ"},
+    {0x304, "AĀaāEĒeēIĪiīOŌoōUŪuū"},
+    {0x306, "AĂaăEĔeĕGĞgğIĬiĭOŎoŏUŬuŭ"},
+    {0x307, "CĊcċEĖeėGĠgġIİZŻzż"},
+    {0x308, "AÄEËIÏOÖUÜaäeëiïoöuüyÿYŸ"},
+    {0x30A, "AÅaåUŮuů"},
+    {0x30B, "OŐoőUŰuű"},
+    {0x30C, "CČcčDĎdďEĚeěNŇnňRŘrřSŠsšTŤtťZŽzž"},
+    {0x327, "CÇcçGĢKĶkķLĻlļNŅnņRŖrŗSŞsşTŢtţ"},
+    {0x328, "AĄaąEĘeęIĮiįUŲuų"},
+}};
+
+// The letter with the accent; "" where there is none.
+std::string_view accented(std::string_view letter, char32_t code) {
+    const auto accent = std::ranges::find(accents, code, &Accent::code);
+    if (accent == accents.end() || letter.size() != 1) return "";
+    const std::size_t place = accent->letters.find(letter);
+    if (place == std::string_view::npos) return "";
+    const std::string_view with = accent->letters.substr(place + 1);
+    return with.substr(0, first_character(with).length);
+}
+
+}  // namespace
+
+std::string composed(std::string_view text) {
+    std::string result;
+    std::size_t last = 0;  // where the last character begins
+    while (!text.empty()) {
+        const Utf8Character next = first_character(text);
+        const std::size_t length = std::max<std::size_t>(next.length, 1);
+        const std::string_view whole = accented(std::string_view(result).substr(last), next.length > 0 ? next.code : 0);
+        if (whole.empty()) {
+            last = result.size();
+            result += text.substr(0, length);
+        } else {
+            result.replace(last, std::string::npos, whole);
+        }
+        text.remove_prefix(length);
+    }
+    return result;
 }
 
 std::string_view take_line(std::string_view& text) {

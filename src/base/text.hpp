@@ -75,6 +75,10 @@ bool is_utf16(std::string_view bytes);
 // The text in such bytes, without the mark, as UTF-8; U+FFFD for what is half a character.
 std::string utf8_of_utf16(std::string_view bytes);
 
+// `text` with a letter and the accent that follows it as one character where Unicode has one, for letters of Latin-1 and Latin
+// Extended-A: "e" and U+0301 as "é". Some systems keep the names of files in parts.
+std::string composed(std::string_view text);
+
 // `text` in lower case; ASCII letters only.
 std::string lower_case(std::string_view text);
 

@@ -17,11 +17,6 @@ constexpr double straight = 1e-9;
 // So near to y, relative to its length, a direction has no level of its own.
 constexpr double steepest = 1e-6;
 
-double length_of(const glm::dvec3& v) {
-    const double largest = largest_of(v);
-    return largest == 0.0 ? 0.0 : largest * square_root(dot(v / largest, v / largest));
-}
-
 // How far the screen is before the eye.
 double distance_of(const Camera& camera) { return std::fabs(dot(camera.center - camera.eye, camera_axes(camera).ahead)); }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "base/sine_cosine.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
 
@@ -21,13 +22,6 @@ struct ViewAxes {
 // The front of data of other programs: their coordinates are right-handed, so with x to the right and y up their z comes out of the
 // picture. Seen as scenes are, a molecule would be its own mirror image.
 inline constexpr ViewAxes data_axes{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, -1.0}};
-
-// The sine and the cosine of a finite angle in degrees, each within 2^-51 of its size or 2^-52. Exact at multiples of 90.
-struct SineCosine {
-    double sine = 0.0;
-    double cosine = 1.0;
-};
-SineCosine sine_cosine(double degrees);
 
 // From an eye at `azimuth` and `elevation`, in degrees: at 0, 0 (the front) it stands on the side of -z and looks along +z, as the
 // default camera does; azimuth takes it round y, 90 to the side of +x; elevation, from -90 to 90, lifts it towards +y.

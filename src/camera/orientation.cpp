@@ -35,9 +35,7 @@ CameraAxes axes_seen_from(const Camera& camera, const AxisEnd& end) {
 
 std::optional<ScaleBar> scale_bar(const Camera& camera, PictureSize size, const glm::dvec3& point, double most_pixels) {
     const CameraAxes view = camera_axes(camera);
-    const double largest = largest_of(camera.right);
-    const glm::dvec3 part = camera.right / largest;
-    const double half = largest * square_root(dot(part, part));
+    const double half = length_of(camera.right);
     ScaleBar bar;
     double enlarged = 1.0;  // how many times as large as on the screen things are at the point
     if (!camera.orthographic()) {
@@ -47,24 +45,10 @@ std::optional<ScaleBar> scale_bar(const Camera& camera, PictureSize size, const 
     const double unit = 2.0 * half * enlarged / size.shorter_side();  // of a pixel
     const double most = most_pixels * unit;
     if (!(unit > 0.0) || !std::isfinite(most) || !std::isfinite(enlarged)) return std::nullopt;
-    // Through text: no power of ten is inexact there.
-    const std::string text = decimal(most, std::chars_format::scientific, 0);
-    int exponent = 0;
-    const std::size_t e = text.find('e');
-    const char* begin = text.data() + e + (text[e + 1] == '+' ? 2 : 1);
-    std::from_chars(begin, text.data() + text.size(), exponent);
-    // Rounding to one digit may have led to the next power.
-    for (const int power : {exponent, exponent - 1}) {
-        for (const char* digit : {"5", "2", "1"}) {
-            double length = 0.0;
-            const bool is_number = parse_double(std::string(digit) + "e" + std::to_string(power), length) == NumberFault::none;
-            if (!is_number || !(length > 0.0) || length > most) continue;
-            bar.length = length;
-            bar.pixels = length / unit;
-            return bar;
-        }
-    }
-    return std::nullopt;
+    bar.length = round_number_below(most);
+    bar.pixels = bar.length / unit;
+    if (!(bar.length > 0.0)) return std::nullopt;
+    return bar;
 }
 
 std::string in_words(const ScaleBar& bar) {

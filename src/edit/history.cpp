@@ -101,7 +101,7 @@ HistoryStep History::take_undone() {
 void History::push_undone(HistoryStep step) {
     undone_bytes_ += bytes_of(step);
     undone_.push_back(std::move(step));
-    while (undone_.size() > 1 && undone_bytes_ > most_bytes_) {
+    while (undone_.size() > 1 && bytes() > most_bytes_) {
         undone_bytes_ -= bytes_of(undone_.front());
         undone_.pop_front();
     }
@@ -121,7 +121,7 @@ void History::mark_saved() {
 }
 
 void History::forget_oldest() {
-    while (done_.size() > 1 && done_bytes_ > most_bytes_) {
+    while (done_.size() > 1 && bytes() > most_bytes_) {
         done_bytes_ -= bytes_of(done_.front());
         done_.pop_front();
         if (saved_) saved_ = *saved_ > 0 ? std::optional(*saved_ - 1) : std::nullopt;

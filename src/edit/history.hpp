@@ -20,7 +20,7 @@ struct HistoryStep {
 
 class History {
 public:
-    // Beyond so many bytes the oldest steps are forgotten, except the latest; and of those to redo, likewise the farthest.
+    // Beyond so many bytes together the oldest steps to undo are forgotten, or the farthest to redo; never the next of either.
     explicit History(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
     // Whether an edit with that inverse, in that gesture, needs no place: undoing the step that it belongs to takes it back too.
@@ -42,8 +42,8 @@ public:
     void push_undone(HistoryStep step);
     void push_done(HistoryStep step);
 
-    // What the steps to undo keep in memory, about.
-    std::size_t bytes() const { return done_bytes_; }
+    // What the steps to undo and to redo keep in memory, about.
+    std::size_t bytes() const { return done_bytes_ + undone_bytes_; }
     std::size_t most_bytes() const { return most_bytes_; }
 
     void mark_saved();

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "formats/atoms.hpp"
 #include "formats/csv_table.hpp"
+#include "formats/csv_values.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
 #include "formats/point_radius.hpp"

@@ -6,7 +6,9 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/csv_choices.hpp"
 #include "formats/csv_columns.hpp"
+#include "formats/csv_values.hpp"
 #include "formats/elements.hpp"
 
 namespace sphereview {
@@ -20,8 +22,6 @@ constexpr std::size_t rows_looked_at = 1000;
 
 // By which a line may be divided: what stands between fields before what may stand inside of them.
 constexpr std::string_view separators = ";\t, ";
-
-using ColumnNames = std::vector<std::string>;
 
 bool is_number(std::string_view text, bool decimal_commas) {
     double ignored = 0.0;
@@ -41,50 +41,6 @@ ColumnNames names_of(const CsvRecords& records, char separator) {
         }
     }
     return names;
-}
-
-// The places in the fields that `choices` name, over what their names say.
-struct Chosen {
-    CsvColumns columns{};
-    bool all_found = true;
-    bool places_by_number = false;  // x and y: then no header is needed
-};
-
-std::optional<std::size_t> place_of(const std::string& choice, const ColumnNames& names) {
-    const auto alike = [&](auto like) {
-        const auto found = std::ranges::find_if(names, like);
-        return found == names.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names.begin()));
-    };
-    if (const auto place = alike([&](const std::string& name) { return name == choice; })) return place;
-    if (const auto place = alike([&](const std::string& name) { return lower_case(name) == lower_case(choice); })) return place;
-    if (const auto place = alike([&](const std::string& name) { return column_key(name) == column_key(choice); })) return place;
-    return std::nullopt;
-}
-
-std::optional<std::size_t> number_of(const std::string& choice, std::size_t fields) {
-    std::size_t number = 0;
-    return parse_whole(choice, number) && number >= 1 && number <= fields ? std::optional(number - 1) : std::nullopt;
-}
-
-Chosen choose(const ColumnNames& names, const std::vector<ColumnChoice>& choices) {
-    Chosen chosen;
-    chosen.columns = columns_by_name(names);
-    std::size_t numbers = 0;
-    for (const ColumnChoice& choice : choices) {
-        const auto known = std::ranges::find(csv_column_names, choice.column);
-        auto place = number_of(choice.field, names.size());
-        if (place && (choice.column == "x" || choice.column == "y")) ++numbers;
-        if (!place) place = place_of(choice.field, names);
-        chosen.all_found = chosen.all_found && place.has_value();
-        const auto column = static_cast<std::size_t>(known - csv_column_names.begin());
-        for (auto& other : chosen.columns.places) {
-            if (other == place) other.reset();  // what is asked for and what its name says
-        }
-        chosen.columns.places[column] = place;
-        if (choice.column == "diameter") chosen.columns[CsvColumn::radius].reset();
-    }
-    chosen.places_by_number = numbers == 2;
-    return chosen;
 }
 
 // Finds where a table begins; see find_csv_table().
@@ -158,7 +114,7 @@ private:
             CsvRecords header(line, table_.layout, begin, line.text.size(), most_csv_columns);
             if (!has_record(header) || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
             ColumnNames names = names_of(header, separator);
-            const Chosen chosen = choose(names, choices_);
+            const Chosen chosen = choose_columns(names, choices_);
             if (!is_whole_header(chosen) || chosen.places_by_number) continue;
             comment_.emplace(CommentHeader{std::move(names), separator});
             return;
@@ -183,7 +139,7 @@ private:
                 header.fail(header.fields()[most_csv_columns], "at most " + std::to_string(most_csv_columns) + " columns");
             }
             const ColumnNames names = names_of(header, separator);
-            const Chosen chosen = choose(names, choices_);
+            const Chosen chosen = choose_columns(names, choices_);
             if (!is_whole_header(chosen)) continue;
             if (chosen.places_by_number && !is_row(header, chosen.columns)) continue;
             take(chosen, separator);
@@ -216,7 +172,7 @@ private:
     }
 
     CsvTable from_comment(char separator, std::size_t begin) {
-        take(choose(comment_->names, choices_), separator);
+        take(choose_columns(comment_->names, choices_), separator);
         table_.fields = comment_->names.size();
         table_.begin = begin;
         finish(comment_->names);
@@ -437,67 +393,6 @@ bool is_clearly_csv(std::string_view head) {
     } catch (const InputError&) {
         return false;
     }
-}
-
-std::optional<std::vector<ColumnChoice>> parse_column_choices(const std::string& text) {
-    std::vector<ColumnChoice> choices;
-    std::string_view rest = text;
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find(','), rest.size());
-        const std::string_view part = rest.substr(0, end);
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-        const std::string column = lower_case(trimmed(part.substr(0, part.find('='))));
-        if (part.find('=') != std::string_view::npos && std::ranges::find(csv_column_names, column) != csv_column_names.end()) {
-            const auto same = std::ranges::find(choices, column, &ColumnChoice::column);
-            if (same != choices.end()) return std::nullopt;
-            choices.push_back({column, std::string(trimmed(part.substr(part.find('=') + 1)))});
-        } else if (!choices.empty()) {
-            choices.back().field += "," + std::string(part);
-        } else {
-            return std::nullopt;
-        }
-    }
-    const auto is_named = [](const ColumnChoice& choice) { return !choice.field.empty(); };
-    return !choices.empty() && std::ranges::all_of(choices, is_named) ? std::optional(choices) : std::nullopt;
-}
-
-bool is_missing(std::string_view text) {
-    if (text.empty()) return true;
-    constexpr std::size_t longest = std::string_view("-nan(ind)").size();
-    if (text.size() > longest) return false;
-    const std::string word = lower_case(text);
-    constexpr auto words =
-        std::to_array<std::string_view>({"nan", "-nan", "+nan", "na", "n/a", "#n/a", "#nv", "#na", "null", "none", "-", "?", "inf",
-                                         "-inf", "+inf", "infinity", "-infinity", "-nan(ind)"});
-    return std::ranges::find(words, word) != words.end();
-}
-
-NumberFault parse_csv_number(std::string_view text, bool decimal_commas, double& value) {
-    const NumberFault fault = parse_double(text, value);
-    const std::size_t comma = text.find(',');
-    if (fault != NumberFault::not_a_number || !decimal_commas || comma == std::string_view::npos) return fault;
-    if (text.find('.') != std::string_view::npos) return fault;
-    std::string with_point(text);
-    with_point[comma] = '.';
-    return parse_double(with_point, value);
-}
-
-std::optional<Color> parse_hex_color(std::string_view text) {
-    if (text.starts_with('#')) {
-        text.remove_prefix(1);
-    } else if (text.starts_with("0x") || text.starts_with("0X")) {
-        text.remove_prefix(2);
-    }
-    const bool is_short = text.size() == 3;
-    if (!is_short && text.size() != 6 && text.size() != 8) return std::nullopt;
-    std::uint32_t code = 0;
-    const auto read = std::from_chars(text.data(), text.data() + text.size(), code, 16);
-    if (read.ec != std::errc{} || read.ptr != text.data() + text.size()) return std::nullopt;
-    if (text.size() == 8) code >>= 8;
-    const auto part = [code](int shift, std::uint32_t most) { return static_cast<std::uint8_t>((code >> shift) & most); };
-    if (!is_short) return Color{part(16, 255), part(8, 255), part(0, 255)};
-    return Color{static_cast<std::uint8_t>(17 * part(8, 15)), static_cast<std::uint8_t>(17 * part(4, 15)),
-                 static_cast<std::uint8_t>(17 * part(0, 15))};
 }
 
 }  // namespace sphereview

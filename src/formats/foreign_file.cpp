@@ -22,6 +22,9 @@ struct Mark {
     std::size_t offset = 0;
 };
 
+// Of what a text begins with, behind blank lines and in lower case.
+constexpr std::size_t of_text = std::string_view::npos;
+
 // Bytes that no text holds, or that begin files of one kind alone.
 constexpr auto marks = std::to_array<Mark>({
     {"BZh"sv, "a file that is packed with bzip2, which is not unpacked here: gzip is"},
@@ -90,36 +93,28 @@ constexpr auto marks = std::to_array<Mark>({
      "ELF"sv,
      "a program"},
     {"MZ\x90\0"sv, "a program"},
-});
-
-// What the first lines begin with, in lower case.
-constexpr auto beginnings = std::to_array<Mark>({
-    {"<!doctype html"sv, "an HTML page"},
-    {"<html"sv, "an HTML page"},
-    {"<!--"sv, "an HTML page or XML file"},
-    {"<svg"sv, "an SVG picture"},
-    {"<vtkfile"sv, "a VTK file"},
-    {"<?xml"sv, "an XML file"},
-    {"# vtk datafile"sv, "a VTK file"},
-    {"# .pcd"sv, "a PCD point cloud"},
-    {"#vrml"sv, "a VRML model"},
-    {"#inventor"sv, "an Inventor model"},
-    {"#!/"sv, "a script"},
-    {"ply\n"sv, "a PLY model"},
-    {"ply\r"sv, "a PLY model"},
-    {"off\n"sv, "an OFF model"},
-    {"off\r"sv, "an OFF model"},
-    {"coff\n"sv, "an OFF model"},
-    {"item: timestep"sv, "a LAMMPS dump"},
-    {"item: units"sv, "a LAMMPS dump"},
-    {"lammps "sv, "a LAMMPS data file"},
-    {"@<tripos>"sv, "a MOL2 file"},
-    {"psf"sv, "a PSF file"},
-    {"%version "sv, "an AMBER topology"},
-    {"entering gaussian"sv, "a Gaussian log"},
-    {"%chk="sv, "a Gaussian input"},
-    {"%nproc"sv, "a Gaussian input"},
-    {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that"},
+    {"<!doctype html"sv, "an HTML page", of_text},
+    {"<html"sv, "an HTML page", of_text},
+    {"<!--"sv, "an HTML page or XML file", of_text},
+    {"<svg"sv, "an SVG picture", of_text},
+    {"<vtkfile"sv, "a VTK file", of_text},
+    {"<?xml"sv, "an XML file", of_text},
+    {"# vtk datafile"sv, "a VTK file", of_text},
+    {"# .pcd"sv, "a PCD point cloud", of_text},
+    {"#vrml"sv, "a VRML model", of_text},
+    {"#inventor"sv, "an Inventor model", of_text},
+    {"#!/"sv, "a script", of_text},
+    {"off\n"sv, "an OFF model", of_text},
+    {"off\r"sv, "an OFF model", of_text},
+    {"coff\n"sv, "an OFF model", of_text},
+    {"lammps "sv, "a LAMMPS data file", of_text},
+    {"@<tripos>"sv, "a MOL2 file", of_text},
+    {"psf"sv, "a PSF file", of_text},
+    {"%version "sv, "an AMBER topology", of_text},
+    {"entering gaussian"sv, "a Gaussian log", of_text},
+    {"%chk="sv, "a Gaussian input", of_text},
+    {"%nproc"sv, "a Gaussian input", of_text},
+    {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that", of_text},
 });
 
 bool is_written_number(std::string_view word) {
@@ -129,10 +124,6 @@ bool is_written_number(std::string_view word) {
 
 bool is_whole(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
 
-bool are_numbers(const std::vector<std::string_view>& words, std::size_t count) {
-    return words.size() == count && std::ranges::all_of(words, is_written_number);
-}
-
 // The first lines of a text, as they are; missing ones are empty.
 using FirstLines = std::array<std::string_view, 8>;
 
@@ -140,35 +131,6 @@ FirstLines first_lines(std::string_view text) {
     FirstLines lines{};
     for (std::string_view& line : lines) line = take_line(text);
     return lines;
-}
-
-// A title, the number of atoms, and atoms in columns: 5 for the residue's number, 10 for names, 5 for the atom's, 8 for each place.
-bool is_gromacs(const FirstLines& lines) {
-    const std::string_view atom = lines[2];
-    if (!is_whole(trimmed(lines[1])) || atom.size() < 44) return false;
-    const auto part = [&](std::size_t begin, std::size_t count) { return trimmed(atom.substr(begin, count)); };
-    return is_whole(part(0, 5)) && is_whole(part(15, 5)) && is_letter(part(10, 5).empty() ? ' ' : part(10, 5)[0]) &&
-           is_written_number(part(20, 8)) && is_written_number(part(28, 8)) && is_written_number(part(36, 8));
-}
-
-// A title, a scale, three vectors, and then the symbols or numbers of the atoms, and how their places are meant.
-bool is_poscar(const FirstLines& lines) {
-    if (!are_numbers(words_of(lines[1]), 1)) return false;
-    for (std::size_t i = 2; i < 5; ++i) {
-        if (!are_numbers(words_of(lines[i]), 3)) return false;
-    }
-    const auto begins_with_letter = [](std::string_view line) {
-        line = trimmed(line);
-        return !line.empty() && is_letter(line[0]);
-    };
-    const auto counts = words_of(lines[begins_with_letter(lines[5]) ? 6 : 5]);
-    return !counts.empty() && std::ranges::all_of(counts, is_whole) &&
-           begins_with_letter(lines[begins_with_letter(lines[5]) ? 7 : 6]);
-}
-
-bool is_mol(const FirstLines& lines) {
-    const std::string_view counts = trimmed(lines[3]);
-    return counts.ends_with("V2000") || counts.ends_with("V3000");
 }
 
 bool is_stl(const FirstLines& lines) {
@@ -237,25 +199,21 @@ std::string_view foreign_kind(std::string_view head) {
     constexpr std::size_t enough = 4096;
     const std::string_view raw = head.substr(0, enough);
     const bool is_binary = raw.find('\0') != std::string_view::npos;
+    if (const std::string_view kind = zip_kind(head); !kind.empty()) return kind;
+    if (is_bmp(head)) return "a BMP picture";
+    const std::string_view text = trimmed(raw, white_space);
+    const std::string lower = lower_case(text);
     for (const Mark& mark : marks) {
+        if (mark.offset == of_text) {
+            if (!lower.starts_with(mark.bytes)) continue;
+            return lower.find("<vtkfile") == std::string::npos ? mark.kind : "a VTK file";
+        }
         // Behind its beginning a text may hold such letters, too.
         if ((mark.offset == 0 || is_binary) && head.size() > mark.offset && head.substr(mark.offset).starts_with(mark.bytes))
             return mark.kind;
     }
-    if (const std::string_view kind = zip_kind(head); !kind.empty()) return kind;
-    if (is_bmp(head)) return "a BMP picture";
-
-    const std::string_view text = trimmed(raw, white_space);
-    const std::string lower = lower_case(text);
-    for (const Mark& beginning : beginnings) {
-        if (!lower.starts_with(beginning.bytes)) continue;
-        return lower.find("<vtkfile") == std::string::npos ? beginning.kind : "a VTK file";
-    }
     if (const std::string_view kind = json_kind(text); !kind.empty()) return kind;
     const FirstLines lines = first_lines(raw);
-    if (is_gromacs(lines)) return "a GROMACS file";
-    if (is_poscar(lines)) return "a POSCAR file";
-    if (is_mol(lines)) return "a MOL or SDF file";
     if (is_stl(lines)) return "an STL model";
     if (is_obj(text)) return "an OBJ model";
     if (is_lammps_data(lines)) return "a LAMMPS data file";

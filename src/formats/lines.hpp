@@ -45,6 +45,9 @@ std::string_view behind_comments(std::string_view text);
 // `bytes` with each that is no part of a UTF-8 sequence replaced by U+FFFD: names must be UTF-8.
 std::string as_utf8(std::string_view bytes);
 
+// How a TokenReader of one line calls the end.
+inline constexpr const char* line_ends = "the line ends";
+
 // How much of a text one core reads at a time.
 inline constexpr std::size_t usual_line_piece = std::size_t{1} << 16;
 
@@ -135,35 +138,20 @@ public:
     // A finite number that `is_good`, which `what_is_good` says in words: " above 0".
     template <typename Expected, typename IsGood>
     double number(const Expected& expected, const IsGood& is_good, const char* what_is_good) {
-        if (at_end()) fail_at_end(end_found_, expected());
-        double value = 0.0;
-        const auto result = read_double(next_, end_, value);
-        const char* last = result.ptr;
-        if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
-            last = next_ + token().size();
-            const NumberFault fault = parse_(token(), value);
-            if (fault != NumberFault::none) fail(expected() + ", " + expected_instead_of(fault));
-        }
-        if (!is_good(value)) fail(expected() + what_is_good);
-        step_to(last);
-        return value;
+        const NextNumber next = next_number(expected);
+        if (next.fault != NumberFault::none) fail(expected() + ", " + expected_instead_of(next.fault));
+        if (!is_good(next.value)) fail(expected() + what_is_good);
+        step_to(next.end);
+        return next.value;
     }
 
     // A number of what is only decoration: one that is not finite is 0.
     template <typename Expected>
     double number_or_0(const Expected& expected) {
-        if (at_end()) fail_at_end(end_found_, expected());
-        double value = 0.0;
-        const auto result = read_double(next_, end_, value);
-        const char* last = result.ptr;
-        if (result.ec != std::errc{} || !ends_token(last) || !std::isfinite(value)) {
-            last = next_ + token().size();
-            value = 0.0;
-            const NumberFault fault = parse_(token(), value);
-            if (fault == NumberFault::not_a_number) fail(expected() + ", " + expected_instead_of(fault));
-        }
-        step_to(last);
-        return value;
+        const NextNumber next = next_number(expected);
+        if (next.fault == NumberFault::not_a_number) fail(expected() + ", " + expected_instead_of(next.fault));
+        step_to(next.end);
+        return next.fault == NumberFault::none ? next.value : 0.0;
     }
 
     // The next token; "" at the end.
@@ -181,6 +169,26 @@ public:
     }
 
 private:
+    // What the next token is as a number; with a fault the value says nothing.
+    struct NextNumber {
+        double value = 0.0;
+        const char* end = nullptr;
+        NumberFault fault = NumberFault::none;
+    };
+
+    template <typename Expected>
+    NextNumber next_number(const Expected& expected) const {
+        if (at_end()) fail_at_end(end_found_, expected());
+        NextNumber next;
+        const auto result = read_double(next_, end_, next.value);
+        next.end = result.ptr;
+        if (result.ec != std::errc{} || !ends_token(next.end) || !std::isfinite(next.value)) {
+            next.end = next_ + token().size();
+            next.fault = parse_(token(), next.value);
+        }
+        return next;
+    }
+
     bool ends_token(const char* place) const { return place == end_ || is_space(*place); }
 
     void step_to(const char* place) {

@@ -123,7 +123,8 @@ void MoleculeScene::add(const MoleculeAtom& atom) {
     }
     if (is_virtual(*atom.element)) virtual_sites_.push_back(number);
     if (named_) scene_.names.emplace_hint(scene_.names.end(), static_cast<std::uint32_t>(number), name_of(atom));
-    scene_.spheres.push_back({.center = atom.position, .radius = radius_of(*atom.element, options_), .color = atom.element->color});
+    const double radius = atom.radius > 0.0 ? atom.radius : radius_of(*atom.element, options_);
+    scene_.spheres.push_back({.center = atom.position, .radius = radius, .color = atom.element->color});
 }
 
 SphereData MoleculeScene::take(const std::string& name) {

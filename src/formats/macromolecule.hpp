@@ -21,6 +21,7 @@ struct MoleculeAtom {
     std::string_view atom{};         // "CA"
     std::string_view alternative{};  // "A", "B"; "" of an atom with one place
     double occupancy = 1.0;          // how much of the atom is there; finite
+    double radius = 0.0;             // its own; 0: that of the element
 };
 
 // An atom of which the file may hold other places.

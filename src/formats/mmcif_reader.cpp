@@ -1,5 +1,6 @@
 // mmCIF (PDBx), read by gemmi into its document. The document keeps the lines of tables, but not those of values. gemmi's Structure
 // is not made of the document: it has no atom at all where one of seven more columns is missing, and holds every model at once.
+#include <array>
 #include <cmath>
 #include <gemmi/cif.hpp>
 #include <gemmi/numb.hpp>
@@ -10,6 +11,8 @@
 #include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/atom_names.hpp"
+#include "formats/cif_values.hpp"
+#include "formats/crystal.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"
 
@@ -20,7 +23,8 @@ namespace {
 namespace cif = gemmi::cif;
 
 constexpr const char* atom_table = "_atom_site.";
-constexpr const char* table_syntax = "the table _atom_site with Cartn_x, Cartn_y and Cartn_z";
+constexpr const char* table_syntax =
+    "the table _atom_site with Cartn_x, Cartn_y and Cartn_z, or a crystal's with fract_x, fract_y and fract_z";
 
 // The columns of mmCIF's table of atoms; those that it may lack have gemmi's question mark.
 enum Column : std::size_t {
@@ -71,19 +75,6 @@ ReadDocument read_document(const TextSource& source) {
     throw InputError(fault);
 }
 
-// gemmi keeps only the line of a table, or of a pair of a tag and a value.
-std::string in_line(const TextSource& source, const cif::Item& item, const std::string& message) {
-    return source.name + ":" + std::to_string(item.line_number) + ": " + message;
-}
-
-[[noreturn]] void fail_in_line(const TextSource& source, const cif::Item& item, const std::string& message) {
-    throw InputError(in_line(source, item, message));
-}
-
-const cif::Item& first_item(cif::Table& table) {
-    return table.loop_item != nullptr ? *table.loop_item : table.bloc.items[static_cast<std::size_t>(table.positions[0])];
-}
-
 // The block's table of atoms, not ok() where it has none.
 cif::Table atoms_of(const TextSource& source, cif::Block& block) {
     // gemmi throws its own error for columns of another table in this one.
@@ -96,41 +87,66 @@ cif::Table atoms_of(const TextSource& source, cif::Block& block) {
     return block.find_mmcif_category(atom_table);
 }
 
+// The columns of chemical components in the order of the others; what the table never has is -. A component is a model of its own.
+constexpr const char* component_table = "_chem_comp_atom.";
+constexpr std::string_view component_columns = " ?type_symbol ?atom_id ?- ?comp_id ?- ?- ?- ?- ?- ?- ?- ?- ?comp_id";
+constexpr auto component_places =
+    std::to_array<std::string_view>({"model_Cartn_x model_Cartn_y model_Cartn_z",
+                                     "pdbx_model_Cartn_x_ideal pdbx_model_Cartn_y_ideal pdbx_model_Cartn_z_ideal", "x y z"});
+
+// A table of atoms, and whether they are a crystal's.
+struct AtomTable {
+    cif::Table table;
+    bool is_crystal = false;
+};
+
 // The tables of atoms, of which each block may have one.
 struct AtomTables {
-    std::vector<cif::Table> tables{};
+    std::vector<AtomTable> tables{};
     std::string fault{};  // of another one, which is passed over; "" where there is none
 };
 
+std::vector<std::string> column_names(std::string_view words) {
+    const auto names = words_of(words);
+    return {names.begin(), names.end()};
+}
+
+// Of the kinds of places that a component has the first of which all are known; not ok() where none is.
+cif::Table component_atoms(cif::Block& block) {
+    for (const std::string_view places : component_places) {
+        cif::Table table = block.find(component_table, column_names(std::string(places).append(component_columns)));
+        if (!table.ok()) continue;
+        bool is_whole = true;
+        for (const auto row : table) is_whole = is_whole && row.has2(x) && row.has2(y) && row.has2(z);
+        if (is_whole) return table;
+    }
+    return block.find(component_table, {"-"});
+}
+
 AtomTables find_atoms(const TextSource& source, cif::Document& document) {
-    const auto words = words_of(atom_columns);
-    const std::vector<std::string> columns(words.begin(), words.end());
+    const std::vector<std::string> columns = column_names(atom_columns);
     AtomTables found;
     for (cif::Block& block : document.blocks) {
-        const cif::Item* crystal = block.find_loop_item("_atom_site_fract_x");
         cif::Table any = atoms_of(source, block);
-        if (any.ok()) {
-            const cif::Table table = block.find(atom_table, columns);
-            if (table.ok() && table.length() > 0) found.tables.push_back(table);
-            if (table.ok() || !found.fault.empty()) continue;
+        const cif::Table table = block.find(atom_table, columns);
+        if (any.ok() && table.ok()) {
+            if (table.length() > 0) found.tables.push_back({table});
+            continue;
+        }
+        const cif::Table crystal = crystal_atoms(block);
+        const cif::Table component = component_atoms(block);
+        if (crystal.ok() && crystal.length() > 0) {
+            found.tables.push_back({crystal, true});
+        } else if (component.ok() && component.length() > 0) {
+            found.tables.push_back({component});
+        } else if (any.ok() && found.fault.empty()) {
             found.fault = in_line(source, first_item(any),
                                   "found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
-        } else if (crystal != nullptr && found.fault.empty()) {
-            found.fault =
-                in_line(source, *crystal, "found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
         }
     }
     if (!found.tables.empty()) return found;
     if (!found.fault.empty()) throw InputError(found.fault);
     fail_without_atoms(source, table_syntax);
-}
-
-// The text of a value without its quotes; "" where there is none.
-std::string_view text_of(const cif::Table::Row& row, Column column) {
-    if (!row.has2(column)) return "";
-    const std::string_view value = row[column];
-    const bool quoted = value.size() > 1 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();
-    return quoted ? value.substr(1, value.size() - 2) : value;
 }
 
 std::string_view first_of(const cif::Table::Row& row, Column column, Column other) {
@@ -189,11 +205,15 @@ struct WantedModel {
     std::size_t atoms = 0;
 };
 
-WantedModel find_model(std::vector<cif::Table>& tables, std::int64_t wanted) {
+WantedModel find_model(std::vector<AtomTable>& tables, std::int64_t wanted) {
     WantedModel found;
     for (std::size_t i = 0; i < tables.size(); ++i) {
+        if (tables[i].is_crystal) {
+            if (found.frames++ == wanted) found.table = i;
+            continue;
+        }
         std::unordered_map<std::string_view, std::int64_t> models;
-        for (const auto row : tables[i]) {
+        for (const auto row : tables[i].table) {
             const std::string_view model = text_of(row, Column::model);
             const std::int64_t frame = models.emplace(model, found.frames + static_cast<std::int64_t>(models.size())).first->second;
             if (frame != wanted) continue;
@@ -204,6 +224,15 @@ WantedModel find_model(std::vector<cif::Table>& tables, std::int64_t wanted) {
         found.frames += static_cast<std::int64_t>(models.size());
     }
     return found;
+}
+
+SphereData read_model(const TextSource& source, cif::Table& table, const WantedModel& wanted, const DataOptions& options) {
+    require_memory(wanted.atoms * sizeof(Sphere), source.name + ": " + in_groups(wanted.atoms) + " spheres need");
+    MoleculeScene scene(wanted.atoms, options);
+    for (const auto row : table) {
+        if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row));
+    }
+    return scene.take(source.name);
 }
 
 }  // namespace
@@ -220,12 +249,9 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
         if (options.frame >= wanted.frames) throw InputError(read.fault);
     }
     require_frame(name, options.frame, wanted.frames);
-    require_memory(wanted.atoms * sizeof(Sphere), name + ": " + in_groups(wanted.atoms) + " spheres need");
-    MoleculeScene scene(wanted.atoms, options);
-    for (const auto row : found.tables[wanted.table]) {
-        if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row));
-    }
-    SphereData data = scene.take(name);
+    AtomTable& table = found.tables[wanted.table];
+    SphereData data =
+        table.is_crystal ? read_crystal(source, table.table, options) : read_model(source, table.table, wanted, options);
     data.frames = wanted.frames;
     if (!found.fault.empty()) data.warnings.push_back(found.fault + "; passed over");
     if (!read.fault.empty()) {

@@ -1,5 +1,6 @@
 // The Protein Data Bank's format 3.3, and what other programs write in its columns: names of atoms from column 13, no columns of
-// elements, residues of four letters, hydrogens as 1HB.
+// elements, residues of four letters, hydrogens as 1HB. Not by gemmi's reader, which gives the atoms another order, reads names
+// without their columns, and takes twice the memory and time.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -11,6 +12,7 @@
 #include "formats/atom_names.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"
+#include "formats/pdb_records.hpp"
 
 namespace sphereview {
 
@@ -25,46 +27,11 @@ struct Field {
 constexpr std::array<Field, 3> coordinates = {{{30, 38, "x"}, {38, 46, "y"}, {46, 54, "z"}}};
 constexpr std::size_t columns_read = 78;  // up to the element; the charge behind it is often wrong, and not drawn
 
-bool is_record(std::string_view line, std::string_view record) { return trimmed(line.substr(0, 6), " ") == record; }
-
 bool is_organic(std::string_view residue) { return is_water(residue) || is_polymer(residue); }
-
-bool is_atom(std::string_view line) { return line.starts_with("ATOM") || line.starts_with("HETATM"); }
 
 // What the columns hold, without blanks; "" behind the line's end.
 std::string_view columns(std::string_view line, std::size_t begin, std::size_t end) {
     return line.size() <= begin ? "" : trimmed(line.substr(begin, end - begin), " ");
-}
-
-// Where the atoms of the wanted frame stand. Frames are models, or what END separates, as some programs do.
-struct WantedFrame {
-    std::int64_t frames = 0;  // in the file
-    bool has_atoms = false;   // in any
-    std::size_t begin = 0;    // of its records
-    std::size_t end = 0;
-    std::size_t count = 0;  // of its atoms
-};
-
-WantedFrame find_frame(std::string_view text, std::int64_t wanted) {
-    WantedFrame found;
-    bool open = false;  // more atoms are of the same frame
-    for (LineWalker lines(text, line_end_of(text)); !lines.at_end();) {
-        const std::size_t begin = lines.offset();
-        const std::string_view line = text.substr(begin, lines.step() - begin);
-        if (is_atom(line)) {
-            if (!open) ++found.frames;
-            open = found.has_atoms = true;
-            if (found.frames - 1 != wanted) continue;
-            if (found.count++ == 0) found.begin = begin;
-            found.end = lines.offset();
-        } else if (is_record(line, "MODEL")) {
-            ++found.frames;
-            open = true;
-        } else if (is_record(line, "ENDMDL") || is_record(line, "END")) {
-            open = false;
-        }
-    }
-    return found;
 }
 
 // How the residues of a file write names. PDB leaves column 13 free where the element's symbol has one letter. A residue that has
@@ -77,7 +44,7 @@ public:
         for (LineWalker lines(text, line_end_of(text)); !lines.at_end();) {
             const std::size_t begin = lines.offset();
             const std::string_view line = text.substr(begin, lines.step() - begin);
-            if (!is_atom(line) || line.size() < 20) continue;
+            if (!is_pdb_atom(line) || line.size() < 20) continue;
             const std::string_view residue = columns(line, 17, 20);
             if (residue != last) style = is_organic(residue) ? &organic_ : &others_[residue];
             last = residue;
@@ -180,7 +147,7 @@ private:
 
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, content};
-    const WantedFrame frame = find_frame(content, options.frame);
+    const PdbFrame frame = find_pdb_frame(content, options.frame);
     if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
     require_frame(name, options.frame, frame.frames);
     require_memory(frame.count * sizeof(Sphere), name + ": " + in_groups(frame.count) + " spheres need");
@@ -190,7 +157,7 @@ SphereData read_pdb(std::string_view content, const std::string& name, const Dat
     while (!lines.at_end()) {
         const std::size_t begin = lines.offset();
         const std::string_view line = content.substr(begin, lines.step() - begin);
-        if (is_atom(line)) scene.add(atoms.atom(begin, line));
+        if (is_pdb_atom(line)) scene.add(atoms.atom(begin, line));
     }
     SphereData data = scene.take(name);
     data.frames = frame.frames;

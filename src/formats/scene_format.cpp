@@ -14,7 +14,7 @@ namespace sphereview {
 namespace {
 
 // When names do not tell, the last is asked first: the lower ones look at more.
-constexpr std::array<SceneFormat, 6> table = {{
+constexpr std::array<SceneFormat, 12> table = {{
     {.name = "text",
      .endings = {".txt"},
      .holds_only_spheres = true,
@@ -32,6 +32,48 @@ constexpr std::array<SceneFormat, 6> table = {{
      .read = read_csv},
     {.name = "PDB", .endings = {".pdb", ".ent"}, .is_data = true, .has_frames = true, .sniff = shows_pdb, .read = read_pdb},
     {.name = "mmCIF", .endings = {".cif", ".mmcif"}, .is_data = true, .has_frames = true, .sniff = shows_mmcif, .read = read_mmcif},
+    {.name = "LAMMPS",
+     .endings = {".lammpstrj", ".lammpsdump"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_lammps,
+     .read = read_lammps},
+    {.name = "GROMACS",
+     .endings = {".gro"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_gromacs,
+     .read = read_gromacs},
+    {.name = "POSCAR",
+     .endings = {".vasp", "poscar", "contcar", "xdatcar"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_poscar,
+     .read = read_poscar},
+    {.name = "SDF",
+     .endings = {".sdf", ".sd", ".mol", ".mdl"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_sdf,
+     .read = read_sdf},
+    {.name = "PQR",
+     .endings = {".pqr"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .has_frames = true,
+     .sniff = shows_pqr,
+     .read = read_pqr},
+    {.name = "PLY",
+     .endings = {".ply"},
+     .is_data = true,
+     .may_end_in_txt = true,
+     .may_be_binary = true,
+     .sniff = shows_ply,
+     .read = read_ply},
 }};
 
 // Null for a name that none of the endings ends.
@@ -100,6 +142,8 @@ const SceneFormat& detect_format(std::string_view content, std::string_view name
     constexpr std::size_t head = std::size_t{1} << 16;
     const SceneFormat* named = named_format(name);
     content = without_byte_order_mark(content).substr(0, head);
+    const auto is_binary = std::ranges::find_if(table, [&](const SceneFormat& f) { return f.may_be_binary && f.sniff(content); });
+    if (is_binary != table.end()) return *is_binary;
     if (const std::string_view kind = foreign_kind(content); !kind.empty()) {
         throw InputError(std::string(name) + ": found " + std::string(kind) + ", expected " + listed(format_names(), "or"));
     }

@@ -21,6 +21,7 @@ struct SceneFormat {
     std::array<std::string_view, 4> endings{};  // of file names, in lower case: ".xyz"; the usual one first
     bool is_data = false;                       // of another program: no camera of its own, and right-handed (data_axes)
     bool may_end_in_txt = false;                // also known by what it begins with where the name is one for text
+    bool may_be_binary = false;                 // of bytes that no text holds, so that nothing else is asked first what they are
     bool has_frames = false;
     bool holds_only_spheres = false;  // no background, camera, light, views, names or hidden spheres
 

@@ -88,8 +88,34 @@ inline constexpr const char* column_choices_syntax =
 bool shows_pdb(std::string_view head);
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options);
 
-// mmCIF (PDBx), likewise; the models of each data block follow on those before. Builds without gemmi say that they cannot read it.
+// CIF: mmCIF (PDBx), likewise, crystals in parts of a cell with their symmetry, and chemical components; the models of each data
+// block follow on those before. Builds without gemmi say that they cannot read it.
 bool shows_mmcif(std::string_view head);
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options);
+
+// Dumps of LAMMPS in text: places as x, xs, xu or xsu, in boxes of any form; radius or diameter, element or type, in the order of
+// the ids.
+bool shows_lammps(std::string_view head);
+SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options);
+
+// GROMACS's .gro: nanometres, which become angstrom, in columns whose width the decimals show.
+bool shows_gromacs(std::string_view head);
+SphereData read_gromacs(std::string_view content, const std::string& name, const DataOptions& options);
+
+// VASP's POSCAR and CONTCAR, in parts of a cell or not, and XDATCAR with its frames.
+bool shows_poscar(std::string_view head);
+SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options);
+
+// SDF and MOL, V2000 and V3000: molecules are frames.
+bool shows_sdf(std::string_view head);
+SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options);
+
+// PQR: atoms of PDB with charges and radii; models are frames.
+bool shows_pqr(std::string_view head);
+SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options);
+
+// PLY: the points of the element `vertex`, in text or in bytes of either order; faces are passed over.
+bool shows_ply(std::string_view head);
+SphereData read_ply(std::string_view content, const std::string& name, const DataOptions& options);
 
 }  // namespace sphereview

@@ -7,8 +7,6 @@
 #include <string>
 #include <utility>
 
-#include "image/image.hpp"
-
 namespace sphereview {
 
 // A move-only owner of one GL name; 0 is the empty state.
@@ -58,9 +56,6 @@ using Framebuffer = GlObject<glDeleteFramebuffers, glGenFramebuffers>;
 using VertexArray = GlObject<glDeleteVertexArrays, glGenVertexArrays>;
 using Shader = GlObject<glDeleteShader>;
 using Program = GlObject<glDeleteProgram>;
-
-// Puts a picture into a texture, which is made if there is none. No larger than the context's textures.
-void upload(const Image& picture, Texture& texture);
 
 // An integer limit of the context, such as GL_MAX_TEXTURE_SIZE.
 GLint gl_limit(GLenum name);

@@ -12,7 +12,7 @@
 
 namespace sphereview {
 
-// std140 layout of the block `Frame`.
+// std140 layout of the block `Draw`.
 struct DrawBlock {
     glm::vec4 forward{0.0F};  // w: the reach of the rays' origins
     glm::vec4 right{0.0F};

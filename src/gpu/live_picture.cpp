@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "exact/resolve.hpp"
+#include "gpu/picture_texture.hpp"
 #include "light/light_set.hpp"
 #include "scene/vectors.hpp"
 #include "tiles/pixel_range.hpp"

@@ -50,6 +50,7 @@ bool is_no_file_name(const std::string& path) {
 std::string png_name(const std::string& path) {
     if (is_no_file_name(path)) return path;
     const std::string ending = ending_of(path_from(path));
+    if (path.ends_with('.')) throw InputError(path + ": found no ending behind the last '.', expected .png or a name without one");
     if (ending.empty()) return path + ".png";
     if (lower_case(ending) == ".png") return path;
     throw InputError(path + ": found the ending " + ending + ", expected .png: pictures are written as PNG alone");

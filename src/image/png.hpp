@@ -19,7 +19,8 @@ std::string encode_png(const Image& image);
 
 // The name under which a picture is written that is to go to `path`, which may hold {name}: `path` with ".png" behind it where the
 // file's name has no ending. An ending is a letter and at most four more letters or digits behind the last dot. Devices, FIFOs,
-// folders and "-" stay as they are. Throws InputError for another ending than .png, which would promise what the file is not.
+// folders and "-" stay as they are. Throws InputError for another ending than .png, which would promise what the file is not, and
+// for a dot at the end, behind which there is none.
 std::string png_name(const std::string& path);
 
 // Pixels of one row: first_x, first_x + step and so on. Only an interlaced PNG has steps other than 1.

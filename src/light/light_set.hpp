@@ -29,6 +29,12 @@ struct LightVector {
 // No sum overflows: sky and key come to less than 3.1, the sun to 4.
 inline constexpr double light_one = 0x1p28;
 
+// How bright sky and key light make a free surface that faces the key, of strength 1 each.
+inline constexpr double sky_light = 0.62;
+inline constexpr double key_light = 0.45;
+// To the key light, in the view's directions right, up and toward the eye; of any length.
+inline constexpr glm::dvec3 key_in_view{-0.45, 0.75, 0.55};
+
 // From the scene to the key light, of length 1: above left of the eye.
 glm::dvec3 key_direction(const CameraAxes& axes);
 

@@ -55,21 +55,4 @@ constexpr Light without_sun(Light light) {
     return light;
 }
 
-// How bright sky and key light make a free surface that faces the key, of strength 1 each.
-inline constexpr double sky_light = 0.62;
-inline constexpr double key_light = 0.45;
-// To the key light, in the view's directions right, up and toward the eye; of any length.
-inline constexpr glm::dvec3 key_in_view{-0.45, 0.75, 0.55};
-
-// How bright a sky makes a free surface, nearly: for what moves, which has no shadows. `toward_key`: the cosine between normal and
-// key light. Twin: shaders/surface.frag.
-constexpr double brightness_of_free_sky(const Light& light, double toward_key) {
-    const double x = 0.5 + 0.5 * toward_key;
-    return light.sky * (sky_light + key_light * light.key * x * x * (0.5 + 0.5 * x));
-}
-
-// Which part of its own colour a surface shows that is so bright; above 1 where it is brighter than white can be. Twin:
-// shaders/surface.frag.
-constexpr double shown_part(double brightness) { return 1.8 * brightness / (0.8 + brightness); }
-
 }  // namespace sphereview

@@ -11,14 +11,6 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-// Whatever the vector's size.
-double length_of(const glm::dvec3& v) {
-    const double largest = largest_of(v);
-    if (!(largest > 0.0)) return 0.0;
-    const glm::dvec3 part = v / largest;
-    return largest * square_root(dot(part, part));
-}
-
 }  // namespace
 
 double distance_of(const glm::dvec3& a, const glm::dvec3& b) { return length_of(b - a); }

@@ -29,6 +29,14 @@ inline glm::dvec3 times_two_to(const glm::dvec3& v, int exponent) {
 // The size of the largest component.
 inline double largest_of(const glm::dvec3& v) { return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}); }
 
+// Whatever the vector's size: divided first, so that no square leaves the range of doubles. 0 also for what is no number.
+inline double length_of(const glm::dvec3& v) {
+    const double largest = largest_of(v);
+    if (!(largest > 0.0)) return 0.0;
+    const glm::dvec3 part = v / largest;
+    return largest * square_root(dot(part, part));
+}
+
 // The vector with length 1; a zero vector stays. Divided first, so that no square leaves the range of doubles.
 inline glm::dvec3 unit(glm::dvec3 v) {
     const double largest = largest_of(v);

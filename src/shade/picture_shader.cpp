@@ -14,6 +14,7 @@
 #include "base/simd.hpp"
 #include "base/square_root.hpp"
 #include "scene/vectors.hpp"
+#include "shade/brightness.hpp"
 
 namespace sphereview {
 

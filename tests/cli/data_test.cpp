@@ -181,11 +181,11 @@ TEST_F(Data, HasTheColumnsThatAreAskedFor) {
 }
 
 TEST_F(Data, OfAnotherKindSaysWhatItIs) {
-    const std::string formats = ", expected text, TOML, XYZ, CSV, PDB or mmCIF";
-    folder_.write("a.gro", "water, t= 0.0\n    1\n    1WATER  OW1    1   0.126   1.624   1.679\n   1.8 1.8 1.8\n");
+    const std::string formats = ", expected text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF, PQR or PLY";
+    folder_.write("a.mol2", "@<TRIPOS>MOLECULE\n");
     folder_.write("b.xyz.bz2", "BZh91AY&SY");
     folder_.write("c.csv", "\xFF\xD8\xFF\xE0 JFIF");
-    expect_fault({"render", "a.gro"}, "a.gro: found a GROMACS file" + formats);
+    expect_fault({"render", "a.mol2"}, "a.mol2: found a MOL2 file" + formats);
     expect_fault({"convert", "b.xyz.bz2", "b.txt"},
                  "b.xyz.bz2: found a file that is packed with bzip2, which is not unpacked here: gzip is" + formats);
     expect_fault({"explain", "c.csv", "-p", "1,1"}, "c.csv: found a JPEG picture" + formats);

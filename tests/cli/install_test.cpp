@@ -88,8 +88,9 @@ TEST_F(Installed, ADesktopFindsTheProgramAndItsFiles) {
     EXPECT_TRUE(contains(folder_.read("share/icons/hicolor/scalable/apps/sphereview.svg"), "<svg "));
     const std::string desktop = folder_.read("share/applications/sphereview.desktop");
     const std::string types = folder_.read("share/mime/packages/sphereview.xml");
-    for (const std::string type :
-         {"application/vnd.sphereview.scene", "chemical/x-xyz", "chemical/x-pdb", "chemical/x-mmcif", "chemical/x-cif"}) {
+    for (const std::string type : {"application/vnd.sphereview.scene", "chemical/x-xyz", "chemical/x-pdb", "chemical/x-mmcif",
+                                   "chemical/x-cif", "chemical/x-lammps-dump", "chemical/x-gro", "chemical/x-vasp",
+                                   "chemical/x-mdl-sdfile", "chemical/x-mdl-molfile", "chemical/x-pqr", "model/x-ply"}) {
         EXPECT_TRUE(contains(desktop, type + ";"));
         EXPECT_TRUE(contains(types, "<mime-type type=\"" + type + "\">"));
         EXPECT_TRUE(contains(folder_.read("share/metainfo/io.github.sphereview.sphereview.metainfo.xml"),

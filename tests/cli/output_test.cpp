@@ -44,6 +44,7 @@ TEST_F(Output, IsNamedAsWhatItIs) {
         EXPECT_TRUE(fails(run({.arguments = {"compare", "red.png", "red.txt", "--diff", "d" + ending}, .folder = folder_.path()}),
                           2, "d" + ending + said));
     }
+    EXPECT_TRUE(fails(render_into("x."), 2, "x.: found no ending behind the last '.', expected .png or a name without one\n"));
     EXPECT_EQ(folder_.names(), before);
 
     folder_.write("blue.v2.toml", blue_scene);

@@ -87,7 +87,7 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"convert", "a.txt", "b.toml", "c.toml"}, "unexpected argument 'c.toml'"},
         {{"convert", "a.txt", "b", "--to", "yaml"}, "--to: found 'yaml', expected text or toml"},
         {{"convert", "a.txt", "b", "--to", ""}, "--to: found no value"},
-        {{"convert", "a.txt", "-"}, "add --to text or --to toml"},
+        {{"convert", "a.txt", "-"}, "add --to FORMAT: text or toml"},
         {{"explain", "a.txt"}, "--pixel: found no value, expected X,Y, such as 500,500 (see"},
         {{"explain", "a.txt", "--pixle", "5,5"}, "unknown option '--pixle'; did you mean '--pixel'?"},
         {{"explain", "a.txt", "--pixel", "5"}, "--pixel: found '5', expected X,Y"},

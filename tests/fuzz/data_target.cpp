@@ -49,4 +49,16 @@ std::string fuzz_pdb(std::string_view bytes) { return wrong_with(bytes, "PDB"); 
 
 std::string fuzz_mmcif(std::string_view bytes) { return wrong_with(bytes, "mmCIF"); }
 
+std::string fuzz_lammps(std::string_view bytes) { return wrong_with(bytes, "LAMMPS"); }
+
+std::string fuzz_gromacs(std::string_view bytes) { return wrong_with(bytes, "GROMACS"); }
+
+std::string fuzz_poscar(std::string_view bytes) { return wrong_with(bytes, "POSCAR"); }
+
+std::string fuzz_sdf(std::string_view bytes) { return wrong_with(bytes, "SDF"); }
+
+std::string fuzz_pqr(std::string_view bytes) { return wrong_with(bytes, "PQR"); }
+
+std::string fuzz_ply(std::string_view bytes) { return wrong_with(bytes, "PLY"); }
+
 }  // namespace sphereview

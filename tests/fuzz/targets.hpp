@@ -21,6 +21,12 @@ std::string fuzz_xyz(std::string_view bytes);
 std::string fuzz_csv(std::string_view bytes);
 std::string fuzz_pdb(std::string_view bytes);
 std::string fuzz_mmcif(std::string_view bytes);
+std::string fuzz_ply(std::string_view bytes);
+std::string fuzz_pqr(std::string_view bytes);
+std::string fuzz_sdf(std::string_view bytes);
+std::string fuzz_poscar(std::string_view bytes);
+std::string fuzz_gromacs(std::string_view bytes);
+std::string fuzz_lammps(std::string_view bytes);
 
 // Reads the bytes as a golden PNG; what can be read must survive being written and read again, and can be compared with any
 // picture.
@@ -45,6 +51,8 @@ struct FuzzTarget {
 inline constexpr std::array fuzz_targets = {
     FuzzTarget{"scene", fuzz_scene},       FuzzTarget{"file", fuzz_file},         FuzzTarget{"xyz", fuzz_xyz},
     FuzzTarget{"csv", fuzz_csv},           FuzzTarget{"pdb", fuzz_pdb},           FuzzTarget{"mmcif", fuzz_mmcif},
+    FuzzTarget{"lammps", fuzz_lammps},     FuzzTarget{"gromacs", fuzz_gromacs},   FuzzTarget{"poscar", fuzz_poscar},
+    FuzzTarget{"sdf", fuzz_sdf},           FuzzTarget{"pqr", fuzz_pqr},           FuzzTarget{"ply", fuzz_ply},
     FuzzTarget{"png", fuzz_png},           FuzzTarget{"picture", fuzz_picture},   FuzzTarget{"gunzip", fuzz_gunzip},
     FuzzTarget{"settings", fuzz_settings}, FuzzTarget{"recovery", fuzz_recovery},
 };

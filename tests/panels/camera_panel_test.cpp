@@ -10,30 +10,12 @@ namespace sphereview {
 
 namespace {
 
-struct OpenCameraPanel : SidePanelHarness {
-    explicit OpenCameraPanel(const Camera& camera = {}, float height = 1100.0F) : SidePanelHarness(scene_with(camera), height) {
-        click("camera");
-        frames(2);
-        take_actions();
-    }
+struct OpenCameraPanel : OpenPartHarness {
+    explicit OpenCameraPanel(const Camera& camera = {})
+        : OpenPartHarness(
+              "camera", [&](Scene& scene) { scene.camera = camera; }, 1100.0F) {}
 
-    static Scene scene_with(const Camera& camera) {
-        Scene scene = line_of_spheres(3);
-        scene.camera = camera;
-        return scene;
-    }
     const Camera& camera() const { return document.scene().camera; }
-    void enter(const std::string& number, const std::string& text) {
-        click("slider " + number);
-        frames(3);
-        type(text);
-        tap(ImGuiKey_Enter);
-        move({1000.0F, 900.0F});  // no tooltip, which would end the text
-    }
-    void drag_by(const std::string& number, float pixels) {
-        const ImVec2 from = place("slider " + number);
-        drag(from, {from.x + pixels, from.y});
-    }
 };
 
 }  // namespace

@@ -18,8 +18,9 @@ struct ComparisonHarness {
     bool open = true;
     ImTextureID difference{};
     std::optional<ImVec2> free{};
+    Rectangle area{0.0F, 0.0F, 700.0F, 590.0F};
     PanelHarness panels{[this](const PanelContext& context) {
-        if (open) draw_comparison(context, comparison, &difference, {0.0F, 0.0F, 700.0F, 590.0F}, free, open);
+        if (open) draw_comparison(context, comparison, &difference, area, free, open);
     }};
 };
 
@@ -50,6 +51,29 @@ TEST(ComparisonPanel, GoesAsideFromThePixelThatIsExplained) {
     panels.frames(3);
     const WidgetRectangle window = panels.rectangles.at("comparison");
     EXPECT_TRUE(middle.x < window.left || middle.x > window.right);
+}
+
+// The list of spheres is beside the picture, and so is the inspector.
+TEST(ComparisonPanel, StaysInThePictureWhereThatIsSmall) {
+    for (const ImVec2 free : {ImVec2{240.0F, 200.0F}, ImVec2{130.0F, 60.0F}, ImVec2{400.0F, 300.0F}, ImVec2{250.0F, 380.0F}}) {
+        for (const float width : {420.0F, 200.0F}) {
+            SCOPED_TRACE(std::to_string(free.x) + ", " + std::to_string(free.y) + " in " + std::to_string(width));
+            ComparisonHarness shown;
+            shown.open = false;
+            shown.panels.frames(2);
+            shown.open = true;
+            shown.area = {100.0F, 30.0F, width, 400.0F};
+            shown.panels.frames(2);
+            shown.free = ImVec2(std::min(free.x, 90.0F + width), free.y);
+            shown.panels.frames(4);
+            const WidgetRectangle window = shown.panels.rectangles.at("comparison");
+            EXPECT_GE(window.left, 100.0F);
+            EXPECT_LE(window.right, 100.0F + width);
+            const bool covers = shown.free->x > window.left && shown.free->x < window.right && shown.free->y > window.top &&
+                                shown.free->y < window.bottom;
+            EXPECT_FALSE(covers);
+        }
+    }
 }
 
 }  // namespace sphereview

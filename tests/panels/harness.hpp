@@ -108,11 +108,42 @@ public:
     void expect_selected(const std::vector<std::uint32_t>& numbers) const { EXPECT_EQ(selection.numbers(), numbers); }
     const Sphere& sphere(std::uint32_t number) const { return document.scene().spheres.at(number); }
 
+    // In a number's field, which a click opens.
+    void enter(const std::string& number, const std::string& text) {
+        click("slider " + number);
+        frames(3);
+        type(text);
+        tap(ImGuiKey_Enter);
+        move({1000.0F, 900.0F});  // no tooltip, which would end the text
+    }
+    void drag_by(const std::string& number, float pixels) {
+        const ImVec2 from = place("slider " + number);
+        drag(from, {from.x + pixels, from.y});
+    }
+
     // How many rows were drawn.
     std::size_t rows() const {
         std::size_t count = 0;
         for (const auto& [name, rectangle] : rectangles) count += name.starts_with("row ") && name.ends_with(" eye") ? 1U : 0U;
         return count;
+    }
+};
+
+// With a part of the panel open that is closed at first, and three spheres.
+struct OpenPartHarness : SidePanelHarness {
+    // `set` makes the scene.
+    template <typename Set>
+    OpenPartHarness(const std::string& part, const Set& set, float height = 700.0F) : SidePanelHarness(scene_with(set), height) {
+        click(part);
+        frames(2);
+        take_actions();
+    }
+
+    template <typename Set>
+    static Scene scene_with(const Set& set) {
+        Scene scene = line_of_spheres(3);
+        set(scene);
+        return scene;
     }
 };
 

@@ -25,14 +25,16 @@ class InspectorHarness : private HeldPixel, public PanelHarness {
 public:
     explicit InspectorHarness(const Scene& scene)
         : HeldPixel{{.first = inspected(scene)}, {}}, PanelHarness(drawn(), scene, 800.0F, 1200.0F) {}
+    InspectorHarness(const Scene& scene, float width)
+        : HeldPixel{{.first = inspected(scene)}, {}}, PanelHarness(drawn(width), scene, 800.0F, 1200.0F) {}
     InspectorHarness() : PanelHarness(drawn()) {}
     using HeldPixel::inspection;
     using HeldPixel::state;
     InspectedPixel& pixel() { return *inspection.first; }
 
 private:
-    Draw drawn() {
-        return in_window([this](const PanelContext& context) { draw_inspector(context, inspection, state); }, 460.0F, 1150.0F);
+    Draw drawn(float width = 460.0F) {
+        return in_window([this](const PanelContext& context) { draw_inspector(context, inspection, state); }, width, 1150.0F);
     }
 };
 
@@ -186,6 +188,30 @@ TEST(Inspector, DrawsTheSphereThatWasClicked) {
     panel.click(panel.place("quadratic drawing", 0.5F, 0.98F));
     panel.inspection.first = inspected(of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_NE(panel.text().find("centre C of sphere 0"), std::string::npos) << "one that is not explained cannot be chosen";
+}
+
+// Whatever the width and the text's size, what is written in the drawings stands apart, and what matters most is there.
+TEST(Inspector, NothingIsWrittenOverAnotherTextInADrawing) {
+    Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 30.0, 300.0}, 20.0}, {{9e4, 0.0, 1e5}, 1.0}});
+    for (const float text_scale : {1.0F, 2.0F, 3.0F}) {
+        for (const float width : {90.0F, 160.0F, 240.0F, 460.0F, 700.0F}) {
+            SCOPED_TRACE(std::to_string(width) + " pixels, text of size " + std::to_string(text_scale));
+            InspectorHarness panel(scene, width);
+            ImGui::GetIO().FontGlobalScale = text_scale;
+            panel.frames(3);
+            std::vector<std::pair<std::string, WidgetRectangle>> texts;
+            for (const auto& [name, at] : panel.rectangles) {
+                if (name.find(" drawing text ") == std::string::npos) continue;
+                for (const auto& [other, there] : texts) {
+                    EXPECT_FALSE(at.left < there.right && there.left < at.right && at.top < there.bottom && there.top < at.bottom)
+                        << name << " and " << other;
+                }
+                texts.emplace_back(name, at);
+            }
+            if (width < 200.0F || text_scale > 2.0F) continue;
+            for (const char* name : {"ray drawing text eye", "ray drawing text t1"}) EXPECT_TRUE(panel.has(name)) << name;
+        }
+    }
 }
 
 }  // namespace

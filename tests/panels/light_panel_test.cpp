@@ -13,18 +13,9 @@ namespace sphereview {
 namespace {
 
 // Its ball is drawn once the header is open.
-struct OpenLightPanel : SidePanelHarness {
-    explicit OpenLightPanel(const Light& light = {}) : SidePanelHarness(scene_with(light)) {
-        click("light");
-        frames(2);
-        take_actions();
-    }
+struct OpenLightPanel : OpenPartHarness {
+    explicit OpenLightPanel(const Light& light = {}) : OpenPartHarness("light", [&](Scene& scene) { scene.light = light; }) {}
 
-    static Scene scene_with(const Light& light) {
-        Scene scene = line_of_spheres(3);
-        scene.light = light;
-        return scene;
-    }
     const Light& light() const { return document.scene().light; }
     // On the ball, in radii from its middle.
     ImVec2 ball(float x, float y) const {
@@ -103,37 +94,27 @@ TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
 
 TEST(LightPanel, AzimuthAndElevationTurnTheSun) {
     OpenLightPanel panel({.sun = Sun{{0.0, 0.0, -1.0}, 1.0}});
-    const auto type = [&](const std::string& slider, const std::string& text) {
-        panel.click(slider);
-        panel.frames(3);
-        panel.type(text);
-        panel.tap(ImGuiKey_Enter);
-    };
-    type("slider azimuth", "90");
+    panel.enter("azimuth", "90");
     EXPECT_LT(angle_between(panel.light().sun->direction, {1.0, 0.0, 0.0}), 1e-6);
-    type("slider elevation", "45");
+    panel.enter("elevation", "45");
     EXPECT_LT(angle_between(panel.light().sun->direction, {1.0, 1.0, 0.0}), 1e-6);
     const Light before = panel.light();
-    type("slider elevation", "1000");
+    panel.enter("elevation", "1000");
     EXPECT_EQ(panel.light(), before);
     EXPECT_NE(panel.text().find("'1000': a number from -90 to 90 is expected."), std::string::npos);
-    type("slider azimuth", "-450");  // round and round
+    panel.enter("azimuth", "-450");  // round and round
     EXPECT_LT(angle_between(panel.light().sun->direction, {-1.0, 1.0, 0.0}), 1e-6);
     EXPECT_FALSE(panel.has("refusal elevation")) << "another number was typed";
 }
 
 TEST(LightPanel, SkyKeyAndLightsAreEdits) {
     OpenLightPanel panel;
-    const auto drag = [&](const std::string& number, float pixels) {
-        const ImVec2 place = panel.place(number);
-        panel.drag(place, {place.x + pixels, place.y});
-    };
-    drag("slider sky", -53.0F);  // 3 of them are a click's
+    panel.drag_by("sky", -53.0F);  // 3 of them are a click's
     EXPECT_EQ(panel.light().sky, 0.5);
-    drag("slider sky", 500.0F);
+    panel.drag_by("sky", 500.0F);
     EXPECT_EQ(panel.light().sky, 1.0) << "no further";
-    drag("slider sky", -53.0F);
-    drag("slider key", -500.0F);
+    panel.drag_by("sky", -53.0F);
+    panel.drag_by("key", -500.0F);
     EXPECT_EQ(panel.light().key, 0.0);
     EXPECT_EQ(panel.document.undo_name(), "Change the key light");
     panel.click("lights");

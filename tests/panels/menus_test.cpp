@@ -41,6 +41,27 @@ TEST(Layout, ThePanelGetsItsWidthBackWhenThereIsRoom) {
     EXPECT_NEAR(state.settings.panel_width, 600.0, 1.0);
 }
 
+TEST(Layout, PanelsYieldToThePictureInASmallWindow) {
+    ViewerState state({}, {});
+    state.inspector_shown = true;
+    Rectangle picture;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F);
+    EXPECT_TRUE(state.panel_drawn);
+    EXPECT_TRUE(window.has("splitter") && window.has("inspector splitter"));
+    ImGui::GetIO().DisplaySize = {200.0F, 150.0F};
+    window.frames(2);
+    EXPECT_FALSE(state.panel_drawn);
+    EXPECT_TRUE(state.panel_shown) << "as soon as there is room";
+    EXPECT_EQ(picture.width, 200.0F);
+    EXPECT_GT(picture.height, 100.0F);
+    for (const char* menu : {"menu File", "menu Edit", "menu View", "menu Help"}) {
+        EXPECT_LT(window.rectangles.at(menu).right, 200.0F) << menu;
+    }
+    ImGui::GetIO().DisplaySize = {1400.0F, 600.0F};
+    window.frames(2);
+    EXPECT_TRUE(window.has("splitter") && window.has("inspector splitter"));
+}
+
 TEST(Commands, AreEachDescribedOnce) {
     std::set<CommandId> seen;
     std::set<std::string_view> menus;

@@ -37,6 +37,41 @@ TEST(Style, CanBeScaledAgainAndAgain) {
     EXPECT_EQ(ImGui::GetStyle().WindowBorderSize, 1.0F);
 }
 
+// A swatch, and the button of a colour's numbers, are seen on a panel of nearly their own colour.
+TEST(Style, SwatchesStandOutFromThePanel) {
+    float most = 0.0F;
+    Color color{};
+    bool is_field = false;
+    PanelHarness harness(PanelHarness::in_window(
+        [&](const PanelContext& context) {
+            ImDrawList& list = *ImGui::GetWindowDrawList();
+            const int before = list.VtxBuffer.Size;
+            if (is_field) {
+                draw_color_edit(context, "##color", color, false);
+            } else {
+                draw_swatch(color, {20.0F, 20.0F}, 15.0F, 1.0F);
+            }
+            const ImVec4 ground = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+            most = 0.0F;
+            for (int i = before; i < list.VtxBuffer.Size; ++i) {
+                const ImVec4 drawn = ImGui::ColorConvertU32ToFloat4(list.VtxBuffer[i].col);
+                const auto seen = [&](float over, float below) { return drawn.w * over + (1.0F - drawn.w) * below; };
+                const ImVec4 shown{seen(drawn.x, ground.x), seen(drawn.y, ground.y), seen(drawn.z, ground.z), 1.0F};
+                most = std::max(most, static_cast<float>(contrast(shown, ground)));
+            }
+        },
+        200.0F, 200.0F));
+    for (const Theme theme : {Theme::dark, Theme::light}) {
+        apply_style(1.0F, theme);
+        color = theme == Theme::light ? Color{255, 255, 255} : Color{30, 30, 30};
+        for (const bool field : {false, true}) {
+            is_field = field;
+            harness.frames(2);
+            EXPECT_GE(most, 3.0F) << "as WCAG asks of what is no text";
+        }
+    }
+}
+
 TEST(Style, TextStandsOutAsWcagAsks) {
     PanelHarness harness([](const PanelContext&) {});
     for (const Theme theme : {Theme::dark, Theme::light}) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "viewer/perform.hpp"
+#include "viewer/command_table.hpp"
 
 namespace sphereview {
 

@@ -9,6 +9,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "base/path.hpp"
+
 namespace sphereview::test {
 
 namespace fs = std::filesystem;
@@ -25,26 +27,31 @@ TemporaryFolder::~TemporaryFolder() {
     fs::remove_all(root_, ignored);
 }
 
+std::string TemporaryFolder::path() const { return text_from(root_); }
+std::string TemporaryFolder::path(const std::string& name) const { return text_from(file(name)); }
+bool TemporaryFolder::has(const std::string& name) const { return fs::exists(file(name)); }
+
 std::string TemporaryFolder::write(const std::string& name, std::string_view bytes) const {
-    const fs::path file = root_ / name;
-    fs::create_directories(file.parent_path());
-    std::ofstream stream(file, std::ios::binary);
+    fs::create_directories(file(name).parent_path());
+    std::ofstream stream(file(name), std::ios::binary);
     stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-    if (!stream.flush()) throw std::runtime_error(file.string() + " cannot be written");
-    return file.string();
+    if (!stream.flush()) throw std::runtime_error(path(name) + " cannot be written");
+    return path(name);
 }
 
 std::string TemporaryFolder::read(const std::string& name) const {
-    std::ifstream stream(root_ / name, std::ios::binary);
-    if (!stream) ADD_FAILURE() << (root_ / name) << " cannot be read";
+    std::ifstream stream(file(name), std::ios::binary);
+    if (!stream) ADD_FAILURE() << path(name) << " cannot be read";
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 std::vector<std::string> TemporaryFolder::names() const {
     std::vector<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(root_)) names.push_back(entry.path().filename().string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(root_)) names.push_back(text_from(entry.path().filename()));
     std::sort(names.begin(), names.end());
     return names;
 }
+
+fs::path TemporaryFolder::file(const std::string& name) const { return root_ / path_from(name); }
 
 }  // namespace sphereview::test

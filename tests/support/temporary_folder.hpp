@@ -16,9 +16,9 @@ public:
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-    // The folder, or a file in it, as an absolute path.
-    std::string path() const { return root_.string(); }
-    std::string path(const std::string& name) const { return (root_ / name).string(); }
+    // The folder, or a file in it, as an absolute path. All names are UTF-8.
+    std::string path() const;
+    std::string path(const std::string& name) const;
 
     // Writes a file, and the folders above it, and returns its path.
     std::string write(const std::string& name, std::string_view bytes) const;
@@ -26,12 +26,14 @@ public:
     // The bytes of a file; fails the test and returns "" when it cannot be read.
     std::string read(const std::string& name) const;
 
-    bool has(const std::string& name) const { return std::filesystem::exists(root_ / name); }
+    bool has(const std::string& name) const;
 
     // The names of all that lies directly in it, hidden files too, sorted.
     std::vector<std::string> names() const;
 
 private:
+    std::filesystem::path file(const std::string& name) const;
+
     std::filesystem::path root_;
 };
 

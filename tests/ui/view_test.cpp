@@ -115,11 +115,10 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     window_.step("parallel rays by the key");
     window_.key("o");
     window_.wait_for("projection", "orthographic");
-    expect_view_rendered();
-    window_.key("o");
-    window_.wait_for("projection", "perspective");
-    window_.key("Home");
-    window_.wait_for("camera", home_);
+    EXPECT_EQ(window_.at("undo"), "Change the projection");
+    expect_rendered();
+    window_.key("ctrl+z");
+    EXPECT_EQ(window_.wait_for("projection", "perspective").at("camera"), home_);
 
     // A flight ends when anything else is done.
     window_.keys({"4", "Home", "ctrl+a"});

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "camera/fit.hpp"
-#include "viewer/perform.hpp"
+#include "viewer/command_table.hpp"
 
 namespace sphereview {
 namespace {

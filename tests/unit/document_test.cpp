@@ -191,9 +191,12 @@ TEST(Document, ItsHistoryIsBoundedBothWays) {
         document.apply(insert, "Add");
     }
     EXPECT_LT(document.history_bytes(), most) << "to take them out again needs little";
-    for (int step = 0; step < 20; ++step) document.undo();
+    for (int step = 0; step < 20; ++step) {
+        document.undo();
+        EXPECT_LE(document.history_bytes(), most);
+    }
     EXPECT_EQ(document.scene().spheres.size(), 1U);
-    EXPECT_EQ(document.history_bytes(), 0U);
+    EXPECT_GT(document.history_bytes(), most / 2) << "to put them in again needs the spheres";
     int redone = 0;
     for (; document.can_redo(); ++redone) {
         document.redo();

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <fstream>
 
+#include "support/eventually.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sphereview {
@@ -28,7 +30,7 @@ protected:
     }
 
     test::TemporaryFolder folder;
-    FileWatcher watcher;
+    FileWatcher watcher{std::chrono::minutes(1)};
     FileWatcher::Time now;
 };
 
@@ -145,6 +147,23 @@ TEST_F(FileWatcherTest, KeepsWatchingWhatStaysOnTheList) {
     folder.write("b", "new content");
     watcher.watch({file});
     EXPECT_EQ(news(), Paths{file}) << "it changed before the list did; the other is not watched any more";
+}
+
+TEST_F(FileWatcherTest, DoesNotWaitForADiskThatHangs) {
+    const auto hangs = std::make_shared<std::atomic<bool>>(true);
+    FileWatcher patient(std::chrono::milliseconds(1),
+                        [hangs, first = std::make_shared<std::atomic<bool>>(true)](const std::string&) {
+                            if (!first->exchange(false)) hangs->wait(true);
+                            return FileStates{{"", FileState{{}, *hangs ? 1U : 2U, {}}}};
+                        });
+    patient.watch({"a"});
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(patient.look(now += std::chrono::seconds(1)), Paths());
+        EXPECT_EQ(patient.next_look(), now + std::chrono::milliseconds(250)) << "nobody asks without a pause";
+    }
+    *hangs = false;
+    hangs->notify_all();
+    EXPECT_TRUE(test::eventually([&] { return patient.look(now += std::chrono::seconds(1)) == Paths{"a"}; }));
 }
 
 }  // namespace

@@ -214,6 +214,16 @@ TEST(Fit, HoldsAtTheEndsOfDoubles) {
     }
 }
 
+TEST(Fit, TinyScenesFillThePictureAsOthersDo) {
+    for (const double size : {1e-250, 1e-280, 1e-300}) {
+        const Scene scene = scene_of({{{0.0, 0.0, 5.0 * size}, size, {}, false}, {{2.0 * size, 0.0, 6.0 * size}, size, {}, false}});
+        for (const std::string& name : views) {
+            SCOPED_TRACE(name + " of size " + std::to_string(std::log10(size)));
+            expect_tight(scene, view(name));
+        }
+    }
+}
+
 TEST(Fit, ViewsLookFromTheirSides) {
     const glm::dvec3 x{1.0, 0.0, 0.0};
     const glm::dvec3 y{0.0, 1.0, 0.0};

@@ -220,9 +220,9 @@ TEST(Mmcif, FaultsAreReported) {
               "a.cif:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
     EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site.Cartn_x\n_atom_type.symbol\n1 C\n"),
               "a.cif:2: found '_atom_type.symbol', expected a column of _atom_site");
-    EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site_fract_x\n0.5\n"),
-              "a.cif:2: found a crystal in fractional coordinates, expected mmCIF with _atom_site.Cartn_x");
-    const std::string table = "expected the table _atom_site with Cartn_x, Cartn_y and Cartn_z";
+    const std::string table =
+        "expected the table _atom_site with Cartn_x, Cartn_y and Cartn_z, or a crystal's with fract_x, fract_y and fract_z";
+    EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site_fract_x\n0.5\n"), "a.cif:5:1: the text ends, " + table);
     EXPECT_EQ(mmcif_fault(""), "a.cif:1:1: the text is empty, " + table);
     EXPECT_EQ(mmcif_fault("data_x\n_a.b 1\n"), "a.cif:3:1: the text ends, " + table);
     EXPECT_EQ(mmcif_fault(cif_places), "a.cif:6:1: the text ends, " + table);

@@ -11,7 +11,14 @@
 namespace sphereview {
 
 TEST(Memory, DoesNotFollowTheClaimedCount) {
-    for (const std::string text : {"2000000000\n1 2 3 4 5 6 7\n", "spheres = \"\"\"\n2000000000\n1 2 3 4 5 6 7\n\"\"\"\n"}) {
+    for (const std::string text :
+         {"2000000000\n1 2 3 4 5 6 7\n", "spheres = \"\"\"\n2000000000\n1 2 3 4 5 6 7\n\"\"\"\n",
+          "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n2000000000\nITEM: ATOMS x y z\n1 2 3\n",
+          "t\n1\n1 0 0\n0 1 0\n0 0 1\nH\n2000000000\nDirect\n0 0 0\n",
+          "ply\nformat ascii 1.0\nelement vertex 2000000000\nproperty int x\nproperty int y\nproperty int z\n"
+          "end_header\n1 2 3\n",
+          "ply\nformat binary_little_endian 1.0\nelement vertex 2000000000\nproperty int x\nproperty int y\n"
+          "property int z\nend_header\n0123456789ab"}) {
         take_largest_allocation();
         EXPECT_THROW(parse_scene(text, "s"), InputError);
         EXPECT_LT(take_largest_allocation(), 16U * 1024);
@@ -55,6 +62,19 @@ TEST(Memory, ForEachByteOfATextIsBounded) {
         {"spheres.toml", "spheres = \"\"\"#\n", "0 0 0 0 0 0 1\n", 3.5, "\"\"\"\n"},
         {"dotted.toml", "", ".a.a.a.a.a.a.a.a.a.a.a=0\n", 107.0},
         {"array.toml", "a = [", "{},", 53.0, "]\n"},
+        {"rows.lammpstrj", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n#\nITEM: ATOMS id x y z\n", "123 0 0 0\n", 6.0},
+        {"frames.lammpstrj", "", "ITEM: NUMBER OF ATOMS\n0\nITEM: ATOMS x y z\n", 0.5},
+        {"columns.lammpstrj", "ITEM: NUMBER OF ATOMS\n0\nITEM: ATOMS x y z", " a", 1.0, "\n"},
+        {"rows.gro", "t\n#\n", "    1SOL     OW    1 1.0 1.0 1.0\n", 5.0},
+        {"rows.vasp", "t\n1\n1 0 0\n0 1 0\n0 0 1\nH\n#\nDirect\n", "0 0 0\n", 7.0},
+        {"groups.vasp", "t\n1\n1 0 0\n0 1 0\n0 0 1\n", "1 ", 2.0, "\nDirect\n"},
+        {"symbols.vasp", "t\n1\n1 0 0\n0 1 0\n0 0 1\n", "H ", 2.0, "\n1\nDirect\n0 0 0\n"},
+        {"molecules.sdf", "", "\n\n\n  1  0\n0 0 0 H\n$$$$\n", 0.5},
+        {"rows.pqr", "", "ATOM 1 N A 1 0 0 0 0 1\n", 4.0},
+        {"words.pqr", "ATOM", " a", 0.5, "\n"},
+        {"rows.ply", "ply\nformat ascii 1.0\nelement vertex #\nproperty int x\nproperty int y\nproperty int z\nend_header\n",
+         "0 0 0\n", 7.0},
+        {"header.ply", "ply\nformat ascii 1.0\nelement a 1\n", "property int a\n", 1.0},
     };
     cases.push_back({"one_residue.pdb", "", atom + "\n", 4.0});
     cases.push_back({"residues.pdb", "", atom + "\n" + other + "\n", 4.0});

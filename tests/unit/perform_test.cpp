@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "viewer/command_table.hpp"
 #include "viewer/layout.hpp"
 
 namespace sphereview {
@@ -159,19 +160,29 @@ TEST_F(Commands, WhatIsShownIsMarked) {
     }
 }
 
-TEST_F(Commands, TheOtherProjectionIsAViewAndComesBack) {
+TEST_F(Commands, TheOtherProjectionIsAnEditAndComesBack) {
     EXPECT_FALSE(is_checked(CommandId::orthographic));
     run_command(state, CommandId::orthographic);
     EXPECT_TRUE(is_checked(CommandId::orthographic));
     // The screen is where the pivot is.
     EXPECT_EQ(state.camera, (Camera{{0, 0, 0}, {0, 0, 300}, {150, 0, 0}, {0, 150, 0}, Projection::orthographic}));
+    EXPECT_EQ(state.document.undo_name(), "Change the projection");
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.camera, before.camera);
     EXPECT_FALSE(state.document.can_undo());
-    EXPECT_EQ(state.scene().camera, before.camera);
+    run_command(state, CommandId::redo);
+    EXPECT_TRUE(is_checked(CommandId::orthographic));
     run_command(state, CommandId::fit_all);
     ASSERT_TRUE(state.flight);
     EXPECT_TRUE(state.flight->last().orthographic());
     run_command(state, CommandId::orthographic);
     EXPECT_EQ(state.camera, (Camera{{0, 0, 0}, {0, 0, 300}, {150, 0, 0}, {0, 150, 0}}));
+    // Also of a view that the scene's camera is not: undoing gives that view back.
+    state.camera.eye.x = 5.0;
+    const Camera moved = state.camera;
+    run_command(state, CommandId::orthographic);
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.camera, moved);
 }
 
 TEST_F(Commands, TheViewIsWhatACameraIsEditedTo) {
@@ -209,6 +220,13 @@ TEST_F(Commands, AViewIsSavedNamedAndFlownTo) {
     EXPECT_EQ(state.side_panel.renamed_view, 1U);
     EXPECT_TRUE(state.panel_shown);
     EXPECT_EQ(state.scene().camera, before.camera);
+    // What is kept already is not kept again, but named.
+    state.camera = first;
+    run_command(state, CommandId::save_view);
+    EXPECT_EQ(state.scene().views.size(), 2U);
+    EXPECT_EQ(state.side_panel.renamed_view, 0U);
+    EXPECT_NE(state.messages.announcement.find("'view 1'"), std::string::npos);
+    state.camera.eye.x = 9.0;
     perform(state, {ShowView{first}});
     ASSERT_TRUE(state.flight);
     const Clock::time_point begin = Clock::now();

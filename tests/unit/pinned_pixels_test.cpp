@@ -6,6 +6,7 @@
 #include "image/png.hpp"
 #include "support/eventually.hpp"
 #include "support/temporary_folder.hpp"
+#include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 

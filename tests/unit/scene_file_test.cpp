@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "support/temporary_folder.hpp"
+#include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 
 namespace sphereview {

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/text.hpp"
+#include "support/folders.hpp"
 #include "support/trials.hpp"
 #include "unit/message_of.hpp"
 #include "unit/random_scene.hpp"
@@ -112,8 +114,8 @@ TEST(ParseScene, SaysThatTheTextFormatHasNoComments) {
 }
 
 TEST(SceneFormats, AreListedForHelpDialogsAndMessages) {
-    EXPECT_EQ(listed(format_names(), "or"), "text, TOML, XYZ, CSV, PDB or mmCIF");
-    EXPECT_EQ(listed(format_names(has_frames), "and"), "XYZ, PDB and mmCIF");
+    EXPECT_EQ(listed(format_names(), "or"), "text, TOML, XYZ, CSV, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF, PQR or PLY");
+    EXPECT_EQ(listed(format_names(has_frames), "and"), "XYZ, PDB, mmCIF, LAMMPS, GROMACS, POSCAR, SDF and PQR");
     EXPECT_EQ(listed(format_endings(is_written), "or"), ".txt or .toml");
     EXPECT_EQ(listed(std::vector<std::string>{"a"}, "or"), "a");
     for (const SceneFormat& format : scene_formats()) {
@@ -123,6 +125,17 @@ TEST(SceneFormats, AreListedForHelpDialogsAndMessages) {
     }
     EXPECT_EQ(find_format("xyz"), find_format("XYZ"));
     EXPECT_EQ(find_format("yaml"), nullptr);
+}
+
+// Desktops know CSV by a type that other programs share.
+TEST(SceneFormats, OfDataHaveMimeTypes) {
+    const std::string types(InputFile(test::source_file("packaging/sphereview.mime.xml")).bytes());
+    for (const SceneFormat& format : scene_formats()) {
+        if (!format.is_data || format.name == "CSV") continue;
+        for (const std::string& ending : endings_of(format)) {
+            EXPECT_NE(lower_case(types).find("<glob pattern=\"*" + ending + "\""), std::string::npos) << ending;
+        }
+    }
 }
 
 TEST(LostIn, NamesWhatTheTextFormatCannotHold) {

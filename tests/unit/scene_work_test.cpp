@@ -2,16 +2,16 @@
 #include "viewer/scene_work.hpp"
 
 #include <gtest/gtest.h>
-
 #include <sys/stat.h>
 
+#include <array>
 #include <fstream>
 #include <sstream>
 
 #include "support/eventually.hpp"
 #include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
-#include "viewer/perform.hpp"
+#include "viewer/command_table.hpp"
 #include "viewer/scene_file.hpp"
 
 namespace sphereview {
@@ -117,6 +117,7 @@ TEST_F(Outputs, TheNextFreeNameIsFoundBesideTheLoop) {
 // Strengths of lights, changed one after the other: what is shown stays until the next is there, which is the export's.
 TEST_F(Outputs, ThePictureAtRestIsRelitAtOnce) {
     run_command(state, CommandId::add_sphere);
+    state.document.apply(ChangeLight{{.lights = 32, .sun = Sun{{1.0, 2.0, -3.0}}}}, "Switch the sun on");
     const auto made = [&] { return rest_picture_is_shown(state); };
     const auto seen = [] { return std::vector<std::int32_t>(64 * 64, visible_background); };
     make_rest_picture(state, seen);
@@ -124,11 +125,13 @@ TEST_F(Outputs, ThePictureAtRestIsRelitAtOnce) {
     ASSERT_TRUE(state.kept_lights && state.kept_lights->picture());
     const auto kept = state.kept_lights;
     const auto kept_picture = kept->picture();
-    for (const double sky : {0.5, 0.2}) {
+    for (const auto& [sky, key, sun] : {std::array{0.5, 1.0, 1.0}, {0.5, 0.25, 1.0}, {0.2, 0.25, 0.001}, {0.2, 0.0, 4.0}}) {
         const std::shared_ptr<const Image> before = state.rest_picture->image;
         Light light = state.shown_light();
         light.sky = sky;
-        state.document.apply(ChangeLight{light}, "Change the sky");
+        light.key = key;
+        light.sun->strength = sun;
+        state.document.apply(ChangeLight{light}, "Change the light");
         EXPECT_FALSE(rest_picture_is_shown(state));
         ASSERT_TRUE(state.rest_picture);
         EXPECT_EQ(state.rest_picture->before, before);

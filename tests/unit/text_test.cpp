@@ -261,4 +261,13 @@ TEST(ParseDouble, DoesNotHeedTheLocale) {
     std::locale::global(before);
 }
 
+TEST(Text, LettersAndAccentsAreOneCharacter) {
+    EXPECT_EQ(composed("caf\u0065\u0301.xyz"), "caf\u00e9.xyz");
+    EXPECT_EQ(composed("A\u030Angstro\u0308m, c\u030Ca\u0301p"), "\u00C5ngstr\u00F6m, \u010D\u00E1p");
+    for (const char* as_it_is : {"", "plain", "\u00e9", "\u0301e", "x\u0301", "\xff\x80", "e\xcc"}) {
+        EXPECT_EQ(composed(as_it_is), as_it_is);
+    }
+    EXPECT_EQ(composed("e\u0300\u0301"), "\u00e8\u0301") << "one accent alone";
+}
+
 }  // namespace sphereview

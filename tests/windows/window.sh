@@ -23,7 +23,7 @@ is_saved() { ! cmp -s scene.txt before.txt; }
 
 printf '2\n255 0 0\n0 0 200\n60\n0 0 255\n90 0 300\n30\n' >scene.txt
 cp scene.txt before.txt
-"$here/wine" "$exe" scene.txt 2>err.txt &
+"$here/wine" "$exe" scene.txt --shade flat --samples 1 2>err.txt &
 job=$!
 waits_for xdotool search --onlyvisible --name 'scene.txt - sphereview'
 window=$(xdotool search --onlyvisible --name 'scene.txt - sphereview' | tail -n 1)
@@ -32,7 +32,7 @@ eval "$(xdotool getwindowgeometry --shell "$window")"
 xdotool mousemove $((X + WIDTH / 3)) $((Y + HEIGHT / 2))
 xdotool key F12
 waits_for test -s scene.png
-"$native" render before.txt -o native.png
+"$native" render before.txt --axes -o native.png
 cmp scene.png native.png || fail "F12"
 
 xdotool click 1  # selects it
@@ -45,7 +45,7 @@ waits_for is_saved
 waits_for xdotool search --onlyvisible --name '^scene.txt - sphereview'
 xdotool key F12
 waits_for test -s scene-1.png
-"$native" render scene.txt -o native.png
+"$native" render scene.txt --axes -o native.png
 cmp scene-1.png native.png || fail "F12 after a drag"
 ! cmp -s scene.png scene-1.png || fail "the drag is not in the picture"
 

@@ -1,0 +1,97 @@
+#include "viewer/selection_edits.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "edit/selection.hpp"
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+namespace {
+
+std::string selected_in_words(const ViewerState& state) { return title_of(state.scene(), state.selection); }
+
+// Told apart at a glance, on black and on white.
+constexpr std::array<Color, 7> new_colors = {
+    {{230, 80, 60}, {70, 140, 230}, {90, 190, 90}, {240, 180, 50}, {160, 100, 210}, {60, 190, 190}, {230, 110, 170}}};
+
+// Moves the sphere to the right until no shown sphere's centre is in it and its own is in none: else it could not be seen.
+void move_out_of_others(const Scene& scene, const glm::dvec3& right, Sphere& sphere) {
+    constexpr int most_moves = 100;  // in a crowd that ends somewhere
+    for (int i = 0; i < most_moves; ++i) {
+        const auto other = std::ranges::find_if(scene.spheres, [&](const Sphere& one) {
+            return !one.hidden && glm::distance(one.center, sphere.center) < std::max(one.radius, sphere.radius);
+        });
+        if (other == scene.spheres.end()) return;
+        // To where the two touch, beyond the other's centre.
+        const glm::dvec3 way = other->center - sphere.center;
+        const double along = glm::dot(way, right);
+        const double reach = sphere.radius + other->radius;
+        const double aside = reach * reach - (glm::dot(way, way) - along * along);
+        const glm::dvec3 moved = sphere.center + (along + std::sqrt(std::max(aside, 0.0))) * right;
+        if (!std::isfinite(moved.x) || !std::isfinite(moved.y) || !std::isfinite(moved.z)) return;
+        sphere.center = moved;
+    }
+}
+
+// By one place in the list, up (-1) or down (1); needs one sphere and a place to go to.
+EditScene reorder_selected(const ViewerState& state, int by) {
+    const std::uint32_t from = state.selection.numbers().front();
+    const std::uint32_t to = by < 0 ? from - 1 : from + 1;
+    return {ReorderSphere{from, to}, "Move " + selected_in_words(state) + (by < 0 ? " up" : " down"), 0};
+}
+
+}  // namespace
+
+EditScene add_sphere(const ViewerState& state) {
+    const std::size_t count = state.scene().spheres.size();
+    Sphere sphere;
+    const double depth = std::max(depth_of(state.camera, state.pivot), 0.1);
+    const glm::dvec2 middle(0.5 * state.picture_size.width, 0.5 * state.picture_size.height);
+    sphere.center = point_at(state.camera, state.picture_size, middle, depth);
+    // A tenth of what the picture's shorter side shows there.
+    const glm::dvec2 beside = middle + glm::dvec2(0.1 * state.picture_size.shorter_side(), 0.0);
+    sphere.radius = glm::distance(point_at(state.camera, state.picture_size, beside, depth), sphere.center);
+    sphere.color = new_colors[count % new_colors.size()];
+    move_out_of_others(state.scene(), glm::normalize(state.camera.right), sphere);
+    return {InsertSpheres{{static_cast<std::uint32_t>(count)}, {{sphere, ""}}}, "Add sphere " + std::to_string(count), 0};
+}
+
+EditScene duplicate_selected(const ViewerState& state) {
+    InsertSpheres insert;
+    auto next = static_cast<std::uint32_t>(state.scene().spheres.size());
+    for (const std::uint32_t number : state.selection.numbers()) {
+        NamedSphere copy{state.scene().spheres[number], name_of(state.scene(), number)};
+        if (!copy.name.empty()) copy.name += " copy";
+        // Beside the original, where it can be seen.
+        const glm::dvec3 right = state.camera.right;
+        copy.sphere.center += copy.sphere.radius / glm::length(right) * right;
+        insert.numbers.push_back(next++);
+        insert.spheres.push_back(std::move(copy));
+    }
+    return {std::move(insert), "Duplicate " + selected_in_words(state), 0};
+}
+
+EditScene remove_selected(const ViewerState& state) {
+    return {RemoveSpheres{state.selection.numbers()}, "Delete " + selected_in_words(state), 0};
+}
+
+EditScene hide_or_show_selected(const ViewerState& state) {
+    const auto& numbers = state.selection.numbers();
+    const bool hide = std::ranges::any_of(numbers, [&](std::uint32_t number) { return !state.scene().spheres[number].hidden; });
+    ChangeSpheres change{numbers, {}};
+    change.spheres.reserve(numbers.size());
+    for (const std::uint32_t number : numbers) {
+        change.spheres.push_back(state.scene().spheres[number]);
+        change.spheres.back().hidden = hide;
+    }
+    return {std::move(change), (hide ? "Hide " : "Show ") + selected_in_words(state), 0};
+}
+
+EditScene move_up(const ViewerState& state) { return reorder_selected(state, -1); }
+EditScene move_down(const ViewerState& state) { return reorder_selected(state, 1); }
+
+}  // namespace sphereview

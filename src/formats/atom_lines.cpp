@@ -1,0 +1,52 @@
+#include "formats/atom_lines.hpp"
+
+#include <cmath>
+
+#include "formats/atoms.hpp"
+#include "formats/elements.hpp"
+
+namespace sphereview {
+
+AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::size_t count, bool wanted, const std::string& of_frame,
+                          GoesOn goes_on, const char* what) {
+    AtomLines lines{count, goes_on};
+    for (std::size_t i = 0; i < count; ++i) {
+        if (walker.at_end()) {
+            source.fail(source.text.size(), "the text ends, expected" + of_atom(i, count, what).substr(3) + of_frame);
+        }
+        const std::size_t begin = walker.offset();
+        if (wanted && i % atom_lines_a_piece == 0) lines.pieces.push_back(begin);
+        const std::size_t end = walker.step();
+        if (goes_on != nullptr) step_over_rest(source, walker, goes_on, begin, end);
+    }
+    return lines;
+}
+
+std::string of_atom(std::size_t index, std::size_t count, const char* what) {
+    return std::string(" of ") + what + " " + std::to_string(index + 1) + " of " + std::to_string(count);
+}
+
+void require_finite(const TextSource& source, std::size_t begin, const glm::dvec3& center, std::size_t index, std::size_t count) {
+    if (std::isfinite(center.x) && std::isfinite(center.y) && std::isfinite(center.z)) return;
+    source.fail(begin, "found a place beyond what a double can hold (at most 1.8e308), expected the place" + of_atom(index, count));
+}
+
+SphereData data_of(Atoms atoms, const std::string& name, const DataOptions& options, std::string (*name_of)(std::string_view)) {
+    SphereData data;
+    data.scene.spheres = std::move(atoms.spheres);
+    for (std::size_t i = 0; i < atoms.labels.size(); ++i) {
+        if (atoms.labels[i].empty()) continue;
+        data.scene.names.emplace_hint(data.scene.names.end(), static_cast<std::uint32_t>(i), name_of(atoms.labels[i]));
+    }
+    warn_of_virtual_sites(data, atoms.virtual_sites.size(), name, options);
+    if (!options.virtual_sites) remove_spheres(data.scene, atoms.virtual_sites);
+    return data;
+}
+
+std::string name_of_species(std::string_view species) {
+    const bool number = !species.empty() && species[0] >= '0' && species[0] <= '9';
+    const std::string_view symbol = number ? element_of_species(species).symbol : species;
+    return as_utf8(symbol.empty() ? species : symbol);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,137 @@
+// What the formats share in which each atom has a line: frames are found without a look at their atoms, and the lines of the wanted
+// one are read on all cores.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "formats/lines.hpp"
+#include "formats/sphere_data.hpp"
+
+namespace sphereview {
+
+// Whether the line that `rest` begins with belongs to the atom of `line`, which stands before it.
+using GoesOn = bool (*)(std::string_view line, std::string_view rest);
+
+// Where the lines of one frame's atoms stand.
+struct AtomLines {
+    std::size_t count = 0;
+    GoesOn goes_on = nullptr;           // null: each atom has one line
+    std::vector<std::size_t> pieces{};  // where the first line of each atom_lines_a_piece begins; of the wanted frame alone
+};
+
+inline constexpr std::size_t atom_lines_a_piece = 1024;  // that one core reads at a time
+
+// Steps over the lines of `count` atoms, or of `what` else has a line each. of_frame: " of frame 3". Throws InputError where the
+// text ends before.
+AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::size_t count, bool wanted, const std::string& of_frame,
+                          GoesOn goes_on = nullptr, const char* what = "atom");
+
+// Steps over what goes on behind the line [begin, end).
+inline void step_over_rest(const TextSource& source, LineWalker& walker, GoesOn goes_on, std::size_t begin, std::size_t end) {
+    while (!walker.at_end() && goes_on(source.text.substr(begin, end - begin), source.text.substr(walker.offset()))) {
+        begin = walker.offset();
+        end = walker.step();
+    }
+}
+
+// The wanted frame, and how many the file has.
+template <typename Frame>
+struct FoundFrame {
+    Frame frame{};
+    std::int64_t frames = 0;
+    std::string fault{};  // behind the wanted frame, where the file is read no further; "" where nothing is wrong
+};
+
+// Calls next(frame, number, is_wanted) until it returns false, for there is no more frame; of the wanted one it notes where the
+// atoms are. A fault behind the wanted frame is only kept. Throws what `next` throws, and InputError where there is no such frame.
+template <typename Frame, typename Next>
+FoundFrame<Frame> find_frame(const std::string& name, std::int64_t wanted, const Next& next) {
+    FoundFrame<Frame> found;
+    while (true) {
+        Frame frame;
+        try {
+            if (!next(frame, found.frames, found.frames == wanted)) break;
+        } catch (const InputError& error) {
+            if (found.frames <= wanted) throw;
+            found.fault = error.what();
+            break;
+        }
+        if (found.frames == wanted) found.frame = std::move(frame);
+        ++found.frames;
+    }
+    if (found.frames > 0) require_frame(name, wanted, found.frames);
+    return found;
+}
+
+// Notes the number of frames, and warns of the fault behind the wanted one.
+template <typename Frame>
+void note_frames(SphereData& data, const FoundFrame<Frame>& found) {
+    data.frames = found.frames;
+    if (found.fault.empty()) return;
+    data.warnings.push_back(found.fault + "; what follows frame " + std::to_string(found.frames - 1) + " is passed over");
+}
+
+// " of atom 3 of 5", of that index from 0.
+std::string of_atom(std::size_t index, std::size_t count, const char* what = "atom");
+
+// Throws InputError where a computed place, of the line that begins at `begin`, is beyond a double.
+void require_finite(const TextSource& source, std::size_t begin, const glm::dvec3& center, std::size_t index, std::size_t count);
+
+// What a line says.
+struct LineAtom {
+    Sphere sphere{};
+    std::string_view label{};  // what the atom's name is made of
+    bool is_virtual = false;   // no atom (elements.hpp)
+};
+
+// The atoms of a frame.
+struct Atoms {
+    std::vector<Sphere> spheres{};
+    std::vector<std::string_view> labels{};    // none of more than most_named_atoms
+    std::vector<std::size_t> virtual_sites{};  // their numbers, ascending
+};
+
+// Reads a frame's lines. make_reader(piece) makes what reads the lines of one piece: read(begin, end, index) gives the LineAtom of
+// atom `index`, whose line stands at [begin, end) of the text.
+template <typename MakeReader>
+Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, char line_end, const MakeReader& make_reader) {
+    Atoms atoms;
+    atoms.spheres.resize(lines.count);
+    atoms.labels.resize(lines.count <= most_named_atoms ? lines.count : 0);
+    std::vector<std::vector<std::size_t>> virtual_sites(lines.pieces.size());
+    parallel_in_order(lines.pieces.size(), [&](std::size_t piece) {
+        auto reader = make_reader(piece);
+        LineWalker walker(source.text, line_end, lines.pieces[piece]);
+        const std::size_t first = piece * atom_lines_a_piece;
+        const std::size_t last = std::min(lines.count, first + atom_lines_a_piece);
+        for (std::size_t i = first; i < last; ++i) {
+            const std::size_t begin = walker.offset();
+            const std::size_t end = walker.step();
+            const LineAtom atom = reader.read(begin, end, i);
+            if (lines.goes_on != nullptr) step_over_rest(source, walker, lines.goes_on, begin, end);
+            atoms.spheres[i] = atom.sphere;
+            if (!atoms.labels.empty()) atoms.labels[i] = atom.label;
+            if (atom.is_virtual) virtual_sites[piece].push_back(i);
+        }
+    });
+    for (const auto& of_piece : virtual_sites) {
+        atoms.virtual_sites.insert(atoms.virtual_sites.end(), of_piece.begin(), of_piece.end());
+    }
+    return atoms;
+}
+
+// Makes data of atoms: name_of(label) calls each that has a label.
+SphereData data_of(Atoms atoms, const std::string& name, const DataOptions& options, std::string (*name_of)(std::string_view));
+
+// What an atom of an element is called: as the file calls it, or by the symbol of an atomic number.
+std::string name_of_species(std::string_view species);
+
+}  // namespace sphereview

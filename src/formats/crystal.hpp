@@ -1,0 +1,18 @@
+// Crystals of CIF: atoms in parts of a cell's edges, and the symmetry that repeats them. For sources that may include gemmi.
+#pragma once
+
+#include <gemmi/cifdoc.hpp>
+
+#include "formats/lines.hpp"
+#include "formats/sphere_data.hpp"
+
+namespace sphereview {
+
+// The table of a crystal's atoms, not ok() where the block has none.
+gemmi::cif::Table crystal_atoms(gemmi::cif::Block& block);
+
+// The atoms of that table as they are written, and their images by symmetry within the cell, each place once. Of alternatives
+// (disorder groups) the fullest is kept. Throws as SceneFormat::read.
+SphereData read_crystal(const TextSource& source, gemmi::cif::Table& atoms, const DataOptions& options);
+
+}  // namespace sphereview

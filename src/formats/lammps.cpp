@@ -1,0 +1,356 @@
+// Dumps of LAMMPS in text: for each frame items with a head each, `ITEM: NUMBER OF ATOMS`, and at last `ITEM: ATOMS` with the names
+// of the columns behind it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "base/memory.hpp"
+#include "base/text.hpp"
+#include "formats/atom_lines.hpp"
+#include "formats/atoms.hpp"
+#include "formats/cell.hpp"
+#include "formats/elements.hpp"
+#include "formats/point_radius.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::string_view item_head = "ITEM:";
+constexpr std::size_t longest_item = 1 << 16;  // what is looked at of the line that names columns
+
+enum class DumpField { id, type, element, x, y, z, radius, diameter };
+
+struct DumpColumn {
+    DumpField field;
+    std::size_t place;  // in the line, from 0
+};
+
+// The columns that are drawn, from left to right.
+struct DumpColumns {
+    std::vector<DumpColumn> columns{};
+    bool scaled = false;  // places are parts of the box's edges
+
+    bool has(DumpField field) const { return std::ranges::find(columns, field, &DumpColumn::field) != columns.end(); }
+};
+
+// What a piece of the text says: where it begins and ends.
+struct DumpLine {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+struct DumpFrame {
+    std::optional<DumpLine> box{};  // the head of the box, whose lines follow
+    DumpLine columns{};             // the head of the atoms
+    AtomLines atoms{};
+};
+
+// What stands behind ITEM: in a line; nothing for other lines.
+std::optional<std::string_view> item_in(std::string_view line) {
+    line = trimmed(line, white_space);
+    if (!line.starts_with(item_head)) return std::nullopt;
+    return trimmed(line.substr(item_head.size()), white_space);
+}
+
+// Finds the frames of a text without looking at their atoms.
+class DumpFinder {
+public:
+    DumpFinder(const TextSource& source, char line_end) : source_(source), walker_(source.text, line_end) {}
+
+    // Steps over the next frame, number `number` from 0; false when there is none.
+    bool next(DumpFrame& frame, std::int64_t number, bool wanted) {
+        const std::string of_frame = " of frame " + std::to_string(number);
+        std::optional<std::size_t> count;
+        bool begun = false;
+        while (!walker_.at_end()) {
+            const DumpLine line = step();
+            const std::string_view words = trimmed(text_of(line), white_space);
+            const auto item = item_in(words);
+            // The values of an item that says nothing of atoms.
+            if (words.empty() || (begun && !item)) continue;
+            if (!item) source_.fail(words.substr(0, words.find_first_of(white_space)), "ITEM: TIMESTEP" + of_frame);
+            begun = true;
+            if (item->starts_with("NUMBER OF ATOMS")) {
+                count = number_of_atoms(of_frame);
+            } else if (item->starts_with("BOX BOUNDS")) {
+                frame.box = line;
+            } else if (item->starts_with("ATOMS")) {
+                if (!count) source_.fail(words, "ITEM: NUMBER OF ATOMS" + of_frame + " above it");
+                frame.columns = line;
+                frame.atoms = step_over_atoms(source_, walker_, *count, wanted, of_frame);
+                return true;
+            }
+        }
+        if (begun) source_.fail(source_.text.size(), "the text ends, expected ITEM: ATOMS" + of_frame);
+        return false;
+    }
+
+private:
+    DumpLine step() {
+        const std::size_t begin = walker_.offset();
+        return {begin, walker_.step()};
+    }
+
+    std::string_view text_of(const DumpLine& line) const { return source_.text.substr(line.begin, line.end - line.begin); }
+
+    std::size_t number_of_atoms(const std::string& of_frame) {
+        const auto expected = [&] { return "the number of atoms" + of_frame; };
+        if (walker_.at_end()) source_.fail(source_.text.size(), "the text ends, expected " + expected());
+        const DumpLine line = step();
+        const TextSource up_to_end{source_.name, source_.text.substr(0, line.end)};
+        return static_cast<std::size_t>(TokenReader(up_to_end, line.begin, line_ends).integer(0, most_spheres, expected));
+    }
+
+    const TextSource& source_;
+    LineWalker walker_;
+};
+
+// Which columns the head of the atoms names. Of several kinds of places the first is taken: as they are, in parts of the box, and
+// the same two without the jumps at its walls.
+DumpColumns dump_columns(const TextSource& source, const DumpLine& head) {
+    constexpr auto kinds = std::to_array<std::array<std::string_view, 3>>(
+        {{"x", "y", "z"}, {"xs", "ys", "zs"}, {"xu", "yu", "zu"}, {"xsu", "ysu", "zsu"}});
+    const std::string_view line = source.text.substr(head.begin, head.end - head.begin);
+    auto names = words_of(line.substr(line.find(item_head) + item_head.size(), longest_item));
+    names.erase(names.begin());  // ATOMS
+    const auto place_of = [&](std::string_view name) {
+        return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    };
+    DumpColumns found;
+    const auto add = [&](DumpField field, std::string_view name) {
+        const std::size_t place = place_of(name);
+        if (place < names.size()) found.columns.push_back({field, place});
+        return place < names.size();
+    };
+    const auto is_whole = [&](const std::array<std::string_view, 3>& kind) {
+        return std::ranges::all_of(kind, [&](std::string_view name) { return place_of(name) < names.size(); });
+    };
+    const auto kind = std::ranges::find_if(kinds, is_whole);
+    if (kind == kinds.end()) {
+        const std::string_view item = trimmed(line, white_space);
+        throw InputError(source.place(item) +
+                         "found no places among the columns, expected x y z, xs ys zs, xu yu zu or xsu ysu zsu");
+    }
+    found.scaled = (kind - kinds.begin()) % 2 == 1;
+    add(DumpField::x, (*kind)[0]);
+    add(DumpField::y, (*kind)[1]);
+    add(DumpField::z, (*kind)[2]);
+    add(DumpField::id, "id");
+    add(DumpField::element, "element");
+    add(DumpField::type, "type");
+    if (!add(DumpField::radius, "radius")) add(DumpField::diameter, "diameter");
+    std::ranges::sort(found.columns, {}, &DumpColumn::place);
+    return found;
+}
+
+// Reads the lines of a box: its lowest and highest x, y and z, and the tilts xy, xz and yz where the box is none with right angles,
+// whose bounds are then those of the box around it. Or the edges a, b and c with the corner.
+Cell read_box(const TextSource& source, const DumpLine& head, char line_end) {
+    const std::string_view words = source.text.substr(head.begin, head.end - head.begin);
+    const bool is_general = words.find("abc origin") != std::string_view::npos;
+    const bool is_tilted = !is_general && words.find("xy") != std::string_view::npos;
+    const std::size_t count = is_general ? 4 : is_tilted ? 3 : 2;
+    std::array<std::array<double, 4>, 3> numbers{};
+    LineWalker walker(source.text, line_end, head.begin);
+    walker.step();
+    for (auto& row : numbers) {
+        const auto expected = [&] {
+            return std::string("the ") + "xyz"[&row - numbers.data()] + " of the box, " + std::to_string(count) + " numbers";
+        };
+        if (walker.at_end()) source.fail(source.text.size(), "the text ends, expected " + expected());
+        const std::size_t begin = walker.offset();
+        const TextSource line{source.name, source.text.substr(0, walker.step())};
+        TokenReader reader(line, begin, line_ends, parse_any_double);
+        for (std::size_t i = 0; i < count; ++i) row[i] = reader.number(expected);
+    }
+    Cell box;
+    if (is_general) {
+        box.a = {numbers[0][0], numbers[0][1], numbers[0][2]};
+        box.b = {numbers[1][0], numbers[1][1], numbers[1][2]};
+        box.c = {numbers[2][0], numbers[2][1], numbers[2][2]};
+        box.corner = {numbers[0][3], numbers[1][3], numbers[2][3]};
+        return box;
+    }
+    const double xy = numbers[0][2];
+    const double xz = numbers[1][2];
+    const double yz = numbers[2][2];
+    const double low_x = numbers[0][0] - std::min({0.0, xy, xz, xy + xz});
+    const double high_x = numbers[0][1] - std::max({0.0, xy, xz, xy + xz});
+    const double low_y = numbers[1][0] - std::min(0.0, yz);
+    const double high_y = numbers[1][1] - std::max(0.0, yz);
+    box.corner = {low_x, low_y, numbers[2][0]};
+    box.a = {high_x - low_x, 0.0, 0.0};
+    box.b = {xy, high_y - low_y, 0.0};
+    box.c = {xz, yz, numbers[2][1] - numbers[2][0]};
+    return box;
+}
+
+// Colours for types that are nothing but numbers, which people with colour-blindness can tell apart (Okabe and Ito 2008).
+Color color_of_type(std::string_view type) {
+    constexpr auto colors = std::to_array<Color>({{0xE6, 0x9F, 0x00},
+                                                  {0x56, 0xB4, 0xE9},
+                                                  {0x00, 0x9E, 0x73},
+                                                  {0xF0, 0xE4, 0x42},
+                                                  {0x00, 0x72, 0xB2},
+                                                  {0xD5, 0x5E, 0x00},
+                                                  {0xCC, 0x79, 0xA7},
+                                                  {0xBB, 0xBB, 0xBB}});
+    std::uint64_t number = 0;
+    return parse_whole(type, number) && number > 0 ? colors[(number - 1) % colors.size()] : unknown_element().color;
+}
+
+bool begins_with_letter(std::string_view word) { return !word.empty() && is_letter(word[0]); }
+
+// Reads the lines of one piece.
+class DumpAtomReader {
+public:
+    // ids: one for each atom, or none.
+    DumpAtomReader(const TextSource& source, const DumpColumns& columns, const Cell& box, std::size_t count,
+                   const DataOptions& options, std::vector<std::int64_t>& ids)
+        : text_(source.text), line_{source.name, {}}, columns_(columns), box_(box), count_(count), options_(options), ids_(ids) {}
+
+    LineAtom read(std::size_t begin, std::size_t end, std::size_t index) {
+        line_.text = text_.substr(0, end);
+        TokenReader reader(line_, begin, line_ends, parse_any_double);
+        const auto the = [this, index](const char* what) { return [this, index, what] { return what + of_atom(index, count_); }; };
+        LineAtom atom;
+        glm::dvec3& center = atom.sphere.center;
+        std::string_view type;
+        std::string_view element_name;
+        double radius = 0.0;
+        std::size_t at = 0;
+        for (const auto& [field, place] : columns_.columns) {
+            reader.skip_tokens(place - at);
+            at = place + 1;
+            switch (field) {
+                case DumpField::id: ids_[index] = reader.integer(lowest_id, highest_id, the("the id")); break;
+                case DumpField::type: type = word(reader, the("the type")); break;
+                case DumpField::element: element_name = word(reader, the("the element")); break;
+                case DumpField::x: center.x = reader.number(the("the x")); break;
+                case DumpField::y: center.y = reader.number(the("the y")); break;
+                case DumpField::z: center.z = reader.number(the("the z")); break;
+                case DumpField::radius: radius = reader.number_or_0(the("the radius")); break;
+                case DumpField::diameter: radius = 0.5 * reader.number_or_0(the("the diameter")); break;
+            }
+        }
+        if (columns_.scaled) center = box_.place(center);
+        require_finite(line_, begin, center, index, count_);
+        // Types may have labels, which often are elements.
+        const bool is_number = element_name.empty() && !begins_with_letter(type);
+        atom.label = element_name.empty() ? type : element_name;
+        const Element& element = is_number ? unknown_element() : element_of_species(atom.label);
+        atom.is_virtual = is_virtual(element);
+        atom.sphere.radius = radius > 0.0 ? radius : radius_of(element, options_);
+        atom.sphere.color = is_number ? color_of_type(type) : element.color;
+        return atom;
+    }
+
+private:
+    static constexpr std::int64_t lowest_id = std::numeric_limits<std::int64_t>::min();
+    static constexpr std::int64_t highest_id = std::numeric_limits<std::int64_t>::max();
+
+    template <typename Expected>
+    static std::string_view word(TokenReader& reader, const Expected& expected) {
+        if (reader.at_end()) reader.fail_at_end(line_ends, expected());
+        const std::string_view token = reader.token();
+        reader.skip_tokens(1);
+        return token;
+    }
+
+    std::string_view text_;
+    TextSource line_;  // the text up to the line's end
+    const DumpColumns& columns_;
+    const Cell& box_;
+    std::size_t count_;  // of the frame's atoms
+    const DataOptions& options_;
+    std::vector<std::int64_t>& ids_;
+};
+
+// Puts the atoms in the order of their ids, which many processors have mixed.
+void order_by_id(Atoms& atoms, const std::vector<std::int64_t>& ids) {
+    if (std::ranges::is_sorted(ids)) return;
+    std::vector<std::uint32_t> order(ids.size());  // from: the atom that belongs at each place
+    std::iota(order.begin(), order.end(), std::uint32_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return ids[i]; });
+    std::vector<std::uint32_t> new_places;
+    if (!atoms.virtual_sites.empty()) {
+        new_places.resize(order.size());
+        for (std::size_t i = 0; i < order.size(); ++i) new_places[order[i]] = static_cast<std::uint32_t>(i);
+        for (std::size_t& site : atoms.virtual_sites) site = new_places[site];
+        std::ranges::sort(atoms.virtual_sites);
+    }
+    // In place, one ring of places after the other: twice the spheres would be much memory.
+    for (std::size_t first = 0; first < order.size(); ++first) {
+        const Sphere sphere = atoms.spheres[first];
+        const std::string_view label = atoms.labels.empty() ? std::string_view() : atoms.labels[first];
+        std::size_t to = first;
+        while (order[to] != to) {
+            const std::size_t from = order[to];
+            order[to] = static_cast<std::uint32_t>(to);
+            const bool closes = from == first;
+            atoms.spheres[to] = closes ? sphere : atoms.spheres[from];
+            if (!atoms.labels.empty()) atoms.labels[to] = closes ? label : atoms.labels[from];
+            if (closes) break;
+            to = from;
+        }
+    }
+}
+
+std::string name_of_dump_atom(std::string_view label) {
+    return begins_with_letter(label) ? name_of_species(label) : "type " + as_utf8(label);
+}
+
+SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, char line_end, const DataOptions& options) {
+    const std::size_t count = frame.atoms.count;
+    const DumpColumns columns = dump_columns(source, frame.columns);
+    const bool has_ids = columns.has(DumpField::id);
+    const std::size_t bytes = sizeof(Sphere) + (has_ids ? sizeof(std::int64_t) + sizeof(std::uint32_t) : 0);
+    require_memory(count * bytes, source.name + ": " + in_groups(count) + " spheres need");
+    Cell box;
+    if (columns.scaled) {
+        if (!frame.box) {
+            throw InputError(source.place(frame.columns.begin) +
+                             "found places in parts of a box, expected ITEM: BOX BOUNDS above them");
+        }
+        box = read_box(source, *frame.box, line_end);
+    }
+    std::vector<std::int64_t> ids(has_ids ? count : 0);
+    const auto reader = [&](std::size_t) { return DumpAtomReader(source, columns, box, count, options, ids); };
+    bool has_elements = columns.has(DumpField::element);
+    if (count > 0 && !has_elements) {
+        const std::size_t first = frame.atoms.pieces[0];
+        LineWalker walker(source.text, line_end, first);
+        has_elements = begins_with_letter(reader(0).read(first, walker.step(), 0).label);
+    }
+    Atoms atoms = read_atom_lines(source, frame.atoms, line_end, reader);
+    if (has_ids) order_by_id(atoms, ids);
+    SphereData data = data_of(std::move(atoms), source.name, options, name_of_dump_atom);
+    const bool has_radii = columns.has(DumpField::radius) || columns.has(DumpField::diameter);
+    if (!has_radii && !has_elements && !options.radius) use_radius_of_points(data, source.name);
+    return data;
+}
+
+}  // namespace
+
+bool shows_lammps(std::string_view head) {
+    const auto item = item_in(head.substr(0, head.find_first_of("\r\n")));
+    return item && (item->starts_with("TIMESTEP") || item->starts_with("UNITS") || item->starts_with("TIME"));
+}
+
+SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options) {
+    const TextSource source{name, without_byte_order_mark(content)};
+    const char line_end = line_end_of(source.text);
+    DumpFinder finder(source, line_end);
+    const auto next = [&](DumpFrame& frame, std::int64_t number, bool wanted) { return finder.next(frame, number, wanted); };
+    const FoundFrame<DumpFrame> found = find_frame<DumpFrame>(name, options.frame, next);
+    if (found.frames == 0) source.fail(source.text.size(), "the text is empty, expected ITEM: TIMESTEP of frame 0");
+    SphereData data = read_dump_frame(source, found.frame, line_end, options);
+    note_frames(data, found);
+    return data;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,158 @@
+// SDF and MOL: molecules of three lines of title, a line of counts, and atoms `x y z SYMBOL ...` (V2000) or
+// `M  V30 INDEX SYMBOL x y z ...` (V3000). In an SDF each ends with `$$$$` and is a frame.
+#include <algorithm>
+
+#include "base/memory.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "formats/atom_lines.hpp"
+#include "formats/atoms.hpp"
+#include "formats/elements.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::string_view record_end = "$$$$";
+constexpr std::size_t count_columns = 3;  // of each number in the line of counts
+
+struct MolFrame {
+    AtomLines atoms{};
+    bool is_v3000 = false;
+};
+
+// Such a line of V3000 goes on in the next one.
+bool ends_in_hyphen(std::string_view line, std::string_view) { return trimmed(line, white_space).ends_with('-'); }
+
+// Finds the molecules of a text without looking at their atoms.
+class MoleculeFinder {
+public:
+    MoleculeFinder(const TextSource& source, char line_end) : source_(source), walker_(source.text, line_end) {}
+
+    // Steps over the next molecule, number `number` from 0; false when there is none.
+    bool next(MolFrame& frame, std::int64_t number, bool wanted) {
+        if (source_.text.find_first_not_of(white_space, walker_.offset()) == std::string_view::npos) return false;
+        of_frame_ = " of frame " + std::to_string(number);
+        for (int title = 0; title < 3; ++title) step("the line of counts");
+        const std::string_view counts = step("the line of counts");
+        frame.is_v3000 = counts.find("V3000") != std::string_view::npos;
+        const std::size_t count = frame.is_v3000 ? v3000_count() : v2000_count(counts);
+        frame.atoms = step_over_atoms(source_, walker_, count, wanted, of_frame_, frame.is_v3000 ? ends_in_hyphen : nullptr);
+        while (!walker_.at_end() && !step(record_end).starts_with(record_end)) {
+        }
+        return true;
+    }
+
+private:
+    // The next line, in the way to `expected`.
+    std::string_view step(std::string_view expected) {
+        if (walker_.at_end()) {
+            source_.fail(source_.text.size(), "the text ends, expected " + std::string(expected) + of_frame_);
+        }
+        const std::size_t begin = walker_.offset();
+        return source_.text.substr(0, walker_.step()).substr(begin);
+    }
+
+    // In columns, because 100100 is two numbers.
+    std::size_t v2000_count(std::string_view line) const {
+        std::size_t count = 0;
+        if (parse_whole(trimmed(line.substr(0, count_columns), " "), count)) return count;
+        const auto words = words_of(line.substr(0, longest_line));
+        if (!words.empty() && words[0].size() < count_columns && parse_whole(words[0], count)) return count;
+        source_.fail(line.substr(0, count_columns), "the number of atoms" + of_frame_ + " in columns 1 to 3");
+    }
+
+    std::size_t v3000_count() {
+        std::size_t count = 0;
+        bool has_count = false;
+        while (true) {
+            const std::string_view line = step("M  V30 BEGIN ATOM");
+            if (line.starts_with("M  END") || line.starts_with(record_end)) source_.fail(line, "M  V30 BEGIN ATOM" + of_frame_);
+            const auto words = words_of(line.substr(0, longest_line));
+            if (words.size() > 3 && words[2] == "COUNTS") {
+                if (!parse_whole(words[3], count) || count > most_spheres)
+                    source_.fail(words[3], "the number of atoms" + of_frame_);
+                has_count = true;
+            }
+            // A molecule without atoms may leave their block out.
+            if (has_count && count == 0) return 0;
+            if (words.size() > 3 && words[2] == "BEGIN" && words[3] == "ATOM") {
+                if (!has_count) source_.fail(line, "M  V30 COUNTS" + of_frame_ + " above it");
+                return count;
+            }
+        }
+    }
+
+    static constexpr std::size_t longest_line = 256;
+
+    const TextSource& source_;
+    LineWalker walker_;
+    std::string of_frame_{};
+};
+
+// Reads the lines of one piece.
+class MolAtomReader {
+public:
+    MolAtomReader(const TextSource& source, const MolFrame& frame, const DataOptions& options)
+        : text_(source.text), line_{source.name, {}}, frame_(frame), options_(options) {}
+
+    LineAtom read(std::size_t begin, std::size_t end, std::size_t index) {
+        line_.text = text_.substr(0, end);
+        const std::size_t count = frame_.atoms.count;
+        TokenReader reader(line_, begin, line_ends, parse_any_double);
+        const auto the = [index, count](const char* what) { return [index, count, what] { return what + of_atom(index, count); }; };
+        LineAtom atom;
+        if (frame_.is_v3000) {
+            reader.skip_tokens(3);  // M V30 and the index
+            atom.label = word(reader, the("the symbol"));
+        }
+        atom.sphere.center.x = reader.number(the("the x"));
+        atom.sphere.center.y = reader.number(the("the y"));
+        atom.sphere.center.z = reader.number(the("the z"));
+        if (!frame_.is_v3000) atom.label = word(reader, the("the symbol"));
+        const Element& element = element_of_species(atom.label);
+        atom.is_virtual = is_virtual(element);
+        atom.sphere.radius = radius_of(element, options_);
+        atom.sphere.color = element.color;
+        return atom;
+    }
+
+private:
+    template <typename Expected>
+    static std::string_view word(TokenReader& reader, const Expected& expected) {
+        if (reader.at_end()) reader.fail_at_end(line_ends, expected());
+        const std::string_view token = reader.token();
+        reader.skip_tokens(1);
+        return token;
+    }
+
+    std::string_view text_;
+    TextSource line_;  // the text up to the line's end
+    const MolFrame& frame_;
+    const DataOptions& options_;
+};
+
+}  // namespace
+
+bool shows_sdf(std::string_view head) {
+    for (int title = 0; title < 3; ++title) take_line(head);
+    const std::string_view counts = trimmed(take_line(head));
+    return counts.ends_with("V2000") || counts.ends_with("V3000");
+}
+
+SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options) {
+    const TextSource source{name, without_byte_order_mark(content)};
+    const char line_end = line_end_of(source.text);
+    MoleculeFinder finder(source, line_end);
+    const auto next = [&](MolFrame& frame, std::int64_t number, bool wanted) { return finder.next(frame, number, wanted); };
+    const FoundFrame<MolFrame> found = find_frame<MolFrame>(name, options.frame, next);
+    if (found.frames == 0) source.fail(source.text.size(), "the text is empty, expected three lines of title of frame 0");
+    const AtomLines& lines = found.frame.atoms;
+    require_memory(lines.count * sizeof(Sphere), name + ": " + in_groups(lines.count) + " spheres need");
+    const auto reader = [&](std::size_t) { return MolAtomReader(source, found.frame, options); };
+    SphereData data = data_of(read_atom_lines(source, lines, line_end, reader), name, options, name_of_species);
+    note_frames(data, found);
+    return data;
+}
+
+}  // namespace sphereview

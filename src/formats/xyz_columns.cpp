@@ -1,0 +1,146 @@
+#include "formats/xyz_columns.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "scene/sphere.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t most_columns = 1'000'000;
+constexpr const char* example = "NAME:TYPE:COLUMNS for each property, as in species:S:1:pos:R:3";
+
+void skip_blanks(std::string_view& text) { text.remove_prefix(std::min(text.find_first_not_of(white_space), text.size())); }
+
+std::string_view take(std::string_view& text, std::size_t count) {
+    const std::string_view taken = text.substr(0, count);
+    text.remove_prefix(std::min(taken.size(), text.size()));
+    return taken;
+}
+
+// The value that begins `text`: in quotes or braces, or one word.
+std::string_view take_value(std::string_view& text) {
+    if (text.empty()) return text;
+    const char close = text[0] == '{' ? '}' : text[0];
+    if (close != '"' && close != '\'' && close != '}') return take(text, text.find_first_of(white_space));
+    text.remove_prefix(1);
+    std::size_t end = text.find(close);
+    while (end != std::string_view::npos && end > 0 && text[end - 1] == '\\') end = text.find(close, end + 1);
+    const std::string_view value = take(text, end);
+    text.remove_prefix(std::min<std::size_t>(1, text.size()));
+    return value;
+}
+
+// The value of Properties among the `key=value` of a comment.
+std::optional<std::string_view> find_properties(std::string_view comment) {
+    while (true) {
+        skip_blanks(comment);
+        if (comment.empty()) return std::nullopt;
+        const std::string_view key = take(comment, std::max<std::size_t>(1, comment.find_first_of(" \t\r\v\f=")));
+        skip_blanks(comment);
+        if (!comment.starts_with('=')) continue;
+        comment.remove_prefix(1);
+        skip_blanks(comment);
+        const std::string_view value = take_value(comment);
+        if (lower_case(key) == "properties") return value;
+    }
+}
+
+// Walks through NAME:TYPE:COLUMNS:NAME:...
+class Properties {
+public:
+    Properties(const TextSource& source, std::string_view value) : source_(source), value_(value), rest_(value) {}
+
+    XyzLayout layout() {
+        XyzLayout layout;
+        std::vector<XyzColumn>& columns = layout.columns;
+        std::size_t first = 0;
+        do {
+            entry_ = rest_;
+            const std::string name = lower_case(name_part());
+            const std::string type = lower_case(part());
+            const std::string_view digits = part();
+            std::size_t count = 0;
+            const bool is_type = type == "r" || type == "i" || type == "s" || type == "l";
+            if (name.empty() || !is_type || !parse_whole(digits, count) || count == 0) {
+                fail(example);
+            }
+            if (auto field = field_named(name, type, count)) {
+                if (*field == XyzField::position && count == 2) field = XyzField::flat_position;
+                if (*field != XyzField::color && count != columns_of(*field))
+                    fail(name + " of " + columns_in_words(*field) + " columns");
+                if (!has(columns, *field)) columns.push_back({*field, first});
+                if (*field == XyzField::color && type == "i") layout.full_color = color_max;
+            }
+            if (count > most_columns - first) fail("at most " + std::to_string(most_columns) + " columns");
+            first += count;
+        } while (!ended_);
+        if (has(columns, XyzField::position) || has(columns, XyzField::flat_position)) return layout;
+        throw InputError(source_.place(value_) + "found properties without a position, expected pos:R:3 among them");
+    }
+
+private:
+    // A radius or colour of another kind is no reason to refuse the atoms. What stands behind the three columns of a colour is
+    // opacity.
+    static std::optional<XyzField> field_named(const std::string& name, const std::string& type, std::size_t count) {
+        const auto is = [&](std::initializer_list<const char*> names, const char* types) {
+            return std::ranges::find(names, name) != names.end() && std::string_view(types).find(type) != std::string_view::npos;
+        };
+        if (is({"species", "element", "symbol", "z", "numbers"}, "si")) return XyzField::species;
+        if (is({"pos", "position", "positions"}, "ri")) return XyzField::position;
+        if (count == 1 && is({"radius", "radii"}, "ri")) return XyzField::radius;
+        if (count >= 3 && is({"color", "colour", "colors"}, "ri")) return XyzField::color;
+        return std::nullopt;
+    }
+
+    static bool has(const std::vector<XyzColumn>& columns, XyzField field) {
+        return std::ranges::find(columns, field, &XyzColumn::field) != columns.end();
+    }
+
+    static std::string columns_in_words(XyzField field) {
+        return field == XyzField::position ? "2 or 3" : std::to_string(columns_of(field));
+    }
+
+    // A name may hold "::", as in mtt::aux.
+    std::string_view name_part() {
+        std::size_t end = rest_.find(':');
+        while (end != std::string_view::npos && end > 0 && rest_.substr(end + 1).starts_with(':')) end = rest_.find(':', end + 2);
+        return part(end);
+    }
+
+    std::string_view part() { return part(rest_.find(':')); }
+
+    std::string_view part(std::size_t end) {
+        const std::string_view found = take(rest_, end);
+        ended_ = end == std::string_view::npos;
+        if (!ended_) rest_.remove_prefix(1);
+        return found;
+    }
+
+    [[noreturn]] void fail(const std::string& expected) const {
+        const auto length = static_cast<std::size_t>(rest_.data() - entry_.data()) - (ended_ ? 0 : 1);
+        source_.fail(entry_.substr(0, length), expected);
+    }
+
+    const TextSource& source_;
+    std::string_view value_;
+    std::string_view rest_;     // of the value
+    std::string_view entry_{};  // of one property: from there
+    bool ended_ = false;
+};
+
+}  // namespace
+
+XyzLayout xyz_layout(const TextSource& source, std::size_t begin) {
+    const auto properties = find_properties(source.text.substr(begin));
+    if (!properties) return {.columns = {{XyzField::species, 0}, {XyzField::position, 1}}};
+    return Properties(source, *properties).layout();
+}
+
+}  // namespace sphereview

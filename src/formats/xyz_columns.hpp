@@ -1,0 +1,34 @@
+// The columns of an extended XYZ.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "formats/lines.hpp"
+
+namespace sphereview {
+
+enum class XyzField { species, position, flat_position, radius, color };
+
+// How many columns each takes.
+constexpr std::size_t columns_of(XyzField field) {
+    if (field == XyzField::species || field == XyzField::radius) return 1;
+    return field == XyzField::flat_position ? 2 : 3;
+}
+
+struct XyzColumn {
+    XyzField field;
+    std::size_t first;  // of its columns, from 0
+};
+
+// The columns that are drawn, from left to right; a position is always among them.
+struct XyzLayout {
+    std::vector<XyzColumn> columns;
+    double full_color = 1.0;  // what stands for 255
+};
+
+// `source` ends with the frame's comment, which begins at `begin`: `Properties=species:S:1:pos:R:3:...` names the columns; without
+// it they are a species and a position. Other properties are passed over. Throws InputError where Properties are wrong.
+XyzLayout xyz_layout(const TextSource& source, std::size_t begin);
+
+}  // namespace sphereview
