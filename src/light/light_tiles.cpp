@@ -20,14 +20,7 @@ constexpr std::size_t at_once = 256;  // points or spheres: what the loops below
 constexpr std::size_t in_word = 64;
 constexpr std::size_t fewest_tiles = 8;
 constexpr int coarse_shift = 3;
-constexpr std::size_t most_asked = 16;   // tiles that a disc asks one by one whether it is needed
-constexpr double most_touched = 0x1p25;  // tiles that all discs of a light touch: many huge spheres get larger tiles
-constexpr std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere
-
-// A facing that float computes is off by less: normals are whole multiples of 1/32767, so off by 1/65534 in each of three
-// components, and there are 5 roundings of products that sum to 1 at most, and the normal's own error.
-constexpr float facing_doubt = 0x1p-15F;
-
+constexpr std::size_t most_asked = 16;  // tiles that a disc asks one by one whether it is needed
 using Numbers = std::array<float, at_once>;
 
 // Where some points are, seen from a light.
@@ -131,7 +124,7 @@ bool LightTiles::find_far(const LitScene& lit_scene, const glm::dvec3& direction
 
 void LightTiles::choose_tiles(const Blockers& blockers, float farthest) {
     const auto root = static_cast<std::size_t>(square_root(static_cast<double>(blockers.size())));
-    const double side_touched = square_root(most_touched / (blockers.covered + 1e-9));
+    const double side_touched = square_root(limits_.most_touched / (blockers.covered + 1e-9));
     const auto by_discs = static_cast<std::size_t>(std::clamp(side_touched, static_cast<double>(fewest_tiles), 768.0));
     side_ = std::min({std::clamp<std::size_t>(root, 128, 768), by_discs, most_side_});
     half_ = 1.001F * farthest + 0x1p-20F;
@@ -162,6 +155,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
     };
     Projected projected;
     Numbers facing;
+    const float doubt = limits_.facing_doubt;
     left_.assign((points.end - points.begin + in_word - 1) / in_word, 0);
     for (std::size_t from = points.begin; from < points.end; from += at_once) {
         const std::size_t count = std::min(at_once, points.end - from);
@@ -170,7 +164,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
         for (std::size_t first = 0; first < count; first += in_word) {
             std::uint64_t word = 0;
             for (std::size_t i = first; i < std::min(first + in_word, count); ++i) {
-                if (std::fabs(facing[i]) <= facing_doubt ? !faces(from + i) : facing[i] < 0.0F) continue;
+                if (std::fabs(facing[i]) <= doubt ? !faces(from + i) : facing[i] < 0.0F) continue;
                 word |= std::uint64_t{1} << (i - first);
                 float& lowest = lowest_[tile(projected.y[i]) * side_ + tile(projected.x[i])];
                 lowest = std::min(lowest, projected.height[i]);
@@ -328,7 +322,7 @@ bool LightTiles::list_discs() {
             }
         });
     };
-    const std::size_t most = usual_listed + 16 * discs_.size();
+    const std::size_t most = limits_.usual_listed + limits_.listed_a_disc * discs_.size();
     for (const Disc& disc : discs_) {
         for_each_needed(disc, [&](std::size_t at) {
             ++begins_[at];

@@ -52,13 +52,26 @@ struct LightFrame {
     std::array<float, 3> height;
 };
 
-// Decides one light after the other; it keeps its memory between them. One thread's.
+// What LightTiles trusts and how much it lists. Only tests change it.
+struct LightTileLimits {
+    // A float product of normal and direction is off by less (docs/exactness.md).
+    float facing_doubt = 0x1p-15F;
+    double most_touched = 0x1p25;                     // tiles that all discs of a light touch; else tiles are larger
+    std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere; else tiles are larger
+    std::size_t listed_a_disc = 16;
+};
+
+// Decides one light after the other. Reuses its memory from light to light, so each thread has its own.
 class LightTiles {
 public:
+    explicit LightTiles(const LightTileLimits& limits = {}) : limits_(limits) {}
+
     // A bit for each of the points [begin, end), 64 in a word, the first in the lowest: whether a light shines on it.
     std::span<const std::uint64_t> lit(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
 
     const LightCounts& counts() const { return counts_; }
+    // Along each side of the last light's square.
+    std::size_t tiles_across() const { return side_; }
 
 private:
     // The points that are decided.
@@ -113,6 +126,7 @@ private:
     template <typename Each>
     void for_each_row(const Disc& disc, const Each& each) const;
 
+    LightTileLimits limits_;
     LightFrame frame_{};
     std::size_t side_ = 0;         // tiles across
     std::size_t most_side_ = 768;  // fewer, once the lists came out too long
