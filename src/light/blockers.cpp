@@ -12,7 +12,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr double float_roundings = 24.0 * float_unit;
+constexpr double float_roundings = light_roundings * float_unit;
 constexpr double most_size = 0x1p40;  // squares, and their sums, are finite
 
 constexpr std::size_t blockers_at_once = 16384;

@@ -27,9 +27,6 @@ constexpr int usual_scales = 200;
 
 // A point may be off by so much of the half side of all points' box, beyond that nothing useful is known of it.
 constexpr double most_error = 0x1p-16;
-// A normal's components may be off by so much before they are rounded to float.
-constexpr double most_normal_error = 0x1p-22;
-
 constexpr double none = std::numeric_limits<double>::infinity();
 
 // A box around points.
@@ -60,11 +57,6 @@ SetBegins begins_of_sets(const Block& block, std::span<const std::int32_t> shown
     for (const std::int32_t place : shown) ++begins.at(set_of_place(block, place, side) + 1);
     for (std::size_t i = 1; i < begins.size(); ++i) begins.at(i) += begins.at(i - 1);
     return begins;
-}
-
-std::int16_t whole_normal(double component) {
-    constexpr double unit = LitPoints::normal_unit;
-    return static_cast<std::int16_t>(std::floor(std::clamp(component * unit, -unit, unit) + 0.5));
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 // The points of a picture that light may reach, as the float filter takes them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -47,6 +49,15 @@ struct LitPoints {
     // Where all that are known lie, in the unit of HitPlaces.
     HitPlace ball() const;
 };
+
+// A normal's components may be off by so much before they are rounded to whole numbers.
+inline constexpr double most_normal_error = 0x1p-22;
+
+// A component of a unit normal as LitPoints keep it.
+inline std::int16_t whole_normal(double component) {
+    constexpr double unit = LitPoints::normal_unit;
+    return static_cast<std::int16_t>(std::floor(std::clamp(component * unit, -unit, unit) + 0.5));
+}
 
 // Which set of lights a point belongs to, with so many points along the side of a pixel.
 constexpr int set_of(Pixel point, int side) { return point.y % side * side + point.x % side; }
