@@ -239,7 +239,8 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
 
 def lights(bench: Bench) -> tuple[list[Row], dict]:
     """The light of pictures of 1000 x 1000 pixels, a light at a time; see lights.cpp. Also of spheres that cover everything, of
-    spheres nearly in one place, and of scenes with sizes far apart, or at the ends of double's range. The memory is that of a whole run beside the same run without light."""
+    spheres nearly in one place, and of scenes with sizes far apart, or at the ends of double's range. The memory is that of a
+    whole run beside the same run without light."""
     rows, data = [], {}
     many = 64
     limits = {("volume", 1000): 6, ("half", 1000): 6, ("volume", 100_000): 22, ("half", 100_000): 22, ("volume", MILLION): 60,

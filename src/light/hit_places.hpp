@@ -1,4 +1,5 @@
 // Where rays hit spheres, and whether a light shines there, in double with a bound, and in integers where that is not enough.
+// docs/light.md, "Deciding".
 #pragma once
 
 #include <cstdint>

@@ -40,7 +40,7 @@ public:
         std::vector<std::size_t> rows;  // of each row, how many such points come before it
     };
 
-    // Keeps so much and no more: beyond it, nothing at all.
+    // Keeps at most `most_bytes`. A picture that needs more is not kept at all.
     explicit KeptLight(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
     // Of a picture with these lights, for each of the points along the sides of a pixel. The blocks come one by one.
@@ -64,7 +64,7 @@ public:
     };
     // Nothing where a light comes from where none did.
     std::optional<Shares> shares(const std::vector<std::vector<DirectedLight>>& sets) const;
-    // As Lighting::light() would have it.
+    // The light of each point, row by row: what Lighting::light() returns for these strengths. docs/light.md, "In the window".
     std::vector<LightVector> light(const Piece& piece, const Shares& shares) const;
 
 private:

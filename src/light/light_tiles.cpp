@@ -190,7 +190,7 @@ void LightTiles::sift(const LitScene& lit_scene, Points points, const Keeps& kee
     for (std::size_t first = 0; first < left_.size(); first += words_at_once) {
         const auto words = std::span(left_).subspan(first, std::min(words_at_once, left_.size() - first));
         if (std::ranges::all_of(words, [](std::uint64_t word) { return word == 0; })) continue;
-        // Again, for that takes less time than to read what was kept, and no memory.
+        // The points are projected again: that takes less time than to read kept projections, and no memory.
         const std::size_t from = points.begin + first * in_word;
         project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(std::min(at_once, points.end - from)), frame_,
                 projected);
