@@ -18,8 +18,8 @@
 
 namespace sphereview {
 
-// How a picture is shown while lights are still being added. Each preview has the light of the first lights, with the sky as strong as it
-// will be with all: it gets finer and no brighter.
+// How a picture is shown while lights are still being added. Each preview has the light of the first lights, with the sky as strong
+// as it will be with all: it gets finer and no brighter.
 struct LightPreviews {
     std::function<void(std::span<const LightVector>)> show;  // is given the light of each point, as light() returns it
     std::size_t fewest = 0;                                  // lights before the first

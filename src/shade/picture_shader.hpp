@@ -42,8 +42,8 @@ public:
     PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading, const Background& background);
 
     // Colours one block of the picture from its visible spheres (scene numbers or visible_background), row by row. `picture` may be
-    // a part of the whole: its top left pixel is `origin` of that. `light`: of each pixel of the block, for the shading `studio`; else
-    // empty.
+    // a part of the whole: its top left pixel is `origin` of that. `light`: of each pixel of the block, for the shading `studio`;
+    // else empty.
     void shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin = {},
                std::span<const LightVector> light = {}) const;
 
