@@ -30,6 +30,38 @@ Scene huge_spheres(std::size_t count) {
     return scene;
 }
 
+// Spheres so far away that float knows nothing of them, each of which covers a tenth of the sky; some are above the picture's.
+Scene far_spheres(std::size_t count) {
+    Scene scene = random_scene(SceneSet::volume, 1000);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double turn = static_cast<double>(i) / static_cast<double>(count);
+        scene.spheres.push_back({{1e14 * (2.0 * turn - 1.0), 1e15, 1e14 * (1.0 - turn)}, 1e14, {}, false});
+    }
+    return scene;
+}
+
+// Before a sphere that is farther away than all others by far, and seen between them.
+Scene before_background(std::size_t count) {
+    Scene scene = random_scene(SceneSet::volume, count);
+    scene.spheres.push_back({{0.0, 0.0, 1e10}, 9e9, {}, false});
+    return scene;
+}
+
+// Whose squares leave the range of doubles.
+Scene scaled_spheres(std::size_t count) {
+    Scene scene = random_scene(SceneSet::volume, count);
+    for (Sphere& sphere : scene.spheres) sphere = {1e160 * sphere.center, 1e160 * sphere.radius, {}, false};
+    for (glm::dvec3* v : {&scene.camera.eye, &scene.camera.center, &scene.camera.right, &scene.camera.up}) *v *= 1e160;
+    return scene;
+}
+
+// An ordinary scene before a sphere whose squares leave the range of doubles.
+Scene before_a_giant(std::size_t count) {
+    Scene scene = random_scene(SceneSet::volume, count);
+    scene.spheres.push_back({{0.0, 0.0, 1e200}, 9e199, {}, false});
+    return scene;
+}
+
 // Spheres nearly in one place, which hide and shadow each other.
 Scene equal_spheres(std::size_t count) {
     Scene scene;
@@ -42,6 +74,10 @@ Scene equal_spheres(std::size_t count) {
 std::optional<Scene> scene_named(const std::string& name, std::size_t count) {
     if (name == "huge") return huge_spheres(count);
     if (name == "equal") return equal_spheres(count);
+    if (name == "far") return far_spheres(count);
+    if (name == "background") return before_background(count);
+    if (name == "scaled") return scaled_spheres(count);
+    if (name == "giant") return before_a_giant(count);
     const auto set = scene_set_named(name);
     return set ? std::optional(random_scene(*set, count)) : std::nullopt;
 }
@@ -52,7 +88,9 @@ int main(int argc, char** argv) {
     const std::size_t count = argc == 5 ? std::strtoul(argv[2], nullptr, 10) : 0;
     const std::optional<Scene> made = argc == 5 ? scene_named(argv[1], count) : std::nullopt;
     if (!made) {
-        std::fprintf(stderr, "usage: lights volume|half|huge|equal COUNT LIGHTS RUNS: one JSON line on standard output\n");
+        std::fprintf(stderr,
+                     "usage: lights volume|half|huge|equal|far|background|scaled|giant COUNT LIGHTS RUNS: one JSON line on "
+                     "standard output\n");
         return 2;
     }
     const Scene& scene = *made;

@@ -238,12 +238,14 @@ def live(bench: Bench) -> tuple[list[Row], dict]:
 
 
 def lights(bench: Bench) -> tuple[list[Row], dict]:
-    """The light of pictures of 1000 x 1000 pixels, a light at a time; see lights.cpp. Also of spheres that cover everything, and of
-    spheres nearly in one place. The memory is that of a whole run beside the same run without light."""
+    """The light of pictures of 1000 x 1000 pixels, a light at a time; see lights.cpp. Also of spheres that cover everything, of
+    spheres nearly in one place, and of scenes with sizes far apart, or at the ends of double's range. The memory is that of a
+    whole run beside the same run without light."""
     rows, data = [], {}
     many = 64
     limits = {("volume", 1000): 6, ("half", 1000): 6, ("volume", 100_000): 22, ("half", 100_000): 22, ("volume", MILLION): 60,
-              ("half", MILLION): 60, ("huge", 1000): 60, ("equal", 100_000): 60}
+              ("half", MILLION): 60, ("huge", 1000): 60, ("equal", 100_000): 60,
+              ("far", 1000): 12, ("background", 1000): 20, ("scaled", 1000): 12, ("giant", 1000): 20}
     for (scene_set, count), limit in limits.items():
         case = Case(f"lights-{scene_set}-{count}", [bench.program("lights"), scene_set, str(count), str(many), str(min(bench.runs, 5))])
         result = data[case.name] = json.loads(bench.run(case)["stdout"])

@@ -12,7 +12,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr double float_roundings = 24.0 * float_unit;
+constexpr double float_roundings = light_roundings * float_unit;
 constexpr double most_size = 0x1p40;  // squares, and their sums, are finite
 
 constexpr std::size_t blockers_at_once = 16384;
@@ -20,7 +20,7 @@ constexpr std::size_t blockers_at_once = 16384;
 }  // namespace
 
 Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, std::span<const std::uint32_t> order,
-                  std::span<const EyeSide> sides, const glm::dvec3& eye, const LitPoints& points) {
+                  std::span<const EyeSide> sides, const HitPlaces& places, const LitPoints& points) {
     Blockers all;
     for (auto* field : {&all.x, &all.y, &all.z, &all.radius}) field->resize(order.size());
     const double factor = std::ldexp(1.0, -points.exponent);
@@ -39,9 +39,8 @@ Blockers blockers(const Scene& scene, const DrawnSpheres& drawn, std::span<const
         for (std::size_t k = begin; k < end; ++k) {
             const std::int32_t number = drawn.number(order[k]);
             const Sphere& sphere = scene.spheres[static_cast<std::size_t>(number)];
-            const glm::dvec3 from_eye = sphere.center - eye;
-            glm::dvec3 c = (from_eye - points.middle) * factor;
-            double radius = sphere.radius * factor;
+            glm::dvec3 c = (places.from_eye(sphere.center) - points.middle) * factor;
+            double radius = places.scaled(sphere.radius) * factor;
             const bool casts = sides[static_cast<std::size_t>(number)] == EyeSide::outside;
             const bool in_range = taxicab_length(c) + radius < most_size && middle < most_size;
             if (casts && in_range) {

@@ -1,5 +1,6 @@
 #include "light/hit_places.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,6 +19,9 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 // The roundings of the few operations below, together, relative to the sizes of their operands: 64 units.
 constexpr double few_roundings = 64.0 * double_unit;
 
+// Scales beyond would leave a power of two without bits.
+constexpr int largest_scale = 1000;
+
 // From a sphere's centre to a point, along the unit vector to the light and across; and how far these may be off.
 struct Offset {
     double along = 0.0;
@@ -25,34 +29,59 @@ struct Offset {
     double doubt = 0.0;
 };
 
-Offset offset(const HitPlace& place, const glm::dvec3& eye, const Sphere& sphere, const glm::dvec3& direction) {
-    const glm::dvec3 center = sphere.center - eye;
-    const double size = taxicab_length(place.point) + taxicab_length(center) + sphere.radius;
-    if (!(size > smallest_double_size && size < largest_double_size)) return {0.0, 0.0, unknown};
+bool in_double_range(double size) { return size > smallest_double_size && size < largest_double_size; }
+
+double size_of(const HitPlace& place, const glm::dvec3& center, double radius) {
+    return taxicab_length(place.point) + taxicab_length(center) + radius;
+}
+
+// `center`: relative to the eye. The sizes are in range.
+Offset offset(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction) {
     const glm::dvec3 l = unit(direction);
     const glm::dvec3 m = place.point - center;
     const double along = dot(m, l);
     const glm::dvec3 across = m - along * l;
-    return {along, square_root(dot(across, across)), 1.01 * (place.error + few_roundings * size)};
+    return {along, square_root(dot(across, across)), 1.01 * (place.error + few_roundings * size_of(place, center, radius))};
+}
+
+Shadow shadow_of(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction) {
+    const Offset o = offset(place, center, radius, direction);
+    if (o.along > o.doubt || o.across - radius > o.doubt) return Shadow::none;
+    if (o.along < -o.doubt && radius - o.across > o.doubt) return Shadow::all;
+    return Shadow::unsure;
 }
 
 }  // namespace
 
-HitPlaces::HitPlaces(const Camera& camera, PictureSize size)
+HitPlaces::HitPlaces(const Camera& camera, PictureSize size, int scale)
     : camera_(camera),
       size_(size),
-      rays_(ray_basis<double>(camera, size)),
+      scale_(scale),
+      factor_(std::ldexp(1.0, scale)),
+      scaled_eye_(camera.eye * factor_),
+      rays_(ray_basis<double>(camera, size, scale)),
       error_scale_(error_scale(filter_condition(camera), double_unit)) {
     if (!rays_.in_range || !(error_scale_ < 1.0)) error_scale_ = unknown;
 }
 
+int HitPlaces::scale_for(const Sphere& sphere, const glm::dvec3& eye) {
+    int exponent = 0;
+    std::frexp(std::max({largest_of(sphere.center), largest_of(eye), sphere.radius}), &exponent);
+    return std::clamp(-exponent, -largest_scale, largest_scale);
+}
+
+bool HitPlaces::in_range(const Sphere& sphere) const {
+    return in_double_range(taxicab_length(from_eye(sphere.center)) + scaled(sphere.radius));
+}
+
 HitDistance HitPlaces::distance(Pixel pixel, const Sphere& sphere, EyeSide side) const {
-    const glm::dvec3 center = sphere.center - camera_.eye;
-    const double size = taxicab_length(center) + sphere.radius + rays_.reach;
-    if (!(size > smallest_double_size && size < largest_double_size) || error_scale_ == unknown) return {0.0, unknown};
+    const glm::dvec3 center = from_eye(sphere.center);
+    const double radius = scaled(sphere.radius);
+    const double size = taxicab_length(center) + radius + rays_.reach;
+    if (!in_double_range(size) || error_scale_ == unknown) return {0.0, unknown};
     const glm::dvec3 ray = unit_ray(rays_, size_, pixel);
     const glm::dvec3 c = center - ray_origin(rays_, size_, pixel);
-    const auto [low, high] = hit_bounds(side, c.x, c.y, c.z, sphere.radius, error_scale_ * size, ray.x, ray.y, ray.z);
+    const auto [low, high] = hit_bounds(side, c.x, c.y, c.z, radius, error_scale_ * size, ray.x, ray.y, ray.z);
     if (!std::isfinite(low) || !std::isfinite(high)) return {0.0, unknown};
     return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low};
 }
@@ -71,17 +100,35 @@ bool HitPlaces::begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) 
 }
 
 bool HitPlaces::faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm::dvec3& direction) const {
-    const Offset o = offset(at(pixel, sphere, side), camera_.eye, sphere, direction);
-    if (std::fabs(o.along) > o.doubt) return (o.along > 0.0) == begins_outside(pixel, sphere, side);
+    const HitPlace place = at(pixel, sphere, side);
+    const glm::dvec3 center = from_eye(sphere.center);
+    const double radius = scaled(sphere.radius);
+    if (in_double_range(size_of(place, center, radius))) {
+        const Offset o = offset(place, center, radius, direction);
+        if (std::fabs(o.along) > o.doubt) return (o.along > 0.0) == begins_outside(pixel, sphere, side);
+    }
     return ExactLitPoint(camera_, size_, pixel, sphere, side).facing(direction) > 0;
 }
 
 bool HitPlaces::blocked(const HitPlace& place, Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other,
                         const glm::dvec3& direction) const {
-    const Offset o = offset(place, camera_.eye, other, direction);
-    if (o.along > o.doubt || o.across - other.radius > o.doubt) return false;
-    if (o.along < -o.doubt && other.radius - o.across > o.doubt) return true;
+    const Shadow found = shadow(place, other, direction);
+    if (found != Shadow::unsure) return found == Shadow::all;
     return ExactLitPoint(camera_, size_, pixel, sphere, side).blocking(other, direction).blocks();
+}
+
+Shadow HitPlaces::shadow(const HitPlace& ball, const Sphere& other, const glm::dvec3& direction) const {
+    if (ball.error == unknown) return Shadow::unsure;
+    const glm::dvec3 center = from_eye(other.center);
+    const double radius = scaled(other.radius);
+    if (in_double_range(size_of(ball, center, radius))) return shadow_of(ball, center, radius, direction);
+    // In a unit of the sphere's own. What is too small for that unit is nothing beside the bound.
+    const int scale = scale_for(other, camera_.eye);
+    const double factor = std::ldexp(1.0, scale);
+    const HitPlace scaled_ball{times_two_to(ball.point, scale - scale_), std::ldexp(ball.error, scale - scale_)};
+    const glm::dvec3 scaled_center = other.center * factor - camera_.eye * factor;
+    if (!in_double_range(size_of(scaled_ball, scaled_center, other.radius * factor))) return Shadow::unsure;
+    return shadow_of(scaled_ball, scaled_center, other.radius * factor, direction);
 }
 
 }  // namespace sphereview

@@ -1,7 +1,6 @@
 #include "light/kept_light.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 #include "base/parallel.hpp"
 
@@ -55,8 +54,7 @@ void KeptLight::give_up() {
     pieces_ = {};
 }
 
-void KeptLight::add(const Block& block, std::span<const std::int32_t> visible, std::span<const std::int32_t> places,
-                    std::span<const std::size_t> begins, std::span<const Shining> shining) {
+void KeptLight::add(const Block& block, std::span<const std::int32_t> visible, std::span<const FoundLight> found) {
     Piece piece{block, {visible.begin(), visible.end()}, {}, {}};
     const auto width = static_cast<std::size_t>(block.width);
     UninitializedVector<std::uint32_t> ranks(visible.size());
@@ -66,16 +64,20 @@ void KeptLight::add(const Block& block, std::span<const std::int32_t> visible, s
         ranks[i] = rank;
         if (visible[i] >= 0) ++rank;
     }
-    assert(rank == places.size());
-    piece.bits.resize(places.size() * bytes_a_point_);
+    piece.bits.resize(rank * bytes_a_point_);
+    for (const FoundLight& part : found) add_bits(part, ranks, piece.bits);
+    bytes_ += bytes_for(visible.size(), rank);
+    pieces_.push_back(std::move(piece));
+}
 
+void KeptLight::add_bits(const FoundLight& found, std::span<const std::uint32_t> ranks, std::span<std::uint8_t> all_bits) const {
     // The lights of each set, those that shine nowhere left out.
     std::vector<std::vector<const std::uint64_t*>> of_sets(directions_.size(),
                                                            std::vector<const std::uint64_t*>(bytes_a_point_ * in_byte, nullptr));
-    for (const Shining& light : shining) of_sets.at(light.set).at(light.light) = light.points.data();
+    for (const Shining& light : found.shining) of_sets.at(light.set).at(light.light) = light.points.data();
     for (std::size_t set = 0; set < directions_.size(); ++set) {
-        const std::size_t first = begins[set];
-        const std::size_t count = begins[set + 1] - first;
+        const std::size_t first = found.begins[set];
+        const std::size_t count = found.begins[set + 1] - first;
         const std::vector<const std::uint64_t*>& lights = of_sets[set];
         parallel_pieces((count + lights_in_word - 1) / lights_in_word, words_at_once, [&](std::size_t begin, std::size_t end) {
             for (std::size_t word = begin; word < end; ++word) {
@@ -91,16 +93,14 @@ void KeptLight::add(const Block& block, std::span<const std::int32_t> visible, s
                         }
                         bits = transposed(bits);
                         for (std::size_t i = from; i < std::min(from + in_byte, count); ++i, bits >>= in_byte) {
-                            const std::size_t row = ranks[static_cast<std::size_t>(places[first + i])];
-                            piece.bits[row * bytes_a_point_ + byte] = static_cast<std::uint8_t>(bits);
+                            const std::size_t row = ranks[static_cast<std::size_t>(found.places[first + i])];
+                            all_bits[row * bytes_a_point_ + byte] = static_cast<std::uint8_t>(bits);
                         }
                     }
                 }
             }
         });
     }
-    bytes_ += bytes_for(visible.size(), places.size());
-    pieces_.push_back(std::move(piece));
 }
 
 std::optional<KeptLight::Shares> KeptLight::shares(const std::vector<std::vector<DirectedLight>>& sets) const {

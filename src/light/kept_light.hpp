@@ -22,6 +22,14 @@ struct Shining {
     std::vector<std::uint64_t> points;
 };
 
+// What was found of some of a block's points. `places`: theirs in the block, by sets; `begins`: where those of each set begin, and
+// the end.
+struct FoundLight {
+    std::span<const std::int32_t> places;
+    std::span<const std::size_t> begins;
+    std::vector<Shining> shining;
+};
+
 class KeptLight {
 public:
     // A bit for each light of each point that shows a sphere, in bytes of their own, in the order of the block's rows.
@@ -32,16 +40,15 @@ public:
         std::vector<std::size_t> rows;  // of each row, how many such points come before it
     };
 
-    // Keeps so much and no more: beyond it, nothing at all.
+    // Keeps at most `most_bytes`. A picture that needs more is not kept at all.
     explicit KeptLight(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
     // Of a picture with these lights, for each of the points along the sides of a pixel. The blocks come one by one.
     void begin(const std::vector<std::vector<DirectedLight>>& sets, int side);
     // Whether a block with so many points, of which so many show a sphere, is worth counting bits for.
     bool has_room(std::size_t points, std::size_t lit_points) const;
-    // `places`: of the points that show a sphere, in the block, by sets; `begins`: where those of each set begin, and the end.
-    void add(const Block& block, std::span<const std::int32_t> visible, std::span<const std::int32_t> places,
-             std::span<const std::size_t> begins, std::span<const Shining> shining);
+    // `found`: of all points that show a sphere, together.
+    void add(const Block& block, std::span<const std::int32_t> visible, std::span<const FoundLight> found);
     // Without room for a block: forgets all.
     void give_up();
     // After the last block.
@@ -57,10 +64,12 @@ public:
     };
     // Nothing where a light comes from where none did.
     std::optional<Shares> shares(const std::vector<std::vector<DirectedLight>>& sets) const;
-    // As Lighting::light() would have it.
+    // The light of each point, row by row: what Lighting::light() returns for these strengths. docs/light.md, "In the window".
     std::vector<LightVector> light(const Piece& piece, const Shares& shares) const;
 
 private:
+    // `ranks`: of the block's points, among those that show a sphere.
+    void add_bits(const FoundLight& found, std::span<const std::uint32_t> ranks, std::span<std::uint8_t> all_bits) const;
     std::size_t bytes_for(std::size_t points, std::size_t lit_points) const;
 
     std::size_t most_bytes_;

@@ -42,7 +42,7 @@ constexpr std::array<std::array<int, 4>, turned_sets> turns = {{
     {8, 1, 7, -5},
 }};
 
-// Quarter turns come out exactly, and so does no turn at all.
+// The vector, turned by a quaternion. Quarter turns and no turn at all are exact.
 glm::dvec3 turned(const glm::dvec3& v, const std::array<int, 4>& turn) {
     const auto [w, x, y, z] = std::array<double, 4>{static_cast<double>(turn[0]), static_cast<double>(turn[1]),
                                                     static_cast<double>(turn[2]), static_cast<double>(turn[3])};

@@ -20,14 +20,7 @@ constexpr std::size_t at_once = 256;  // points or spheres: what the loops below
 constexpr std::size_t in_word = 64;
 constexpr std::size_t fewest_tiles = 8;
 constexpr int coarse_shift = 3;
-constexpr std::size_t most_asked = 16;   // tiles that a disc asks one by one whether it is needed
-constexpr double most_touched = 0x1p25;  // tiles that all discs of a light touch: many huge spheres get larger tiles
-constexpr std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere
-
-// A facing that float computes is off by less: normals are whole multiples of 1/32767, so off by 1/65534 in each of three components,
-// and there are 5 roundings of products that sum to 1 at most, and the normal's own error.
-constexpr float facing_doubt = 0x1p-15F;
-
+constexpr std::size_t most_asked = 16;  // tiles that a disc asks one by one whether it is needed
 using Numbers = std::array<float, at_once>;
 
 // Where some points are, seen from a light.
@@ -79,21 +72,6 @@ glm::dvec3 perpendicular(const glm::dvec3& l) {
 
 float square(float x) { return x * x; }
 
-// Whether a light shines on a point of which float knows too little: every sphere is asked.
-bool shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction) {
-    const Pixel pixel = lit_scene.pixel(point);
-    const std::int32_t own = lit_scene.number(point);
-    const Sphere& sphere = lit_scene.sphere(own);
-    const EyeSide side = lit_scene.side(own);
-    if (!lit_scene.places.faces(pixel, sphere, side, direction)) return false;
-    const HitPlace place = lit_scene.places.at(pixel, sphere, side);
-    return std::ranges::none_of(lit_scene.order, [&](std::uint32_t index) {
-        const std::int32_t other = lit_scene.drawn.number(index);
-        return other != own && lit_scene.drawn.side(index) == EyeSide::outside &&
-               lit_scene.places.blocked(place, pixel, sphere, side, lit_scene.sphere(other), direction);
-    });
-}
-
 }  // namespace
 
 LightCounts& LightCounts::operator+=(const LightCounts& other) {
@@ -109,6 +87,16 @@ std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::s
     const glm::dvec3 across = perpendicular(l);
     frame_ = {to_float(across), to_float(cross(l, across)), to_float(l)};
     const Points points{begin, end};
+    if (find_far(lit_scene, direction)) {
+        light_known(lit_scene, points, direction);
+    } else {
+        left_.assign((end - begin + in_word - 1) / in_word, 0);
+    }
+    ask_unknown(lit_scene, points, direction);
+    return left_;
+}
+
+void LightTiles::light_known(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
     do {
         choose_tiles(lit_scene.blockers, lit_scene.points.farthest);
         find_facing(lit_scene, points, direction);
@@ -120,12 +108,23 @@ std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::s
     } while (!list_discs());
     decide(lit_scene, points, direction);
     std::vector<std::uint32_t>().swap(begins_);
-    return left_;
+}
+
+bool LightTiles::find_far(const LitScene& lit_scene, const glm::dvec3& direction) {
+    far_.clear();
+    const HitPlace ball = lit_scene.points.ball();
+    for (const std::int32_t number : lit_scene.blockers.far) {
+        ++counts_.doubts;
+        const Shadow shadow = lit_scene.places.shadow(ball, lit_scene.sphere(number), direction);
+        if (shadow == Shadow::all) return false;
+        if (shadow == Shadow::unsure) far_.push_back(number);
+    }
+    return true;
 }
 
 void LightTiles::choose_tiles(const Blockers& blockers, float farthest) {
     const auto root = static_cast<std::size_t>(square_root(static_cast<double>(blockers.size())));
-    const double side_touched = square_root(most_touched / (blockers.covered + 1e-9));
+    const double side_touched = square_root(limits_.most_touched / (blockers.covered + 1e-9));
     const auto by_discs = static_cast<std::size_t>(std::clamp(side_touched, static_cast<double>(fewest_tiles), 768.0));
     side_ = std::min({std::clamp<std::size_t>(root, 128, 768), by_discs, most_side_});
     half_ = 1.001F * farthest + 0x1p-20F;
@@ -156,6 +155,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
     };
     Projected projected;
     Numbers facing;
+    const float doubt = limits_.facing_doubt;
     left_.assign((points.end - points.begin + in_word - 1) / in_word, 0);
     for (std::size_t from = points.begin; from < points.end; from += at_once) {
         const std::size_t count = std::min(at_once, points.end - from);
@@ -164,7 +164,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
         for (std::size_t first = 0; first < count; first += in_word) {
             std::uint64_t word = 0;
             for (std::size_t i = first; i < std::min(first + in_word, count); ++i) {
-                if (std::fabs(facing[i]) <= facing_doubt ? !faces(from + i) : facing[i] < 0.0F) continue;
+                if (std::fabs(facing[i]) <= doubt ? !faces(from + i) : facing[i] < 0.0F) continue;
                 word |= std::uint64_t{1} << (i - first);
                 float& lowest = lowest_[tile(projected.y[i]) * side_ + tile(projected.x[i])];
                 lowest = std::min(lowest, projected.height[i]);
@@ -190,7 +190,7 @@ void LightTiles::sift(const LitScene& lit_scene, Points points, const Keeps& kee
     for (std::size_t first = 0; first < left_.size(); first += words_at_once) {
         const auto words = std::span(left_).subspan(first, std::min(words_at_once, left_.size() - first));
         if (std::ranges::all_of(words, [](std::uint64_t word) { return word == 0; })) continue;
-        // Again, for that takes less time than to read what was kept, and no memory.
+        // The points are projected again: that takes less time than to read kept projections, and no memory.
         const std::size_t from = points.begin + first * in_word;
         project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(std::min(at_once, points.end - from)), frame_,
                 projected);
@@ -322,7 +322,7 @@ bool LightTiles::list_discs() {
             }
         });
     };
-    const std::size_t most = usual_listed + 16 * discs_.size();
+    const std::size_t most = limits_.usual_listed + limits_.listed_a_disc * discs_.size();
     for (const Disc& disc : discs_) {
         for_each_needed(disc, [&](std::size_t at) {
             ++begins_[at];
@@ -358,6 +358,10 @@ void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dve
         return is_lit(lit_scene, direction, facing);
     });
     counts_.tests += static_cast<std::int64_t>(tried);
+}
+
+// Whether a light shines on the points of which float knows too little: every sphere is asked.
+void LightTiles::ask_unknown(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
     const std::vector<std::uint32_t>& unknown = lit_scene.points.unknown;
     for (auto point = std::ranges::lower_bound(unknown, points.begin); point != unknown.end() && *point < points.end; ++point) {
         check_cancelled();
@@ -365,6 +369,22 @@ void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dve
         const std::size_t i = *point - points.begin;
         left_[i / in_word] |= std::uint64_t{1} << i % in_word;
     }
+}
+
+bool LightTiles::shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction) {
+    const Pixel pixel = lit_scene.pixel(point);
+    const std::int32_t own = lit_scene.number(point);
+    const Sphere& sphere = lit_scene.sphere(own);
+    const EyeSide side = lit_scene.side(own);
+    ++counts_.doubts;
+    if (!lit_scene.places.faces(pixel, sphere, side, direction)) return false;
+    const HitPlace place = lit_scene.places.at(pixel, sphere, side);
+    return std::ranges::none_of(lit_scene.order, [&](std::uint32_t index) {
+        const std::int32_t other = lit_scene.drawn.number(index);
+        if (other == own || lit_scene.drawn.side(index) != EyeSide::outside) return false;
+        ++counts_.doubts;
+        return lit_scene.places.blocked(place, pixel, sphere, side, lit_scene.sphere(other), direction);
+    });
 }
 
 bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing) {
@@ -394,7 +414,7 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, 
             if (blocked(disc.number)) return false;
         }
     }
-    return std::ranges::none_of(lit_scene.blockers.far, blocked);
+    return std::ranges::none_of(far_, blocked);
 }
 
 }  // namespace sphereview

@@ -36,7 +36,7 @@ struct LitScene {
     EyeSide side(std::int32_t number) const { return sides[static_cast<std::size_t>(number)]; }
 };
 
-// How many questions float left open, of a point and a sphere.
+// How much there was to do. `doubts`: questions that float left open, of a point and a sphere.
 struct LightCounts {
     std::int64_t points_facing = 0;
     std::int64_t tests = 0;
@@ -52,13 +52,26 @@ struct LightFrame {
     std::array<float, 3> height;
 };
 
-// Decides one light after the other; it keeps its memory between them. One thread's.
+// What LightTiles trusts and how much it lists. Only tests change it.
+struct LightTileLimits {
+    // A float product of normal and direction is off by less (docs/exactness.md).
+    float facing_doubt = 0x1p-15F;
+    double most_touched = 0x1p25;                     // tiles that all discs of a light touch; else tiles are larger
+    std::size_t usual_listed = std::size_t{1} << 22;  // in all lists of a light, beside some for each sphere; else tiles are larger
+    std::size_t listed_a_disc = 16;
+};
+
+// Decides one light after the other. Reuses its memory from light to light, so each thread has its own.
 class LightTiles {
 public:
+    explicit LightTiles(const LightTileLimits& limits = {}) : limits_(limits) {}
+
     // A bit for each of the points [begin, end), 64 in a word, the first in the lowest: whether a light shines on it.
     std::span<const std::uint64_t> lit(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
 
     const LightCounts& counts() const { return counts_; }
+    // Along each side of the last light's square.
+    std::size_t tiles_across() const { return side_; }
 
 private:
     // The points that are decided.
@@ -91,6 +104,8 @@ private:
         // With room for all doubts.
         float reach() const { return radius + 2.0F * doubt; }
     };
+    // Of the points that float knows enough about.
+    void light_known(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     void choose_tiles(const Blockers& blockers, float farthest);
     std::size_t tile(float coordinate) const;
     void find_facing(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
@@ -102,11 +117,16 @@ private:
     void drop_what_is_cut(const LitScene& lit_scene, Points points);
     bool list_discs();
     void decide(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
+    // Which of the spheres that are too far for float may keep the light from a point. Returns false where one keeps it from all.
+    bool find_far(const LitScene& lit_scene, const glm::dvec3& direction);
+    void ask_unknown(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
+    bool shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction);
     bool is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing);
     // Calls each(row, first, last) for the rows of tiles that a disc touches: the range in each.
     template <typename Each>
     void for_each_row(const Disc& disc, const Each& each) const;
 
+    LightTileLimits limits_;
     LightFrame frame_{};
     std::size_t side_ = 0;         // tiles across
     std::size_t most_side_ = 768;  // fewer, once the lists came out too long
@@ -117,6 +137,7 @@ private:
     std::vector<float> cut_;           // every point of the tile below this is in shadow
     std::vector<std::uint64_t> left_;  // a bit for each point: faces the light, and is not found to be in shadow
     std::vector<Disc> discs_;
+    std::vector<std::int32_t> far_;  // numbers of spheres, beside the discs
     std::vector<std::uint32_t> begins_;
     UninitializedVector<std::uint32_t> lists_;
     LightCounts counts_;

@@ -25,6 +25,9 @@ constexpr std::size_t most_workers = 16;
 
 constexpr std::size_t points_at_once = 16384;
 
+// More would take more time than they save.
+constexpr std::size_t most_groups = 8;
+
 // So many lights of the sky show what will become of it.
 constexpr std::size_t enough_for_first_preview = 16;
 
@@ -47,13 +50,17 @@ double brightness(const LightVector& share, const glm::dvec3& toward_eye) {
 // order.
 class LightSums {
 public:
-    LightSums(const LitScene& lit_scene, std::vector<Job> jobs, const std::function<void(double)>& progress, bool keeps)
-        : lit_scene_(lit_scene),
-          jobs_(std::move(jobs)),
+    LightSums(std::span<const LitScene> groups, std::vector<Job> jobs, const std::function<void(double)>& progress, bool keeps)
+        : jobs_(std::move(jobs)),
           progress_(progress),
-          workers_(std::min({jobs_.size(), most_workers, static_cast<std::size_t>(worker_count())})),
-          sums_(lit_scene.points.size()),
-          shining_(keeps ? jobs_.size() : 0) {}
+          workers_(std::min({jobs_.size(), most_workers, static_cast<std::size_t>(worker_count())})) {
+        std::size_t count = 0;
+        for (const LitScene& lit_scene : groups) {
+            groups_.push_back({lit_scene, count, std::vector<Shining>(keeps ? jobs_.size() : 0)});
+            count += lit_scene.points.size();
+        }
+        sums_.resize(count);
+    }
 
     std::size_t size() const { return jobs_.size(); }
     std::size_t added() const { return added_; }
@@ -70,11 +77,14 @@ public:
             for (std::size_t i = next++; i < end; i = next++) {
                 check_cancelled();
                 const auto& [set, place, light] = jobs_[i];
-                const std::size_t first = lit_scene_.points.begins.at(set);
-                const std::size_t last = lit_scene_.points.begins.at(set + 1);
-                const std::span<const std::uint64_t> lit = tiles.lit(lit_scene_, first, last, light->direction);
-                if (!shining_.empty()) shining_[i] = {set, place, {lit.begin(), lit.end()}};
-                add_share(first, lit, light->share);
+                for (Group& group : groups_) {
+                    const std::size_t first = group.lit_scene.points.begins.at(set);
+                    const std::size_t last = group.lit_scene.points.begins.at(set + 1);
+                    if (first == last) continue;
+                    const std::span<const std::uint64_t> lit = tiles.lit(group.lit_scene, first, last, light->direction);
+                    if (!group.shining.empty()) group.shining[i] = {set, place, {lit.begin(), lit.end()}};
+                    add_share(group.begin + first, lit, light->share);
+                }
                 if (progress_ && std::this_thread::get_id() == caller) {
                     progress_(static_cast<double>(i) / static_cast<double>(jobs_.size()));
                 }
@@ -86,15 +96,31 @@ public:
     // use(place, sum), on all cores.
     template <typename Use>
     void for_each_point(const Use& use) const {
-        parallel_pieces(lit_scene_.points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i) use(static_cast<std::size_t>(lit_scene_.points.places[i]), sums_[i]);
-        });
+        for (const Group& group : groups_) {
+            parallel_pieces(group.lit_scene.points.size(), points_at_once, [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i) {
+                    use(static_cast<std::size_t>(group.lit_scene.points.places[i]), sums_[group.begin + i]);
+                }
+            });
+        }
     }
 
-    // Gives back what deciding takes. Returns what it has found, if that is kept.
-    std::vector<Shining> finish() {
+    // Gives back what deciding takes. Returns how much there was to do.
+    LightCounts finish() {
+        LightCounts counts;
+        for (const LightTiles& tiles : workers_) counts += tiles.counts();
         workers_ = {};
-        return std::exchange(shining_, {});
+        return counts;
+    }
+
+    // What was found of each group, if that is kept.
+    std::vector<FoundLight> found(std::size_t sets) {
+        std::vector<FoundLight> all;
+        for (Group& group : groups_) {
+            const LitPoints& points = group.lit_scene.points;
+            all.push_back({points.places, std::span(points.begins).first(sets + 1), std::move(group.shining)});
+        }
+        return all;
     }
 
 private:
@@ -115,12 +141,17 @@ private:
         }
     }
 
-    const LitScene& lit_scene_;
+    struct Group {
+        const LitScene& lit_scene;
+        std::size_t begin;             // of its sums
+        std::vector<Shining> shining;  // by job, if it is kept
+    };
+
+    std::vector<Group> groups_;
     std::vector<Job> jobs_;
     const std::function<void(double)>& progress_;
     std::vector<LightTiles> workers_;
-    std::vector<LightVector> sums_;       // by point
-    std::vector<Shining> shining_;        // by job, if it is kept
+    std::vector<LightVector> sums_;       // by point, group by group
     std::array<std::mutex, 64> joining_;  // of parts of the sums
     std::size_t added_ = 0;
 };
@@ -176,8 +207,9 @@ Lighting::Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       drawn_(drawn),
       sun_(light.sun.has_value()),
       toward_eye_(-camera_axes(camera).ahead),
+      camera_(camera),
+      size_(size),
       side_(side),
-      places_(camera, size),
       grid_(scene, drawn),
       order_(spatial_order(scene, drawn, grid_)),
       sides_(scene.spheres.size(), EyeSide::outside),
@@ -191,31 +223,50 @@ Lighting::Lighting(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
     });
 }
 
+std::list<Lighting::PointGroup> Lighting::point_groups(const Block& block, std::span<const std::int32_t> visible) const {
+    std::list<PointGroup> groups;
+    UninitializedVector<std::int32_t> left = shown_places(scene_, grid_, block, visible, side_);
+    while (!left.empty()) {
+        const bool last = groups.size() + 1 == most_groups;
+        PointGroup& group = groups.emplace_back(HitPlaces(camera_, size_, scale_of_most(scene_, camera_.eye, visible, left)));
+        UninitializedVector<std::int32_t> rest;
+        group.points = lit_points(scene_, group.places, sides_, block, visible, side_, std::move(left), last ? nullptr : &rest);
+        group.blockers = blockers(scene_, drawn_, order_, sides_, group.places, group.points);
+        left = std::move(rest);
+    }
+    return groups;
+}
+
 std::vector<LightVector> Lighting::light(const Block& block, std::span<const std::int32_t> visible,
                                          const std::function<void(double)>& progress, const LightPreviews* previews,
-                                         KeptLight* kept) const {
-    const LitPoints points = lit_points(scene_, places_, sides_, grid_, block, visible, side_);
-    const Blockers all_blockers = blockers(scene_, drawn_, order_, sides_, places_.eye(), points);
-    const LitScene lit_scene{scene_, drawn_, order_, places_, sides_, block, visible, points, all_blockers};
+                                         KeptLight* kept, LightCounts* counts) const {
+    const std::list<PointGroup> groups = point_groups(block, visible);
+    std::vector<LitScene> lit_scenes;
+    for (const PointGroup& group : groups) {
+        lit_scenes.push_back({scene_, drawn_, order_, group.places, sides_, block, visible, group.points, group.blockers});
+    }
 
     std::vector<Job> jobs;
     for (std::size_t set = 0; set < sets_.size(); ++set) {
-        if (points.begins.at(set) == points.begins.at(set + 1)) continue;
+        if (std::ranges::all_of(groups, [&](const PointGroup& group) { return group.points.has_none_of(set); })) continue;
         for (std::size_t place = 0; place < sets_[set].size(); ++place) jobs.push_back({set, place, &sets_[set][place]});
     }
 
-    if (kept != nullptr && !kept->has_room(visible.size(), points.size())) {
+    std::size_t shown = 0;
+    for (const PointGroup& group : groups) shown += group.points.size();
+    if (kept != nullptr && !kept->has_room(visible.size(), shown)) {
         kept->give_up();
         kept = nullptr;
     }
-    LightSums sums(lit_scene, std::move(jobs), progress, kept != nullptr);
+    LightSums sums(lit_scenes, std::move(jobs), progress, kept != nullptr);
     if (previews != nullptr && side_ == 1) {
         add_shown(sums, sun_, toward_eye_, *previews, visible.size());
     } else {
         sums.add(sums.size());
     }
-    const std::vector<Shining> shining = sums.finish();
-    if (kept != nullptr) kept->add(block, visible, points.places, std::span(points.begins).first(sets_.size() + 1), shining);
+    const LightCounts counted = sums.finish();
+    if (counts != nullptr) *counts = counted;
+    if (kept != nullptr) kept->add(block, visible, sums.found(sets_.size()));
     std::vector<LightVector> lit(visible.size());
     sums.for_each_point([&](std::size_t place, const LightVector& sum) { lit[place] = sum; });
     return lit;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <list>
 #include <span>
 #include <vector>
 
@@ -17,8 +18,8 @@
 
 namespace sphereview {
 
-// For whoever shows a light while it is being added. Each preview has the light of the first lights, with the sky as strong as it
-// will be with all: it gets finer and no brighter.
+// How a picture is shown while lights are still being added. Each preview has the light of the first lights, with the sky as strong
+// as it will be with all: it gets finer and no brighter.
 struct LightPreviews {
     std::function<void(std::span<const LightVector>)> show;  // is given the light of each point, as light() returns it
     std::size_t fewest = 0;                                  // lights before the first
@@ -36,22 +37,35 @@ public:
     // The light of each point of a block, row by row, from its visible spheres (scene numbers or visible_background); zero where
     // there is none. The sum of the shares of the lights that shine there; its product with the normal is the brightness. Calls
     // progress() now and then, from this thread, with the part that is done, 0..1. Previews are of pictures with one point a pixel
-    // only. `kept` is given what was found, if that fits; it was begun with the sets of lights.
+    // only. `kept` is given what was found, if that fits; it was begun with the sets of lights. `counts` is told how much there was
+    // to do.
     std::vector<LightVector> light(const Block& block, std::span<const std::int32_t> visible,
                                    const std::function<void(double)>& progress = nullptr, const LightPreviews* previews = nullptr,
-                                   KeptLight* kept = nullptr) const;
+                                   KeptLight* kept = nullptr, LightCounts* counts = nullptr) const;
 
     const std::vector<std::vector<DirectedLight>>& sets() const { return sets_; }
     // The lights of a set, in their order.
     const std::vector<DirectedLight>& lights(int set) const { return sets_[static_cast<std::size_t>(set)]; }
 
 private:
+    // Points that lie near each other, as LitPoints have them, with what floats tell of the spheres from there.
+    struct PointGroup {
+        explicit PointGroup(const HitPlaces& hit_places) : places(hit_places) {}
+
+        HitPlaces places;
+        LitPoints points;
+        Blockers blockers;
+    };
+
+    std::list<PointGroup> point_groups(const Block& block, std::span<const std::int32_t> visible) const;
+
     const Scene& scene_;
     const DrawnSpheres& drawn_;
     bool sun_;               // the first light of each set
     glm::dvec3 toward_eye_;  // of length 1
+    const Camera& camera_;
+    PictureSize size_;
     int side_;
-    HitPlaces places_;
     SpatialGrid grid_;
     std::vector<std::uint32_t> order_;  // of the drawn spheres' indices, in space
     std::vector<EyeSide> sides_;        // the eye's, by number

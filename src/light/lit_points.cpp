@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "base/square_root.hpp"
@@ -15,15 +17,22 @@ namespace {
 
 constexpr std::size_t places_at_once = 8192;
 
+// So many points tell how large most of them are.
+constexpr std::size_t most_samples = 1024;
+// Points that are nearer to the eye than the farthest by more than this are left to others: what is seen of what is nearer may be
+// smaller in proportion, so float would know too little of it.
+constexpr double most_depth = 1024.0;
+// Powers of two by which spheres may be larger or smaller than 1 without a scale of their own.
+constexpr int usual_scales = 200;
+
 // A point may be off by so much of the half side of all points' box, beyond that nothing useful is known of it.
 constexpr double most_error = 0x1p-16;
-// A normal's components may be off by so much before they are rounded to float.
-constexpr double most_normal_error = 0x1p-22;
+constexpr double none = std::numeric_limits<double>::infinity();
 
 // A box around points.
 struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()};
-    glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 low{none};
+    glm::dvec3 high{-none};
 
     void include(const glm::dvec3& least, const glm::dvec3& most) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -33,10 +42,28 @@ struct Box {
     }
 };
 
-// The places of all pixels that show a sphere, by sets and then by cells: two counting sorts.
-UninitializedVector<std::int32_t> sorted_places(const Scene& scene, const SpatialGrid& grid, const Block& block,
-                                                std::span<const std::int32_t> visible, int side,
-                                                std::array<std::size_t, turned_sets + 1>& begins) {
+std::size_t set_of_place(const Block& block, std::int32_t place, int side) {
+    return static_cast<std::size_t>(set_of({block.x + place % block.width, block.y + place / block.width}, side));
+}
+
+using SetBegins = std::array<std::size_t, turned_sets + 1>;
+
+SetBegins begins_of_sets(const Block& block, std::span<const std::int32_t> shown, int side) {
+    SetBegins begins{};
+    if (side == 1) {
+        std::fill(begins.begin() + 1, begins.end(), shown.size());
+        return begins;
+    }
+    for (const std::int32_t place : shown) ++begins.at(set_of_place(block, place, side) + 1);
+    for (std::size_t i = 1; i < begins.size(); ++i) begins.at(i) += begins.at(i - 1);
+    return begins;
+}
+
+}  // namespace
+
+// Two counting sorts.
+UninitializedVector<std::int32_t> shown_places(const Scene& scene, const SpatialGrid& grid, const Block& block,
+                                               std::span<const std::int32_t> visible, int side) {
     constexpr auto nowhere = static_cast<std::uint32_t>(SpatialGrid::cells);
     UninitializedVector<std::uint32_t> cells(visible.size());
     parallel_pieces(visible.size(), places_at_once, [&](std::size_t begin, std::size_t end) {
@@ -62,33 +89,30 @@ UninitializedVector<std::int32_t> sorted_places(const Scene& scene, const Spatia
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (cells[i] != nowhere) by_cell[next[cells[i]]++] = static_cast<std::int32_t>(i);
     }
-    if (side == 1) {
-        std::fill(begins.begin() + 1, begins.end(), count);
-        return by_cell;
-    }
-    const auto set = [&](std::int32_t place) {
-        return static_cast<std::size_t>(set_of({block.x + place % block.width, block.y + place / block.width}, side));
-    };
-    for (const std::int32_t place : by_cell) ++begins.at(set(place) + 1);
-    for (std::size_t i = 1; i < begins.size(); ++i) begins.at(i) += begins.at(i - 1);
-    std::array<std::size_t, turned_sets + 1> next_of_set = begins;
+    if (side == 1) return by_cell;
+    SetBegins next_of_set = begins_of_sets(block, by_cell, side);
     UninitializedVector<std::int32_t> sorted(count);
-    for (const std::int32_t place : by_cell) sorted[next_of_set.at(set(place))++] = place;
+    for (const std::int32_t place : by_cell) sorted[next_of_set.at(set_of_place(block, place, side))++] = place;
     return sorted;
 }
 
-std::int16_t whole_normal(double component) {
-    constexpr double unit = LitPoints::normal_unit;
-    return static_cast<std::int16_t>(std::floor(std::clamp(component * unit, -unit, unit) + 0.5));
+int scale_of_most(const Scene& scene, const glm::dvec3& eye, std::span<const std::int32_t> visible,
+                  std::span<const std::int32_t> shown) {
+    std::vector<int> scales;
+    for (std::size_t i = 0; i < shown.size(); i += shown.size() / most_samples + 1) {
+        const auto number = static_cast<std::size_t>(visible[static_cast<std::size_t>(shown[i])]);
+        scales.push_back(HitPlaces::scale_for(scene.spheres[number], eye));
+    }
+    const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+    std::ranges::nth_element(scales, middle);
+    return std::abs(*middle) < usual_scales ? 0 : *middle;
 }
 
-}  // namespace
-
-LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides, const SpatialGrid& grid,
-                     const Block& block, std::span<const std::int32_t> visible, int side) {
+LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides, const Block& block,
+                     std::span<const std::int32_t> visible, int side, UninitializedVector<std::int32_t> shown,
+                     UninitializedVector<std::int32_t>* rest) {
     LitPoints points;
-    points.places = sorted_places(scene, grid, block, visible, side, points.begins);
-    const std::size_t count = points.places.size();
+    points.places = std::move(shown);
     const auto pixel_of = [&](std::size_t i) {
         return Pixel{block.x + points.places[i] % block.width, block.y + points.places[i] / block.width};
     };
@@ -97,20 +121,55 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     };
 
     // Where they all are.
-    UninitializedVector<HitDistance> found(count);
+    UninitializedVector<HitDistance> found(points.size());
     Box box;
+    double nearest = none;
+    bool all_in_range = true;
     std::mutex joining;
-    parallel_pieces(count, places_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(points.size(), places_at_once, [&](std::size_t begin, std::size_t end) {
         Box part;
+        double part_nearest = none;
+        bool in_range = true;
         for (std::size_t i = begin; i < end; ++i) {
             const std::size_t number = number_of(i);
             found[i] = places.distance(pixel_of(i), scene.spheres[number], sides[number]);
             const HitPlace place = places.at(pixel_of(i), found[i]);
-            if (std::isfinite(place.error)) part.include(place.point, place.point);
+            if (std::isfinite(place.error)) {
+                part.include(place.point, place.point);
+                part_nearest = std::min(part_nearest, largest_of(place.point));
+            } else {
+                in_range = in_range && places.in_range(scene.spheres[number]);
+            }
         }
         const std::lock_guard lock(joining);
         box.include(part.low, part.high);
+        nearest = std::min(nearest, part_nearest);
+        all_in_range = all_in_range && in_range;
     });
+    if (rest != nullptr) {
+        const double farthest = std::max(largest_of(box.low), largest_of(box.high));
+        const double least = farthest < none ? farthest / most_depth : 0.0;
+        if (!all_in_range || nearest < least) {
+            // Move what stays to the front.
+            box = Box{};
+            std::size_t kept = 0;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                const HitPlace place = places.at(pixel_of(i), found[i]);
+                const bool known = std::isfinite(place.error);
+                const bool stays = known ? largest_of(place.point) >= least : places.in_range(scene.spheres[number_of(i)]);
+                if (!stays) {
+                    rest->push_back(points.places[i]);
+                    continue;
+                }
+                if (known) box.include(place.point, place.point);
+                points.places[kept] = points.places[i];
+                found[kept++] = found[i];
+            }
+            points.places.resize(kept);
+        }
+    }
+    const std::size_t count = points.size();
+    points.begins = begins_of_sets(block, points.places, side);
     double half = 0.0;
     if (box.low.x <= box.high.x) {
         points.middle = 0.5 * box.low + 0.5 * box.high;
@@ -123,9 +182,10 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     const double factor = std::ldexp(1.0, -points.exponent);
     const auto is_known = [&](const HitPlace& place, const Sphere& sphere) {
         const double of_normal =
-            place.error + 16.0 * double_unit * (largest_of(place.point) + largest_of(sphere.center - places.eye()) + sphere.radius);
+            place.error + 16.0 * double_unit *
+                              (largest_of(place.point) + largest_of(places.from_eye(sphere.center)) + places.scaled(sphere.radius));
         return half > 0.0 && std::ldexp(place.error, -points.exponent) < most_error &&
-               of_normal < most_normal_error * sphere.radius;
+               of_normal < most_normal_error * places.scaled(sphere.radius);
     };
     double error = 0.0;
     double farthest = 0.0;
@@ -142,7 +202,8 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
             if (is_known(place, sphere)) {
                 p = (place.point - points.middle) * factor;
                 const bool outside = places.begins_outside(pixel_of(i), sphere, sides[number]);
-                n = (place.point - (sphere.center - places.eye())) / (outside ? sphere.radius : -sphere.radius);
+                const double radius = places.scaled(sphere.radius);
+                n = (place.point - places.from_eye(sphere.center)) / (outside ? radius : -radius);
                 part_error = std::max(part_error, place.error * factor);
                 part_farthest = std::max(part_farthest, dot(p, p));
             } else {
@@ -165,6 +226,10 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     points.error = static_cast<float>(1.01 * error + 0x1p-27);
     points.farthest = static_cast<float>(1.001 * square_root(farthest) + 1e-30);
     return points;
+}
+
+HitPlace LitPoints::ball() const {
+    return {middle, std::ldexp(1.01 * (static_cast<double>(farthest) + static_cast<double>(error)), exponent)};
 }
 
 }  // namespace sphereview

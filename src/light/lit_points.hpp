@@ -1,7 +1,9 @@
 // The points of a picture that light may reach, as the float filter takes them.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -17,9 +19,9 @@
 
 namespace sphereview {
 
-// Points relative to the middle of them all, times a power of two, so that all lie within a cube from -1 to 1. Sorted by their sets
-// of lights and then by the cells that their spheres lie in: neighbours are near each other, as any light sees them. Small: 22
-// bytes for each of a million points.
+// Points that lie near each other, relative to the middle of them all, times a power of two, so that all lie within a cube from -1
+// to 1. Sorted by their sets of lights and then by the cells that their spheres lie in: neighbours are near each other, as any
+// light sees them. Small: 22 bytes for each of a million points.
 struct LitPoints {
     // Normals are whole multiples of 1 / this.
     static constexpr float normal_unit = 32767.0F;
@@ -37,19 +39,43 @@ struct LitPoints {
     // Those of which float knows too little, ascending: their normals are 0.
     std::vector<std::uint32_t> unknown;
 
-    glm::dvec3 middle{0.0};  // relative to the eye
+    glm::dvec3 middle{0.0};  // relative to the eye, in the unit of HitPlaces
     int exponent = 0;        // of the power of two
     float error = 0.0F;      // how far any point is from where it is said to be, beside the rounding to float
     float farthest = 0.0F;   // from the middle
 
     std::size_t size() const { return places.size(); }
+    bool has_none_of(std::size_t set) const { return begins.at(set) == begins.at(set + 1); }
+    // Where all that are known lie, in the unit of HitPlaces.
+    HitPlace ball() const;
 };
+
+// A normal's components may be off by so much before they are rounded to whole numbers.
+inline constexpr double most_normal_error = 0x1p-22;
+
+// A component of a unit normal as LitPoints keep it.
+inline std::int16_t whole_normal(double component) {
+    constexpr double unit = LitPoints::normal_unit;
+    return static_cast<std::int16_t>(std::floor(std::clamp(component * unit, -unit, unit) + 0.5));
+}
 
 // Which set of lights a point belongs to, with so many points along the side of a pixel.
 constexpr int set_of(Pixel point, int side) { return point.y % side * side + point.x % side; }
 
-// Of a block of points whose visible spheres are known. `sides`: the eye's, by the spheres' numbers.
-LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides, const SpatialGrid& grid,
-                     const Block& block, std::span<const std::int32_t> visible, int side);
+// The places in a block that show a sphere, sorted by their sets of lights and then by the cells of the spheres.
+UninitializedVector<std::int32_t> shown_places(const Scene& scene, const SpatialGrid& grid, const Block& block,
+                                               std::span<const std::int32_t> visible, int side);
+
+// The scale of HitPlaces at which double can tell most of the points, which are not none: 0 unless they are near the limits of
+// doubles.
+int scale_of_most(const Scene& scene, const glm::dvec3& eye, std::span<const std::int32_t> visible,
+                  std::span<const std::int32_t> shown);
+
+// Of the places `shown`, in their order. `sides`: the eye's, by the spheres' numbers. `rest`, if it is given, gets the places that
+// are left out, in their order: those that are much nearer to the eye than the farthest, and those on spheres that are out of range
+// for `places`. Some are not left out.
+LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<const EyeSide> sides, const Block& block,
+                     std::span<const std::int32_t> visible, int side, UninitializedVector<std::int32_t> shown,
+                     UninitializedVector<std::int32_t>* rest);
 
 }  // namespace sphereview

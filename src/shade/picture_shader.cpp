@@ -152,10 +152,6 @@ void fill(std::uint8_t* out, std::size_t count, const std::uint8_t* pixel, std::
     for (std::size_t done = channels; done < size; done *= 2) std::memcpy(out + done, out, std::min(done, size - done));
 }
 
-}  // namespace
-
-namespace {
-
 // What the hits of a sphere lie between. From outside none is beyond the silhouette.
 DepthRange depths_in_perspective(const Sphere& sphere, const glm::dvec3& eye) {
     const double distance = length(from_eye(sphere.center, eye));

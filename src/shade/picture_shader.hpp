@@ -41,9 +41,9 @@ public:
     // Of the scene as the camera sees it. The scene must outlive it.
     PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading, const Background& background);
 
-    // `light`: of each pixel of the block, for the shading `studio`; else nothing.
     // Colours one block of the picture from its visible spheres (scene numbers or visible_background), row by row. `picture` may be
-    // a part of the whole: its top left pixel is `origin` of that.
+    // a part of the whole: its top left pixel is `origin` of that. `light`: of each pixel of the block, for the shading `studio`;
+    // else empty.
     void shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin = {},
                std::span<const LightVector> light = {}) const;
 

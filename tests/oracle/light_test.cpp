@@ -1,11 +1,13 @@
 // The light of every pixel against the oracle's.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
 #include <string>
 
 #include "base/parallel.hpp"
+#include "light/light_tiles.hpp"
 #include "light/lighting.hpp"
 #include "oracle/light_oracle.hpp"
 #include "oracle/oracle.hpp"
@@ -158,6 +160,44 @@ std::vector<LitTrial> edges() {
     return all;
 }
 
+// Ordinary spheres in the middle of the picture, among others that are farther away or larger by many orders of magnitude.
+struct Surroundings {
+    std::string name;
+    Scene scene;
+};
+
+std::vector<Surroundings> surroundings(int spheres, int others) {
+    Random random(seed());
+    Scene ordinary;
+    for (int i = 0; i < spheres; ++i) {
+        const glm::dvec3 center = random.in_cube(60.0) + glm::dvec3(0.0, 0.0, 220.0);
+        ordinary.spheres.push_back({center, 4.0 + i % 9, {255, 0, 0}, false});
+    }
+    std::vector<Surroundings> all;
+    all.push_back({"nothing around", ordinary});
+    for (const double distance : {1e7, 1e15, 1e190}) {
+        Surroundings far{"spheres at " + std::to_string(distance), ordinary};
+        for (int i = 0; i < others; ++i) {
+            const glm::dvec3 center = 0.1 * distance * random.in_cube(1.0) + glm::dvec3(0.0, distance, 0.0);
+            far.scene.spheres.push_back({center, 0.1 * distance, {0, 255, 0}, false});
+        }
+        all.push_back(far);
+    }
+    for (const double distance : {1e6, 1e10, 1e20, 1e200}) {
+        Surroundings background{"before a sphere at " + std::to_string(distance), ordinary};
+        background.scene.spheres.push_back({{0.0, 0.0, distance}, 0.9 * distance, {0, 0, 255}, false});
+        all.push_back(background);
+    }
+    for (const double factor : {1e-140, 1e160}) {
+        Surroundings scaled{"scaled by " + std::to_string(factor), ordinary};
+        for (Sphere& sphere : scaled.scene.spheres) sphere = {sphere.center * factor, sphere.radius * factor, sphere.color};
+        Camera& camera = scaled.scene.camera;
+        for (glm::dvec3* v : {&camera.eye, &camera.center, &camera.right, &camera.up}) *v *= factor;
+        all.push_back(scaled);
+    }
+    return all;
+}
+
 // Spheres that each cover the whole plane of any light, before few that are seen; and spheres nearly in one place, or quite: lists
 // that would be endless.
 std::vector<LitTrial> crowds() {
@@ -186,6 +226,10 @@ std::vector<LitTrial> crowds() {
             scene.spheres.push_back({center, 25.0 + apart * (i % 11), {0, 255, 0}, false});
         }
         add("spheres " + std::to_string(apart) + " apart", scene, {13, 9}, slanting);
+    }
+    for (const Surroundings& around : surroundings(20, 30)) {
+        add(around.name, around.scene, {13, 9}, slanting);
+        all.push_back({orthographic(all.back().trial), all.back().light});
     }
     return all;
 }
@@ -283,6 +327,123 @@ TEST(Light, orthographic) {
     expect_the_oracles_light(trials);
 }
 
+// A picture without sky is black in the sun's shadow.
+TEST(Light, of_the_sun_alone) {
+    for (std::uint64_t i = 0; i < 20; ++i) {
+        LitTrial lit = with_light(i % 2 == 0 ? random_trial(seed() + i) : lattice_trial(seed() + i), seed() + i);
+        lit.light.sky = 0.0;
+        const auto pixels = static_cast<std::size_t>(lit.trial.size.width) * static_cast<std::size_t>(lit.trial.size.height);
+        if (lit.trial.scene.spheres.size() * pixels <= most_work) expect_the_oracles_light(lit);
+    }
+}
+
+TEST(Light, of_many_lights) {
+    LitTrial lit = with_light(lattice_trial(seed()), seed());
+    lit.trial.size = {11, 9};
+    lit.light.lights = 256;
+    expect_the_oracles_light(lit);
+}
+
+// What LightTiles says of all pixels and one light, taken apart so that tests may change what it trusts.
+struct Doubts {
+    LightTileLimits limits{};
+    bool spheres = true;  // else no sphere's place is in doubt
+};
+
+// The number of pixels of which LightTiles says otherwise than the oracle. `tiles_across`: how many there were in the end.
+int differences(const Trial& trial, const glm::dvec3& direction, const Doubts& doubts, std::size_t& tiles_across) {
+    const Scene& scene = trial.scene;
+    const PictureSize size = trial.size;
+    const Block whole{0, 0, size.width, size.height};
+    const std::vector<std::int32_t> visible = picture(scene, size);
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    std::vector<EyeSide> sides(scene.spheres.size(), EyeSide::outside);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        if (!std::ranges::binary_search(drawn.gone, i)) sides[static_cast<std::size_t>(drawn.number(i))] = drawn.side(i);
+    }
+    const SpatialGrid grid(scene, drawn);
+    const std::vector<std::uint32_t> order = spatial_order(scene, drawn, grid);
+    const HitPlaces places(scene.camera, size);
+    const LitPoints points =
+        lit_points(scene, places, sides, whole, visible, 1, shown_places(scene, grid, whole, visible, 1), nullptr);
+    Blockers all = blockers(scene, drawn, order, sides, places, points);
+    if (!doubts.spheres) all.doubt_of_all = all.doubt_of_size = 0.0F;
+    const LitScene lit_scene{scene, drawn, order, places, sides, whole, visible, points, all};
+    LightTiles tiles(doubts.limits);
+    const std::span<const std::uint64_t> lit = tiles.lit(lit_scene, 0, points.size(), direction);
+    tiles_across = tiles.tiles_across();
+    EXPECT_GT(points.size(), 0U);
+    int count = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const bool found = (lit[i / 64] >> i % 64 & 1U) != 0;
+        if (found != shines(scene, size, lit_scene.pixel(i), lit_scene.number(i), {&direction, 1}).front()) ++count;
+    }
+    return count;
+}
+
+// Many discs of all sizes.
+Trial crowded() {
+    Random random(seed());
+    Trial trial{"crowded", {}, {15, 13}};
+    for (int i = 0; i < 60; ++i) {
+        const glm::dvec3 center = random.in_cube(70.0) + glm::dvec3(0.0, 0.0, 200.0);
+        trial.scene.spheres.push_back({center, 2.0 + i % 30, {}, false});
+    }
+    return trial;
+}
+
+// Larger tiles, before lists are made and because they came out too long.
+TEST(Light, larger_tiles_find_the_same) {
+    std::size_t across = 0;
+    EXPECT_EQ(differences(crowded(), slanting, {}, across), 0);
+    EXPECT_EQ(across, 128U);
+    LightTileLimits limits;
+    for (const double touched : {0x1p12, 0x1p8, 1.0}) {
+        limits.most_touched = touched;
+        EXPECT_EQ(differences(crowded(), slanting, {.limits = limits, .spheres = true}, across), 0) << touched;
+        EXPECT_LT(across, 128U);
+    }
+    limits = {};
+    limits.usual_listed = limits.listed_a_disc = 0;
+    EXPECT_EQ(differences(crowded(), slanting, {.limits = limits, .spheres = true}, across), 0);
+    EXPECT_LT(across, 128U);
+}
+
+// A few pixels around a point that is seen.
+Trial close_up(Scene scene, const glm::dvec3& point) {
+    Camera& camera = scene.camera;
+    camera.center = point;
+    camera.right = 1e-4 * unit(cross(point, {0.0, 1.0, 0.0}));
+    camera.up = 1e-4 * unit(cross(camera.right, point));
+    return {"close up", scene, {21, 21}};
+}
+
+// The oracle notices where float is trusted too much: at a light in the tangent plane, and at a shadow's edge.
+TEST(Light, too_little_doubt_is_noticed) {
+    Random random(seed());
+    LightTileLimits careless;
+    careless.facing_doubt = 0.0F;
+    std::size_t across = 0;
+    int wrong_sides = 0;
+    int wrong_shadows = 0;
+    for (int i = 0; i < 10; ++i) {
+        Scene scene = lit_middle();
+        const glm::dvec3 normal = unit(glm::dvec3(0.0, 0.0, -1.5) + random.in_cube(1.0));
+        const glm::dvec3 point = scene.spheres[0].center + scene.spheres[0].radius * normal;
+        const glm::dvec3 tangent = unit(cross(normal, {0.2, 0.9, 0.1}));
+        EXPECT_EQ(differences(close_up(scene, point), tangent, {}, across), 0);
+        wrong_sides += differences(close_up(scene, point), tangent, {.limits = careless, .spheres = true}, across);
+
+        const glm::dvec3 toward_light = unit(normal + 0.5 * tangent);
+        const glm::dvec3 aside = unit(cross(toward_light, normal));
+        scene.spheres.push_back({point + 60.0 * toward_light + 5.0 * aside, 5.0, {}, false});
+        EXPECT_EQ(differences(close_up(scene, point), toward_light, {}, across), 0);
+        wrong_shadows += differences(close_up(scene, point), toward_light, {.limits = {}, .spheres = false}, across);
+    }
+    EXPECT_GT(wrong_sides, 0);
+    EXPECT_GT(wrong_shadows, 0);
+}
+
 TEST(Light, samples_have_sets_of_their_own) {
     for (const int side : {2, 4}) {
         LitTrial lit = with_light(lattice_trial(seed()), seed());
@@ -335,6 +496,23 @@ TEST(Light, previews_are_as_bright_as_all) {
     }
 }
 
+// What is far away or huge makes float and double ask no more than it must: nearly all is decided for all points at once.
+TEST(Light, work_is_bounded_whatever_is_around) {
+    constexpr int others = 300;
+    constexpr int lights = 16;
+    constexpr PictureSize size{60, 60};
+    for (const Surroundings& around : surroundings(200, others)) {
+        const Scene& scene = around.scene;
+        const std::vector<std::int32_t> visible = picture(scene, size);
+        const DrawnSpheres drawn = drawn_spheres(scene);
+        const Lighting lighting(scene, drawn, scene.camera, size, 1, {.lights = lights, .sky = 1.0, .sun = {}});
+        LightCounts counts;
+        lighting.light({0, 0, size.width, size.height}, visible, nullptr, nullptr, nullptr, &counts);
+        EXPECT_GT(counts.points_facing, 1000) << around.name;
+        EXPECT_LT(counts.doubts, 2 * lights * others) << around.name;
+    }
+}
+
 // Points that double cannot place are lit with all others, and keep nobody from looking on.
 TEST(Light, previews_have_points_that_double_cannot_place) {
     Scene scene = lit_middle();
@@ -363,7 +541,10 @@ TEST(Light, that_is_kept_is_as_decided_anew) {
         {.lights = 37, .sky = 0.0, .key = 1.0, .sun = sun},
     };
     for (const int side : {1, 2, 4}) {
-        const Trial trial = random_trial(seed() + static_cast<std::uint64_t>(side));
+        Trial trial = random_trial(seed() + static_cast<std::uint64_t>(side));
+        // So far behind all that its points are lit apart from the others.
+        const glm::dvec3 ahead = trial.scene.camera.center - trial.scene.camera.eye;
+        trial.scene.spheres.push_back({trial.scene.camera.eye + 1e9 * ahead, 9e8 * largest_of(ahead), {}, false});
         const PictureSize size = sampled_size({19, 13}, side);
         const std::vector<std::int32_t> visible = picture(trial.scene, size);
         const DrawnSpheres drawn = drawn_spheres(trial.scene);
