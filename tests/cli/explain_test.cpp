@@ -203,8 +203,9 @@ TEST(Explain, RefusesALightThatThereIsNot) {
     refused({"--light", "17", "--sun", "0,0,-1"}, "sphereview: --light: found 17, expected 0 (the sun) or 1 to 16");
     refused({"--light", "1", "--sun", "0,0,-1", "--sky", "0"}, "sphereview: --light: found 1, expected 0 (the sun)");
     refused({"--light", "1", "--sky", "0"}, "sphereview: --light: found 1, expected a scene with a light");
-    EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--light", "one"}), 2, "--light: found 'one', expected the number"));
-    EXPECT_TRUE(fails(explain(scene, {"--light", "1"}), 2, "--shade: found 'flat', expected studio with --light"));
+    EXPECT_TRUE(
+        fails(explain(scene, {"--shade", "studio", "--light", "one"}), 2, "sphereview: --light: found 'one', expected the number"));
+    EXPECT_TRUE(fails(explain(scene, {"--light", "1"}), 2, "sphereview: --shade: found 'flat', expected studio with --light"));
 }
 
 TEST(Explain, TellsWhatANothingPixelShows) {
