@@ -46,12 +46,16 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
     window.move_to(window.on_screen(33, 0));  // the green sphere
     window.wait_until("the ray", [](const Json& f) { return f.at("widgets").contains("light ray"); });
-    window.step("without a sun that to the sky's strongest light");
-    ViewerWindow sunless(folder, {scene, "--size", "100x100"});
-    sunless.key("i");
-    sunless.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
-    sunless.move_to(sunless.on_screen(33, 0));
-    sunless.wait_until("the ray", [](const Json& f) { return f.at("widgets").contains("light ray"); });
+}
+
+TEST(Light, WithoutASunTheInspectorFollowsTheRayToTheSkysStrongestLight) {
+    const TemporaryFolder folder;
+    folder.write("home/config/sphereview/viewer.json", R"({"axes": false})");
+    ViewerWindow window(folder, {folder.write("scene.txt", two_spheres), "--size", "100x100"});
+    window.key("i");
+    window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
+    window.move_to(window.on_screen(33, 0));  // the green sphere
+    window.wait_until("the ray", [](const Json& f) { return f.at("widgets").contains("light ray"); });
 }
 
 class LightPanel : public Editing {
