@@ -44,14 +44,16 @@ struct Own {
     fs::path file{};
     FileLock lock{};
 
-    // The file of this process in `folder`. Where nothing can be locked, others take it for left behind, which is better than
-    // to keep nothing.
+    // The file of this process in `folder`. Where no lock can be made, others take it for left behind, which is better than to
+    // keep nothing; each further write tries again.
     fs::path in(const fs::path& folder) {
         const std::lock_guard guard(mutex);
-        if (!file.empty() && file.parent_path() == folder) return file;
-        const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-        file = folder / (std::string(prefix) + std::to_string(now) + std::string(ending));
-        lock = FileLock(lock_of(file));
+        if (file.empty() || file.parent_path() != folder) {
+            const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+            file = folder / (std::string(prefix) + std::to_string(now) + std::string(ending));
+            lock = FileLock();
+        }
+        if (!lock.holds()) lock = FileLock(lock_of(file));
         return file;
     }
     bool remove() {

@@ -7,6 +7,7 @@
 #else
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -26,14 +27,41 @@ FileLock::~FileLock() {
 }
 
 bool FileLock::is_held(const std::filesystem::path& file) {
-    std::error_code error;
-    return std::filesystem::exists(file, error) && !FileLock(file).holds();
+    std::error_code ignored;
+    return std::filesystem::status(file, ignored).type() != std::filesystem::file_type::not_found && !FileLock(file).holds();
 }
 
 #else
 
-FileLock::FileLock(const std::filesystem::path& file) : handle_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    if (holds() && flock(static_cast<int>(handle_), LOCK_EX | LOCK_NB) != 0) *this = FileLock();
+namespace {
+
+// Calls again what a signal has interrupted.
+template <typename Call>
+int uninterrupted(const Call& call) {
+    int result = -1;
+    do result = call();
+    while (result < 0 && errno == EINTR);
+    return result;
+}
+
+// The handle of the file, or -1 with errno. It waits for nobody: a FIFO is opened at once, and then refused.
+int open_at_once(const std::filesystem::path& file, int flags) {
+    const int handle = uninterrupted([&] { return open(file.c_str(), flags | O_CLOEXEC | O_NONBLOCK, 0600); });
+    struct stat status {};
+    if (handle < 0 || (fstat(handle, &status) == 0 && S_ISREG(status.st_mode))) return handle;
+    close(handle);
+    errno = EINVAL;
+    return -1;
+}
+
+bool locks(int handle, int operation) {
+    return uninterrupted([&] { return flock(handle, operation | LOCK_NB); }) == 0;
+}
+
+}  // namespace
+
+FileLock::FileLock(const std::filesystem::path& file) : handle_(open_at_once(file, O_RDWR | O_CREAT)) {
+    if (holds() && !locks(static_cast<int>(handle_), LOCK_EX)) *this = FileLock();
 }
 
 FileLock::~FileLock() {
@@ -41,10 +69,10 @@ FileLock::~FileLock() {
 }
 
 bool FileLock::is_held(const std::filesystem::path& file) {
-    const int handle = open(file.c_str(), O_RDONLY | O_CLOEXEC);
-    if (handle < 0) return false;
+    const int handle = open_at_once(file, O_RDONLY);
+    if (handle < 0) return errno != ENOENT;
     // Shared, so that two who ask at once do not take each other for the holder.
-    const bool held = flock(handle, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    const bool held = !locks(handle, LOCK_SH);
     close(handle);
     return held;
 }

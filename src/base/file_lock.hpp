@@ -16,7 +16,8 @@ public:
     FileLock& operator=(FileLock&& other) noexcept;
 
     bool holds() const { return handle_ != none; }
-    // Whether a process holds the file, this one included.
+    // Whether a process holds the file, this one included. Also where that cannot be told: nobody holds only a file that is
+    // missing, or whose lock can be had. What is no regular file is not waited for, and counts as held.
     static bool is_held(const std::filesystem::path& file);
 
 private:

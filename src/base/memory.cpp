@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/control_groups.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 
@@ -14,9 +15,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <fstream>
 #include <limits>
-#include <string_view>
 #endif
 
 namespace sphereview {
@@ -25,51 +24,23 @@ namespace sphereview {
 
 namespace {
 
-// The number in a file, or behind `key` at the start of one of its lines; nothing for other words ("max") and missing files.
-std::optional<std::uint64_t> number_in(const std::string& path, std::string_view key = {}) {
-    std::ifstream file(path);
-    std::string word;
-    while (!key.empty() && file >> word && word != key) file.ignore(1 << 16, '\n');
-    std::uint64_t number = 0;
-    if (!(file >> number)) return std::nullopt;
-    return number;
-}
-
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
 std::uint64_t difference(std::uint64_t whole, std::uint64_t part) { return whole - std::min(whole, part); }
-
-// What is left in this process's control group (version 2) and those around it.
-std::uint64_t left_in_groups() {
-    std::uint64_t least = unlimited;
-    std::string path;
-    std::ifstream groups("/proc/self/cgroup");
-    while (std::getline(groups, path) && !path.starts_with("0::")) continue;
-    if (!groups) return least;
-    for (path.erase(0, 3);; path.resize(std::min(path.rfind('/'), path.size() - 1))) {
-        const std::string folder = "/sys/fs/cgroup" + path + "/memory.";
-        std::uint64_t used = number_in(folder + "current").value_or(0);
-        // The system drops pages of files when memory is wanted.
-        for (const char* pages : {"inactive_file", "active_file"})
-            used = difference(used, number_in(folder + "stat", pages).value_or(0));
-        if (const auto limit = number_in(folder + "max")) least = std::min(least, difference(*limit, used));
-        if (path.empty()) return least;
-    }
-}
 
 }  // namespace
 
 std::optional<std::uint64_t> address_space_left() {
     rlimit limit{};
-    const auto pages = number_in("/proc/self/statm");
+    const auto pages = number_in_file("/proc/self/statm");
     if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY || !pages) return std::nullopt;
     return difference(limit.rlim_cur, *pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)));
 }
 
 std::optional<std::uint64_t> available_memory() {
-    const auto free = number_in("/proc/meminfo", "MemAvailable:");
-    const std::uint64_t least =
-        std::min({free ? *free * 1024 : unlimited, left_in_groups(), address_space_left().value_or(unlimited)});
+    const auto free = number_in_file("/proc/meminfo", "MemAvailable:");
+    const std::uint64_t least = std::min(
+        {free ? *free * 1024 : unlimited, memory_left_in_groups().value_or(unlimited), address_space_left().value_or(unlimited)});
     return least != unlimited ? std::optional(least) : std::nullopt;
 }
 

@@ -49,8 +49,10 @@ fs::path xdg_folder(const char* variable, const char* otherwise) {
 fs::path chosen_pictures_folder() {
     constexpr std::string_view key = "XDG_PICTURES_DIR=";
     constexpr std::string_view home = "$HOME";
-    std::ifstream file(below(xdg_folder("XDG_CONFIG_HOME", ".config"), "user-dirs.dirs"));
+    const fs::path choices = below(xdg_folder("XDG_CONFIG_HOME", ".config"), "user-dirs.dirs");
     fs::path chosen;
+    if (std::error_code ignored; !fs::is_regular_file(choices, ignored)) return chosen;  // a FIFO would be waited for
+    std::ifstream file(choices);
     for (std::string line; std::getline(file, line);) {
         const std::string_view setting = trimmed(line);
         if (!setting.starts_with(key)) continue;

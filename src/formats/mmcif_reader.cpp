@@ -11,6 +11,7 @@
 #include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/atom_names.hpp"
+#include "formats/cif_fault.hpp"
 #include "formats/cif_values.hpp"
 #include "formats/crystal.hpp"
 #include "formats/lines.hpp"
@@ -60,8 +61,8 @@ ReadDocument read_document(const TextSource& source) {
     std::string fault;
     try {
         return {read(source.text.size())};
-    } catch (const std::runtime_error& error) {  // gemmi's message begins with the name and the line
-        fault = error.what();
+    } catch (const std::runtime_error& error) {
+        fault = placed_cif_fault(source, error.what());
     }
     const std::size_t last_line = source.text.find_last_of("\r\n") + 1;  // 0 where the text has no other
     try {

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -16,7 +17,7 @@ GLint gl_limit(GLenum name) {
 GlDescription describe_gl() {
     const auto text = [](GLenum name) {
         const auto* value = reinterpret_cast<const char*>(glGetString(name));
-        return std::string(value != nullptr ? value : "unknown");
+        return on_one_line(value != nullptr ? value : "unknown");
     };
     GlDescription description{text(GL_VENDOR),
                               text(GL_RENDERER),

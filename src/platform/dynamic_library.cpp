@@ -6,6 +6,8 @@
 #include <dlfcn.h>
 #endif
 
+#include "base/text.hpp"
+
 namespace sphereview {
 
 DynamicLibrary::DynamicLibrary(const std::vector<std::string>& names) {
@@ -16,7 +18,7 @@ DynamicLibrary::DynamicLibrary(const std::vector<std::string>& names) {
 #else
         handle_ = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL);
         const char* message = handle_ == nullptr ? dlerror() : nullptr;
-        const std::string why = message != nullptr ? message : "";
+        const std::string why = message != nullptr ? on_one_line(message) : "";
 #endif
         if (handle_ != nullptr) return;
         error_ += (error_.empty() ? "" : "; ") + why;

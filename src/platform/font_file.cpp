@@ -4,9 +4,11 @@
 #include <fontconfig/fontconfig.h>
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string_view>
+#include <system_error>
 
 #include "base/text.hpp"
 #elif defined(_WIN32)
@@ -44,6 +46,7 @@ std::string text_of(FcPattern* font, const char* property) {
 
 bool begins_as_truetype(const std::string& path) {
     std::array<char, 4> bytes{};
+    if (std::error_code ignored; !std::filesystem::is_regular_file(path, ignored)) return false;  // a FIFO would be waited for
     std::ifstream file(path, std::ios::binary);
     if (!file.read(bytes.data(), bytes.size())) return false;
     const std::string_view signature(bytes.data(), bytes.size());

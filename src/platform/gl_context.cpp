@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "platform/dynamic_library.hpp"
 
 namespace sphereview {
@@ -85,7 +86,7 @@ private:
 
 std::string GlContext::renderer() const {
     const auto* text = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
-    return text != nullptr ? text : "unknown";
+    return text != nullptr ? on_one_line(text) : "unknown";
 }
 
 bool GlContext::is_software() const {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "platform/dynamic_library.hpp"
 
 namespace sphereview {
@@ -55,10 +56,11 @@ inline const Glfw& glfw() {
     return functions;
 }
 
+// On one line: what it quotes, as the display's name, may hold anything.
 inline std::string last_glfw_error() {
     const char* description = nullptr;
     glfw().GetError(&description);
-    return description != nullptr ? description : "no reason given";
+    return description != nullptr ? on_one_line(description) : "no reason given";
 }
 
 // The next window has OpenGL 3.3 core, and is hidden at first.

@@ -215,6 +215,14 @@ TEST(Mmcif, FaultsAreReported) {
     EXPECT_TRUE(mmcif_fault(cif_places + "1 2 3 4\n").starts_with("a.cif:2:"));  // gemmi's words
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 'three\n"), "a.cif:6:11: unterminated 'string'");
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n$ 1 2\n"), "a.cif:7:1: parse error");
+    EXPECT_EQ(mmcif_fault("data_x\n_A 1\n  _a 2\n"), "a.cif:3:3: found '_a' again, expected each tag of a block once");
+    EXPECT_EQ(mmcif_fault("data_w _a 1\ndata_x\nloop_ _a\n _a\n1 2\n"),
+              "a.cif:4:2: found '_a' again, expected each tag of a block once");
+    EXPECT_EQ(mmcif_fault("data_x\n_a 1\n_b 2 data_X _c 3\n"),
+              "a.cif:3:6: found 'data_X' again, expected each name of a block once");
+    EXPECT_EQ(mmcif_fault("data_x\nsave_a _b 1\nsave_\n save_a _b 1\nsave_\n"),
+              "a.cif:4:2: found 'save_a' again, expected each name of a save frame once");
+    EXPECT_EQ(mmcif_fault("data_x _a 1\n_b\n_c 2\n"), "a.cif:2:1: found '_b' without a value, expected one behind it");
     EXPECT_EQ(mmcif_fault("hello"), "a.cif:1:1: expected block header (data_)");
     EXPECT_EQ(mmcif_fault("data_x loop_ _atom_site.id 1"),
               "a.cif:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");

@@ -2,6 +2,7 @@
 #include "viewer/recovery.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -189,6 +190,20 @@ TEST_F(RecoveryTest, PassesOverWhatIsNoRecovery) {
     fs::create_directories(folder.path("state/sphereview/recovery-2147483646-8.toml"));
     EXPECT_TRUE(list_recoveries().empty());
     EXPECT_FALSE(remove_recovery(folder.path("state/sphereview"))) << "a folder with files in it";
+}
+
+TEST_F(RecoveryTest, OffersOnlyWhatIsSurelyLeftBehind) {
+    const fs::path lock = folder.path("state/sphereview/recovery-1.lock");
+    folder.write("state/sphereview/recovery-1.toml", "# sphereview recovery, milliseconds since 1970: 1\n# of: /a\n");
+    EXPECT_EQ(list_recoveries().size(), 1U) << "nobody has locked it";
+    ASSERT_EQ(mkfifo(lock.c_str(), 0600), 0);
+    EXPECT_TRUE(list_recoveries().empty()) << "and does not wait for the FIFO";
+    fs::remove(lock);
+    fs::create_symlink(lock, lock);
+    EXPECT_TRUE(list_recoveries().empty()) << "the lock cannot be opened";
+    fs::remove(lock);
+    folder.write("state/sphereview/recovery-1.lock", "");
+    EXPECT_EQ(list_recoveries().size(), 1U) << "who locked it has ended";
 }
 
 TEST_F(AutosaveTest, KeepsChangesSomeSecondsLaterAndOnce) {

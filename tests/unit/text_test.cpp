@@ -76,6 +76,7 @@ TEST(OnOneLine, EscapesWhatSteersATerminalAndKeepsOtherCharacters) {
         {"\x1b[2J\r\n\x7f", R"(\x1b[2J\x0d\x0a\x7f)"},
         {"\xC2\x9B[", R"(\xc2\x9b[)"},                                // U+009B begins what ESC [ begins
         {"\xE2\x80\xAE\xE2\x80\xA8", R"(\xe2\x80\xae\xe2\x80\xa8)"},  // from right to left; the end of a line
+        {"\xD8\x9C", R"(\xd8\x9c)"},                                  // the Arabic letter mark turns the order, too
         {"\xFF\xC3", R"(\xff\xc3)"},
         // Longer forms than needed, a surrogate, beyond Unicode.
         {"\xC0\x9B\xE0\x82\x9B\xED\xA0\x80\xF4\x90\x80\x80", R"(\xc0\x9b\xe0\x82\x9b\xed\xa0\x80\xf4\x90\x80\x80)"},

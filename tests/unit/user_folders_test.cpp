@@ -7,6 +7,8 @@
 
 #if !defined(_WIN32) && !defined(__APPLE__)
 
+#include <sys/stat.h>
+
 namespace sphereview {
 
 namespace fs = std::filesystem;
@@ -79,6 +81,13 @@ TEST_F(UserFolders, PicturesAreAtHomeWhereTheirFolderIsMissing) {
     EXPECT_EQ(pictures_folder(), home.path());
     EXPECT_EQ(pictures_with("XDG_PICTURES_DIR=\"$HOME/missing\"\n"), home.path());
     EXPECT_EQ(fs::path(pictures_with("XDG_PICTURES_DIR=\"$HOME/\"\n")).parent_path(), home.path()) << "how it is turned off";
+}
+
+TEST_F(UserFolders, PicturesDoNotWaitForAFifo) {
+    fs::create_directories(home.path("Pictures"));
+    fs::create_directories(home.path(".config"));
+    ASSERT_EQ(mkfifo(home.path(".config/user-dirs.dirs").c_str(), 0600), 0);
+    EXPECT_EQ(pictures_folder(), home.path("Pictures"));
 }
 
 TEST_F(UserFolders, AreMadeForTheUserAlone) {
