@@ -1,9 +1,12 @@
 // What can be told of a text in TOML or JSON without parsing it. How deep it nests: foreign parsers and the trees that they make
-// recurse, so what they get is bounded. And whether it has comments, which those trees do not hold.
+// recurse, so what they get is bounded. Which keys it has that nobody knows, before a tree is made of them. And whether it has
+// comments, which those trees do not hold.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
 namespace sphereview {
@@ -18,6 +21,15 @@ struct TooDeep {
 
 // Strings and comments count for nothing. What is no TOML may be judged wrongly behind its first fault, which parsers end at.
 std::optional<TooDeep> find_too_deep(std::string_view text);
+
+struct KeyInText {
+    std::size_t offset = 0;
+    std::string_view key{};  // without quotes
+};
+
+// The first key of TOML's top level, which the head of a table may name too, that `known` lacks. Nothing where there is none, or
+// something before it is no TOML. A key with an escape in it is passed over.
+std::optional<KeyInText> find_unknown_key(std::string_view text, std::span<const std::string> known);
 
 // Whether a comment of TOML stands in the text, outside its strings.
 bool has_comment(std::string_view text);

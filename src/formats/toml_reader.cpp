@@ -69,6 +69,11 @@ std::string found(const toml::node& node) {
     fail(document, node, "found " + found(node) + ", expected " + expected);
 }
 
+std::string unknown_key(std::string_view key, const std::string& where, std::span<const std::string> known) {
+    return "found the unknown key " + in_quotes(key) + " in " + where + ", expected one of " + joined(known, ", ") +
+           did_you_mean(key, known);
+}
+
 // A table whose every key must be known.
 class TableReader {
 public:
@@ -77,9 +82,7 @@ public:
         : document_(document), table_(table), where_(std::move(where)) {
         for (const auto& [key, value] : table) {
             if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
-            fail(document, key.source().begin,
-                 "found the unknown key " + in_quotes(key.str()) + " in " + where_ + ", expected one of " + joined(keys, ", ") +
-                     did_you_mean(key.str(), keys));
+            fail(document, key.source().begin, unknown_key(key.str(), where_, keys));
         }
     }
 
@@ -349,6 +352,13 @@ std::uint64_t bytes_of_tree(std::string_view text) {
     return 3 * std::uint64_t{text.size()} + values * bytes_of_value + brackets * bytes_of_bracket + key_parts * bytes_of_key_part;
 }
 
+// Of the whole scene.
+constexpr const char* top_level = "the scene";
+const std::vector<std::string>& top_keys() {
+    static const std::vector<std::string> keys = {"background", "camera", "light", "view", "sphere", "spheres", "hidden", "names"};
+    return keys;
+}
+
 toml::table parse(const TomlText& document) {
     if (const auto deep = find_too_deep(document.content)) {
         const std::string most = std::to_string(most_nested);
@@ -356,7 +366,13 @@ toml::table parse(const TomlText& document) {
             deep->offset, deep->in_key ? "found a key of more than " + most + " parts, expected at most " + most
                                        : "found values nested more than " + most + " deep, expected at most " + most);
     }
-    require_memory(bytes_of_tree(document.content), document.name + ": its values need");
+    // A large tree, which may take 100 times the text, is not made in vain.
+    constexpr std::uint64_t large = std::uint64_t{1} << 25;
+    const std::uint64_t bytes = bytes_of_tree(document.content);
+    if (const auto unknown = bytes > large ? find_unknown_key(document.content, top_keys()) : std::nullopt) {
+        TextSource{document.name, document.content}.fail(unknown->offset, unknown_key(unknown->key, top_level, top_keys()));
+    }
+    require_memory(bytes, document.name + ": its values need");
     try {
         return toml::parse(document.content);  // without the name, whose copy it makes where nothing may be thrown
     } catch (const toml::parse_error& error) {
@@ -384,8 +400,7 @@ SphereData read_toml(std::string_view content, const std::string& name, const Da
         fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
     }
     const toml::table table = parse(document);
-    static const std::vector<std::string> keys = {"background", "camera", "light", "view", "sphere", "spheres", "hidden", "names"};
-    const TableReader reader(document, table, "the scene", keys);
+    const TableReader reader(document, table, top_level, top_keys());
 
     Scene scene;
     if (const auto* node = reader.find("background")) {

@@ -70,6 +70,23 @@ TEST(InQuotes, EscapesWhatATerminalWouldActAndCutsLongTexts) {
     EXPECT_EQ(in_quotes(std::string(41, 'x')), "'" + std::string(40, 'x') + "...'");
 }
 
+TEST(UnknownKey, IsFoundAtTheTopLevelWithoutParsing) {
+    const std::vector<std::string> known = {"camera", "sphere", "names"};
+    const auto found = [&](std::string_view text) -> std::string {
+        const auto key = find_unknown_key(text, known);
+        return key ? std::to_string(key->offset) + " " + std::string(key->key) : "";
+    };
+    for (const std::string_view text :
+         {"", "# a = 1", "camera.x = 1\nnames = {b = 1}\n", "[camera]\na = 1\n[[ sphere ]]\n\"b\" = [\n1]\n[names.c]\nd=1",
+          "names = [\na = 1\n]", "names = \"\"\"\na = 1\n\"\"\" # b = 1", "names = 1 # [\n'sphere'=2", "hello\na = 1", "= 1", "[",
+          "\"a", "a", "\"\\u0063amera\" = 1"}) {
+        EXPECT_EQ(found(text), "") << text;
+    }
+    EXPECT_EQ(found("a=[{b.c=1},"), "0 a");
+    EXPECT_EQ(found("names = {x = [\n1] }\r\n 'a b'.c = 1"), "22 a b");
+    EXPECT_EQ(found("[camera]\nx = 1\n[[\ta.camera]]"), "18 a");
+}
+
 TEST(OnOneLine, EscapesWhatSteersATerminalAndKeepsOtherCharacters) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"a \\'K\xC3\xBCgel' \xE7\x90\x83 \xF0\x9F\x8C\x90", "a \\'K\xC3\xBCgel' \xE7\x90\x83 \xF0\x9F\x8C\x90"},

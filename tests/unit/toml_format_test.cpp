@@ -409,6 +409,12 @@ TEST(SpheresLiteral, IsLeftToTheParserWhereItIsNotPlain) {
     }
 }
 
+TEST(TomlErrors, OfAnUnknownKeyComeBeforeALargeTree) {
+    std::string large = "# not even whole\n a = [";
+    for (int i = 0; i < 400'000; ++i) large += "{},";
+    EXPECT_TRUE(message(large).starts_with("s.toml:2:2: found the unknown key 'a' in the scene")) << message(large);
+}
+
 TEST(SpheresLiteral, KeepsThePlacesOfMistakesAroundIt) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"spheres = \"\"\"\n1\n1 2 3 4 5 6 0\n\"\"\"\n", "3:13: found '0', expected the radius of sphere 1 of 1 above 0"},
