@@ -226,7 +226,8 @@ TEST(Usage, APathAsFirstWordIsASceneForTheWindow) {
     for (const char* instead : {"sphereview render", "sphereview doctor"}) EXPECT_TRUE(contains(nowhere.errors, instead));
     // Its name is no more than a name: it steers no terminal and makes no line of its own.
     const Outcome forged = started({"scene"}, "\x1b[2J\nFORGED: ok");
-    EXPECT_TRUE(fails(forged, 3, R"(\x1b[2J\x0aFORGED: ok)"));
+    EXPECT_TRUE(fails(forged, 3, "sphereview: there is no display to open a window on: "));
+    EXPECT_TRUE(contains(forged.errors, R"(\x1b[2J\x0aFORGED: ok)")) << forged;
     EXPECT_FALSE(contains(forged.errors, "\nFORGED") || contains(forged.errors, "\x1b")) << forged;
     // What is wrong with the scene is said first.
     folder.write("broken.txt", bad_scene);
