@@ -57,7 +57,8 @@ void take(const std::string& folder) {
         return !frame.at("rays").is_null() && frame.at("rays").at("picture") == true && frame.at("exact") == true;
     });
     const std::vector<double> seen = window.rectangle("rays picture");
-    window.click({seen[0] + 0.57 * (seen[2] - seen[0]), seen[1] + 0.6 * (seen[3] - seen[1])});
+    // In the shadow of Io.
+    window.click({seen[0] + 0.35 * (seen[2] - seen[0]), seen[1] + 0.56 * (seen[3] - seen[1])});
     window.wait_until("a pinned pixel", [](const Json& frame) { return frame.at("inspected").at("pinned") == true; });
     window.click_widget("rays row");
     window.move_to({5, 780});
