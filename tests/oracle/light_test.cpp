@@ -14,6 +14,7 @@
 #include "oracle/random.hpp"
 #include "oracle/scenes.hpp"
 #include "scene/vectors.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview::oracle {
 
@@ -426,7 +427,8 @@ TEST(Light, too_little_doubt_is_noticed) {
     std::size_t across = 0;
     int wrong_sides = 0;
     int wrong_shadows = 0;
-    for (int i = 0; i < 10; ++i) {
+    // Each takes seconds with sanitizers: no more of them, then, than it takes to notice.
+    for (int i = 0; i < 10 && (i < test::trials(10) || wrong_sides == 0 || wrong_shadows == 0); ++i) {
         Scene scene = lit_middle();
         const glm::dvec3 normal = unit(glm::dvec3(0.0, 0.0, -1.5) + random.in_cube(1.0));
         const glm::dvec3 point = scene.spheres[0].center + scene.spheres[0].radius * normal;
