@@ -26,6 +26,9 @@ struct DataOptions {
     std::optional<double> radius{};       // of spheres for which the file says none, instead of the usual one; > 0
     bool virtual_sites = true;            // whether to show what a file of atoms calls one and is none (elements.hpp)
     std::vector<ColumnChoice> columns{};  // of CSV
+    std::vector<std::string>
+        properties{};             // names of those to keep in the scene, in any letter case; those that a file lacks are left out
+    bool all_properties = false;  // keep every one
 };
 
 struct SphereData {
@@ -37,6 +40,8 @@ struct SphereData {
     std::vector<std::string> warnings{};
     // What helps where something is missing in the picture, likewise.
     std::vector<std::string> notes{};
+    // What the file holds of each sphere, by the names that DataOptions::properties takes, whether asked for or not.
+    std::vector<std::string> property_names{};
 };
 
 // Up to how many atoms each is named after its element. A name takes more memory and more time than its sphere, and nobody looks
