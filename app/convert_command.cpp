@@ -24,7 +24,7 @@ ExitCode run_convert(const ConvertOptions& options) {
     if (format.holds_only_spheres && !fit.wanted) fit.wanted = false;  // no camera is made only to be lost
     const LoadedScene loaded = [&] {
         Progress progress;
-        return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
+        return load_scene(options.input, {.progress = &progress, .data = options.data, .look = options.look, .fit = fit});
     }();
     say_warnings(loaded);
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {

@@ -42,12 +42,34 @@ std::string title(const Scene& scene, std::int32_t number) {
     return name == scene.names.end() ? text : text + " " + in_quotes(name->second);
 }
 
+// "charge = 0.5, chain = A": what its file holds of a sphere beside what is drawn.
+std::string properties_in_words(const Scene& scene, std::size_t number) {
+    std::vector<std::string> words;
+    for (const Property& property : scene.properties) {
+        const std::string value = text_at(property, number);
+        if (!value.empty()) words.push_back(on_one_line(property.name + " = " + value));
+    }
+    return joined(words, ", ");
+}
+
+Json properties_in_json(const Scene& scene, std::size_t number) {
+    Json values = Json::object();
+    for (const Property& property : scene.properties) {
+        const double value = number_at(property, number);
+        const std::string text = text_at(property, number);
+        values.set(property.name, text.empty() ? Json(nullptr) : std::isfinite(value) ? Json(value) : Json(text));
+    }
+    return values;
+}
+
 std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
     std::string text;
     const auto line = [&](const std::string& what) { text += "  " + what + "\n"; };
     text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + vector_in_words(sphere.center) +
             ", r = " + shortest(sphere.radius) + "\n";
+    const std::string properties = properties_in_words(scene, static_cast<std::size_t>(hit.number));
+    if (!properties.empty()) line("in its file: " + properties);
     const HitInWords words = in_words(hit);
     line("a = D.D                     = " + words.a);
     line("b = 2 D.(O - C)             = " + words.b);
@@ -114,27 +136,29 @@ Json vector(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)
 Json to_json(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
     const auto name = scene.names.find(static_cast<std::uint32_t>(hit.number));
-    return {{"sphere", hit.number},
-            {"name", name == scene.names.end() ? Json(nullptr) : Json(name->second)},
-            {"color", rgb(sphere.color)},
-            {"center", vector(sphere.center)},
-            {"radius", sphere.radius},
-            {"eye", hit.eye == EyeSide::outside  ? "outside"
-                    : hit.eye == EyeSide::inside ? "inside"
-                                                 : "on the surface"},
-            {"a", number(hit.a)},
-            {"b", number(hit.b)},
-            {"c", number(hit.c)},
-            {"discriminant", number(hit.discriminant)},
-            {"discriminant_sign", hit.discriminant_sign},
-            {"t1", number(hit.t1)},
-            {"t2", number(hit.t2)},
-            {"counts", hit.counts == CountingRoot::t1 ? "t1" : "t2"},
-            {"why", why(hit)},
-            {"t", number(hit.t)},
-            {"point", vector(hit.point)},
-            {"normal", vector(hit.normal)},
-            {"as_near_as_last", hit.as_near_as_last}};
+    Json json = {{"sphere", hit.number},
+                 {"name", name == scene.names.end() ? Json(nullptr) : Json(name->second)},
+                 {"color", rgb(sphere.color)},
+                 {"center", vector(sphere.center)},
+                 {"radius", sphere.radius},
+                 {"eye", hit.eye == EyeSide::outside  ? "outside"
+                         : hit.eye == EyeSide::inside ? "inside"
+                                                      : "on the surface"},
+                 {"a", number(hit.a)},
+                 {"b", number(hit.b)},
+                 {"c", number(hit.c)},
+                 {"discriminant", number(hit.discriminant)},
+                 {"discriminant_sign", hit.discriminant_sign},
+                 {"t1", number(hit.t1)},
+                 {"t2", number(hit.t2)},
+                 {"counts", hit.counts == CountingRoot::t1 ? "t1" : "t2"},
+                 {"why", why(hit)},
+                 {"t", number(hit.t)},
+                 {"point", vector(hit.point)},
+                 {"normal", vector(hit.normal)},
+                 {"as_near_as_last", hit.as_near_as_last}};
+    if (!scene.properties.empty()) json.set("properties", properties_in_json(scene, static_cast<std::size_t>(hit.number)));
+    return json;
 }
 
 Json to_json(const LightVector& light) { return {light.x, light.y, light.z}; }
@@ -217,7 +241,9 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
 }
 
 ExitCode run_explain(const ExplainOptions& options) {
-    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    DataOptions data = options.data;
+    data.all_properties = true;  // they are shown
+    const LoadedScene loaded = load_scene(options.scene, {.data = data, .look = options.look, .fit = options.fit});
     say_warnings(loaded);
     write_output(std::string(standard_stream), explain(loaded.scene, loaded.name, options));
     return ExitCode::done;

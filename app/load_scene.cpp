@@ -40,13 +40,16 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     }
     stream.fill();
     if (options.control != nullptr) options.control->check();
-    SphereData data = loaded.format.read(stream.bytes(), loaded.name, options.data);
+    DataOptions wanted = options.data;
+    for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
+    SphereData data = loaded.format.read(stream.bytes(), loaded.name, wanted);
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
     loaded.warnings = std::move(data.warnings);
     loaded.notes = std::move(data.notes);
+    loaded.property_names = std::move(data.property_names);
     return loaded;
 }
 
@@ -79,6 +82,8 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
     if (loaded.format.is_data && options.data_background) loaded.scene.background = *options.data_background;
+    // Before the camera is fitted: radii count.
+    if (options.look.any()) loaded.look = apply_look(loaded.scene, options.look, loaded.name, loaded.property_names);
     const FitOptions& fit = options.fit;
     if (fit.saved_view) loaded.scene.camera = saved_view(loaded, *fit.saved_view);
     if (fit.projection) loaded.scene.camera.projection = *fit.projection;
@@ -93,6 +98,7 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
 
 void say_warnings(const LoadedScene& loaded) {
     for (const std::string& warning : loaded.warnings) say(warning);
+    for (const std::string& line : loaded.look.lines) say(line);
 }
 
 }  // namespace sphereview

@@ -146,6 +146,9 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     const float below = ImGui::GetCursorPosY();
     ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
     if (ImGui::CollapsingHeader("Sphere", ImGuiTreeNodeFlags_DefaultOpen)) draw_sphere_editor(context, state);
+    const bool look = ImGui::CollapsingHeader("Colour and size");
+    note_widget(context, "look");
+    if (look) draw_look_panel(context, state.look, state.numbers);
     const bool light = ImGui::CollapsingHeader("Light");
     note_widget(context, "light");
     if (light) draw_light_panel(context, state);

@@ -6,6 +6,7 @@
 
 #include "edit/selection.hpp"
 #include "panels/listed_spheres.hpp"
+#include "panels/look_panel.hpp"
 #include "panels/number_field.hpp"
 #include "panels/panel_context.hpp"
 
@@ -61,6 +62,8 @@ struct SidePanelState {
     bool opens_box() const { return numbers.focus || focus_view_name; }
     // Whether a box is there, or opens.
     bool has_box() const { return !numbers.typed.empty() || renamed_view; }
+
+    LookPanelState look;
 
     std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
     float below_list = 0.0F;      // how high what comes below the list was

@@ -42,7 +42,9 @@ void apply(ViewerState& state, EditScene action) {
     if (std::holds_alternative<ChangeLight>(action.edit)) state.light = {};
     const auto* camera = std::get_if<ChangeCamera>(&action.edit);
     const bool moves_view = camera != nullptr && camera->moves_view;
+    const bool only_looks = !state.document.is_changed() || state.document.revision() == state.look_revision;
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
+    if (action.is_look && only_looks) state.look_revision = state.document.revision();
     if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);

@@ -271,6 +271,7 @@ void Viewer::redraw() {
         perform(state_, std::move(actions));
         perform(state_, routing_.take_after_typing());
     }
+    give_seen();
     const bool searches = state_.panel_drawn && !state_.side_panel.search.done();
     if (fly_on(state_, begin) || !state_.rays.to_see.empty() || searches) pacing_.touch();
     window_.set_title(title_for(state_));
@@ -300,6 +301,20 @@ void Viewer::redraw() {
     // Input waits while a redraw goes on: the rest of a slow one does not make a double click too slow.
     constexpr std::chrono::milliseconds most_counted{50};
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
+}
+
+void Viewer::give_seen() {
+    LookPanelState& look = state_.side_panel.look;
+    if (!look.asks_for_seen) return;
+    std::vector<std::uint32_t> seen;
+    for (const std::int32_t number : picture_.seen_texels().numbers) {
+        if (number >= 0) seen.push_back(static_cast<std::uint32_t>(number));
+    }
+    std::ranges::sort(seen);
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    look.seen = std::move(seen);
+    look.asks_for_seen = false;
+    pacing_.touch();
 }
 
 void Viewer::note_facts() {

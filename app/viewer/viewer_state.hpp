@@ -53,6 +53,7 @@ struct ViewerState {
     Selection selection;
     std::optional<std::uint32_t> hovered;
     std::uint64_t gesture = 0;
+    std::uint64_t look_revision = 0;  // of the document that differs from its file in colours and sizes by properties alone
     SceneBounds bounds;  // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
 

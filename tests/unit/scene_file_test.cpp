@@ -65,6 +65,40 @@ TEST_F(DataInViewer, SaysWhatTheReaderWarnedOf) {
     EXPECT_TRUE(state.messages.announcement.ends_with("--no-virtual")) << state.messages.announcement;
 }
 
+// Colours by a property are those of every frame, in the range that was chosen, and no reason to ask for a save.
+TEST_F(DataInViewer, OtherFramesAreColouredAlike) {
+    run_command(state, CommandId::next_frame);
+    LookPanelState& look = state.side_panel.look;
+    const ColorBy by{.property = "x", .map = ColorMap::grey, .range = ValueRange{0.0, 8.0}};
+    const auto color_by_x = [&] {
+        Property own;
+        const Property& x = *find_values(state.scene(), "x", own);
+        const Coloring coloring = coloring_of(state.scene(), x, by);
+        std::vector<Sphere> spheres = state.scene().spheres;
+        for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(x, coloring)[i];
+        note_colors(look, {by, coloring});
+        apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour", 0, true});
+    };
+    color_by_x();
+    ASSERT_NE(shown_coloring(state.document, look), nullptr);
+    EXPECT_TRUE(state.document.is_changed());
+    run_command(state, CommandId::next_frame);
+    EXPECT_EQ(question(), nullptr);
+    EXPECT_EQ(state.frame, 2);
+    EXPECT_EQ(state.scene().spheres[0].color, (Color{96, 96, 96})) << "x = 3 of 8";
+    EXPECT_NE(shown_coloring(state.document, look), nullptr);
+    EXPECT_FALSE(state.document.is_changed());
+    // What is edited besides is asked about.
+    add_sphere();
+    run_command(state, CommandId::previous_frame);
+    EXPECT_NE(question(), nullptr);
+    // Another file has its own colours.
+    answer(1);
+    const std::string other = folder.write("b.xyz", three_frames);
+    open_scene(state, other);
+    EXPECT_EQ(state.scene().spheres[0].color, (Color{255, 13, 13}));
+}
+
 // Only in the window: what is rendered from the same file stays as it was. Another frame has the background too.
 TEST_F(DataInViewer, HasAQuietBackgroundThatIsTheScenes) {
     const Background quiet{{32, 36, 48}, false};
