@@ -169,6 +169,7 @@ void declare(CLI::App& command, ConvertOptions& options) {
                    return format != nullptr && is_written(*format) ? std::optional(*format) : std::nullopt;
                });
     add_scene_options(command, options.data, options.fit);
+    add_properties(command, options.data);
     command.footer(std::string(convert_examples) + exit_codes);
 }
 
@@ -190,6 +191,7 @@ void declare(CLI::App& command, ExplainOptions& options) {
         ->required();
     add_size(command, options.size, "Width and height of the picture in pixels [1000x1000]");
     add_scene_options(command, options.data, options.fit);
+    add_properties(command, options.data);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
     add_option(command, options.light_to_show,

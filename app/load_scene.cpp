@@ -47,6 +47,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     loaded.frames = data.frames;
     loaded.warnings = std::move(data.warnings);
     loaded.notes = std::move(data.notes);
+    loaded.property_names = std::move(data.property_names);
     return loaded;
 }
 
@@ -89,6 +90,24 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present)), camera.projection).value_or(camera);
     loaded.fitted = true;
     return loaded;
+}
+
+void require_properties(const LoadedScene& loaded, const DataOptions& asked) {
+    for (const std::string& name : asked.properties) {
+        const auto is_it = [&](const Property& property) { return lower_case(property.name) == lower_case(name); };
+        if (std::ranges::any_of(loaded.scene.properties, is_it)) continue;
+        constexpr std::size_t most_listed = 20;
+        std::vector<std::string> listed_names;
+        for (const std::string& one : loaded.property_names) {
+            if (listed_names.size() < most_listed) listed_names.push_back(in_quotes(one));
+        }
+        if (loaded.property_names.size() > most_listed) {
+            listed_names.push_back(in_groups(loaded.property_names.size() - most_listed) + " more");
+        }
+        throw InputError(loaded.name + ": found no property " + in_quotes(name) + ", expected " +
+                         (listed_names.empty() ? "none: the file has no properties" : "one of " + joined(listed_names, ", ")) +
+                         did_you_mean(name, loaded.property_names));
+    }
 }
 
 void say_warnings(const LoadedScene& loaded) {

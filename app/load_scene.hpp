@@ -21,10 +21,11 @@ struct LoadedScene {
     Scene scene{};
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    std::int64_t frames = 1;              // in the file
-    std::vector<std::string> warnings{};  // SphereData::warnings
-    std::vector<std::string> notes{};     // SphereData::notes
-    bool fitted = false;                  // its camera was moved to see everything
+    std::int64_t frames = 1;                    // in the file
+    std::vector<std::string> warnings{};        // SphereData::warnings
+    std::vector<std::string> notes{};           // SphereData::notes
+    std::vector<std::string> property_names{};  // SphereData::property_names
+    bool fitted = false;                        // its camera was moved to see everything
 
     // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
@@ -56,6 +57,9 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name);
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
 // InputError, also for a saved view that the scene has not, MemoryError when it cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
+
+// Throws InputError where the scene has not all the properties that were asked for by name.
+void require_properties(const LoadedScene& loaded, const DataOptions& asked);
 
 // Says the warnings on stderr, a line each.
 void say_warnings(const LoadedScene& loaded);
