@@ -178,6 +178,7 @@ void declare(CLI::App& command, ConvertOptions& options) {
                    return format != nullptr && is_written(*format) ? std::optional(*format) : std::nullopt;
                });
     add_scene_options(command, options.data, options.fit);
+    add_properties(command, options.data);
     add_look(command, options.look);
     command.footer(std::string(convert_examples) + exit_codes);
 }
@@ -201,6 +202,7 @@ void declare(CLI::App& command, ExplainOptions& options) {
         ->required();
     add_size(command, options.size, "Width and height of the picture in pixels [1000x1000]");
     add_scene_options(command, options.data, options.fit);
+    add_properties(command, options.data);
     add_look(command, options.look);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);

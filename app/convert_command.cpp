@@ -27,6 +27,7 @@ ExitCode run_convert(const ConvertOptions& options) {
         return load_scene(options.input, {.progress = &progress, .data = options.data, .look = options.look, .fit = fit});
     }();
     say_warnings(loaded);
+    require_properties(loaded, options.data);
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
         say(loaded.name + ": the " + std::string(format.name) + " format cannot hold " + lost + "; left out");
     }

@@ -1,6 +1,8 @@
 // sphereview explain: the arithmetic of one pixel, to be checked with pen and paper.
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/json.hpp"
 #include "app/load_scene.hpp"
@@ -42,24 +44,15 @@ std::string title(const Scene& scene, std::int32_t number) {
     return name == scene.names.end() ? text : text + " " + in_quotes(name->second);
 }
 
-// "charge = 0.5, chain = A": what its file holds of a sphere beside what is drawn.
-std::string properties_in_words(const Scene& scene, std::size_t number) {
-    std::vector<std::string> words;
+// "charge = 0.25, chain = 'A'"; "" of a sphere without values.
+std::string values_in_words(const Scene& scene, std::size_t sphere) {
+    std::vector<std::string> values;
     for (const Property& property : scene.properties) {
-        const std::string value = text_at(property, number);
-        if (!value.empty()) words.push_back(on_one_line(property.name + " = " + value));
+        const std::string value = text_at(property, sphere);
+        if (!value.empty())
+            values.push_back(on_one_line(property.name) + " = " + (is_category(property) ? in_quotes(value) : value));
     }
-    return joined(words, ", ");
-}
-
-Json properties_in_json(const Scene& scene, std::size_t number) {
-    Json values = Json::object();
-    for (const Property& property : scene.properties) {
-        const double value = number_at(property, number);
-        const std::string text = text_at(property, number);
-        values.set(property.name, text.empty() ? Json(nullptr) : std::isfinite(value) ? Json(value) : Json(text));
-    }
-    return values;
+    return joined(values, ", ");
 }
 
 std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
@@ -68,8 +61,7 @@ std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     const auto line = [&](const std::string& what) { text += "  " + what + "\n"; };
     text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + vector_in_words(sphere.center) +
             ", r = " + shortest(sphere.radius) + "\n";
-    const std::string properties = properties_in_words(scene, static_cast<std::size_t>(hit.number));
-    if (!properties.empty()) line("in its file: " + properties);
+    if (const std::string values = values_in_words(scene, static_cast<std::size_t>(hit.number)); !values.empty()) line(values);
     const HitInWords words = in_words(hit);
     line("a = D.D                     = " + words.a);
     line("b = 2 D.(O - C)             = " + words.b);
@@ -133,6 +125,17 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
 Json number(double value) { return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr); }  // -0 becomes 0
 Json vector(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
 
+Json values_of_sphere(const Scene& scene, std::size_t sphere) {
+    Json values = Json::object();
+    for (const Property& property : scene.properties) {
+        const std::string text = text_at(property, sphere);
+        values.set(property.name, text.empty()            ? Json(nullptr)
+                                  : is_category(property) ? Json(text)
+                                                          : number(number_at(property, sphere)));
+    }
+    return values;
+}
+
 Json to_json(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
     const auto name = scene.names.find(static_cast<std::uint32_t>(hit.number));
@@ -157,7 +160,7 @@ Json to_json(const Scene& scene, const ExplainedHit& hit) {
                  {"point", vector(hit.point)},
                  {"normal", vector(hit.normal)},
                  {"as_near_as_last", hit.as_near_as_last}};
-    if (!scene.properties.empty()) json.set("properties", properties_in_json(scene, static_cast<std::size_t>(hit.number)));
+    if (!scene.properties.empty()) json.set("properties", values_of_sphere(scene, static_cast<std::size_t>(hit.number)));
     return json;
 }
 
@@ -241,10 +244,9 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
 }
 
 ExitCode run_explain(const ExplainOptions& options) {
-    DataOptions data = options.data;
-    data.all_properties = true;  // they are shown
-    const LoadedScene loaded = load_scene(options.scene, {.data = data, .look = options.look, .fit = options.fit});
+    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .look = options.look, .fit = options.fit});
     say_warnings(loaded);
+    require_properties(loaded, options.data);
     write_output(std::string(standard_stream), explain(loaded.scene, loaded.name, options));
     return ExitCode::done;
 }

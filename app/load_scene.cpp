@@ -96,6 +96,24 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     return loaded;
 }
 
+void require_properties(const LoadedScene& loaded, const DataOptions& asked) {
+    for (const std::string& name : asked.properties) {
+        const auto is_it = [&](const Property& property) { return lower_case(property.name) == lower_case(name); };
+        if (std::ranges::any_of(loaded.scene.properties, is_it)) continue;
+        constexpr std::size_t most_listed = 20;
+        std::vector<std::string> listed_names;
+        for (const std::string& one : loaded.property_names) {
+            if (listed_names.size() < most_listed) listed_names.push_back(in_quotes(one));
+        }
+        if (loaded.property_names.size() > most_listed) {
+            listed_names.push_back(in_groups(loaded.property_names.size() - most_listed) + " more");
+        }
+        throw InputError(loaded.name + ": found no property " + in_quotes(name) + ", expected " +
+                         (listed_names.empty() ? "none: the file has no properties" : "one of " + joined(listed_names, ", ")) +
+                         did_you_mean(name, loaded.property_names));
+    }
+}
+
 void say_warnings(const LoadedScene& loaded) {
     for (const std::string& warning : loaded.warnings) say(warning);
     for (const std::string& line : loaded.look.lines) say(line);

@@ -61,6 +61,9 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name);
 // InputError, also for a saved view or a property that the scene has not, MemoryError when it cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
+// Throws InputError where the scene has not all the properties that were asked for by name.
+void require_properties(const LoadedScene& loaded, const DataOptions& asked);
+
 // Says the warnings and what the look has chosen on stderr, a line each.
 void say_warnings(const LoadedScene& loaded);
 

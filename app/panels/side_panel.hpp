@@ -34,7 +34,7 @@ struct SidePanelState {
     std::string new_name;
     bool focus_rename = false;
     FilterSearch search;               // for the spheres that pass the filter; goes on from frame to frame
-    std::uint64_t searched_names = 0;  // Document::names_revision() of the search
+    std::uint64_t searched = 0;        // Document::names_revision() of the search; of a condition revision()
     bool scroll_to_selection = false;  // set by whoever selects elsewhere
     ListScroll scroll;
     bool list_hovered = false;   // the wheel is the list's
@@ -71,6 +71,9 @@ struct SidePanelState {
 
 // Draws into the current ImGui window.
 void draw_side_panel(const PanelContext& context, SidePanelState& state);
+
+// Whether what was found is of the filter and the document as they are.
+bool is_searched(const Document& document, const SidePanelState& state);
 
 // Begins typing the name of a sphere in the list.
 void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number);

@@ -2,6 +2,7 @@
 
 #include "viewer/command_table.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -67,6 +68,8 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             measure(state.measuring, state.document, measured->number);
         } else if (const auto* view = std::get_if<ShowView>(&action)) {
             fly_to(state, view->camera);
+        } else if (std::holds_alternative<RequestProperties>(action)) {
+            request_properties(state);
         } else if (const auto* wish = std::get_if<InspectorWish>(&action)) {
             grant(state, *wish);
         } else if (const auto* pinned = std::get_if<PinPixel>(&action)) {

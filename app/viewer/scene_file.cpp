@@ -10,6 +10,7 @@
 #include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -107,6 +108,8 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         state.frame = 0;
         state.frames = 1;
         state.stamp = file_states(path);
+        state.property_names.clear();
+        for (const Property& property : state.scene().properties) state.property_names.push_back(property.name);
         forget_file_messages(state);
         add_recent(state.settings, path);
         announce(state, "Saved " + path);
@@ -204,6 +207,7 @@ void read_frame(ViewerState& state, std::int64_t frame) {
     const auto accept = unless_edited(state, [&state, frame, stamp = file_states(state.path)](LoadedScene loaded) {
         const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
         state.document = Document(std::move(loaded.scene));
+        note_properties(state, loaded);
         state.bounds_revision = 0;
         if (!same_spheres) state.selection.clear();
         state.hovered.reset();
@@ -231,6 +235,7 @@ void reload(ViewerState& state, LoadedScene loaded) {
         note_look(state, loaded);
         announce_reading(state, "Reloaded " + state.path, loaded);
     }
+    note_properties(state, loaded);
     state.document.mark_saved();
 }
 
@@ -271,6 +276,8 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
     options.data_background = quiet_background;
     options.data = state.options.data;
     options.data.frame = frame;
+    options.data.all_properties_up_to = most_spheres_with_properties;
+    if (state.all_properties && path == state.path) options.data.all_properties = true;
     // The columns are those of the table that the command line names, and the look is that file's.
     const auto& first = state.options.scene;
     if (first && absolute_path(*first) == absolute_path(path)) {
@@ -291,6 +298,8 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.loading.reset();
     state.document = Document(std::move(loaded.scene));
+    state.all_properties = false;
+    note_properties(state, loaded);
     state.bounds_revision = 0;
     state.selection.clear();
     state.hovered.reset();

@@ -13,6 +13,7 @@
 #include "viewer/pointer_marks.hpp"
 #include "viewer/ray_drawing.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -246,7 +247,8 @@ void Viewer::redraw() {
                                state_.frames,
                                state_.shown_light(),
                                camera_axes(state_.camera),
-                               state_.camera};
+                               state_.camera,
+                               state_.property_names};
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs
@@ -330,7 +332,8 @@ void Viewer::note_facts() {
         if (state_.hovered != sphere) pacing_.touch();
         state_.hovered = sphere;
     }
-    facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
+    facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere,
+                     told_properties(state_)};
     // A text field stays active when nothing moves; what is dragged in a panel has the button down.
     const bool drags = mouse_.is_dragging() || (ImGui::IsAnyItemActive() && ImGui::IsMouseDown(0));
     const std::size_t explained =

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/options.hpp"
 #include "base/file_watcher.hpp"
@@ -62,7 +63,10 @@ struct ViewerState {
     SceneFormat format = SceneFormat::toml;
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
-    FileStates stamp;  // of what was read or written last
+    FileStates stamp;                         // of what was read or written last
+    std::vector<std::string> property_names;  // of what the file holds of each sphere, whether read or not
+    bool all_properties = false;              // they are read, whatever they take
+    std::uint64_t file_order = 0;             // the document's order_revision() in which its numbers are the file's
     // While the file is gone: the document's revision then, if that was what the file held; else 0.
     std::optional<std::uint64_t> gone_at;
     std::optional<Work> loading;

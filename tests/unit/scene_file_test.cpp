@@ -9,6 +9,7 @@
 #include "support/temporary_folder.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -272,6 +273,59 @@ TEST_F(DataInViewer, SaysWhatWasMadeOfATable) {
     EXPECT_NE(said.find("passed over: 'mass'"), std::string::npos) << said;
     // It can be read in peace.
     EXPECT_GT(*state.announcement_ends - Clock::now(), std::chrono::seconds(8));
+}
+
+// Of a small file they are there at once; of another they are read when they are asked for.
+TEST_F(DataInViewer, HasPropertiesOfSmallFilesAtOnce) {
+    open_scene(state, folder.write("small.csv", "x,y,z,q\n0,0,9,1\n1,0,9,2\n"));
+    finish_reading();
+    EXPECT_EQ(state.property_names, std::vector<std::string>{"q"});
+    ASSERT_EQ(state.scene().properties.size(), 1U);
+    perform(state, {RequestProperties{}});
+    EXPECT_FALSE(state.loading);
+}
+
+struct LargeFileInViewer : DataInViewer {
+    LargeFileInViewer() {
+        std::string table = "x,y,z,q,kind\n";
+        for (std::size_t i = 0; i <= most_spheres_with_properties; ++i) table += std::to_string(i) + ",0,9,2,a\n";
+        large = folder.write("large.csv", table);
+        open_scene(state, large);
+        finish_reading();
+    }
+
+    std::string large;
+};
+
+TEST_F(LargeFileInViewer, HasPropertiesOnRequest) {
+    EXPECT_EQ(state.property_names, (std::vector<std::string>{"q", "kind"}));
+    EXPECT_TRUE(state.scene().properties.empty());
+    EXPECT_TRUE(has_unread_properties(state));
+    // What has moved meanwhile stays where it is.
+    perform(state, {EditScene{ChangeSpheres{{3}, {{{}, 7.0}}}, "Move", 0}, RequestProperties{}, RequestProperties{}});
+    finish_reading();
+    ASSERT_EQ(state.scene().properties.size(), 2U);
+    EXPECT_EQ(number_at(state.scene().properties[0], 3), 2.0);
+    EXPECT_EQ(state.scene().spheres[3].radius, 7.0);
+    EXPECT_FALSE(has_unread_properties(state));
+    EXPECT_TRUE(state.document.is_changed());
+    undo(state);
+    EXPECT_FALSE(state.document.is_changed());
+    // They stay when the file changes.
+    folder.write("large.csv", "x,y,z,q\n0,0,9,5\n");
+    look_at_file(state);
+    finish_reading();
+    ASSERT_EQ(state.scene().spheres.size(), 1U);
+    ASSERT_EQ(state.scene().properties.size(), 1U);
+    EXPECT_EQ(number_at(state.scene().properties[0], 0), 5.0);
+}
+
+TEST_F(LargeFileInViewer, HasNoPropertiesOfSpheresThatChangedPlaces) {
+    perform(state, {EditScene{ReorderSphere{0, 1}, "Reorder", 0}, RequestProperties{}});
+    finish_reading();
+    EXPECT_TRUE(state.scene().properties.empty());
+    EXPECT_TRUE(state.property_names.empty()) << "what is not to be had is not offered";
+    EXPECT_NE(state.messages.announcement.find("open it again"), std::string::npos) << state.messages.announcement;
 }
 
 // Those of the command line are of its table alone.
