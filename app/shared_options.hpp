@@ -11,6 +11,7 @@
 #include "app/load_scene.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/lines.hpp"
 #include "image/image.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
@@ -54,6 +55,26 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
                 "perspective or orthographic"},
                [](const std::string& text) { return projection_named(text); });
     forbidden->excludes(wanted)->excludes(side);
+}
+
+// What else of each sphere is read than place, size and colour.
+inline void add_properties(CLI::App& command, DataOptions& data) {
+    add_option(command, data,
+               {"--properties", "LIST", "Keep what the file holds of each sphere: all, or names with commas between",
+                "all, or names with commas between"},
+               [&data](const std::string& text) -> std::optional<DataOptions> {
+                   DataOptions asked = data;
+                   for (const std::string_view word : words_of(text, ",")) {
+                       const std::string_view name = trimmed(word);
+                       if (!name.empty()) asked.properties.emplace_back(name);
+                   }
+                   if (asked.properties.empty()) return std::nullopt;
+                   if (asked.properties.size() == 1 && lower_case(asked.properties[0]) == "all") {
+                       asked.properties.clear();
+                       asked.all_properties = true;
+                   }
+                   return asked;
+               });
 }
 
 template <typename Size>

@@ -162,11 +162,23 @@ std::string pixel_text(int x, int y) { return std::to_string(x) + ", " + std::to
 // Seconds can be anything a driver says, also before the first frame.
 std::string time_text(double seconds) { return fixed(std::clamp(seconds * 1000.0, 0.0, 99'999.9), 1) + " ms"; }
 
+// ", charge 0.25, chain A"
+std::string values_of_sphere(const Scene& scene, std::uint32_t sphere, const std::vector<std::string>& names) {
+    std::string text;
+    for (const Property& property : scene.properties) {
+        const auto is_it = [&](const std::string& name) { return lower_case(name) == lower_case(property.name); };
+        if (std::ranges::none_of(names, is_it)) continue;
+        const std::string value = text_at(property, sphere);
+        text += ", " + shown_text(property.name) + " " + (value.empty() ? "none" : shown_text(value));
+    }
+    return text;
+}
+
 std::string under_pointer(const PanelContext& context, const Status& status) {
     if (!status.pixel) return "";
     const Scene& scene = context.document.scene();
     if (!status.sphere || *status.sphere >= scene.spheres.size()) return "background";
-    return title_of(scene, *status.sphere);
+    return title_of(scene, *status.sphere) + values_of_sphere(scene, *status.sphere, status.properties);
 }
 
 }  // namespace

@@ -39,6 +39,8 @@ private:
     void update_picture(int step);
     void use_mouse(const PanelContext& context, bool cancelled);
     void show(const Rectangle& area);
+    // What the picture shows, for the panel that asks.
+    void give_seen();
     void note_facts();
     void end_announcement();
     void follow_work();

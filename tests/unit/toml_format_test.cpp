@@ -154,7 +154,8 @@ TEST(TomlFormat, HoldsManySpheresAsTextWithWhatIsSaidOfSingleOnes) {
 TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
     expect_toml_messages({
         {"backgroud = 'white'",
-         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, view, sphere, spheres, "
+         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, view, property, sphere, "
+         "spheres, "
          "hidden, names; did you mean 'background'?"},
         {"[camera]\n  Eye = [0, 0, 0]",
          "2:3: found the unknown key 'Eye' in [camera], expected one of eye, center, right, up, projection; did you mean 'eye'?"},
@@ -162,7 +163,8 @@ TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
          "2:1: found the unknown key 'colour' in [[sphere]] 1, expected one of name, color, center, radius, hidden; did you mean "
          "'color'?"},
         {"[lights]\n",
-         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, view, sphere, spheres, "
+         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, view, property, sphere, "
+         "spheres, "
          "hidden, "
          "names; did you mean 'light'?"},
         {"[light]\nsunn = 1",
@@ -371,7 +373,7 @@ TEST(TomlErrors, RefuseDeepNestingWithoutExhaustingTheStack) {
     EXPECT_EQ(message(key), "s.toml:2:65: found a key of more than 32 parts, expected at most 32");
 }
 
-TEST(SpheresLiteral, IsTakenOutAndLeavesItsLines) {
+TEST(NumberLiterals, IsTakenOutAndLeavesItsLines) {
     struct Case {
         std::string content;
         std::string text;
@@ -386,14 +388,14 @@ TEST(SpheresLiteral, IsTakenOutAndLeavesItsLines) {
     };
     for (const Case& found : cases) {
         SCOPED_TRACE(testing::PrintToString(found.content));
-        const auto literal = find_spheres_literal(found.content);
+        const auto literal = find_number_literals(found.content);
         ASSERT_TRUE(literal.has_value());
-        EXPECT_EQ(literal->text, found.text);
+        EXPECT_EQ(literal->literals.at(0).text, found.text);
         EXPECT_EQ(literal->rest, found.rest);
     }
 }
 
-TEST(SpheresLiteral, IsLeftToTheParserWhereItIsNotPlain) {
+TEST(NumberLiterals, IsLeftToTheParserWhereItIsNotPlain) {
     for (const char* content : {
              "",
              "spheres",
@@ -411,7 +413,7 @@ TEST(SpheresLiteral, IsLeftToTheParserWhereItIsNotPlain) {
              "a = \"\"\"\nspheres = '''0'''\n\"\"\"",
              "a = '''\nspheres = \"\"\"0\"\"\"\n'''",
          }) {
-        EXPECT_FALSE(find_spheres_literal(content).has_value()) << content;
+        EXPECT_FALSE(find_number_literals(content).has_value()) << content;
     }
 }
 
@@ -421,7 +423,7 @@ TEST(TomlErrors, OfAnUnknownKeyComeBeforeALargeTree) {
     EXPECT_TRUE(message(large).starts_with("s.toml:2:2: found the unknown key 'a' in the scene")) << message(large);
 }
 
-TEST(SpheresLiteral, KeepsThePlacesOfMistakesAroundIt) {
+TEST(NumberLiterals, KeepsThePlacesOfMistakesAroundIt) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"spheres = \"\"\"\n1\n1 2 3 4 5 6 0\n\"\"\"\n", "3:13: found '0', expected the radius of sphere 1 of 1 above 0"},
         {"spheres = \"\"\"\n0\n1\"\"\"\n", "3:1: found '1', expected the end of the text after 0 spheres"},
