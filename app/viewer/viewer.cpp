@@ -303,7 +303,7 @@ void Viewer::redraw() {
     rest_.end_redraw(state_, picture_, pacing_.rests() && input_.empty());
     if (log_.wanted()) {
         const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !makes_rays(state_) &&
-                             !explains_beside(state_) && !state_.box_selection;
+                             !state_.box_selection;
         log_.add(state_, facts_,
                  {++redraw_number_, picture_.builds(), explanations_, rest_.is_exact(), rest_.works(), rest_.draft_seconds(state_),
                   resting, area_, seconds_between(begin, Clock::now()), title_for(state_)},
