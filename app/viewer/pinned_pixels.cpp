@@ -5,6 +5,7 @@
 
 #include "app/failure.hpp"
 #include "gpu/live_picture.hpp"
+#include "tiles/build_lists.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -17,37 +18,71 @@ constexpr std::size_t most_lines_to_lights = 250'000;
 // Of more spheres, nothing that goes through all of them keeps up with the pointer or a drag.
 constexpr std::size_t most_spheres_on_the_way = 100'000;
 
+// Each sphere that a ray hits is compared exactly, in some 20 microseconds: of more, nothing keeps up with the pointer.
+constexpr std::size_t most_compared_at_once = 400;
+
+// `explain_lights` explains them where the pixel shows that sphere.
+void add_light(InspectedPixel& inspected, const Scene& scene, const auto& explain_lights) {
+    const std::int32_t visible = inspected.explanation.visible();
+    if (!inspected.place.light || visible < 0) return;
+    const NumberedLights lights(*inspected.place.light, scene.spheres.size(), inspected.place.camera);
+    const PixelLights found = explain_lights(visible, lights);
+    if (found.main) {
+        const auto& [number, directed, why] = *found.main;
+        inspected.light = InspectedLight{number, directed.direction, why.shines(), in_words(why), why.blocker};
+    }
+    if (found.sky) inspected.sky = in_words(*found.sky);
+}
+
+std::size_t most_passed(const InspectedPlace& place) { return place.with_passed ? most_passed_explained : 0; }
+
+// Without the picture that a window shows. `in_lists`: as if with its lists.
+InspectedPixel inspected_alone(const Scene& scene, const InspectedPlace& place, bool in_lists) {
+    const auto& [pixel, size, camera, revision, light, with_passed] = place;
+    const DrawnSpheres drawn = drawn_spheres(scene, camera);
+    std::optional<CandidateLists> lists;
+    if (in_lists) lists = build_lists(drawn, camera, size, gpu_tile_costs);
+    InspectedPixel inspected{place, explain_pixel(scene, drawn, camera, size, pixel, lists ? &*lists : nullptr, most_hits_explained,
+                                                  most_passed(place))};
+    add_light(inspected, scene, [&](std::int32_t visible, const NumberedLights& lights_on_it) {
+        return explain_lights({scene, drawn, place.camera, place.size, place.pixel, visible}, lights_on_it, most_lines_to_lights);
+    });
+    return inspected;
+}
+
 // Explains the pixel, unless what is kept is of the same. Returns whether it did. `pinned`: it is worth some time.
-bool explain(const ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, bool pinned,
+bool explain(ViewerState& state, const LivePicture& picture, const PinnedPixel& pixel, bool pinned, PinnedPixels::Explained& beside,
              std::optional<InspectedPixel>& kept) {
     const std::optional<Light> light =
         state.settings.shading == Shading::studio ? std::optional(state.shown_light()) : std::nullopt;
-    const Camera& camera = state.inspected_camera();
     const Scene& scene = state.scene();
     const bool with_passed = pinned || scene.spheres.size() <= most_spheres_on_the_way;
-    const InspectedPlace place{pixel.pixel, pixel.size, camera, state.document.revision(), light, with_passed};
+    const InspectedPlace place{pixel.pixel, pixel.size, state.inspected_camera(), state.document.revision(), light, with_passed};
     if (kept && kept->place == place) return false;
     const bool of_window = !state.rays.on && pixel.size == state.picture_size;
     if (!of_window && !with_passed) return false;
-    const std::size_t most_passed = with_passed ? most_passed_explained : 0;
     // Of a pixel of another picture than the window's there are no lists.
-    std::optional<DrawnSpheres> drawn;
-    if (!of_window) drawn = drawn_spheres(scene, camera);
-    InspectedPixel inspected{place, of_window ? picture.explain(state.document, pixel.pixel, most_passed)
-                                              : explain_pixel(scene, *drawn, camera, pixel.size, pixel.pixel, nullptr,
-                                                              most_hits_explained, most_passed)};
-    const std::int32_t visible = inspected.explanation.visible();
-    if (light && visible >= 0) {
-        const NumberedLights lights(*light, scene.spheres.size(), camera);
-        const PixelLights found =
-            of_window ? picture.explain_lights(state.document, pixel.pixel, visible, lights, most_lines_to_lights)
-                      : explain_lights({scene, *drawn, camera, pixel.size, pixel.pixel, visible}, lights, most_lines_to_lights);
-        if (found.main) {
-            const auto& [number, directed, why] = *found.main;
-            inspected.light = InspectedLight{number, directed.direction, why.shines(), in_words(why), why.blocker};
-        }
-        if (found.sky) inspected.sky = in_words(*found.sky);
+    const std::size_t most_compared = of_window ? picture.candidates(state.document, pixel.pixel) : scene.spheres.size();
+    if (most_compared > most_compared_at_once) {
+        using Make = PinnedPixels::Explained::Make;
+        beside.ask(place, [&]() -> Make {
+            return [place, of_window, spheres = scene_snapshot(state)](WorkControl&) {
+                return inspected_alone(*spheres, place, of_window);
+            };
+        });
+        beside.take();
+        if (!beside.is_of(place)) return false;
+        kept = *beside.made();
+        return true;
     }
+    if (!of_window) {
+        kept = inspected_alone(scene, place, false);
+        return true;
+    }
+    InspectedPixel inspected{place, picture.explain(state.document, pixel.pixel, most_passed(place))};
+    add_light(inspected, scene, [&](std::int32_t visible, const NumberedLights& lights) {
+        return picture.explain_lights(state.document, pixel.pixel, visible, lights, most_lines_to_lights);
+    });
     kept = std::move(inspected);
     return true;
 }
@@ -99,16 +134,25 @@ std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::o
     inspection.second_is_next = pins.second_is_next;
     if ((moves || picture.step() > 1) && state.scene().spheres.size() > most_spheres_on_the_way) return 0;
     std::size_t explained = 0;
-    const auto follow = [&](const std::optional<PinnedPixel>& pixel, bool pinned, std::optional<InspectedPixel>& kept) {
+    const auto follow = [&](const std::optional<PinnedPixel>& pixel, bool pinned, PinnedPixels::Explained& beside,
+                            std::optional<InspectedPixel>& kept) {
         if (!pixel) {
             kept.reset();
-        } else if (explain(state, picture, *pixel, pinned, kept)) {
+        } else if (explain(state, picture, *pixel, pinned, beside, kept)) {
             ++explained;
         }
     };
-    follow(pins.first ? pins.first : pins.last, pins.first.has_value(), inspection.first);
-    follow(pins.second, true, inspection.second);
+    follow(pins.first ? pins.first : pins.last, pins.first.has_value(), pins.explained_first, inspection.first);
+    follow(pins.second, true, pins.explained_second, inspection.second);
     return explained;
+}
+
+bool explains_beside(const ViewerState& state) { return state.pins.explained_first.works() || state.pins.explained_second.works(); }
+
+bool take_explained(ViewerState& state) {
+    const bool first = state.pins.explained_first.take();
+    const bool second = state.pins.explained_second.take();
+    return first || second;
 }
 
 void pin(PinnedPixels& pins, const PinnedPixel& pixel, bool beside) {

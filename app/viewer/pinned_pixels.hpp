@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "panels/inspector.hpp"
+#include "viewer/made_beside.hpp"
 
 namespace sphereview {
 
@@ -25,6 +26,11 @@ struct PinnedPixels {
     std::optional<PinnedPixel> second{};  // only beside a first
     bool second_is_next = false;          // the next click pins the second
     std::optional<PinnedPixel> last{};    // what was under the pointer last, which is shown while nothing is pinned
+
+    // The explanations that take long, of the first and of the second.
+    using Explained = MadeBeside<InspectedPlace, InspectedPixel>;
+    Explained explained_first{};
+    Explained explained_second{};
 };
 
 // `beside`: as the second, if there is a first.
@@ -37,10 +43,15 @@ bool let_go(PinnedPixels& pins);
 glm::dvec2 place_in(PictureSize size, const PinnedPixel& pixel);
 
 // Brings what the inspector shows up to date: of the pinned pixels, else of the one under the pointer, as the picture's last
-// update() saw them, or the eye whose rays are shown. `moves`: the view or a sphere does, and what takes time waits. Returns how
-// many explanations were made anew.
+// update() saw them, or the eye whose rays are shown. `moves`: the view or a sphere does, and what takes time waits. A pixel with
+// hundreds of spheres on its ray is explained beside the loop: until that is there, what there was is shown. Returns how many
+// explanations are new.
 std::size_t inspect(ViewerState& state, const LivePicture& picture, const std::optional<PinnedPixel>& under_pointer, bool moves,
                     Inspection& inspection);
+
+// Whether an explanation is being made beside the loop, and whether one of them has ended.
+bool explains_beside(const ViewerState& state);
+bool take_explained(ViewerState& state);
 
 // Does what the inspector asks for; a copy goes on beside the loop (state.copying).
 void grant(ViewerState& state, InspectorWish wish);

@@ -14,58 +14,13 @@
 #include "app/render_picture.hpp"
 #include "base/background_job.hpp"
 #include "panels/rays_panel.hpp"
+#include "viewer/made_beside.hpp"
 #include "viewer/pinned_pixels.hpp"
 #include "viewer/traced_rays.hpp"
 
 namespace sphereview {
 
 struct ViewerState;
-
-// What is made beside the loop of what goes on changing: the latest is shown until there is a later one, and the next is begun when
-// the one before has ended, so that a drag shows many of them.
-template <typename Asked, typename Made>
-class MadeBeside {
-public:
-    using Make = std::function<Made(WorkControl&)>;
-
-    // Begins, by what begin() returns, unless that is what was begun last or something is still being made.
-    void ask(const Asked& asked, const std::function<Make()>& begin) {
-        if (job_ || begun_ == asked) return;
-        begun_ = asked;
-        making_ = std::make_shared<std::shared_ptr<const Made>>();
-        job_ = std::make_unique<BackgroundJob>(
-            [found = making_, make = begin()](WorkControl& control) { *found = std::make_shared<const Made>(make(control)); });
-    }
-    // Takes what has been made, if that is within the time; what failed leaves what there was. Returns whether something has ended.
-    bool take(std::chrono::milliseconds time = std::chrono::milliseconds(0)) {
-        if (!job_ || !job_->wait_for(time)) return false;
-        job_.reset();
-        if (*making_) {
-            made_ = *making_;
-            made_of_ = begun_;
-        }
-        making_.reset();
-        return true;
-    }
-    // Has that made already.
-    void set(const Asked& asked, std::shared_ptr<const Made> made) {
-        begun_ = asked;
-        made_of_ = asked;
-        made_ = std::move(made);
-    }
-
-    bool works() const { return job_ != nullptr; }
-    // Null before the first.
-    const std::shared_ptr<const Made>& made() const { return made_; }
-    bool is_of(const Asked& asked) const { return made_ && made_of_ == asked; }
-
-private:
-    std::optional<Asked> begun_{};
-    std::optional<Asked> made_of_{};
-    std::shared_ptr<std::shared_ptr<const Made>> making_{};
-    std::shared_ptr<const Made> made_{};
-    std::unique_ptr<BackgroundJob> job_{};
-};
 
 // All that the drawn rays depend on, and all that the eye's picture does.
 struct AskedRays {

@@ -80,7 +80,8 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_.works() || makes_rays(state_) || state_.box_selection || shaders_changed_;
+    const bool looks_again = is_working(state_) || rest_.works() || makes_rays(state_) || explains_beside(state_) ||
+                             state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
@@ -121,6 +122,7 @@ void Viewer::follow_work() {
     if (news == RestView::News::draft) pacing_.show_once();
     if (finish_box_selection(state_)) pacing_.touch();
     if (take_rays(state_)) pacing_.touch();
+    if (take_explained(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
 }
 
@@ -303,7 +305,7 @@ void Viewer::redraw() {
     rest_.end_redraw(state_, picture_, pacing_.rests() && input_.empty());
     if (log_.wanted()) {
         const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !makes_rays(state_) &&
-                             !state_.box_selection;
+                             !explains_beside(state_) && !state_.box_selection;
         log_.add(state_, facts_,
                  {++redraw_number_, picture_.builds(), explanations_, rest_.is_exact(), rest_.works(), rest_.draft_seconds(state_),
                   resting, area_, seconds_between(begin, Clock::now()), title_for(state_)},

@@ -426,6 +426,14 @@ PixelLights LivePicture::explain_lights(const Document& document, Pixel pixel, s
     return is_of(document) ? of(scene_.drawn()) : of(drawn_spheres(scene, view_.camera));
 }
 
+std::size_t LivePicture::candidates(const Document& document, Pixel pixel) const {
+    const CandidateLists* lists = lists_for_any_pixel();
+    if (!is_of(document) || lists == nullptr) return document.scene().spheres.size();
+    std::size_t count = 0;
+    for (const TileLevel& level : lists->levels) count += lists->at(level, pixel.x, pixel.y).size();
+    return count;
+}
+
 PixelExplanation LivePicture::explain(const Document& document, Pixel pixel, std::size_t most_passed) const {
     const Scene& scene = document.scene();
     const auto of = [&](const DrawnSpheres& drawn, const CandidateLists* lists) {

@@ -102,6 +102,9 @@ public:
     // tries only the spheres in the pixel's lists, unless some are asked for that the ray passes (see explain_pixel()).
     PixelExplanation explain(const Document& document, Pixel pixel, std::size_t most_passed) const;
 
+    // How many spheres explain() may have to compare.
+    std::size_t candidates(const Document& document, Pixel pixel) const;
+
     // The lights on a pixel in the picture, which shows that sphere; of the same document and view. `most_lines`: as
     // explain_lights() takes it.
     PixelLights explain_lights(const Document& document, Pixel pixel, std::int32_t visible, const NumberedLights& lights,

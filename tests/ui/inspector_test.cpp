@@ -1,6 +1,8 @@
 // The pixel inspector in a real window: beside the picture, pinned, compared, copied; and pictures that are compared.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "ui/editing.hpp"
 
 namespace sphereview::test {
@@ -87,6 +89,33 @@ TEST_F(InspectorWindow, IsBesideThePictureAndHoldsWhatIsPinned) {
     window_.key("ctrl+s");
     window_.wait_for("changed", false);
     expect_rendered();
+}
+
+// The eye is in all of them: every ray hits every one, and they are compared exactly.
+TEST(InspectorOfManyHits, ExplainsBesideTheLoop) {
+    constexpr int many = 1'500;
+    std::string text = std::to_string(many) + "\n";
+    for (int i = 0; i < many; ++i) text += "99 9 0  0 0 0 " + std::to_string(1000 + many - i) + "\n";
+    const TemporaryFolder folder;
+    ViewerWindow window(folder, {folder.write("scene.txt", text)});
+    window.key("i");
+    window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
+    for (const double x : {100.0, 150.0}) {
+        window.move_to(window.pixel(x, 100));
+        window.wait_until("the last sphere is the nearest", [&](const Json& f) {
+            const Json& inspected = f.at("inspected");
+            return !inspected.is_null() && inspected.at("pixel")[0] == x && inspected.at("visible") == many - 1;
+        });
+    }
+    EXPECT_TRUE(window.draws("hit " + std::to_string(many - 1)));
+    std::istringstream log(folder.read("frames.log"));
+    bool meanwhile = false;  // a redraw of a pixel that is not explained yet
+    for (std::string line; std::getline(log, line);) {
+        const Json redraw = Json::parse(line);
+        meanwhile = meanwhile || (redraw.at("shown").at("inspector") == true && !redraw.at("hovered").is_null() &&
+                                  redraw.at("inspected").is_null());
+    }
+    EXPECT_TRUE(meanwhile);
 }
 
 TEST_F(Editing, APictureIsComparedInTheWindow) {
