@@ -91,24 +91,23 @@ void add_colors(CLI::App& command, std::optional<Background>& background, Mode& 
 
 // Of the shading `studio`.
 inline void add_light(CLI::App& command, LightOptions& light) {
-    const std::string count = "a whole number from " + std::to_string(fewest_lights) + " to " + std::to_string(most_lights);
-    add_option(
-        command, light.lights,
-        {"--lights", "K", "With --shade studio: directions of the sky's light [256; 64 with --samples or many spheres]", count},
-        [](const std::string& text) {
-            const auto number = whole_number(text, fewest_lights);
-            return number && *number <= most_lights ? number : std::nullopt;
-        });
+    add_option(command, light.lights,
+               {"--lights", "K", "With --shade studio: directions of the sky's light [256; 64 with --samples or many spheres]",
+                lights_syntax()},
+               [](const std::string& text) {
+                   const auto number = whole_number(text, fewest_lights);
+                   return number && is_light_count(*number) ? number : std::nullopt;
+               });
     const auto part = [](double most) {
         return [most](const std::string& text) -> std::optional<double> {
             double number = 0.0;
-            const bool good = parse_double(text, number) == NumberFault::none && number >= 0.0 && number <= most;
+            const bool good = parse_double(text, number) == NumberFault::none && is_part(number, most);
             return good ? std::optional(number) : std::nullopt;
         };
     };
     const auto add_part = [&](std::optional<double>& value, const char* name, const std::string& help, double most) {
         const std::string range = "0 to " + shortest(most);
-        add_option(command, value, {name, "S", help + ", " + range + " [1]", "a number from " + range}, part(most));
+        add_option(command, value, {name, "S", help + ", " + range + " [1]", part_syntax(most)}, part(most));
     };
     add_part(light.sky, "--sky", "Strength of the sky and the key light in it", most_sky);
     add_part(light.key, "--key", "How much brighter the sky is around the key light", most_key);
@@ -117,10 +116,10 @@ inline void add_light(CLI::App& command, LightOptions& light) {
                [](const std::string& text) { return parse_sun(text); });
     add_option(command, light.sun_strength,
                {"--sun-strength", "S", "Strength of the sun, " + shortest(weakest_sun) + " to " + shortest(strongest_sun) + " [1]",
-                "a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun)},
+                sun_strength_syntax()},
                [](const std::string& text) {
                    const auto strength = number_above_0(text, strongest_sun);
-                   return strength && *strength >= weakest_sun ? strength : std::nullopt;
+                   return strength && is_sun_strength(*strength) ? strength : std::nullopt;
                });
 }
 
