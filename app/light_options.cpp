@@ -25,6 +25,14 @@ Light with_options(const Scene& scene, const LightOptions& options) {
     return light;
 }
 
+std::string lights_syntax() {
+    return "a whole number from " + std::to_string(fewest_lights) + " to " + std::to_string(most_lights);
+}
+
+std::string part_syntax(double most) { return "a number from 0 to " + shortest(most); }
+
+std::string sun_strength_syntax() { return "a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun); }
+
 std::optional<std::variant<glm::dvec3, ViewAxes>> parse_sun(std::string_view text) {
     if (std::ranges::count(text, ',') == 1) {
         // Words such as "front" have no comma.

@@ -1,8 +1,10 @@
 // What the command line says of the light, instead of the scene.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -24,8 +26,16 @@ struct LightOptions {
 // The scene's light with the options instead. Throws InputError for the strength of a sun that is not there.
 Light with_options(const Scene& scene, const LightOptions& options);
 
+// What the options' values are, for messages and help; `part`: of the sky and the key light.
+std::string lights_syntax();
+std::string part_syntax(double most);
+std::string sun_strength_syntax();
 inline constexpr std::string_view sun_syntax =
     "X,Y,Z, not all 0, from the scene to the sun, or AZIMUTH,ELEVATION in degrees, from where the sun shines as --view looks";
+
+constexpr bool is_light_count(std::int64_t count) { return count >= fewest_lights && count <= most_lights; }
+constexpr bool is_part(double strength, double most) { return strength >= 0.0 && strength <= most; }
+constexpr bool is_sun_strength(double strength) { return strength >= weakest_sun && strength <= strongest_sun; }
 
 // Reads what sun_syntax says. Nothing for anything else.
 std::optional<std::variant<glm::dvec3, ViewAxes>> parse_sun(std::string_view text);

@@ -112,26 +112,25 @@ void add_colors(CLI::App& command, std::optional<Background>& background, Mode& 
 
 // Of the shading `studio`.
 inline void add_light(CLI::App& command, LightOptions& light) {
-    const std::string count = "a whole number from " + std::to_string(fewest_lights) + " to " + std::to_string(most_lights);
-    add_option(
-        command, light.lights,
-        {"--lights", "K",
-         "With --shade studio: directions of the sky's light [the scene's; 256, or 64 with --samples or many spheres]", count},
-        [](const std::string& text) {
-            const auto number = whole_number(text, fewest_lights);
-            return number && *number <= most_lights ? number : std::nullopt;
-        });
+    add_option(command, light.lights,
+               {"--lights", "K",
+                "With --shade studio: directions of the sky's light [the scene's; 256, or 64 with --samples or many spheres]",
+                lights_syntax()},
+               [](const std::string& text) {
+                   const auto number = whole_number(text, fewest_lights);
+                   return number && is_light_count(*number) ? number : std::nullopt;
+               });
     const auto part = [](double most) {
         return [most](const std::string& text) -> std::optional<double> {
             double number = 0.0;
-            const bool good = parse_double(text, number) == NumberFault::none && number >= 0.0 && number <= most;
+            const bool good = parse_double(text, number) == NumberFault::none && is_part(number, most);
             return good ? std::optional(number) : std::nullopt;
         };
     };
     const auto add_part = [&](std::optional<double>& value, const char* name, const std::string& help, double most,
                               const std::string& otherwise) {
         const std::string range = "0 to " + shortest(most);
-        add_option(command, value, {name, "S", help + ", " + range + " [the scene's; " + otherwise + "]", "a number from " + range},
+        add_option(command, value, {name, "S", help + ", " + range + " [the scene's; " + otherwise + "]", part_syntax(most)},
                    part(most));
     };
     add_part(light.sky, "--sky", "Strength of the sky and the key light in it", most_sky,
@@ -144,10 +143,10 @@ inline void add_light(CLI::App& command, LightOptions& light) {
                {"--sun-strength", "S",
                 "Strength of the sun, " + shortest(weakest_sun) + " to " + shortest(strongest_sun) + " [the scene's; " +
                     shortest(sun_beside_sky) + ", or 1 where the sky's is said]",
-                "a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun)},
+                sun_strength_syntax()},
                [](const std::string& text) {
                    const auto strength = number_above_0(text, strongest_sun);
-                   return strength && *strength >= weakest_sun ? strength : std::nullopt;
+                   return strength && is_sun_strength(*strength) ? strength : std::nullopt;
                });
 }
 

@@ -11,6 +11,7 @@ import math
 import os
 import platform
 import shlex
+import statistics
 import subprocess
 import sys
 from dataclasses import asdict
@@ -269,8 +270,34 @@ def lights(bench: Bench) -> tuple[list[Row], dict]:
     return rows, data
 
 
+def arrays(bench: Bench) -> tuple[list[Row], dict]:
+    """Python: a million spheres in arrays to a picture in one, beside what the program takes from the scene that it has read to the
+    picture that it has yet to write; see arrays.py."""
+    modules = sorted(bench.build.glob("python/sphereview/_native.cpython-3*.so"))
+    if not modules:
+        return [Row("a million spheres in arrays", "the Python module was not built")], {}
+    python = "python3." + modules[0].name.removeprefix("_native.cpython-3").partition("-")[0]
+    rows, data = [], {}
+    for scene_set in SETS:
+        scene = bench.scene(scene_set, MILLION)
+        program = bench.render(f"arrays-{scene_set}-program", scene, "--backend", "cpu", "--json")
+        module = Case(f"arrays-{scene_set}", [python, str(ROOT / "bench" / "arrays.py"), str(scene), "3"],
+                      {"PYTHONPATH": str(bench.build / "python")})
+        try:
+            taken = bench.interleaved([program, module], 10)
+        except CannotRun as error:
+            return [Row("a million spheres in arrays", f"does not work here: {error}")], {}
+        data |= taken
+        of_program = phases(taken[program.name])
+        program_ms = sum(of_program[phase] for phase in ["lists", "prepare", "trace", "resolve", "light"])
+        module_ms = statistics.median(json.loads(sample["stdout"])["render_ms"] for sample in taken[module.name])
+        rows.append(Row(f"{scene_set}, 1,000,000 spheres in arrays, cpu", f"{module_ms:.0f} ms; the program {program_ms:.0f} ms"))
+        rows.append(at_most("  arrays / program's own scene", module_ms / program_ms, 1.1))  # no slower, but for what runs differ by
+    return rows, data
+
+
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "stress": stress, "frames": frames, "live": live,
-            "samples": samples, "lights": lights, "window": window, "large": large, "micro": micro}
+            "samples": samples, "arrays": arrays, "lights": lights, "window": window, "large": large, "micro": micro}
 PEER_SECTIONS = {"peers": peers, "light-peers": light_peers}
 
 

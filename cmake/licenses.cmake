@@ -12,12 +12,16 @@ if(SPHEREVIEW_PORTABLE)
         list(APPEND parts compiled:brotli compiled:expat compiled:fontconfig compiled:freetype)
     endif()
 elseif(MINGW)
-    list(APPEND parts compiled:glfw compiled:libdeflate compiled:libpng compiled:libstdc++ compiled:mingw-w64 compiled:zlib)
+    list(APPEND parts compiled:glfw compiled:libdeflate compiled:libpng compiled:libstdc++ compiled:mingw-w64 compiled:winpthreads compiled:zlib)
 elseif(SKBUILD)
-    # A wheel, into which auditwheel and its like copy what the linker has found.
+    # A wheel, into which auditwheel copies what the linker has found, but for what every Linux has by its rules: the libraries of C and C++,
+    # zlib, Expat and those of X. tests/packages/wheel compares.
     list(APPEND parts compiled:pybind11 shipped:glfw shipped:libdeflate shipped:libpng)
     if(TARGET PkgConfig::fontconfig)
-        list(APPEND parts shipped:brotli shipped:expat shipped:fontconfig shipped:freetype)
+        list(APPEND parts shipped:brotli shipped:fontconfig shipped:freetype)
+    endif()
+    if(EXISTS /etc/debian_version)
+        list(TRANSFORM parts REPLACE "^compiled:(stb|toml\\+\\+)$" "shipped:\\1")  # which elsewhere are headers alone
     endif()
 endif()
 

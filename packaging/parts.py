@@ -52,6 +52,8 @@ PARTS = {
     "pybind11": Part("pybind11", "BSD-3-Clause", "https://github.com/pybind/pybind11", "pybind11-dev"),
     "stb": Part("stb", "MIT OR Unlicense", "https://github.com/nothings/stb", "libstb-dev"),
     "toml++": Part("toml++", "MIT", "https://github.com/marzer/tomlplusplus", "libtomlplusplus-dev"),
+    # With its text in mingw-w64's, of which this is the part for most of it.
+    "winpthreads": Part("winpthreads", "MIT AND BSD-3-Clause", "https://www.mingw-w64.org", "mingw-w64-x86-64-dev", stanza="expat"),
     "zlib": Part("zlib", "Zlib", "https://zlib.net", "zlib1g-dev"),
 }
 COMMON_LICENSES = Path("/usr/share/common-licenses")

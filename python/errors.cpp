@@ -45,6 +45,10 @@ void translate(std::exception_ptr thrown) {
 
 }  // namespace
 
+void wrong_argument(const char* name, const std::string& found, const std::string& expected) {
+    throw InputError(std::string(name) + ": " + found_expected(found, expected) + did_you_mean(found, words_listed(expected)));
+}
+
 void translate_errors() { py::register_exception_translator(translate); }
 
 }  // namespace sphereview

@@ -16,9 +16,11 @@
 #include "base/text.hpp"
 #include "image/compare.hpp"
 #include "image/png.hpp"
+#include "light/light_set.hpp"
 #include "python/beside_python.hpp"
 #include "python/errors.hpp"
 #include "python/image_arrays.hpp"
+#include "python/light_arguments.hpp"
 #include "python/renderers.hpp"
 #include "python/scene_arrays.hpp"
 #include "tiles/build_lists.hpp"
@@ -29,35 +31,31 @@ namespace py = pybind11;
 
 namespace {
 
-// Of arguments, in the words that the command line has for its options.
-[[noreturn]] void wrong(const char* name, const std::string& found, const std::string& expected) {
-    throw InputError(std::string(name) + ": " + found_expected(found, expected) + did_you_mean(found, words_listed(expected)));
-}
-
 PictureSize size_from(const std::pair<std::int64_t, std::int64_t>& sides, int samples) {
     const auto [width, height] = sides;
     const std::string found = std::to_string(width) + "x" + std::to_string(height);
     if (width < 1 || height < 1 || width > most_pixels || height > most_pixels / width) {
-        wrong(
+        wrong_argument(
             "size", found,
             "(width, height), such as (1000, 1000): sides of at least 1 pixel, at most " + std::to_string(most_pixels) + " pixels");
     }
     const int longest = longest_side(samples);
     if (std::max(width, height) > longest) {
-        wrong("size", found, "sides of at most " + std::to_string(longest) + " pixels with samples=" + std::to_string(samples));
+        wrong_argument("size", found,
+                       "sides of at most " + std::to_string(longest) + " pixels with samples=" + std::to_string(samples));
     }
     return {static_cast<int>(width), static_cast<int>(height)};
 }
 
 Shading shading_from(const std::string& name) {
     const auto shading = shading_named(name);
-    if (!shading) wrong("shade", name, shading_syntax());
+    if (!shading) wrong_argument("shade", name, shading_syntax());
     return *shading;
 }
 
 Background background_from(const std::string& text) {
     Background background;
-    if (!parse_background(text, background)) wrong("background", text, std::string(background_syntax));
+    if (!parse_background(text, background)) wrong_argument("background", text, std::string(background_syntax));
     return background;
 }
 
@@ -65,7 +63,7 @@ Background background_from(const std::string& text) {
 Backend backend_from(const char* name, const std::string& text) {
     const auto found = std::ranges::find(backend_names, text);
     if (found == backend_names.end()) {
-        wrong(name, text, listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or"));
+        wrong_argument(name, text, listed(std::vector<std::string>(backend_names.begin(), backend_names.end()), "or"));
     }
     return static_cast<Backend>(found - backend_names.begin());
 }
@@ -80,15 +78,16 @@ Backend backend_from(const std::string& text) {
 std::optional<ViewAxes> view_from(const std::optional<std::string>& text) {
     if (!text) return std::nullopt;
     const auto view = parse_view(*text);
-    if (!view) wrong("view", *text, std::string(view_syntax));
+    if (!view) wrong_argument("view", *text, std::string(view_syntax));
     return view;
 }
 
 py::array render(const SphereArrays& arrays, const std::optional<CameraNumbers>& camera, bool fit,
                  const std::pair<std::int64_t, std::int64_t>& size, int samples, const std::string& shade,
-                 const std::string& backend, const std::string& background) {
+                 const std::string& backend, const std::string& background, const LightNumbers& light,
+                 const LightArguments& light_instead) {
     if (std::ranges::find(sample_counts, samples) == sample_counts.end()) {
-        wrong("samples", std::to_string(samples), sample_counts_text);
+        wrong_argument("samples", std::to_string(samples), sample_counts_text);
     }
     PictureOptions options;
     options.size = size_from(size, samples);
@@ -97,8 +96,13 @@ py::array render(const SphereArrays& arrays, const std::optional<CameraNumbers>&
     options.shading = shading_from(shade);
     if (camera) options.camera = camera_from(*camera);
     const Backend asked_for = backend_from(backend);
-    auto draw = [scene = scene_from(arrays), options, fit, asked_for](WorkControl& control) mutable {
-        if (fit) options.camera = fitted(scene, axes_of(options.camera), options.camera.projection).value_or(options.camera);
+    Scene given = scene_from(arrays);
+    given.camera = options.camera;
+    given.light = light_from(light);
+    auto draw = [scene = std::move(given), options, fit, light_instead, asked_for](WorkControl& control) mutable {
+        if (fit) scene.camera = fitted(scene, axes_of(scene.camera), scene.camera.projection).value_or(scene.camera);
+        options.camera = scene.camera;
+        options.light = light_with(scene, light_instead, options.shading);
         const DrawnSpheres drawn = drawn_spheres(scene, options.camera);
         Timings timings;
         PictureFacts facts;
@@ -117,19 +121,23 @@ py::array render(const SphereArrays& arrays, const std::optional<CameraNumbers>&
 std::string explain_pixel_of(const SphereArrays& arrays, const CameraNumbers& camera,
                              const std::map<std::uint32_t, std::string>& names, const std::string& background,
                              const std::pair<int, int>& pixel, const std::pair<std::int64_t, std::int64_t>& size,
-                             const std::string& shade, const std::string& name) {
+                             const std::string& shade, const LightNumbers& light, const LightArguments& light_instead,
+                             const std::string& name) {
     ExplainOptions options;
     options.size = size_from(size, 1);
     options.pixel = {pixel.first, pixel.second};
     options.shading = shading_from(shade);
     if (pixel.first < 0 || pixel.second < 0 || pixel.first >= options.size.width || pixel.second >= options.size.height) {
-        wrong("pixel", std::to_string(pixel.first) + "," + std::to_string(pixel.second),
-              "a pixel from 0,0 to " + std::to_string(options.size.width - 1) + "," + std::to_string(options.size.height - 1));
+        wrong_argument(
+            "pixel", std::to_string(pixel.first) + "," + std::to_string(pixel.second),
+            "a pixel from 0,0 to " + std::to_string(options.size.width - 1) + "," + std::to_string(options.size.height - 1));
     }
     Scene scene = scene_from(arrays);
     scene.camera = camera_from(camera);
     scene.names = names;
     scene.background = background_from(background);
+    scene.light = light_from(light);
+    scene.light = light_with(scene, light_instead, options.shading);
     return beside_python([scene = std::move(scene), name, options](WorkControl&) { return explain(scene, name, options); });
 }
 
@@ -151,25 +159,30 @@ std::vector<std::string> words_of_warnings(const LoadedScene& loaded) {
 }
 
 py::dict read(const std::string& path, std::int64_t frame, std::optional<double> radius, bool virtual_sites,
-              std::optional<bool> wanted, const std::optional<std::string>& view) {
-    if (frame < 0) wrong("frame", std::to_string(frame), "the number of a frame, from 0");
-    if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong("radius", shortest(*radius), "a number above 0");
+              const std::optional<std::string>& columns, std::optional<bool> wanted, const std::optional<std::string>& view) {
+    if (frame < 0) wrong_argument("frame", std::to_string(frame), "the number of a frame, from 0");
+    if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong_argument("radius", shortest(*radius), "a number above 0");
+    DataOptions data{frame, radius, virtual_sites, {}};
+    if (columns) {
+        const auto choices = parse_column_choices(*columns);
+        if (!choices) wrong_argument("columns", *columns, column_choices_syntax);
+        data.columns = *choices;
+    }
     FitOptions fit;
     fit.wanted = wanted;
     if (view) {
         const auto asked = fit_from(*view);
-        if (!asked) wrong("view", *view, std::string(any_view_syntax));
+        if (!asked) wrong_argument("view", *view, std::string(any_view_syntax));
         fit = *asked;
     }
-    const LoadedScene loaded =
-        beside_python([path, data = DataOptions{frame, radius, virtual_sites, {}}, fit](WorkControl& control) {
-            LoadOptions options;
-            options.more_per_sphere = sizeof(Sphere);  // the arrays
-            options.data = data;
-            options.fit = fit;
-            options.control = &control;
-            return load_scene(path, options);
-        });
+    const LoadedScene loaded = beside_python([path, data, fit](WorkControl& control) {
+        LoadOptions options;
+        options.more_per_sphere = sizeof(Sphere);  // the arrays
+        options.data = data;
+        options.fit = fit;
+        options.control = &control;
+        return load_scene(path, options);
+    });
     const Scene& scene = loaded.scene;
     const SphereArrays arrays = arrays_of(scene);
     py::dict read;
@@ -180,6 +193,7 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
     read["names"] = scene.names;
     read["background"] = to_string(scene.background);
     read["camera"] = numbers_of(scene.camera);
+    read["light"] = numbers_of(scene.light);
     read["frames"] = loaded.frames;
     read["format"] = loaded.format.name;
     read["source"] = py::bytes(loaded.name);
@@ -232,14 +246,21 @@ void define(py::module_& module) {
              }),
              py::arg("centers").noconvert(), py::arg("radii").noconvert(), py::arg("colors"), py::arg("hidden").noconvert());
     module.def("render", &render, py::arg("arrays"), py::arg("camera"), py::arg("fit"), py::arg("size"), py::arg("samples"),
-               py::arg("shade"), py::arg("backend"), py::arg("background"));
+               py::arg("shade"), py::arg("backend"), py::arg("background"), py::arg("light"), py::arg("light_instead"));
     module.def("explain", &explain_pixel_of, py::arg("arrays"), py::arg("camera"), py::arg("names"), py::arg("background"),
-               py::arg("pixel"), py::arg("size"), py::arg("shade"), py::arg("name"));
+               py::arg("pixel"), py::arg("size"), py::arg("shade"), py::arg("light"), py::arg("light_instead"), py::arg("name"));
     module.def("fit", &fit, py::arg("arrays"), py::arg("camera"), py::arg("right_handed"), py::arg("view"));
-    module.def("read", &read, py::arg("path"), py::arg("frame"), py::arg("radius"), py::arg("virtual"), py::arg("fit"),
-               py::arg("view"));
+    module.def("read", &read, py::arg("path"), py::arg("frame"), py::arg("radius"), py::arg("virtual"), py::arg("columns"),
+               py::arg("fit"), py::arg("view"));
+    module.def(
+        "sky_lights",
+        [](const LightNumbers& light, std::size_t spheres, int samples) { return sky_lights(light_from(light), spheres, samples); },
+        py::arg("light"), py::arg("spheres"), py::arg("samples"));
     module.def(
         "check_camera", [](const CameraNumbers& numbers) { camera_from(numbers); }, py::arg("camera"));
+    module.def(
+        "light", [](const LightArguments& arguments) { return numbers_of(light_with({}, arguments, Shading::studio)); },
+        py::arg("arguments"));
     module.def(
         "compare_with_png", [](const Bytes& actual, const std::string& path) { return compare_with_png(image_from(actual), path); },
         py::arg("actual"), py::arg("path"));

@@ -14,6 +14,7 @@ from typing import Any
 # when it is first used. __init__.pyi says the same to type checkers.
 _HOMES = {
     "Camera": "camera",
+    "Light": "light",
     "Scene": "scene",
     "explain": "pictures",
     "fit": "camera",

@@ -6,6 +6,12 @@ from numpy.typing import NDArray
 # Eye, center, right and up of a camera, one behind the other, and 0 for perspective or 1 for orthographic.
 _Camera = tuple[float, ...]
 
+# Of a light: lights, sky, key, sun and sun_strength.
+_Light = tuple[int | None, float, float, tuple[float, float, float] | None, float | None]
+
+# The same, each instead of another light's; the sun as the command line spells it.
+_LightArguments = tuple[int | None, float | None, float | None, str | None, float | None]
+
 class SphereArrays:
     def __init__(
         self,
@@ -24,6 +30,8 @@ def render(
     shade: str,
     backend: str,
     background: str,
+    light: _Light,
+    light_instead: _LightArguments,
 ) -> NDArray[numpy.uint8]: ...
 def explain(
     arrays: SphereArrays,
@@ -33,12 +41,16 @@ def explain(
     pixel: tuple[int, int],
     size: tuple[int, int],
     shade: str,
+    light: _Light,
+    light_instead: _LightArguments,
     name: str,
 ) -> str: ...
 def fit(arrays: SphereArrays, camera: _Camera, right_handed: bool, view: str | None) -> _Camera: ...
 def read(
-    path: bytes, frame: int, radius: float | None, virtual: bool, fit: bool | None, view: str | None
+    path: bytes, frame: int, radius: float | None, virtual: bool, columns: str | None, fit: bool | None, view: str | None
 ) -> dict[str, Any]: ...
+def light(arguments: _LightArguments) -> _Light: ...
+def sky_lights(light: _Light, spheres: int, samples: int) -> int: ...
 def check_camera(camera: _Camera) -> None: ...
 def compare_with_png(
     actual: NDArray[numpy.uint8], path: bytes

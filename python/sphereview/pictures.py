@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import atexit
 import os
-from typing import Literal
+from typing import Any, Literal
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from .arrays import path_bytes, sphere_arrays
 from .camera import Camera
+from .light import Light, Sun
+from .light import arguments as light_arguments
 
 # GL is closed while its driver still works; and what a child of fork() has of it is of no use there.
 atexit.register(_native.close_renderers)
@@ -31,6 +33,12 @@ def render(
     *,
     background: str = "black",
     hidden: ArrayLike | None = None,
+    light: Light | None = None,
+    lights: int | None = None,
+    sky: float | None = None,
+    key: float | None = None,
+    sun: Sun | None = None,
+    sun_strength: float | None = None,
 ) -> NDArray[numpy.uint8]:
     """The picture of N spheres: uint8, (height, width, 3), top row first; with a transparent background (height, width, 4).
 
@@ -48,6 +56,16 @@ def render(
         that you name is never replaced silently.
     background: "black", "white", "transparent" or "#rrggbb".
     hidden: (N,) bool; True: the sphere is not drawn, but counts where spheres are numbered (shade="id").
+    light: with shade="studio"; None is Light().
+
+    Also with shade="studio", each instead of what `light` says:
+
+    lights: directions of the sky's light, 16 to 1024.
+    sky: strength of the sky and of the key light in it, 0 to 1.
+    key: how much brighter the sky is around the key light, 0 to 1.
+    sun: a sun: (x, y, z), not all 0, from the scene to the sun; or (azimuth, elevation) in degrees, from where it shines as `fit`'s view
+        looks. The sky makes room for it where neither says how strong it is.
+    sun_strength: 0.001 to 4.
 
     Of spheres that a ray hits at the same place the first is seen. float64 arrays in C order are read in place; others are converted.
     Other threads of Python run meanwhile, and Ctrl+C interrupts.
@@ -59,7 +77,7 @@ def render(
     if fitted and camera != "fit":
         raise ValueError(f"camera: found {camera!r}, expected a Camera, 'fit' or None")
     numbers = camera.numbers() if isinstance(camera, Camera) else None
-    return _native.render(arrays, numbers, fitted, size, samples, shade, backend, background)
+    return _native.render(arrays, numbers, fitted, size, samples, shade, backend, background, *_lit(light, lights, sky, key, sun, sun_strength))
 
 
 def explain(
@@ -73,6 +91,12 @@ def explain(
     *,
     background: str = "black",
     hidden: ArrayLike | None = None,
+    light: Light | None = None,
+    lights: int | None = None,
+    sky: float | None = None,
+    key: float | None = None,
+    sun: Sun | None = None,
+    sun_strength: float | None = None,
     names: dict[int, str] | None = None,
     name: str = "the scene",
 ) -> str:
@@ -82,7 +106,13 @@ def explain(
     scene. The rest is as for render().
     """
     arrays = sphere_arrays(centers, radii, colors, hidden)
-    return _native.explain(arrays, (camera or Camera()).numbers(), names or {}, background, pixel, size, shade, name)
+    lit = _lit(light, lights, sky, key, sun, sun_strength)
+    return _native.explain(arrays, (camera or Camera()).numbers(), names or {}, background, pixel, size, shade, *lit, name)
+
+
+def _lit(light: Light | None, *instead: Any) -> tuple[Any, Any]:
+    """The light, and what replaces parts of it, as the native module takes them."""
+    return (light or Light()).numbers(), light_arguments(*instead)
 
 
 def read_png(path: str | os.PathLike[str]) -> NDArray[numpy.uint8]:

@@ -149,8 +149,13 @@ class ExactImage:
 
 def _explanation(scene: Scene, pixel: tuple[int, int], actual: NDArray[Any], options: dict[str, Any]) -> list[str]:
     """What `sphereview explain` says of the pixel; of one with several samples, of the first of its points."""
+    from . import _native
+
     options = {name: value for name, value in options.items() if name != "backend"}
-    side = {1: 1, 4: 2, 16: 4}[options.pop("samples", 1)]
+    samples = options.pop("samples", 1)
+    side = {1: 1, 4: 2, 16: 4}[samples]
+    if options.get("shade") == "studio" and options.get("lights") is None:  # as many as the picture has, which depends on its samples
+        options["lights"] = _native.sky_lights(scene.light.numbers(), len(scene.radii), samples)
     height, width = actual.shape[:2]
     options["size"] = (side * width, side * height)
     said = scene.explain((side * pixel[0], side * pixel[1]), **options).splitlines()

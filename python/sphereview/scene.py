@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -14,6 +15,7 @@ from . import _native
 from .arrays import path_bytes
 from .camera import Camera, View, view_text
 from .camera import fit as fit_camera
+from .light import Light, Sun
 from .pictures import explain, render
 
 
@@ -31,6 +33,7 @@ class Scene:
     source: str = "the scene"  #: the file, as messages call it
     format: str | None = None  #: of that file: "text", "TOML", "XYZ", and so on, as `sphereview --help` lists them
     frames: int = 1  #: in that file
+    light: Light = Light()  #: for shade="studio"
 
     def __post_init__(self) -> None:
         for name in ("centers", "radii", "colors"):
@@ -44,11 +47,31 @@ class Scene:
         backend: str = "auto",
         *,
         background: str | None = None,
+        lights: int | None = None,
+        sky: float | None = None,
+        key: float | None = None,
+        sun: Sun | None = None,
+        sun_strength: float | None = None,
     ) -> NDArray[numpy.uint8]:
-        """The picture, as the function `render` makes it; `background` replaces the scene's own."""
+        """The picture, as the function `render` makes it; `background` and what concerns light replace the scene's own."""
         shown = self.background if background is None else background
         return render(
-            self.centers, self.radii, self.colors, self.camera, size, samples, shade, backend, background=shown, hidden=self.hidden
+            self.centers,
+            self.radii,
+            self.colors,
+            self.camera,
+            size,
+            samples,
+            shade,
+            backend,
+            background=shown,
+            hidden=self.hidden,
+            light=self.light,
+            lights=lights,
+            sky=sky,
+            key=key,
+            sun=sun,
+            sun_strength=sun_strength,
         )
 
     def explain(
@@ -58,6 +81,11 @@ class Scene:
         shade: str = "flat",
         *,
         background: str | None = None,
+        lights: int | None = None,
+        sky: float | None = None,
+        key: float | None = None,
+        sun: Sun | None = None,
+        sun_strength: float | None = None,
     ) -> str:
         """The arithmetic of one pixel, as the function `explain` says it."""
         return explain(
@@ -70,6 +98,12 @@ class Scene:
             shade,
             background=self.background if background is None else background,
             hidden=self.hidden,
+            light=self.light,
+            lights=lights,
+            sky=sky,
+            key=key,
+            sun=sun,
+            sun_strength=sun_strength,
             names=self.names,
             name=self.source,
         )
@@ -83,20 +117,32 @@ class Scene:
         return fit_camera(self.centers, self.radii, hidden=self.hidden)
 
 
+def columns_text(columns: str | Mapping[str, str | int] | None) -> str | None:
+    """As the command line spells it."""
+    if columns is None or isinstance(columns, str):
+        return columns
+    return ",".join(f"{column}={field}" for column, field in columns.items())
+
+
 def read(
     path: str | os.PathLike[str],
     *,
     frame: int = 0,
     radius: float | None = None,
     virtual: bool = True,
+    columns: str | Mapping[str, str | int] | None = None,
     fit: bool | None = None,
     view: View | None = None,
 ) -> Scene:
     """The scene in a file of any format that the program reads, also packed with gzip.
 
     frame: which of several frames or models, from 0.
-    radius: of each sphere for which a data file says none; None: the element's, and 1 in CSV.
+    radius: of each sphere for which a data file says none; None: the element's, and of points without an
+        element a quarter of the median distance between neighbours.
     virtual: False leaves out what files of atoms call one and is none: virtual sites, lone pairs, Drude particles, ghosts, dummies.
+    columns: which fields of a CSV file are which columns: {"x": "Position X", "y": 2, "radius": "size"}, by the names in its header or by
+        numbers from 1, or as the command line spells it, "x=Position X,y=2,radius=size". Columns are x, y, z, radius, diameter, r, g, b,
+        color, element and name.
     fit: True moves the camera until it sees everything; False looks at data, too, from (0, 0, 0) along z. None: data is fitted, a scene
         keeps its camera.
     view: fits from a side: as for the function `fit`. Or the name of one of the file's saved views, whose camera is taken as it is.
@@ -107,9 +153,10 @@ def read(
     ValueError: what is wrong with the file, with its line and column. OSError, such as FileNotFoundError: it cannot be read.
     UserWarning: what is wrong with a file that is read all the same.
     """
-    found: dict[str, Any] = _native.read(path_bytes(path), frame, radius, virtual, fit, view_text(view))
+    found: dict[str, Any] = _native.read(path_bytes(path), frame, radius, virtual, columns_text(columns), fit, view_text(view))
     for warning in found.pop("warnings"):
         warnings.warn(warning, stacklevel=2)
     found["camera"] = Camera.from_numbers(found["camera"])
+    found["light"] = Light.from_numbers(found["light"])
     found["source"] = os.fsdecode(found["source"])
     return Scene(**found)

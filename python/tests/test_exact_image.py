@@ -2,6 +2,7 @@
 
 import numpy
 import pytest
+from conftest import ROOT
 
 import sphereview
 import sphereview.scene  # so that all pytests in this process know one Scene
@@ -37,6 +38,27 @@ def test_a_missing_golden_fails_and_says_how_to_make_it(tests):
     assert not (tests.path / "goldens").exists()
     actual = tests.path / ".pytest_cache" / "d" / "exact_image" / "test_it" / "ball.actual.png"
     assert sphereview.read_png(actual).shape == (20, 30, 3)
+
+
+def test_a_scenes_light_is_in_its_picture(pytester, run_program):
+    scene = ROOT / "scenes" / "planets.toml"
+    pytester.makepyfile(
+        test_it=f"""
+        def test_planets(exact_image):
+            exact_image.check({str(scene)!r}, "planets", size=(60, 40), shade="studio", samples=4)
+        """
+    )
+    golden = pytester.path / "goldens" / "planets.png"
+    golden.parent.mkdir()
+    assert run_program("render", scene, "-o", golden, "-s", "60x40", "--shade", "studio", "--samples", "4")[0] == 0
+    run(pytester).assert_outcomes(passed=1)
+    image = sphereview.read_png(golden)
+    image[20, 30] += 1
+    sphereview.write_png(golden, image)
+    result = run(pytester)
+    result.assert_outcomes(failed=1)
+    words = run_program("explain", scene, "-p", "60,40", "-s", "120x80", "--shade", "studio", "--lights", "64")[1]
+    result.stdout.fnmatch_lines([f"*{line}" for line in words.splitlines() if line.startswith("colour:")])
 
 
 def test_update_makes_it_and_then_it_is_the_measure(tests):

@@ -1,6 +1,7 @@
 """sphereview.render: the picture of arrays is the program's picture of a file."""
 
 import hashlib
+import re
 import signal
 import subprocess
 import sys
@@ -25,7 +26,7 @@ def test_gives_the_picture_that_the_program_writes(seed_scene, tmp_path, run_pro
     assert numpy.array_equal(image, sphereview.read_png(tmp_path / "picture.png"))
 
 
-@pytest.mark.parametrize("shade", ["flat", "headlight", "normal", "depth", "id"])
+@pytest.mark.parametrize("shade", ["flat", "headlight", "normal", "depth", "id", "studio"])
 @pytest.mark.parametrize("samples", [1, 4, 16])
 def test_options_are_those_of_the_program(seed_scene, tmp_path, run_program, shade, samples):
     scene, picture = tmp_path / "scene.txt", tmp_path / "picture.png"
@@ -39,6 +40,58 @@ def test_options_are_those_of_the_program(seed_scene, tmp_path, run_program, sha
     image = sphereview.render(*seed_scene, camera, (70, 50), samples, shade, "cpu", background="transparent")
     assert image.shape == (50, 70, 4)
     assert numpy.array_equal(image, sphereview.read_png(picture))
+
+
+def test_light_is_that_of_the_program(seed_scene, tmp_path, run_program):
+    def picture(*options):
+        status, _, words = run_program(
+            "render", ROOT / "scenes" / "input4.txt", "-o", tmp_path / "picture.png", "-s", "64x48", "--shade", "studio", *options
+        )
+        assert status == 0, words
+        return sphereview.read_png(tmp_path / "picture.png")
+
+    def draw(**options):
+        return sphereview.render(*seed_scene, shade="studio", **SMALL, **options)
+
+    plain = draw()
+    assert numpy.array_equal(plain, picture())
+    for light, options in [
+        ({"lights": 16}, ["--lights", "16"]),
+        ({"sky": 0.5, "key": 0}, ["--sky", "0.5", "--key", "0"]),
+        ({"sun": (-8, 5, -6)}, ["--sun=-8,5,-6"]),
+        ({"sun": numpy.array([1, 2.5, -3]), "sun_strength": 0.5, "sky": 0.25}, ["--sun", "1,2.5,-3", "--sun-strength", "0.5", "--sky", "0.25"]),
+        ({"sun": "30,20", "camera": "fit"}, ["--sun", "30,20", "--fit"]),
+        ({"sun": (30, 20), "camera": sphereview.fit(*seed_scene[:2], view="iso")}, ["--sun", "30,20", "--view", "iso"]),
+    ]:
+        lit = draw(**light)
+        assert not numpy.array_equal(lit, plain), light
+        assert numpy.array_equal(lit, picture(*options)), light
+    sun = sphereview.Light(sun=(-8, 5, -6))
+    assert (sun.sky, sun.key, sun.sun, sun.sun_strength, sun.lights) == (None, 1, (-8, 5, -6), None, None)
+    assert numpy.array_equal(draw(light=sun), draw(sun=(-8, 5, -6)))
+    assert numpy.array_equal(draw(light=sun, sun_strength=2, lights=20), picture("--sun=-8,5,-6", "--sun-strength", "2", "--lights", "20"))
+
+
+def test_wrong_light_has_the_command_lines_words(seed_scene, tmp_path, run_program):
+    for option, value in [
+        ("lights", 15), ("lights", 1025), ("sky", -0.5), ("sky", float("nan")), ("key", 1.5), ("sun_strength", 0), ("sun_strength", 5),
+        ("sun", "0,0,0"), ("sun", "front"), ("sun", "1,2,3,4"), ("sun", "0,91"),
+    ]:
+        flag = "--" + option.replace("_", "-")
+        words = run_program("render", ROOT / "scenes" / "input4.txt", "--shade", "studio", f"{flag}={value}")[2].splitlines()[0]
+        assert words.startswith(f"sphereview: {flag}: found '{value}', expected "), words
+        expected = words.replace(f"sphereview: {flag}", option).removesuffix(" (see 'sphereview render --help')")
+        with pytest.raises(ValueError) as caught:
+            sphereview.render(*seed_scene, shade="studio", **{option: value})
+        assert str(caught.value) == expected
+        with pytest.raises(ValueError, match="sun: found " if option == "sun" else re.escape(expected)):
+            sphereview.Light(**{option: value})
+    with pytest.raises(ValueError, match="^shade: found 'flat', expected studio with sky$"):
+        sphereview.render(*seed_scene, sky=0.5)
+    with pytest.raises(ValueError, match="^sun_strength: the scene has no sun, expected sun as well$"):
+        sphereview.render(*seed_scene, shade="studio", sun_strength=0.5)
+    with pytest.raises(ValueError, match=r"^sun: found \(30, 20\), expected \(x, y, z\)$"):
+        sphereview.Light(sun=(30, 20))
 
 
 def test_a_camera_that_fits_sees_everything():

@@ -61,6 +61,39 @@ def test_a_native_scene_has_all_its_properties(tmp_path, run_program):
     assert numpy.array_equal(scene.render((60, 40), background="black")[..., :3], scene.render((60, 40))[..., :3])
 
 
+def test_a_scenes_light_is_its_own(run_program, tmp_path):
+    path = ROOT / "scenes" / "planets.toml"
+    scene = sphereview.read(path)
+    assert scene.light == sphereview.Light(sky=0.3, sun=(-8, 5, -6), sun_strength=0.65)
+    assert sphereview.read(ROOT / "scenes" / "input4.txt").light == sphereview.Light()
+    for light, options in [({}, []), ({"sun": (1, 2, -3), "key": 0.5}, ["--sun", "1,2,-3", "--key", "0.5"])]:
+        words = ["-s", "80x60", "--shade", "studio", *options]
+        assert run_program("render", path, "-o", tmp_path / "picture.png", *words)[0] == 0
+        assert numpy.array_equal(scene.render((80, 60), shade="studio", **light), sphereview.read_png(tmp_path / "picture.png"))
+        assert scene.explain((40, 30), (80, 60), "studio", **light) == run_program("explain", path, "-p", "40,30", *words)[1]
+    same = sphereview.Scene(scene.centers, scene.radii, scene.colors, scene.camera, scene.background, scene.hidden)
+    assert not numpy.array_equal(same.render((80, 60), shade="studio"), scene.render((80, 60), shade="studio"))
+
+
+def test_columns_are_those_of_the_command_line(run_program, tmp_path):
+    path = tmp_path / "table.csv"
+    path.write_text("a,b,c,size\n0,0,0,1\n3,1,0,2\n")
+    columns = {"x": "a", "y": 2, "z": "c", "radius": "size"}
+    scene = sphereview.read(path, columns=columns)
+    assert scene.centers.tolist() == [[0, 0, 0], [3, 1, 0]] and scene.radii.tolist() == [1, 2]
+    assert run_program("render", path, "-o", tmp_path / "x.png", "-s", "60x40", "--columns", "x=a,y=2,z=c,radius=size")[0] == 0
+    assert numpy.array_equal(scene.render((60, 40)), sphereview.read_png(tmp_path / "x.png"))
+    path.write_text(path.read_text().replace("size", "other"))
+    with pytest.warns(UserWarning, match="no radius in the file"):
+        assert sphereview.read(path, columns="x=a,y=b,z=c").radii.tolist() == pytest.approx([10**0.5 / 4] * 2)
+    with pytest.raises(ValueError):
+        sphereview.read(path)
+    words = run_program("render", path, "--columns", "q=a")[2].splitlines()[0]
+    with pytest.raises(ValueError) as caught:
+        sphereview.read(path, columns={"q": "a"})
+    assert str(caught.value) == words.replace("sphereview: --columns", "columns").removesuffix(" (see 'sphereview render --help')")
+
+
 def test_a_saved_view_is_seen_by_its_name(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(TOML + "\n[[view]]\nname = 'from behind'\neye = [0, 0, 900]\ncenter = [0, 0, 800]\nup = [0, -50, 0]\n")

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <sstream>
 
 #include "support/folders.hpp"
 #include "support/render.hpp"
@@ -71,6 +73,59 @@ TEST_F(CiCompare, FailsWhereNothingIsCompared) {
     const Outcome outcome = compare();
     EXPECT_EQ(outcome.status, 2) << outcome;
     EXPECT_TRUE(contains(outcome.errors, "found no scene with a golden image in 'scenes'"));
+}
+
+// As GitHub leaves it for an action in the workflow's own repository.
+TEST(CiInstall, SaysWhatIsMissingWithoutARepository) {
+    Command command;
+    command.program = "/usr/bin/env";
+    command.arguments = {
+        "PACKAGE=", "VERSION=", "REPOSITORY=", "SERVER=file:///nowhere", "bash", source_file("packaging/ci/install")};
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "it is not known from which repository to download, as with 'uses: ./': name a .deb or a wheel "
+              "(the input 'package')\n");
+}
+
+// Each test as the page has it, with a golden image that is right and one that is not.
+TEST(CTestOfThePage, ComparesEachSceneWithTheGoldenImageOfItsName) {
+    const std::string page = TemporaryFolder().read(source_file("docs/ci.md"));
+    const std::string heading = "\n## CTest\n";
+    ASSERT_TRUE(contains(page, heading));
+    std::istringstream lines(page.substr(page.find(heading) + heading.size()));
+    std::string project = "cmake_minimum_required(VERSION 3.23)\nproject(pictures NONE)\nenable_testing()\n";
+    for (std::string line; std::getline(lines, line) && !line.starts_with("#");) {
+        if (line.starts_with("    ")) project += line + "\n";
+    }
+    const TemporaryFolder folder;
+    folder.write("CMakeLists.txt", project);
+    for (const char* name : {"a.1", "a.2", "two.spheres"}) {
+        folder.write("scenes/" + std::string(name) + ".toml", "spheres = \"\"\"" + std::string(red_scene) + "\"\"\"");
+    }
+    folder.write("blue.txt", blue_scene);
+    Outcome outcome = render(folder, {"scenes/a.1.toml", "scenes/a.2.toml", "scenes/two.spheres.toml", "-o", "scenes/{name}.png"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+
+    Command command;
+    command.folder = folder.path();
+    command.environment = {{"SPHEREVIEW_BACKEND", "cpu"}};
+    command.program = CMAKE;
+    command.arguments = {"-G", "Ninja", "-DSPHEREVIEW=" + build_file("sphereview"), "-S", ".", "-B", "build"};
+    outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    command.program = (std::filesystem::path(CMAKE).parent_path() / "ctest").string();
+    command.arguments = {"--test-dir", "build"};
+    outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(contains(outcome.output, "100% tests passed, 0 tests failed out of 3")) << outcome;
+
+    folder.write("scenes/two.spheres.toml", "spheres = \"\"\"" + std::string(blue_scene) + "\"\"\"");
+    outcome = run(command);
+    EXPECT_NE(outcome.status, 0) << outcome;
+    EXPECT_TRUE(contains(outcome.output, "1 tests failed out of 3") && contains(outcome.output, "picture.two.spheres (Failed)"))
+        << outcome;
+    EXPECT_TRUE(folder.has("build/two.spheres-difference.png"));
 }
 
 }  // namespace

@@ -68,6 +68,30 @@ TEST_F(Installed, DocsAreThereWithWhatTheyShow) {
     }
 }
 
+// The files that a page names, by [words](NAME) or [words](NAME#HEADING), beside it.
+std::vector<std::string> linked_files(const std::string& page) {
+    std::vector<std::string> files;
+    for (std::size_t place = page.find("]("); place != std::string::npos; place = page.find("](", place + 1)) {
+        const std::string target = page.substr(place + 2, page.find_first_of(")#\n", place + 2) - place - 2);
+        if (!target.empty() && !contains(target, "://")) files.push_back(target);
+    }
+    return files;
+}
+
+TEST_F(Installed, LinksOfThePagesLeadSomewhere) {
+    std::size_t links = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(file("share/doc/sphereview"))) {
+        if (entry.path().extension() != ".md") continue;
+        for (const std::string& name : linked_files(TemporaryFolder().read(entry.path().string()))) {
+            const std::filesystem::path target = (entry.path().parent_path() / name).lexically_normal();
+            EXPECT_TRUE(std::filesystem::exists(target) && target.string().starts_with(file("share/doc/sphereview")))
+                << entry.path() << ": " << name;
+            ++links;
+        }
+    }
+    EXPECT_GE(links, 30U);
+}
+
 TEST_F(Installed, ThePythonModuleIsNot) {
     for (const std::string& name : folder_.names()) EXPECT_TRUE(name == "bin" || name == "share" || name == "lib") << name;
 }
