@@ -8,6 +8,7 @@
 
 #include "app/add_option.hpp"
 #include "app/command_line_texts.hpp"
+#include "app/frame_options.hpp"
 #include "app/licenses.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
@@ -44,6 +45,7 @@ constexpr const char* render_examples =
     "  sphereview render *.txt -o 'out/{name}.png'\n"
     "  sphereview render scene.txt --expect golden.png    compares; writes nothing\n"
     "  sphereview render data.xyz --view iso              everything, seen from a corner\n"
+    "  sphereview render traj.xyz --frames 0:100:5 -o 'out/{frame:05}.png'\n"
     "  generate | sphereview render - -s 640x480 -o picture.png\n";
 
 constexpr const char* convert_examples =
@@ -109,6 +111,7 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_size(command, options.size, "Width and height in pixels [1000x1000]");
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
     add_scene_options(command, options.data, options.fit);
+    add_frame_options(command, options);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
     add_flag(command, options.axes, "--axes", "Draw the directions of the axes in the lower left corner");
@@ -139,6 +142,7 @@ void declare(CLI::App& command, RenderOptions& options) {
 }
 
 void check(const CLI::App& command, RenderOptions& options) {
+    check_frame_options(command, options);
     check_light(options.light, options.shading);
     const int longest = longest_side(options.samples);
     if (std::max(options.size.width, options.size.height) > longest) {
@@ -322,6 +326,7 @@ Run parse_command_line(int argc, const char* const* argv) {
     CLI::App* command = &app;
     try {
         command = &named_command(app, words);
+        if (command->get_name() == "render") join_fit_first(words);
         const bool help = std::ranges::any_of(words, [](const auto& word) { return word == "-h" || word == "--help"; });
         if (help) return print(command->help(command == &app ? "" : app.get_name()));  // whatever else is wrong
         check_values(*command, words);

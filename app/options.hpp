@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/failure.hpp"
+#include "app/frame_ranges.hpp"
 #include "app/light_options.hpp"
 #include "app/load_scene.hpp"
 #include "base/output_file.hpp"
@@ -33,6 +34,7 @@ struct RenderOptions {
     int samples = 1;  // points a pixel: one of sample_counts
     DataOptions data;
     FitOptions fit;
+    FrameOptions frames;                   // several pictures of a scene
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
     LightOptions light;  // instead of the scene's own
@@ -65,7 +67,7 @@ struct ExplainOptions {
     FitOptions fit;
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
-    LightOptions light;                // instead of the scene's own
+    LightOptions light;                  // instead of the scene's own
     std::optional<int> light_to_show{};  // one of NumberedLights, besides the one that is explained anyway
     bool json = false;
 };

@@ -2,11 +2,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/failure.hpp"
+#include "app/frame_sequence.hpp"
 #include "app/json.hpp"
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
@@ -145,7 +147,8 @@ void print_json(const RenderReport& report, const RenderOptions& options) {
 // Renders one scene after the other; opens the backend when the first needs it and keeps it.
 class Batch {
 public:
-    Batch(const RenderOptions& options, std::size_t scenes) : options_(options), scenes_(scenes) {}
+    Batch(const RenderOptions& options, std::size_t scenes, Progress& progress)
+        : options_(options), scenes_(scenes), progress_(progress) {}
 
     // Does one job and tells the person; never throws for what concerns this job alone.
     ExitCode run(const RenderJob& job) {
@@ -183,7 +186,7 @@ private:
         if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         std::optional<PngReader> golden;
         if (job.expect) golden.emplace(open_png(*job.expect));
-        const LoadedScene loaded = read_scene(job.scene, report);
+        const LoadedScene loaded = read_scene(job, report);
         const Scene& scene = loaded.scene;
         report.spheres = scene.spheres.size();
 
@@ -198,7 +201,7 @@ private:
                                      options_.samples,
                                      options_.shading,
                                      with_options(scene, options_.light),
-                                     {options_.axes, options_.scale_bar && shows_any, middle_for_scale(scene)}};
+                                     {options_.axes, options_.scale_bar && shows_any, middle_for_scale(loaded)}};
         const Image picture = render(scene, drawn, options, report);
         if (loaded.fitted && !report.facts.shows_sphere && shows_any) {
             report.warnings.push_back(job.label +
@@ -216,15 +219,22 @@ private:
     }
 
     // Where in depth the bar holds. It is not looked for without need: that takes time for millions of spheres.
-    glm::dvec3 middle_for_scale(const Scene& scene) const {
-        return options_.scale_bar ? bounds_of(scene).middle() : glm::dvec3(0.0);
+    glm::dvec3 middle_for_scale(const LoadedScene& loaded) const {
+        if (!options_.scale_bar) return glm::dvec3(0.0);
+        return loaded.middle ? *loaded.middle : bounds_of(loaded.scene).middle();
     }
 
-    LoadedScene read_scene(const std::string& path, RenderReport& report) {
+    LoadedScene read_scene(const RenderJob& job, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        LoadedScene loaded = load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
+        LoadedScene loaded = job.sequence
+                                 ? job.sequence->load(job.sequence->shots()[job.shot])
+                                 : load_scene(job.scene, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
         progress_.clear();
-        say_warnings(loaded);
+        if (job.sequence) {
+            job.sequence->say_warnings(loaded);
+        } else {
+            say_warnings(loaded);
+        }
         report.warnings = loaded.warnings;
         report.notes = loaded.notes;
         return loaded;
@@ -270,16 +280,29 @@ private:
     std::size_t scenes_;
     std::size_t started_ = 0;
     bool report_failed_ = false;
-    Progress progress_;
+    Progress& progress_;
 };
+
+// For each scene, where several pictures are asked for.
+std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& options, Progress& progress) {
+    std::vector<std::shared_ptr<FrameSequence>> sequences;
+    if (!options.frames.several()) return sequences;
+    for (const std::string& scene : options.scenes) {
+        sequences.push_back(std::make_shared<FrameSequence>(scene, options, progress));
+    }
+    return sequences;
+}
 
 }  // namespace
 
 ExitCode run_render(const RenderOptions& options) {
     // Light needs megabytes of its own, when what was needed before it is given back.
     if (options.shading == Shading::studio) return_large_blocks();
-    const std::vector<RenderJob> jobs = plan_render(options);
-    Batch batch(options, jobs.size());
+    Progress progress;
+    const auto sequences = open_sequences(options, progress);
+    const std::vector<RenderJob> jobs = plan_render(options, sequences);
+    for (const auto& sequence : sequences) sequence->prepare(progress);
+    Batch batch(options, jobs.size(), progress);
     ExitCode worst = ExitCode::done;
     std::vector<std::string> failed;
     for (const RenderJob& job : jobs) {
@@ -288,8 +311,9 @@ ExitCode run_render(const RenderOptions& options) {
         worst = std::max(worst, status);
     }
     if (jobs.size() > 1 && !failed.empty()) {
-        std::string summary = std::to_string(failed.size()) + " of " + std::to_string(jobs.size()) + " scenes failed:";
-        for (const std::string& scene : failed) summary += " " + scene;
+        std::string summary = std::to_string(failed.size()) + " of " + std::to_string(jobs.size()) +
+                              (sequences.empty() ? " scenes failed:" : " pictures failed:");
+        for (const std::string& label : failed) summary += (sequences.empty() ? " " : " ") + label;
         say("sphereview: " + summary);
     }
     return batch.report_failed() ? std::max(worst, ExitCode::no_output) : worst;
