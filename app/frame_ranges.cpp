@@ -56,6 +56,16 @@ std::optional<std::vector<FrameRange>> parse_frames(std::string_view text) {
     }
 }
 
+std::optional<RenderPart> parse_part_of_pictures(std::string_view text) {
+    const std::size_t slash = text.find('/');
+    if (slash == std::string_view::npos) return std::nullopt;
+    std::optional<std::int64_t> number;
+    std::optional<std::int64_t> count;
+    if (!parse_part(text.substr(0, slash), number) || !parse_part(text.substr(slash + 1), count)) return std::nullopt;
+    if (!number || !count || *number < 1 || *number > *count) return std::nullopt;
+    return RenderPart{*number, *count};
+}
+
 std::vector<std::int64_t> frames_in(const std::vector<FrameRange>& ranges, const std::string& name,
                                     const std::function<std::int64_t(std::int64_t)>& count) {
     constexpr std::int64_t everything = std::int64_t{1} << 62;

@@ -32,12 +32,26 @@ std::optional<std::vector<FrameRange>> parse_frames(std::string_view text);
 std::vector<std::int64_t> frames_in(const std::vector<FrameRange>& ranges, const std::string& name,
                                     const std::function<std::int64_t(std::int64_t enough)>& count);
 
+// Of `count` parts one, from 1: every count-th picture.
+struct RenderPart {
+    std::int64_t number = 1;
+    std::int64_t count = 1;
+
+    bool has(std::size_t place) const { return static_cast<std::int64_t>(place) % count == number - 1; }
+};
+
+// "2/4"; nothing for what is no such part.
+std::optional<RenderPart> parse_part_of_pictures(std::string_view text);
+
 // More of a render's options; what is not said is one picture of --frame.
 struct FrameOptions {
     std::vector<FrameRange> ranges{};
     bool fit_first = false;      // the one camera to the first frame, not to all
     std::int64_t turntable = 0;  // pictures of a whole turn; 0: none
     TurnAxis axis = TurnAxis::up;
+    bool skip_existing = false;             // what is there whole already
+    std::optional<RenderPart> part{};       // of all pictures
+    std::optional<std::string> manifest{};  // where a line for each picture goes
 
     // Whether pictures have numbers.
     bool several() const { return !ranges.empty() || turntable > 0; }

@@ -1,4 +1,6 @@
 // sphereview render: scenes in, PNG files out.
+#include "app/render_command.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <functional>
@@ -8,9 +10,11 @@
 #include <vector>
 
 #include "app/failure.hpp"
+#include "app/film.hpp"
 #include "app/frame_sequence.hpp"
 #include "app/json.hpp"
 #include "app/load_scene.hpp"
+#include "app/manifest.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
@@ -23,6 +27,7 @@
 #include "base/timings.hpp"
 #include "image/compare.hpp"
 #include "image/png.hpp"
+#include "image/whole_png.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {
@@ -147,8 +152,8 @@ void print_json(const RenderReport& report, const RenderOptions& options) {
 // Renders one scene after the other; opens the backend when the first needs it and keeps it.
 class Batch {
 public:
-    Batch(const RenderOptions& options, std::size_t scenes, Progress& progress)
-        : options_(options), scenes_(scenes), progress_(progress) {}
+    Batch(const RenderOptions& options, std::size_t scenes, const RenderSinks& sinks, Progress& progress)
+        : options_(options), scenes_(scenes), sinks_(sinks), progress_(progress) {}
 
     // Does one job and tells the person; never throws for what concerns this job alone.
     ExitCode run(const RenderJob& job) {
@@ -214,7 +219,13 @@ private:
         // Before anything is written: the rest of the golden may be damaged.
         Image difference;
         if (golden) check(picture, *golden, job.diff ? &difference : nullptr, report);
-        if (job.output) write_png(picture, *job.output, report.timings);
+        if (job.pixels_sum) check_sum(picture, job, report);
+        if (sinks_.film != nullptr) timed(report.timings, Phase::encode, [&] { sinks_.film->add(picture); });
+        if (job.output) {
+            write_png(picture, job, report.timings);
+        } else if (sinks_.manifest != nullptr) {
+            sinks_.manifest->add(job, picture, std::nullopt);
+        }
         if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability, missing_folder(*options_.diff));
     }
 
@@ -262,10 +273,18 @@ private:
         return opened;
     }
 
-    void write_png(const Image& picture, const std::string& path, Timings& timings) const {
+    void write_png(const Image& picture, const RenderJob& job, Timings& timings) const {
         const std::string png = timed(timings, Phase::encode, [&] { return encode_png(picture); });
         timed(timings, Phase::write,
-              [&] { write_output(path, png, options_.durability, missing_folder(options_.output.value_or(""))); });
+              [&] { write_output(*job.output, png, options_.durability, missing_folder(options_.output.value_or(""))); });
+        if (sinks_.manifest != nullptr) sinks_.manifest->add(job, picture, png);
+    }
+
+    static void check_sum(const Image& picture, const RenderJob& job, RenderReport& report) {
+        const std::string sum = sum_of_pixels(picture);
+        if (sum == *job.pixels_sum) return;
+        report.status = ExitCode::differs;
+        report.error = on_one_line(job.label + ": differs: the SHA-256 of its pixels is " + sum + ", expected " + *job.pixels_sum);
     }
 
     static void check(const Image& picture, PngReader& golden, Image* difference, RenderReport& report) {
@@ -278,6 +297,7 @@ private:
 
     const RenderOptions& options_;
     std::size_t scenes_;
+    RenderSinks sinks_;
     std::size_t started_ = 0;
     bool report_failed_ = false;
     Progress& progress_;
@@ -293,30 +313,60 @@ std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& 
     return sequences;
 }
 
+// Leaves out what others render, and what is there. Of pictures whose manifest is wanted only those are there that it knows.
+void leave_out(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
+    if (const auto& part = options.frames.part) {
+        std::size_t place = 0;
+        std::erase_if(jobs, [&](const RenderJob&) { return !part->has(place++); });
+    }
+    if (!options.frames.skip_existing) return;
+    const std::size_t all = jobs.size();
+    std::erase_if(jobs, [&](const RenderJob& job) {
+        return job.output && is_whole_png(*job.output, options.size.width, options.size.height) &&
+               (manifest == nullptr || manifest->has(*job.output));
+    });
+    if (options.verbose) say(in_groups(all - jobs.size()) + " of " + in_groups(all) + " pictures are there already");
+}
+
 }  // namespace
 
-ExitCode run_render(const RenderOptions& options) {
-    // Light needs megabytes of its own, when what was needed before it is given back.
-    if (options.shading == Shading::studio) return_large_blocks();
-    Progress progress;
-    const auto sequences = open_sequences(options, progress);
-    const std::vector<RenderJob> jobs = plan_render(options, sequences);
-    for (const auto& sequence : sequences) sequence->prepare(progress);
-    Batch batch(options, jobs.size(), progress);
+ExitCode run_jobs(const RenderOptions& options, std::span<const RenderJob> jobs, const RenderSinks& sinks, Progress& progress) {
+    Batch batch(options, jobs.size(), sinks, progress);
     ExitCode worst = ExitCode::done;
     std::vector<std::string> failed;
     for (const RenderJob& job : jobs) {
         const ExitCode status = batch.run(job);
         if (status != ExitCode::done) failed.push_back(job.label);
         worst = std::max(worst, status);
+        if (sinks.film != nullptr && status != ExitCode::done) return worst;
     }
     if (jobs.size() > 1 && !failed.empty()) {
+        const bool pictures = std::ranges::any_of(jobs, [](const RenderJob& job) { return job.sequence || job.pixels_sum; });
         std::string summary = std::to_string(failed.size()) + " of " + std::to_string(jobs.size()) +
-                              (sequences.empty() ? " scenes failed:" : " pictures failed:");
-        for (const std::string& label : failed) summary += (sequences.empty() ? " " : " ") + label;
+                              (pictures ? " pictures failed: " : " scenes failed: ") + joined(failed, pictures ? "; " : " ");
         say("sphereview: " + summary);
     }
     return batch.report_failed() ? std::max(worst, ExitCode::no_output) : worst;
+}
+
+ExitCode run_render(const RenderOptions& options) {
+    // Light needs megabytes of its own, when what was needed before it is given back.
+    if (options.shading == Shading::studio) return_large_blocks();
+    Progress progress;
+    const auto sequences = open_sequences(options, progress);
+    std::vector<RenderJob> jobs = plan_render(options, sequences);
+    std::optional<Manifest> manifest;
+    if (options.frames.manifest) manifest.emplace(options);
+    leave_out(jobs, options, manifest ? &*manifest : nullptr);
+    if (jobs.empty()) return ExitCode::done;
+    std::optional<Film> film;
+    const bool is_streamed = options.frames.several() && options.output == standard_stream;
+    if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
+    for (const auto& sequence : sequences) sequence->prepare(progress);
+    const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
+    const ExitCode status = run_jobs(options, jobs, sinks, progress);
+    if (film && status == ExitCode::done) film->finish();
+    return status;
 }
 
 }  // namespace sphereview

@@ -45,7 +45,9 @@ std::string usual_output(const RenderOptions& options) {
 void name_files(RenderJob& job, std::int64_t number, const RenderOptions& options, const std::string& output,
                 const std::optional<std::string>& diff) {
     const auto filled = [&](const std::string& pattern) { return fill_in_frame(fill_in(pattern, job.name), number); };
-    if (options.output || !options.expect) job.output = filled(output);
+    const bool is_streamed = options.frames.several() && options.output == standard_stream;
+    const bool is_written = options.output ? !is_streamed : !options.expect && !options.film.movie;
+    if (is_written) job.output = filled(output);
     if (options.expect) job.expect = filled(*options.expect);
     if (diff) job.diff = filled(*diff);
 }
@@ -171,6 +173,10 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
         if (job.expect) uses.read(*job.expect, "the expected picture of " + job.label);
     }
     if (options.json) uses.write_stdout("the JSON report");
+    if (options.frames.several() && options.output == standard_stream) uses.write_stdout("the film");
+    if (options.film.movie && !jobs.empty()) uses.write(*options.film.movie, "the film", jobs.front(), *options.film.movie);
+    if (options.frames.manifest && !jobs.empty())
+        uses.write(*options.frames.manifest, "the manifest", jobs.front(), *options.frames.manifest);
     for (const RenderJob& job : jobs) {
         if (job.output) uses.write(*job.output, "the picture of " + job.label, job, output);
         if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, job, *diff);

@@ -26,6 +26,7 @@ struct RenderJob {
     std::optional<std::string> diff;
     std::shared_ptr<FrameSequence> sequence{};  // of which this is a picture; null: the scene is read by itself
     std::size_t shot = 0;                       // its place there
+    std::optional<std::string> pixels_sum{};    // the SHA-256 that its pixels must have
 };
 
 // `pattern` with `name` for each {name}.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "app/film_options.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -43,6 +44,15 @@ TEST(FrameRanges, OnlyWhatIsThere) {
     for (const char* wrong : {"", "a", "1:2:0", "1:2:-1", "1:2:3:4", "1,", "1.5", "all:", "+1", " 1", "99999999999999999999"}) {
         EXPECT_FALSE(parse_frames(wrong)) << wrong;
     }
+}
+
+TEST(FrameRanges, PartsAndRates) {
+    EXPECT_TRUE(parse_part_of_pictures("2/4")->has(1));
+    EXPECT_FALSE(parse_part_of_pictures("2/4")->has(2));
+    EXPECT_TRUE(parse_part_of_pictures("2/4")->has(5));
+    EXPECT_EQ(parse_frame_rate("30"), (FrameRate{30, 1}));
+    EXPECT_EQ(parse_frame_rate("30000/1001"), (FrameRate{30000, 1001}));
+    for (const char* wrong : {"", "0", "30/0", "29.97", "-1", "1/", "1000001"}) EXPECT_FALSE(parse_frame_rate(wrong)) << wrong;
 }
 
 }  // namespace sphereview
