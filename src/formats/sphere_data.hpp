@@ -37,6 +37,9 @@ struct DataOptions {
     bool virtual_sites = true;            // whether to show what a file of atoms calls one and is none (elements.hpp)
     std::vector<ColumnChoice> columns{};  // of CSV
     PartOfFile part{};                    // of a format that steps over frames (scene_format.hpp): what the text is
+    std::vector<std::string>
+        properties{};             // names of those to keep in the scene, in any letter case; those that a file lacks are left out
+    bool all_properties = false;  // keep every one
 };
 
 struct SphereData {
@@ -49,6 +52,8 @@ struct SphereData {
     std::vector<std::string> warnings{};
     // What helps where something is missing in the picture, likewise.
     std::vector<std::string> notes{};
+    // What the file holds of each sphere, by the names that DataOptions::properties takes, whether asked for or not.
+    std::vector<std::string> property_names{};
 };
 
 // Up to how many atoms each is named after its element. A name takes more memory and more time than its sphere, and nobody looks

@@ -12,6 +12,7 @@
 
 #include "scene/camera.hpp"
 #include "scene/light.hpp"
+#include "scene/property.hpp"
 #include "scene/sphere.hpp"
 
 namespace sphereview {
@@ -59,6 +60,7 @@ struct Scene {
     Camera camera;
     Light light{};
     std::vector<SavedView> views{};
+    std::vector<Property> properties{};  // each with a value for every sphere; only those that were asked for
 
     bool operator==(const Scene&) const = default;
 };
