@@ -8,6 +8,7 @@
 
 #include "app/add_option.hpp"
 #include "app/command_line_texts.hpp"
+#include "app/frame_options.hpp"
 #include "app/licenses.hpp"
 #include "app/look_options.hpp"
 #include "app/options.hpp"
@@ -45,6 +46,7 @@ constexpr const char* render_examples =
     "  sphereview render *.txt -o 'out/{name}.png'\n"
     "  sphereview render scene.txt --expect golden.png    compares; writes nothing\n"
     "  sphereview render data.xyz --view iso              everything, seen from a corner\n"
+    "  sphereview render traj.xyz --frames 0:100:5 -o 'out/{frame:05}.png'\n"
     "  generate | sphereview render - -s 640x480 -o picture.png\n";
 
 constexpr const char* convert_examples =
@@ -62,6 +64,13 @@ constexpr const char* compare_examples =
     "Examples:\n"
     "  sphereview compare mine.png scene.txt              which mistake explains what differs\n"
     "  sphereview compare students/*.png scene.txt --json\n";
+
+constexpr const char* verify_examples =
+    "Run it where the pictures were rendered, or where their scenes are under the same names. Exit status 0: all are equal; 1: "
+    "some differ.\n"
+    "Examples:\n"
+    "  sphereview render traj.xyz --frames all -o 'out/{frame:05}.png' --manifest out/manifest.jsonl\n"
+    "  sphereview verify out/manifest.jsonl --sample 1%\n";
 
 constexpr const char* doctor_examples =
     "Exit status 0 if any backend works, else 3.\n"
@@ -115,6 +124,7 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
     add_scene_options(command, options.data, options.fit);
     add_look(command, options.look);
+    add_frame_options(command, options);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
     add_flag(command, options.axes, "--axes", "Draw the directions of the axes in the lower left corner");
@@ -147,6 +157,8 @@ void declare(CLI::App& command, RenderOptions& options) {
 }
 
 void check(const CLI::App& command, RenderOptions& options) {
+    check_frame_options(command, options);
+    options.words = picture_words(command);
     check_light(options.light, options.shading);
     check_look(options.look);
     const int longest = longest_side(options.samples);
@@ -249,6 +261,38 @@ void check(const CLI::App&, CompareOptions& options) {
     if (options.difference == standard_stream) wrong("--diff", "'-'", "a file: standard output has the report");
 }
 
+// The options of `render` by the words of a manifest.
+RenderOptions parse_render(const std::string& scene, const std::vector<std::string>& words) {
+    CLI::App app("", "sphereview");
+    app.allow_windows_style_options(false);
+    RenderOptions options;
+    declare(app, options);
+    std::vector<std::string> reversed{scene, "--"};
+    reversed.insert(reversed.end(), words.rbegin(), words.rend());
+    try {
+        app.parse(reversed);
+        check(app, options);
+    } catch (const CLI::ParseError& error) {
+        throw InputError("the manifest: " + in_words(app, error));
+    }
+    return options;
+}
+
+void declare(CLI::App& command, VerifyOptions& options) {
+    add_file(command, options.manifest, "MANIFEST", "", "What render --manifest has written")->required();
+    const char* size = "a part such as 1%, or a number of pictures";
+    add_option(command, options.sample, {"--sample", "N", std::string("How many are rendered again: ") + size + " [100%]", size},
+               [](const std::string& text) -> std::optional<SampleSize> {
+                   const bool is_percent = text.ends_with('%');
+                   const auto number = number_above_0(text.substr(0, text.size() - (is_percent ? 1 : 0)), is_percent ? 100.0 : 1e9);
+                   if (!number || (!is_percent && !whole_number<std::int64_t>(text, 1))) return std::nullopt;
+                   return SampleSize{*number, is_percent};
+               });
+    add_option(command, options.backend, {"--backend", "NAME", backends_listed() + " [auto]", backends_listed()}, backend_named);
+    options.parse_render = parse_render;
+    command.footer(std::string(verify_examples) + exit_codes);
+}
+
 void declare(CLI::App& command, DoctorOptions& options) {
     add_flag(command, options.json, "--json", "The report as JSON on stdout");
     add_option(command, options.timeout_seconds,
@@ -334,11 +378,13 @@ Run parse_command_line(int argc, const char* const* argv) {
     add_command(app, chosen, "explain", run_explain,
                 "Everything about one pixel: its ray, every hit, which sphere it shows and why");
     add_command(app, chosen, "compare", run_compare, "Say which mistakes explain how pictures of another ray tracer differ");
+    add_command(app, chosen, "verify", run_verify, "Render pictures of a manifest again, and compare their sums");
     add_command(app, chosen, "doctor", run_doctor, "Try every backend and say what works here, and why others do not");
     std::vector<std::string> words(argv + 1, argv + argc);
     CLI::App* command = &app;
     try {
         command = &named_command(app, words);
+        if (command->get_name() == "render") join_fit_first(words);
         const bool help = std::ranges::any_of(words, [](const auto& word) { return word == "-h" || word == "--help"; });
         if (help) return print(command->help(command == &app ? "" : app.get_name()));  // whatever else is wrong
         check_values(*command, words);

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "app/failure.hpp"
+#include "app/film.hpp"
 #include "app/json.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
@@ -246,7 +247,7 @@ Json diagnose(double timeout_seconds) {
     return rows;
 }
 
-std::string in_words(const Json& rows) {
+std::string in_words(const Json& rows, const std::string& film_encoder) {
     std::string text = "sphereview " + std::string(version) + "\n";
     const auto line = [&](const char* label, const std::string& value) {
         text += "    " + std::string(label) + on_one_line(value) + "\n";
@@ -269,6 +270,14 @@ std::string in_words(const Json& rows) {
         const std::string device = row["device"].is_null() ? "" : " --device " + number_of(row, "device");
         line("use:       ", "--backend " + text_of(row, "backend") + device);
     }
+    text += "\nFilms: " + std::string(film_encoder.empty() ? "do not work" : "work") + "\n";
+    if (film_encoder.empty()) {
+        line("why:       ", "no program ffmpeg in the folders of PATH");
+        line("try:       ", "install it (Debian: apt install ffmpeg), or give another encoder what render -o - writes");
+    } else {
+        line("program:   ", film_encoder);
+        line("use:       ", "render --movie");
+    }
     return text;
 }
 
@@ -283,8 +292,10 @@ ExitCode run_doctor(const DoctorOptions& options) {
     const Json rows = diagnose(options.timeout_seconds);
     bool any = false;
     for (const Json& row : rows.list()) any = any || works(row);
-    const Json report = {{"version", version}, {"backends", rows}};
-    write_output(out, options.json ? report.dump() + "\n" : in_words(rows));
+    const std::string film_encoder = find_film_encoder();
+    const Json report = {
+        {"version", version}, {"backends", rows}, {"film_encoder", film_encoder.empty() ? Json(nullptr) : Json(film_encoder)}};
+    write_output(out, options.json ? report.dump() + "\n" : in_words(rows, film_encoder));
     return any ? ExitCode::done : ExitCode::no_renderer;
 }
 

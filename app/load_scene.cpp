@@ -56,8 +56,8 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
 }  // namespace
 
 std::optional<FitOptions> fit_from(const std::string& view) {
-    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}};
-    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view}) : std::nullopt;
+    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}};
+    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view, {}}) : std::nullopt;
 }
 
 Camera saved_view(const LoadedScene& loaded, const std::string& name) {
@@ -78,6 +78,27 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name) {
                      did_you_mean(name, candidates));
 }
 
+Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit) {
+    Camera camera = loaded.scene.camera;
+    if (fit.camera) {
+        const LoadedScene other = load_scene(*fit.camera);
+        if (!other.has_camera() || other.format.holds_only_spheres) {
+            throw InputError(other.name + ": found " + std::string(other.format.name) +
+                             ", which has no camera; expected a scene in TOML");
+        }
+        camera = fit.saved_view ? saved_view(other, *fit.saved_view) : other.scene.camera;
+    } else if (fit.saved_view) {
+        camera = saved_view(loaded, *fit.saved_view);
+    }
+    if (fit.projection) camera.projection = *fit.projection;
+    return camera;
+}
+
+bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit) {
+    if (fit.saved_view || fit.camera) return false;
+    return fit.wanted.value_or(!loaded.has_camera());
+}
+
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
@@ -85,11 +106,9 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     // Before the camera is fitted: radii count.
     if (options.look.any()) loaded.look = apply_look(loaded.scene, options.look, loaded.name, loaded.property_names);
     const FitOptions& fit = options.fit;
-    if (fit.saved_view) loaded.scene.camera = saved_view(loaded, *fit.saved_view);
-    if (fit.projection) loaded.scene.camera.projection = *fit.projection;
-    if (fit.saved_view) return loaded;
-    if (!fit.wanted.value_or(!loaded.has_camera())) return loaded;
     Camera& camera = loaded.scene.camera;
+    camera = chosen_camera(loaded, fit);
+    if (!is_to_fit(loaded, fit)) return loaded;
     const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
     camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present)), camera.projection).value_or(camera);
     loaded.fitted = true;

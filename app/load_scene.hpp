@@ -28,6 +28,7 @@ struct LoadedScene {
     std::vector<std::string> property_names{};  // SphereData::property_names
     AppliedLook look{};                         // what the options' look has made of it
     bool fitted = false;                        // its camera was moved to see everything
+    std::optional<glm::dvec3> middle{};         // of all frames that one camera shows; none: the scene's own
 
     // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
@@ -39,6 +40,7 @@ struct FitOptions {
     std::optional<ViewAxes> view{};           // none: the way that the scene's camera looks
     std::optional<Projection> projection{};   // instead of the camera's
     std::optional<std::string> saved_view{};  // by the camera of the scene's view of that name, not fitted
+    std::optional<std::string> camera{};      // by the camera of this scene, or its view of that name; not fitted
 };
 
 // What `--view TEXT` asks for: a side, an azimuth and an elevation, or else a saved view; nothing for what none can be called.
@@ -56,6 +58,12 @@ struct LoadOptions {
 
 // The camera of the scene's view of that name. Throws InputError where there is none.
 Camera saved_view(const LoadedScene& loaded, const std::string& name);
+
+// By which camera a scene is seen that is not fitted, or before it is. Throws InputError, also where FitOptions::camera has none.
+Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit);
+
+// Whether the camera is moved to see everything.
+bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit);
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
 // InputError, also for a saved view or a property that the scene has not, MemoryError when it cannot fit, and Cancelled.

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "app/failure.hpp"
+#include "app/film_options.hpp"
+#include "app/frame_ranges.hpp"
 #include "app/light_options.hpp"
 #include "app/load_scene.hpp"
 #include "base/output_file.hpp"
@@ -33,6 +35,9 @@ struct RenderOptions {
     int samples = 1;  // points a pixel: one of sample_counts
     DataOptions data;
     FitOptions fit;
+    FrameOptions frames;                   // several pictures of a scene
+    FilmOptions film;                      // made of them
+    std::vector<std::string> words;        // the options of the command line that say what pictures look like
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
     LightOptions light;  // instead of the scene's own
@@ -86,6 +91,20 @@ struct CompareOptions {
     bool json = false;
 };
 
+// How many of some pictures.
+struct SampleSize {
+    double number = 100.0;
+    bool is_percent = true;
+};
+
+struct VerifyOptions {
+    std::string manifest;
+    SampleSize sample;
+    std::optional<Backend> backend;  // instead of the one that the pictures are from
+    // The options of `render` for a scene, of the words that a manifest has. Throws InputError.
+    RenderOptions (*parse_render)(const std::string& scene, const std::vector<std::string>& words) = nullptr;
+};
+
 struct DoctorOptions {
     bool json = false;
     double timeout_seconds = 20.0;     // for each probe
@@ -118,6 +137,7 @@ ExitCode run_render(const RenderOptions& options);
 ExitCode run_convert(const ConvertOptions& options);
 ExitCode run_explain(const ExplainOptions& options);
 ExitCode run_compare(const CompareOptions& options);
+ExitCode run_verify(const VerifyOptions& options);
 ExitCode run_doctor(const DoctorOptions& options);
 
 // What run_explain() writes, of a scene that is read already; `name`: how the text calls the scene.

@@ -1,14 +1,20 @@
 // sphereview render: scenes in, PNG files out.
+#include "app/render_command.hpp"
+
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/failure.hpp"
+#include "app/film.hpp"
+#include "app/frame_sequence.hpp"
 #include "app/json.hpp"
 #include "app/load_scene.hpp"
+#include "app/manifest.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
@@ -21,6 +27,7 @@
 #include "base/timings.hpp"
 #include "image/compare.hpp"
 #include "image/png.hpp"
+#include "image/whole_png.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {
@@ -147,7 +154,8 @@ void print_json(const RenderReport& report, const RenderOptions& options) {
 // Renders one scene after the other; opens the backend when the first needs it and keeps it.
 class Batch {
 public:
-    Batch(const RenderOptions& options, std::size_t scenes) : options_(options), scenes_(scenes) {}
+    Batch(const RenderOptions& options, std::size_t scenes, const RenderSinks& sinks, Progress& progress)
+        : options_(options), scenes_(scenes), sinks_(sinks), progress_(progress) {}
 
     // Does one job and tells the person; never throws for what concerns this job alone.
     ExitCode run(const RenderJob& job) {
@@ -185,7 +193,7 @@ private:
         if (job.diff) check_output(*job.diff, missing_folder(*options_.diff));
         std::optional<PngReader> golden;
         if (job.expect) golden.emplace(open_png(*job.expect));
-        const LoadedScene loaded = read_scene(job.scene, report);
+        const LoadedScene loaded = read_scene(job, report);
         const Scene& scene = loaded.scene;
         report.spheres = scene.spheres.size();
 
@@ -201,7 +209,7 @@ private:
             options_.samples,
             options_.shading,
             with_options(scene, options_.light),
-            {options_.axes, options_.scale_bar && shows_any, middle_for_scale(scene),
+            {options_.axes, options_.scale_bar && shows_any, middle_for_scale(loaded),
              options_.legend ? loaded.look.coloring : std::nullopt, is_light(options_.background.value_or(scene.background))}};
         const Image picture = render(scene, drawn, options, report);
         if (loaded.fitted && !report.facts.shows_sphere && shows_any) {
@@ -215,20 +223,33 @@ private:
         // Before anything is written: the rest of the golden may be damaged.
         Image difference;
         if (golden) check(picture, *golden, job.diff ? &difference : nullptr, report);
-        if (job.output) write_png(picture, *job.output, report.timings);
+        if (job.pixels_sum) check_sum(picture, job, report);
+        if (sinks_.film != nullptr) timed(report.timings, Phase::encode, [&] { sinks_.film->add(picture); });
+        if (job.output) {
+            write_png(picture, job, report.timings);
+        } else if (sinks_.manifest != nullptr) {
+            sinks_.manifest->add(job, picture, std::nullopt);
+        }
         if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability, missing_folder(*options_.diff));
     }
 
     // Where in depth the bar holds. It is not looked for without need: that takes time for millions of spheres.
-    glm::dvec3 middle_for_scale(const Scene& scene) const {
-        return options_.scale_bar ? bounds_of(scene).middle() : glm::dvec3(0.0);
+    glm::dvec3 middle_for_scale(const LoadedScene& loaded) const {
+        if (!options_.scale_bar) return glm::dvec3(0.0);
+        return loaded.middle ? *loaded.middle : bounds_of(loaded.scene).middle();
     }
 
-    LoadedScene read_scene(const std::string& path, RenderReport& report) {
+    LoadedScene read_scene(const RenderJob& job, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        LoadedScene loaded = load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.look, options_.fit});
+        LoadedScene loaded =
+            job.sequence ? job.sequence->load(job.sequence->shots()[job.shot])
+                         : load_scene(job.scene, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.look, options_.fit});
         progress_.clear();
-        say_warnings(loaded);
+        if (job.sequence) {
+            job.sequence->say_warnings(loaded);
+        } else {
+            say_warnings(loaded);
+        }
         report.warnings = loaded.warnings;
         report.notes = loaded.notes;
         report.look = loaded.look;
@@ -257,10 +278,18 @@ private:
         return opened;
     }
 
-    void write_png(const Image& picture, const std::string& path, Timings& timings) const {
+    void write_png(const Image& picture, const RenderJob& job, Timings& timings) const {
         const std::string png = timed(timings, Phase::encode, [&] { return encode_png(picture); });
         timed(timings, Phase::write,
-              [&] { write_output(path, png, options_.durability, missing_folder(options_.output.value_or(""))); });
+              [&] { write_output(*job.output, png, options_.durability, missing_folder(options_.output.value_or(""))); });
+        if (sinks_.manifest != nullptr) sinks_.manifest->add(job, picture, png);
+    }
+
+    static void check_sum(const Image& picture, const RenderJob& job, RenderReport& report) {
+        const std::string sum = sum_of_pixels(picture);
+        if (sum == *job.pixels_sum) return;
+        report.status = ExitCode::differs;
+        report.error = on_one_line(job.label + ": differs: the SHA-256 of its pixels is " + sum + ", expected " + *job.pixels_sum);
     }
 
     static void check(const Image& picture, PngReader& golden, Image* difference, RenderReport& report) {
@@ -273,31 +302,76 @@ private:
 
     const RenderOptions& options_;
     std::size_t scenes_;
+    RenderSinks sinks_;
     std::size_t started_ = 0;
     bool report_failed_ = false;
-    Progress progress_;
+    Progress& progress_;
 };
+
+// For each scene, where several pictures are asked for.
+std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& options, Progress& progress) {
+    std::vector<std::shared_ptr<FrameSequence>> sequences;
+    if (!options.frames.several()) return sequences;
+    for (const std::string& scene : options.scenes) {
+        sequences.push_back(std::make_shared<FrameSequence>(scene, options, progress));
+    }
+    return sequences;
+}
+
+// Leaves out what others render, and what is there. Of pictures whose manifest is wanted only those are there that it knows.
+void leave_out(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
+    if (const auto& part = options.frames.part) {
+        std::size_t place = 0;
+        std::erase_if(jobs, [&](const RenderJob&) { return !part->has(place++); });
+    }
+    if (!options.frames.skip_existing) return;
+    const std::size_t all = jobs.size();
+    std::erase_if(jobs, [&](const RenderJob& job) {
+        return job.output && is_whole_png(*job.output, options.size.width, options.size.height) &&
+               (manifest == nullptr || manifest->has(*job.output));
+    });
+    if (options.verbose) say(in_groups(all - jobs.size()) + " of " + in_groups(all) + " pictures are there already");
+}
 
 }  // namespace
 
-ExitCode run_render(const RenderOptions& options) {
-    // Light needs megabytes of its own, when what was needed before it is given back.
-    if (options.shading == Shading::studio) return_large_blocks();
-    const std::vector<RenderJob> jobs = plan_render(options);
-    Batch batch(options, jobs.size());
+ExitCode run_jobs(const RenderOptions& options, std::span<const RenderJob> jobs, const RenderSinks& sinks, Progress& progress) {
+    Batch batch(options, jobs.size(), sinks, progress);
     ExitCode worst = ExitCode::done;
     std::vector<std::string> failed;
     for (const RenderJob& job : jobs) {
         const ExitCode status = batch.run(job);
         if (status != ExitCode::done) failed.push_back(job.label);
         worst = std::max(worst, status);
+        if (sinks.film != nullptr && status != ExitCode::done) return worst;
     }
     if (jobs.size() > 1 && !failed.empty()) {
-        std::string summary = std::to_string(failed.size()) + " of " + std::to_string(jobs.size()) + " scenes failed:";
-        for (const std::string& scene : failed) summary += " " + scene;
+        const bool pictures = std::ranges::any_of(jobs, [](const RenderJob& job) { return job.sequence || job.pixels_sum; });
+        std::string summary = std::to_string(failed.size()) + " of " + std::to_string(jobs.size()) +
+                              (pictures ? " pictures failed: " : " scenes failed: ") + joined(failed, pictures ? "; " : " ");
         say("sphereview: " + summary);
     }
     return batch.report_failed() ? std::max(worst, ExitCode::no_output) : worst;
+}
+
+ExitCode run_render(const RenderOptions& options) {
+    // Light needs megabytes of its own, when what was needed before it is given back.
+    if (options.shading == Shading::studio) return_large_blocks();
+    Progress progress;
+    const auto sequences = open_sequences(options, progress);
+    std::vector<RenderJob> jobs = plan_render(options, sequences);
+    std::optional<Manifest> manifest;
+    if (options.frames.manifest) manifest.emplace(options);
+    leave_out(jobs, options, manifest ? &*manifest : nullptr);
+    if (jobs.empty()) return ExitCode::done;
+    std::optional<Film> film;
+    const bool is_streamed = options.frames.several() && options.output == standard_stream;
+    if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
+    for (const auto& sequence : sequences) sequence->prepare(progress);
+    const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
+    const ExitCode status = run_jobs(options, jobs, sinks, progress);
+    if (film && status == ExitCode::done) film->finish();
+    return status;
 }
 
 }  // namespace sphereview

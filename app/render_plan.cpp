@@ -1,8 +1,10 @@
 #include "app/render_plan.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 
+#include "app/frame_sequence.hpp"
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
@@ -16,8 +18,38 @@ namespace {
 
 constexpr std::string_view placeholder = "{name}";
 
-std::optional<std::string> filled_in(const std::optional<std::string>& pattern, const std::string& name) {
-    return pattern ? std::optional(fill_in(*pattern, name)) : std::nullopt;
+constexpr std::string_view frame_placeholder = "{frame";
+constexpr std::size_t most_digits = 18;
+
+// How many characters of `text`, which begins with {frame, are a placeholder, and with how many digits; 0 where it is none.
+struct FramePlaceholder {
+    std::size_t length = 0;
+    std::size_t digits = 1;
+};
+
+FramePlaceholder frame_placeholder_at(std::string_view text) {
+    const std::size_t end = text.find('}');
+    if (end == std::string_view::npos) return {};
+    const std::string_view format = text.substr(0, end).substr(frame_placeholder.size());
+    if (format.empty()) return {end + 1, 1};
+    std::size_t digits = 0;
+    if (!format.starts_with(":0") || !parse_whole(format.substr(2), digits) || digits < 1 || digits > most_digits) return {};
+    return {end + 1, digits};
+}
+
+// Of several pictures the number of each must be in its name.
+std::string usual_output(const RenderOptions& options) {
+    return std::string(placeholder) + (options.frames.several() ? "-{frame:05}" : "");
+}
+
+void name_files(RenderJob& job, std::int64_t number, const RenderOptions& options, const std::string& output,
+                const std::optional<std::string>& diff) {
+    const auto filled = [&](const std::string& pattern) { return fill_in_frame(fill_in(pattern, job.name), number); };
+    const bool is_streamed = options.frames.several() && options.output == standard_stream;
+    const bool is_written = options.output ? !is_streamed : !options.expect && !options.film.movie;
+    if (is_written) job.output = filled(output);
+    if (options.expect) job.expect = filled(*options.expect);
+    if (diff) job.diff = filled(*diff);
 }
 
 // Remembers what each file and standard stream is used for, and refuses a use that would destroy another.
@@ -59,6 +91,7 @@ private:
 
     static std::string advice(const RenderJob& first, const RenderJob& second, const std::string& pattern) {
         if (&first == &second) return "; they need two names";
+        if (first.sequence && first.sequence == second.sequence) return "; use {frame} for each picture's number";
         if (first.name == second.name) return "; both scenes are called " + in_quotes(first.name) + ": render them one at a time";
         return pattern.find(placeholder) == std::string::npos ? "; use {name} for each scene's own name"
                                                               : "; choose another pattern";
@@ -79,8 +112,27 @@ std::string fill_in(std::string pattern, const std::string& name) {
     return pattern;
 }
 
+std::string fill_in_frame(const std::string& pattern, std::int64_t number) {
+    std::string filled;
+    for (std::size_t at = 0; at < pattern.size();) {
+        const std::size_t begin = pattern.find(frame_placeholder, at);
+        filled += pattern.substr(at, begin - at);
+        if (begin == std::string::npos) break;
+        const FramePlaceholder found = frame_placeholder_at(std::string_view(pattern).substr(begin));
+        const std::string digits = std::to_string(number);
+        if (found.length == 0) {
+            filled += frame_placeholder;
+        } else {
+            filled += std::string(found.digits - std::min(found.digits, digits.size()), '0') + digits;
+        }
+        at = begin + (found.length == 0 ? frame_placeholder.size() : found.length);
+    }
+    return filled;
+}
+
 MissingFolder missing_folder(const std::string& pattern) {
-    return pattern.find(placeholder) == std::string::npos ? MissingFolder::refused : MissingFolder::made;
+    const bool is_pattern = pattern.find(placeholder) != std::string::npos || fill_in_frame(pattern, 0) != pattern;
+    return is_pattern ? MissingFolder::made : MissingFolder::refused;
 }
 
 std::string name_in_patterns(const std::string& path) {
@@ -88,28 +140,43 @@ std::string name_in_patterns(const std::string& path) {
     return text_from(path_from(without_gzip_ending(path)).stem());
 }
 
-std::vector<RenderJob> plan_render(const RenderOptions& options) {
+std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const std::shared_ptr<FrameSequence>> sequences) {
     // Of the patterns, since a scene's own name may hold dots.
-    const std::string output = png_name(options.output.value_or(std::string(placeholder)));
+    const std::string output = png_name(options.output.value_or(usual_output(options)));
     const std::optional<std::string> diff = options.diff ? std::optional(png_name(*options.diff)) : std::nullopt;
     std::vector<RenderJob> jobs;
-    for (const std::string& scene : options.scenes) {
+    for (std::size_t i = 0; i < options.scenes.size(); ++i) {
+        const std::string& scene = options.scenes[i];
         RenderJob job;
         job.scene = scene;
         job.label = scene == standard_stream ? "stdin" : scene;
         job.name = name_in_patterns(scene);
-        if (options.output || !options.expect) job.output = fill_in(output, job.name);
-        job.expect = filled_in(options.expect, job.name);
-        job.diff = filled_in(diff, job.name);
-        jobs.push_back(job);
+        if (sequences.empty()) {
+            name_files(job, options.data.frame, options, output, diff);
+            jobs.push_back(job);
+            continue;
+        }
+        job.sequence = sequences[i];
+        const std::string label = job.label;
+        for (job.shot = 0; job.shot < job.sequence->shots().size(); ++job.shot) {
+            const std::int64_t number = job.sequence->shots()[job.shot].number;
+            job.label = label + ", " + std::to_string(number);
+            name_files(job, number, options, output, diff);
+            jobs.push_back(job);
+        }
     }
 
     FileUses uses;
+    if (options.fit.camera) uses.read(*options.fit.camera, "the scene of the camera");
     for (const RenderJob& job : jobs) {
-        uses.read(job.scene, "the scene " + job.label);
+        if (job.shot == 0) uses.read(job.scene, "the scene " + job.label);
         if (job.expect) uses.read(*job.expect, "the expected picture of " + job.label);
     }
     if (options.json) uses.write_stdout("the JSON report");
+    if (options.frames.several() && options.output == standard_stream) uses.write_stdout("the film");
+    if (options.film.movie && !jobs.empty()) uses.write(*options.film.movie, "the film", jobs.front(), *options.film.movie);
+    if (options.frames.manifest && !jobs.empty())
+        uses.write(*options.frames.manifest, "the manifest", jobs.front(), *options.frames.manifest);
     for (const RenderJob& job : jobs) {
         if (job.output) uses.write(*job.output, "the picture of " + job.label, job, output);
         if (job.diff) uses.write(*job.diff, "the difference picture of " + job.label, job, *diff);

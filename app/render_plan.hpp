@@ -1,7 +1,11 @@
 // Which files a batch of renders reads and writes, settled before any work.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,7 +14,9 @@
 
 namespace sphereview {
 
-// The files of one scene. Paths may be "-".
+class FrameSequence;
+
+// The files of one picture. Paths may be "-".
 struct RenderJob {
     std::string scene;
     std::string label;  // how messages call the scene: as given, or "stdin"
@@ -18,20 +24,28 @@ struct RenderJob {
     std::optional<std::string> output;
     std::optional<std::string> expect;
     std::optional<std::string> diff;
+    std::shared_ptr<FrameSequence> sequence{};  // of which this is a picture; null: the scene is read by itself
+    std::size_t shot = 0;                       // its place there
+    std::optional<std::string> pixels_sum{};    // the SHA-256 that its pixels must have
 };
 
 // `pattern` with `name` for each {name}.
 std::string fill_in(std::string pattern, const std::string& name);
 
-// The folder of outputs of a pattern with {name} is made: a batch needs no `mkdir`. A file that is named whole may be a slip.
+// `pattern` with `number` for each {frame}, and with at least W digits for each {frame:0W}.
+std::string fill_in_frame(const std::string& pattern, std::int64_t number);
+
+// The folder of outputs of a pattern with {name} or {frame} is made: a batch needs no `mkdir`. A file that is named whole may be a
+// slip.
 MissingFolder missing_folder(const std::string& pattern);
 
 // What {name} stands for: the file's name without its folder, .gz and the ending before that; "stdin" for "-".
 std::string name_in_patterns(const std::string& path);
 
-// One job a scene, with {name} filled in. Throws InputError when an output has an ending of something else than
+// One job a scene, or one for each picture of the scene's sequence where there are sequences; with {name} and {frame} filled in.
+// Throws InputError when an output has an ending of something else than
 // a PNG, is also an input, a golden image or another
 // output, or a standard stream would be used twice.
-std::vector<RenderJob> plan_render(const RenderOptions& options);
+std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const std::shared_ptr<FrameSequence>> sequences = {});
 
 }  // namespace sphereview

@@ -46,7 +46,10 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
         add_option(command, fit, {"--view", "VIEW", "Fit, from another side, or show a saved view: " + views, views},
                    [&fit](const std::string& text) -> std::optional<FitOptions> {
                        std::optional<FitOptions> asked = fit_from(text);
-                       if (asked) asked->projection = fit.projection;
+                       if (asked) {
+                           asked->projection = fit.projection;
+                           asked->camera = fit.camera;
+                       }
                        return asked;
                    });
     add_option(command, fit.projection,

@@ -45,6 +45,7 @@ PARTS = {
     "imgui": Part("Dear ImGui", "MIT", "https://github.com/ocornut/imgui", "libimgui-dev"),
     "json": Part("JSON for Modern C++", "MIT", "https://github.com/nlohmann/json", "nlohmann-json3-dev"),
     "libdeflate": Part("libdeflate", "MIT", "https://github.com/ebiggers/libdeflate", "libdeflate-dev"),
+    "libmd": Part("libmd", "BSD-3-Clause", "https://www.hadrons.org/software/libmd", "libmd-dev"),
     "libpng": Part("libpng", "libpng-2.0", "http://www.libpng.org/pub/png/libpng.html", "libpng-dev"),
     "libstdc++": Part("GCC's libstdc++ and libgcc", "GPL-3.0-or-later WITH GCC-exception-3.1", "https://gcc.gnu.org", "libstdc++6", common="GPL-3"),
     "mingw-w64": Part("mingw-w64's run-time library", "ZPL-2.1", "https://www.mingw-w64.org", "mingw-w64-x86-64-dev"),

@@ -70,6 +70,19 @@ void InputStream::drop_first(std::size_t count) {
     begin_ += count;
 }
 
+void InputStream::go_to(std::uint64_t offset) {
+    assert(size_);
+#ifdef _WIN32
+    const bool moved = _fseeki64(file_.get(), static_cast<long long>(offset), SEEK_SET) == 0;
+#else
+    const bool moved = fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) == 0;
+#endif
+    if (!moved) fail_to_read(name_, errno);
+    head_.clear();
+    begin_ = end_ = 0;
+    ended_ = false;
+}
+
 void InputStream::make_room(std::size_t capacity) {
     if (capacity <= capacity_) {
         std::memmove(data_.get(), data_.get() + begin_, end_ - begin_);

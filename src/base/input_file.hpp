@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <functional>
 #include <memory>
@@ -32,6 +33,8 @@ public:
     const std::string& name() const { return name_; }
     // Of a regular file, when it was opened; some, as in /proc, hide it, and that of a packed text is not known.
     std::optional<std::size_t> size() const { return size_; }
+    // Whether `path` leads to a regular file, which another stream can read from the beginning.
+    bool is_regular() const { return !may_be_endless_; }
 
     // The window: what was read and not dropped.
     std::string_view bytes() const { return {data_.get() + begin_, end_ - begin_}; }
@@ -39,6 +42,9 @@ public:
     bool ended() const { return ended_; }
 
     void drop_first(std::size_t count);
+    // Empties the window and goes on `offset` bytes behind the file's beginning, in a regular file whose size() is known. Throws
+    // InputError.
+    void go_to(std::uint64_t offset);
     // From now on called with the bytes read in all, at least every 4 MB; what it throws ends the reading.
     void watch(std::function<void(std::size_t)> watcher) { watcher_ = std::move(watcher); }
     // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError,

@@ -135,6 +135,7 @@ Opened create(const fs::path& path, const fs::file_status&) {
     return file;
 }
 Opened open_special(const std::string& path) { return open_file(path, "wb"); }
+Opened open_written(const fs::path& path) { return open_file(text_from(path), "r+b"); }
 
 // Writes all bytes and closes; false, with errno set, if any step fails.
 bool write_and_close(Opened file, std::string_view bytes, Durability durability) {
@@ -189,6 +190,11 @@ Opened open_special(const std::string& path) {
     return result_of([&] { return open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC); });
 }
 
+// A file that another program has written.
+Opened open_written(const fs::path& path) {
+    return result_of([&] { return open(path.c_str(), O_WRONLY | O_CLOEXEC); });
+}
+
 // File systems without such a thing say that it is invalid.
 bool sync(int handle) {
 #ifdef F_FULLFSYNC
@@ -231,30 +237,38 @@ void make_folder(const std::string& path, const fs::path& folder, Durability dur
     if (durability == Durability::on_disk && !are_names_on_disk(folder.parent_path())) fail_by_errno(path);
 }
 
-void replace(const std::string& path, const Target& target, std::string_view bytes, Durability durability) {
-    const fs::path temporary = hidden_sibling(target.path);
-    const Unfinished unfinished;
-    const auto give_up = [&](int error) {
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        errno = error;
-        fail_by_errno(path);
-    };
+// Of a file that could not become the output `path`, with the error's number.
+[[noreturn]] void give_up(const std::string& path, const fs::path& temporary, int error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    errno = error;
+    fail_by_errno(path);
+}
 
-    errno = 0;
-    const Opened file = create(temporary, target.status);
-    if (file == not_opened) fail_by_errno(path);
-    if (!write_and_close(file, bytes, durability)) give_up(errno);
+// Gives a file that is written the name of the output, and the mode of what stands there.
+void rename_to(const std::string& path, const Target& target, const fs::path& temporary, Durability durability) {
     std::error_code error;
     if (fs::exists(target.status)) {
         fs::permissions(temporary, target.status.permissions(), error);
         // Some file systems refuse to set what every file of theirs has anyway.
         std::error_code untold;
-        if (error && fs::status(temporary, untold).permissions() != target.status.permissions()) give_up(errno_of(error));
+        if (error && fs::status(temporary, untold).permissions() != target.status.permissions()) {
+            give_up(path, temporary, errno_of(error));
+        }
     }
     fs::rename(temporary, target.path, error);
-    if (error) give_up(errno_of(error));
+    if (error) give_up(path, temporary, errno_of(error));
     if (durability == Durability::on_disk && !are_names_on_disk(target.path.parent_path())) fail_by_errno(path);
+}
+
+void replace(const std::string& path, const Target& target, std::string_view bytes, Durability durability) {
+    const fs::path temporary = hidden_sibling(target.path);
+    const Unfinished unfinished;
+    errno = 0;
+    const Opened file = create(temporary, target.status);
+    if (file == not_opened) fail_by_errno(path);
+    if (!write_and_close(file, bytes, durability)) give_up(path, temporary, errno);
+    rename_to(path, target, temporary, durability);
 }
 
 // Throws OutputError when that plainly cannot become an output.
@@ -317,6 +331,36 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
         if (missing == MissingFolder::made) make_folder(path, target.path.parent_path(), durability);
         replace(path, target, bytes, durability);
     }
+}
+
+OutputPlace::OutputPlace(const std::string& path) : path_(path) {
+    const Target target = checked_target_of(path, MissingFolder::refused);
+    if (is_special(target.status)) fail(path, "it is no regular file", std::errc::invalid_argument);
+    target_ = target.path;
+    temporary_ = hidden_sibling(target.path);
+    const Unfinished unfinished;
+    errno = 0;
+    const Opened file = create(temporary_, target.status);
+    if (file == not_opened) fail_by_errno(path);
+    if (!write_and_close(file, {}, Durability::in_system)) give_up(path, temporary_, errno);
+}
+
+OutputPlace::~OutputPlace() {
+    std::error_code ignored;
+    if (!taken_) fs::remove(temporary_, ignored);
+}
+
+std::string OutputPlace::temporary() const { return text_from(temporary_); }
+
+void OutputPlace::take(Durability durability) {
+    const Unfinished unfinished;
+    errno = 0;
+    // Another program's file is on the disk when this one's handle says so.
+    const Opened file = durability == Durability::on_disk ? open_written(temporary_) : not_opened;
+    if (durability == Durability::on_disk && (file == not_opened || !write_and_close(file, {}, durability))) fail_by_errno(path_);
+    std::error_code error;
+    rename_to(path_, {target_, fs::status(target_, error)}, temporary_, durability);
+    taken_ = true;
 }
 
 void check_output(const std::string& path, MissingFolder missing) {

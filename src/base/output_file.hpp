@@ -21,6 +21,29 @@ enum class MissingFolder { refused, made };
 void write_output(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk,
                   MissingFolder missing = MissingFolder::refused);
 
+// Where another program writes an output, which appears whole or not at all as well.
+class OutputPlace {
+public:
+    // Makes an empty file under a hidden name beside `path`. Throws OutputError, also where something other than a regular file
+    // stands there.
+    explicit OutputPlace(const std::string& path);
+    // Removes the file, unless it was taken.
+    ~OutputPlace();
+    OutputPlace(const OutputPlace&) = delete;
+    OutputPlace& operator=(const OutputPlace&) = delete;
+
+    // The file to write into.
+    std::string temporary() const;
+    // Gives it the name of the output. Once, and nobody writes into it any more. Throws OutputError.
+    void take(Durability durability);
+
+private:
+    std::string path_;
+    std::filesystem::path target_;
+    std::filesystem::path temporary_;
+    bool taken_ = false;
+};
+
 // Throws OutputError when `path` plainly cannot become an output: a folder, below no folder, or not to be written to.
 // For saying so before long work, and makes nothing; write_output checks again.
 void check_output(const std::string& path, MissingFolder missing = MissingFolder::refused);

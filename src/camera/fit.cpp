@@ -68,22 +68,24 @@ struct Frame {
     double scale = 1.0;
 };
 
-Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& frame, double steepness) {
+Planes planes_of(const Sphere& sphere, const ViewAxes& axes, const Frame& frame, double steepness) {
     // A plane at a sphere's side is this much of its radius beyond its centre.
     const double reach = square_root(1.0 + steepness * steepness);
+    const glm::dvec3 place = frame.place(sphere.center);
+    const double x = dot(place, axes.right);
+    const double y = dot(place, axes.up);
+    const double size = reach * (std::max(sphere.radius, frame.smallest) * frame.scale) - steepness * dot(place, axes.ahead);
+    return {size + x, size - x, size + y, size - y};
+}
+
+Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& frame, double steepness) {
     Planes all{least, least, least, least};
     std::mutex mutex;
     parallel_pieces(scene.spheres.size(), centers_at_once, [&](std::size_t begin, std::size_t end) {
         Planes part{least, least, least, least};
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[i];
-            if (sphere.hidden) continue;
-            const glm::dvec3 place = frame.place(sphere.center);
-            const double x = dot(place, axes.right);
-            const double y = dot(place, axes.up);
-            const double size =
-                reach * (std::max(sphere.radius, frame.smallest) * frame.scale) - steepness * dot(place, axes.ahead);
-            include(part, {size + x, size - x, size + y, size - y});
+            if (!sphere.hidden) include(part, planes_of(sphere, axes, frame, steepness));
         }
         const std::lock_guard lock(mutex);
         include(all, part);
@@ -111,6 +113,54 @@ Camera fitted_orthographic(const Scene& scene, const ViewAxes& axes, const Frame
 }
 
 }  // namespace
+
+std::vector<Sphere> outermost(const Scene& scene, const ViewAxes& axes, Projection projection) {
+    if (std::ranges::all_of(scene.spheres, &Sphere::hidden)) return {};
+    const Frame frame(bounds_of(scene));
+    const double steepness = projection == Projection::orthographic ? 0.0 : slope;
+    // Of planes, then of the box around everything, then the largest sphere.
+    constexpr std::size_t ends = 11;
+    struct Outermost {
+        std::array<double, ends> how_far;
+        std::array<std::size_t, ends> sphere{};
+    };
+    Outermost all;
+    all.how_far.fill(-std::numeric_limits<double>::infinity());
+    std::mutex mutex;
+    parallel_pieces(scene.spheres.size(), centers_at_once, [&](std::size_t begin, std::size_t end) {
+        Outermost part;
+        part.how_far.fill(-std::numeric_limits<double>::infinity());
+        for (std::size_t i = begin; i < end; ++i) {
+            const Sphere& sphere = scene.spheres[i];
+            if (sphere.hidden) continue;
+            const Planes planes = planes_of(sphere, axes, frame, steepness);
+            const glm::dvec3& c = sphere.center;
+            const double r = sphere.radius;
+            const std::array<double, ends> places{planes[0], planes[1], planes[2], planes[3], c.x + r, r - c.x,
+                                                  c.y + r,   r - c.y,   c.z + r,   r - c.z,   r};
+            for (std::size_t k = 0; k < ends; ++k) {
+                if (places[k] > part.how_far[k]) {
+                    part.how_far[k] = places[k];
+                    part.sphere[k] = i;
+                }
+            }
+        }
+        const std::lock_guard lock(mutex);
+        for (std::size_t k = 0; k < ends; ++k) {
+            const bool farther = part.how_far[k] > all.how_far[k];
+            const bool earlier = part.how_far[k] == all.how_far[k] && part.sphere[k] < all.sphere[k];
+            if (!farther && !earlier) continue;
+            all.how_far[k] = part.how_far[k];
+            all.sphere[k] = part.sphere[k];
+        }
+    });
+    std::ranges::sort(all.sphere);
+    std::vector<Sphere> spheres;
+    for (std::size_t k = 0; k < ends; ++k) {
+        if (k == 0 || all.sphere[k] != all.sphere[k - 1]) spheres.push_back(scene.spheres[all.sphere[k]]);
+    }
+    return spheres;
+}
 
 ViewAxes axes_from(double azimuth, double elevation) { return axes_from(sine_cosine(azimuth), sine_cosine(elevation)); }
 

@@ -5,6 +5,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "base/sine_cosine.hpp"
 #include "scene/camera.hpp"
@@ -51,5 +52,9 @@ std::optional<ViewAxes> parse_view(std::string_view text);
 // cannot place an eye accordingly count as larger, and an eye beyond the largest double stays there. Orthographic: the smallest
 // screen that shows all that, and an eye before everything, also when it turns about the middle.
 std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes, Projection projection = Projection::perspective);
+
+// The few spheres by which fitted() moves the camera: a scene of those of several scenes is fitted as one with all their spheres
+// is, within rounding. The same ones on every machine. None of a scene that has nothing to see.
+std::vector<Sphere> outermost(const Scene& scene, const ViewAxes& axes, Projection projection = Projection::perspective);
 
 }  // namespace sphereview

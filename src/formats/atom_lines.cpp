@@ -12,7 +12,7 @@ AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::siz
     AtomLines lines{count, goes_on};
     for (std::size_t i = 0; i < count; ++i) {
         if (walker.at_end()) {
-            source.fail(source.text.size(), "the text ends, expected" + of_atom(i, count, what).substr(3) + of_frame);
+            source.fail_at_end(of_atom(i, count, what).substr(4) + of_frame);
         }
         const std::size_t begin = walker.offset();
         if (wanted && i % atom_lines_a_piece == 0) lines.pieces.push_back(begin);

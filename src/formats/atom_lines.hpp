@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,8 +55,10 @@ struct FoundFrame {
 // Calls next(frame, number, is_wanted) until it returns false, for there is no more frame; of the wanted one it notes where the
 // atoms are. A fault behind the wanted frame is only kept. Throws what `next` throws, and InputError where there is no such frame.
 template <typename Frame, typename Next>
-FoundFrame<Frame> find_frame(const std::string& name, std::int64_t wanted, const Next& next) {
+FoundFrame<Frame> find_frame(const std::string& name, const DataOptions& options, const Next& next) {
+    const std::int64_t wanted = options.frame;
     FoundFrame<Frame> found;
+    found.frames = options.part.frames;
     while (true) {
         Frame frame;
         try {
@@ -78,6 +81,25 @@ void note_frames(SphereData& data, const FoundFrame<Frame>& found) {
     data.frames = found.frames;
     if (found.fault.empty()) return;
     data.warnings.push_back(found.fault + "; what follows frame " + std::to_string(found.frames - 1) + " is passed over");
+}
+
+// What SceneFormat::step_over gives, by a finder of frames that stands at the first one of `text`.
+template <typename Frame, typename Finder>
+std::optional<std::size_t> step_over_frame(Finder& finder, bool ended, std::int64_t number) {
+    try {
+        Frame frame;
+        const bool found = finder.next(frame, number, false);
+        if (finder.at_end() && !ended) return std::nullopt;  // a line that belongs to the frame may follow
+        return found ? finder.offset() : 0;
+    } catch (const TextEnds&) {
+        if (ended) throw;
+        return std::nullopt;
+    }
+}
+
+// Of a text that may be cut off anywhere unless it has `ended`: its lines that are whole.
+inline std::string_view whole_lines(std::string_view text, bool ended) {
+    return ended ? text : text.substr(0, text.rfind(line_end_of(text)) + 1);
 }
 
 // " of atom 3 of 5", of that index from 0.

@@ -41,6 +41,10 @@ class GroFinder {
 public:
     GroFinder(const TextSource& source, char line_end) : source_(source), walker_(source.text, line_end) {}
 
+    bool at_end() const { return walker_.at_end(); }
+    // Where the next line begins.
+    std::size_t offset() const { return walker_.offset(); }
+
     // Steps over the next frame, number `number` from 0; false when there is none.
     bool next(AtomLines& atoms, std::int64_t number, bool wanted) {
         const std::string_view rest = source_.text.substr(walker_.offset());
@@ -48,9 +52,9 @@ public:
         const std::string of_frame = " of frame " + std::to_string(number);
         const auto expected = [&] { return "the number of atoms" + of_frame; };
         walker_.step();  // the title
-        if (walker_.at_end()) source_.fail(source_.text.size(), "the text ends, expected " + expected());
+        if (walker_.at_end()) source_.fail_at_end(expected());
         const std::size_t begin = walker_.offset();
-        const TextSource line{source_.name, source_.text.substr(0, walker_.step())};
+        const TextSource line{source_.name, source_.text.substr(0, walker_.step()), source_.origin};
         const auto count = static_cast<std::size_t>(TokenReader(line, begin, line_ends).integer(0, most_spheres, expected));
         atoms = step_over_atoms(source_, walker_, count, wanted, of_frame);
         if (!walker_.at_end()) walker_.step();  // the box
@@ -189,16 +193,22 @@ bool shows_gromacs(std::string_view head) {
 }
 
 SphereData read_gromacs(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
     const char line_end = line_end_of(source.text);
     GroFinder finder(source, line_end);
     const auto next = [&](AtomLines& atoms, std::int64_t number, bool wanted) { return finder.next(atoms, number, wanted); };
-    const FoundFrame<AtomLines> found = find_frame<AtomLines>(name, options.frame, next);
+    const FoundFrame<AtomLines> found = find_frame<AtomLines>(name, options, next);
     if (found.frames == 0)
         source.fail(source.text.size(), "the text is empty, expected a title and the number of atoms of frame 0");
     SphereData data = read_gro_frame(source, found.frame, line_end, options);
     note_frames(data, found);
     return data;
+}
+
+std::optional<std::size_t> step_over_gromacs(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
+    const TextSource source{name, whole_lines(text, ended), part.origin};
+    GroFinder finder(source, line_end_of(source.text));
+    return step_over_frame<AtomLines>(finder, ended, part.frames);
 }
 
 }  // namespace sphereview

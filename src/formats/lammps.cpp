@@ -62,6 +62,10 @@ class DumpFinder {
 public:
     DumpFinder(const TextSource& source, char line_end) : source_(source), walker_(source.text, line_end) {}
 
+    bool at_end() const { return walker_.at_end(); }
+    // Where the next line begins.
+    std::size_t offset() const { return walker_.offset(); }
+
     // Steps over the next frame, number `number` from 0; false when there is none.
     bool next(DumpFrame& frame, std::int64_t number, bool wanted) {
         const std::string of_frame = " of frame " + std::to_string(number);
@@ -86,7 +90,7 @@ public:
                 return true;
             }
         }
-        if (begun) source_.fail(source_.text.size(), "the text ends, expected ITEM: ATOMS" + of_frame);
+        if (begun) source_.fail_at_end("ITEM: ATOMS" + of_frame);
         return false;
     }
 
@@ -100,9 +104,9 @@ private:
 
     std::size_t number_of_atoms(const std::string& of_frame) {
         const auto expected = [&] { return "the number of atoms" + of_frame; };
-        if (walker_.at_end()) source_.fail(source_.text.size(), "the text ends, expected " + expected());
+        if (walker_.at_end()) source_.fail_at_end(expected());
         const DumpLine line = step();
-        const TextSource up_to_end{source_.name, source_.text.substr(0, line.end)};
+        const TextSource up_to_end{source_.name, source_.text.substr(0, line.end), source_.origin};
         return static_cast<std::size_t>(TokenReader(up_to_end, line.begin, line_ends).integer(0, most_spheres, expected));
     }
 
@@ -169,9 +173,9 @@ Cell read_box(const TextSource& source, const DumpLine& head, char line_end) {
         const auto expected = [&] {
             return std::string("the ") + "xyz"[&row - numbers.data()] + " of the box, " + std::to_string(count) + " numbers";
         };
-        if (walker.at_end()) source.fail(source.text.size(), "the text ends, expected " + expected());
+        if (walker.at_end()) source.fail_at_end(expected());
         const std::size_t begin = walker.offset();
-        const TextSource line{source.name, source.text.substr(0, walker.step())};
+        const TextSource line{source.name, source.text.substr(0, walker.step()), source.origin};
         TokenReader reader(line, begin, line_ends, parse_any_double);
         for (std::size_t i = 0; i < count; ++i) row[i] = reader.number(expected);
     }
@@ -219,7 +223,13 @@ public:
     // ids: one for each atom, or none.
     DumpAtomReader(const TextSource& source, const DumpColumns& columns, const Cell& box, std::size_t count,
                    const DataOptions& options, std::vector<std::int64_t>& ids)
-        : text_(source.text), line_{source.name, {}}, columns_(columns), box_(box), count_(count), options_(options), ids_(ids) {}
+        : text_(source.text),
+          line_{source.name, {}, source.origin},
+          columns_(columns),
+          box_(box),
+          count_(count),
+          options_(options),
+          ids_(ids) {}
 
     LineAtom read(std::size_t begin, std::size_t end, std::size_t index) {
         line_.text = text_.substr(0, end);
@@ -357,15 +367,21 @@ bool shows_lammps(std::string_view head) {
 }
 
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
     const char line_end = line_end_of(source.text);
     DumpFinder finder(source, line_end);
     const auto next = [&](DumpFrame& frame, std::int64_t number, bool wanted) { return finder.next(frame, number, wanted); };
-    const FoundFrame<DumpFrame> found = find_frame<DumpFrame>(name, options.frame, next);
+    const FoundFrame<DumpFrame> found = find_frame<DumpFrame>(name, options, next);
     if (found.frames == 0) source.fail(source.text.size(), "the text is empty, expected ITEM: TIMESTEP of frame 0");
     SphereData data = read_dump_frame(source, found.frame, line_end, options);
     note_frames(data, found);
     return data;
+}
+
+std::optional<std::size_t> step_over_lammps(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
+    const TextSource source{name, whole_lines(text, ended), part.origin};
+    DumpFinder finder(source, line_end_of(source.text));
+    return step_over_frame<DumpFrame>(finder, ended, part.frames);
 }
 
 }  // namespace sphereview

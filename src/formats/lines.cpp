@@ -1,12 +1,14 @@
 #include "formats/lines.hpp"
 
-#include "base/error.hpp"
-
 namespace sphereview {
 
 std::string TextSource::place(std::size_t offset) const { return place_in(name, position_at(text, offset, origin)); }
 
 void TextSource::fail(std::size_t offset, const std::string& message) const { throw InputError(place(offset) + message); }
+
+void TextSource::fail_at_end(const std::string& expected) const {
+    throw TextEnds(place(text.size()) + "the text ends, expected " + expected);
+}
 
 void TextSource::fail(std::string_view piece, const std::string& expected) const {
     throw InputError(place(piece) + found_expected(piece, expected));

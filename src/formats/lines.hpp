@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -19,6 +20,11 @@
 namespace sphereview {
 
 inline constexpr std::string_view white_space = " \t\n\v\f\r";
+
+// A text ends where more of it was expected.
+struct TextEnds : InputError {
+    using InputError::InputError;
+};
 
 // A piece of a file: what messages call the file, and where in it the text begins.
 struct TextSource {
@@ -32,6 +38,8 @@ struct TextSource {
     std::string place(std::string_view piece) const { return place(static_cast<std::size_t>(piece.data() - text.data())); }
     // Throws InputError "NAME:LINE:COLUMN: MESSAGE".
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
+    // Throws TextEnds "NAME:LINE:COLUMN: the text ends, expected EXPECTED".
+    [[noreturn]] void fail_at_end(const std::string& expected) const;
     // Throws InputError "NAME:LINE:COLUMN: found 'PIECE', expected EXPECTED".
     [[noreturn]] void fail(std::string_view piece, const std::string& expected) const;
 };

@@ -182,6 +182,7 @@ void use_radius_of_points(SphereData& data, const std::string& name) {
     const std::optional<double> radius = radius_of_points(data.scene.spheres);
     if (!radius) return;
     for (Sphere& sphere : data.scene.spheres) sphere.radius = *radius;
+    data.radius_of_points = radius;
     data.warnings.push_back(name + ": no radius in the file: all get " + decimal(*radius, std::chars_format::general, 4) +
                             ", a quarter of the median distance to the nearest neighbour; --radius gives another");
 }

@@ -244,7 +244,7 @@ SphereData read_poscar(std::string_view content, const std::string& name, const 
     const char line_end = line_end_of(source.text);
     PoscarFinder finder(source, line_end);
     const auto next = [&](PoscarFrame& frame, std::int64_t number, bool wanted) { return finder.next(frame, number, wanted); };
-    const FoundFrame<PoscarFrame> found = find_frame<PoscarFrame>(name, options.frame, next);
+    const FoundFrame<PoscarFrame> found = find_frame<PoscarFrame>(name, options, next);
     if (found.frames == 0) source.fail(source.text.size(), "the text is empty, expected a title of frame 0");
     const AtomLines& lines = found.frame.atoms;
     require_memory(lines.count * sizeof(Sphere), name + ": " + in_groups(lines.count) + " spheres need");

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -39,6 +40,12 @@ struct SceneFormat {
     // Reads a file without having it whole in memory; bytes_per_sphere: what a sphere will need, with what is made of it later;
     // progress: told how far it is, may be null. Null: the format has only `read`.
     Scene (*stream)(InputStream& stream, std::size_t bytes_per_sphere, Progress* progress) = nullptr;
+
+    // How many bytes the frame takes that `text`, without a byte-order mark, begins with; 0 where none follows, and nothing where
+    // more of the text is needed to tell, which may be cut off anywhere unless it has `ended`. `part`: where it stands, and what is
+    // to be known for the frames behind it. What the frame's lines hold is not looked at. Throws InputError. Null: only the whole
+    // file is read.
+    std::optional<std::size_t> (*step_over)(std::string_view text, bool ended, const std::string& name, PartOfFile& part) = nullptr;
 
     static const SceneFormat text;
     static const SceneFormat toml;

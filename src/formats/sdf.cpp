@@ -29,6 +29,10 @@ class MoleculeFinder {
 public:
     MoleculeFinder(const TextSource& source, char line_end) : source_(source), walker_(source.text, line_end) {}
 
+    bool at_end() const { return walker_.at_end(); }
+    // Where the next line begins.
+    std::size_t offset() const { return walker_.offset(); }
+
     // Steps over the next molecule, number `number` from 0; false when there is none.
     bool next(MolFrame& frame, std::int64_t number, bool wanted) {
         if (source_.text.find_first_not_of(white_space, walker_.offset()) == std::string_view::npos) return false;
@@ -47,7 +51,7 @@ private:
     // The next line, in the way to `expected`.
     std::string_view step(std::string_view expected) {
         if (walker_.at_end()) {
-            source_.fail(source_.text.size(), "the text ends, expected " + std::string(expected) + of_frame_);
+            source_.fail_at_end(std::string(expected) + of_frame_);
         }
         const std::size_t begin = walker_.offset();
         return source_.text.substr(0, walker_.step()).substr(begin);
@@ -94,7 +98,7 @@ private:
 class MolAtomReader {
 public:
     MolAtomReader(const TextSource& source, const MolFrame& frame, const DataOptions& options)
-        : text_(source.text), line_{source.name, {}}, frame_(frame), options_(options) {}
+        : text_(source.text), line_{source.name, {}, source.origin}, frame_(frame), options_(options) {}
 
     LineAtom read(std::size_t begin, std::size_t end, std::size_t index) {
         line_.text = text_.substr(0, end);
@@ -141,11 +145,11 @@ bool shows_sdf(std::string_view head) {
 }
 
 SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
     const char line_end = line_end_of(source.text);
     MoleculeFinder finder(source, line_end);
     const auto next = [&](MolFrame& frame, std::int64_t number, bool wanted) { return finder.next(frame, number, wanted); };
-    const FoundFrame<MolFrame> found = find_frame<MolFrame>(name, options.frame, next);
+    const FoundFrame<MolFrame> found = find_frame<MolFrame>(name, options, next);
     if (found.frames == 0) source.fail(source.text.size(), "the text is empty, expected three lines of title of frame 0");
     const AtomLines& lines = found.frame.atoms;
     require_memory(lines.count * sizeof(Sphere), name + ": " + in_groups(lines.count) + " spheres need");
@@ -156,6 +160,12 @@ SphereData read_sdf(std::string_view content, const std::string& name, const Dat
     SphereData data = data_of(std::move(atoms), name, options, name_of_species);
     note_frames(data, found);
     return data;
+}
+
+std::optional<std::size_t> step_over_sdf(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
+    const TextSource source{name, whole_lines(text, ended), part.origin};
+    MoleculeFinder finder(source, line_end_of(source.text));
+    return step_over_frame<MolFrame>(finder, ended, part.frames);
 }
 
 }  // namespace sphereview

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
@@ -21,11 +22,21 @@ struct ColumnChoice {
     bool operator==(const ColumnChoice&) const = default;
 };
 
+// Where a text stands that is a part of its file and begins with a frame.
+struct PartOfFile {
+    TextPosition origin{};
+    std::int64_t frames = 0;  // before it
+    bool is_a_frame = false;  // and no more than one
+    // XYZ: how many numbers stand behind the first frame's number of atoms.
+    std::size_t numbers_behind_first = 0;
+};
+
 struct DataOptions {
     std::int64_t frame = 0;               // from 0
     std::optional<double> radius{};       // of spheres for which the file says none, instead of the usual one; > 0
     bool virtual_sites = true;            // whether to show what a file of atoms calls one and is none (elements.hpp)
     std::vector<ColumnChoice> columns{};  // of CSV
+    PartOfFile part{};                    // of a format that steps over frames (scene_format.hpp): what the text is
     std::vector<std::string>
         properties{};             // names of those to keep in the scene, in any letter case; those that a file lacks are left out
     bool all_properties = false;  // keep every one
@@ -33,8 +44,9 @@ struct DataOptions {
 };
 
 struct SphereData {
-    Scene scene{};            // of data: spheres and names, with the default camera and background
-    std::int64_t frames = 1;  // in the file
+    Scene scene{};                             // of data: spheres and names, with the default camera and background
+    std::int64_t frames = 1;                   // in the file
+    std::optional<double> radius_of_points{};  // that all got, because the file says none (point_radius.hpp)
 
     // What a person should know of a file that was read all the same, a line each, which begins with the file's name:
     // "NAME:LINE:COLUMN: found ..., expected ...; ...". Not yet made safe to print.
@@ -84,6 +96,7 @@ std::optional<NumberLiterals> find_number_literals(std::string_view content);
 // `Properties=` says what the columns are. The other frames are only skipped: what their lines hold is not looked at.
 bool shows_xyz(std::string_view head);
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options);
+std::optional<std::size_t> step_over_xyz(std::string_view text, bool ended, const std::string& name, PartOfFile& part);
 
 // CSV and other tables in text as programs write them (csv_table.hpp): x, y, z and perhaps radius, r, g, b, name, in any order.
 bool shows_csv(std::string_view head);
@@ -108,10 +121,12 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
 // the ids.
 bool shows_lammps(std::string_view head);
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options);
+std::optional<std::size_t> step_over_lammps(std::string_view text, bool ended, const std::string& name, PartOfFile& part);
 
 // GROMACS's .gro: nanometres, which become angstrom, in columns whose width the decimals show.
 bool shows_gromacs(std::string_view head);
 SphereData read_gromacs(std::string_view content, const std::string& name, const DataOptions& options);
+std::optional<std::size_t> step_over_gromacs(std::string_view text, bool ended, const std::string& name, PartOfFile& part);
 
 // VASP's POSCAR and CONTCAR, in parts of a cell or not, and XDATCAR with its frames.
 bool shows_poscar(std::string_view head);
@@ -120,6 +135,7 @@ SphereData read_poscar(std::string_view content, const std::string& name, const 
 // SDF and MOL, V2000 and V3000: molecules are frames.
 bool shows_sdf(std::string_view head);
 SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options);
+std::optional<std::size_t> step_over_sdf(std::string_view text, bool ended, const std::string& name, PartOfFile& part);
 
 // PQR: atoms of PDB with charges and radii; models are frames.
 bool shows_pqr(std::string_view head);

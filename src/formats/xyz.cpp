@@ -27,10 +27,17 @@ struct XyzFrame {
 // Finds the frames of a text without looking at their atoms.
 class XyzFinder {
 public:
-    explicit XyzFinder(const TextSource& source)
-        : source_(source), line_end_(line_end_of(source.text)), walker_(source.text, line_end_) {}
+    XyzFinder(const TextSource& source, const PartOfFile& part)
+        : source_(source),
+          line_end_(line_end_of(source.text)),
+          walker_(source.text, line_end_),
+          numbers_behind_first_(part.numbers_behind_first) {}
 
     char line_end() const { return line_end_; }
+    bool at_end() const { return walker_.at_end(); }
+    // Where the next line begins.
+    std::size_t offset() const { return walker_.offset(); }
+    std::size_t numbers_behind_first() const { return numbers_behind_first_; }
 
     // Steps over the next frame, number `number` from 0; false when there is none.
     bool next(XyzFrame& frame, std::int64_t number, bool wanted) {
@@ -47,7 +54,7 @@ public:
         const auto count = static_cast<std::size_t>(reader.integer(0, most_spheres, expected));
         check_behind_count(line, reader, number == 0, expected);
 
-        if (walker_.at_end()) source_.fail(source_.text.size(), "the text ends, expected the comment" + of_frame);
+        if (walker_.at_end()) source_.fail_at_end("the comment" + of_frame);
         frame.comment = walker_.offset();
         frame.comment_end = walker_.step();
         frame.atoms = step_over_atoms(source_, walker_, count, wanted, of_frame);
@@ -90,7 +97,7 @@ private:
     const TextSource& source_;
     char line_end_;
     LineWalker walker_;
-    std::size_t numbers_behind_first_ = 0;  // behind the number of atoms of the first frame
+    std::size_t numbers_behind_first_;  // behind the number of atoms of the first frame
     std::string vectors_{};
 };
 
@@ -237,16 +244,25 @@ bool shows_xyz(std::string_view head) {
 }
 
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
-    if (is_bare_points(source.text)) return read_points(source.text, name, options);
-    XyzFinder finder(source);
+    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
+    if (!options.part.is_a_frame && is_bare_points(source.text)) return read_points(source.text, name, options);
+    XyzFinder finder(source, options.part);
     const auto next = [&](XyzFrame& frame, std::int64_t number, bool wanted) { return finder.next(frame, number, wanted); };
-    const FoundFrame<XyzFrame> found = find_frame<XyzFrame>(name, options.frame, next);
+    const FoundFrame<XyzFrame> found = find_frame<XyzFrame>(name, options, next);
     if (found.frames == 0) source.fail(source.text.size(), "the text is empty, expected the number of atoms of frame 0");
     SphereData data = read_xyz_frame(source, found.frame, finder.line_end(), options);
     if (!finder.vectors().empty()) data.warnings.push_back(finder.vectors() + " behind the atoms; the lattice is passed over");
     note_frames(data, found);
     return data;
+}
+
+std::optional<std::size_t> step_over_xyz(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
+    if (part.frames == 0 && is_bare_points(text)) return ended ? std::optional(text.size()) : std::nullopt;
+    const TextSource source{name, whole_lines(text, ended), part.origin};
+    XyzFinder finder(source, part);
+    const auto length = step_over_frame<XyzFrame>(finder, ended, part.frames);
+    if (length) part.numbers_behind_first = finder.numbers_behind_first();
+    return length;
 }
 
 }  // namespace sphereview

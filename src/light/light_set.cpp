@@ -99,7 +99,7 @@ std::vector<DirectedLight> light_set(const Light& light, int lights, const Camer
         if (its_share != LightVector{}) all.push_back({direction, its_share});
     };
     if (light.sun) add(light.sun->direction, share(light.sun->direction, sun_strength_of(light)));
-    const glm::dvec3 key = key_direction(camera_axes(camera));
+    const glm::dvec3 key = light.toward_key ? *light.toward_key : key_direction(camera_axes(camera));
     const auto add_sky = [&](const glm::dvec3& direction) {
         const double towards_key = dot(unit(direction), key);
         const double lobe = towards_key > 0.0 ? (towards_key * towards_key) * (towards_key * towards_key) : 0.0;

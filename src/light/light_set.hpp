@@ -51,7 +51,7 @@ int sky_lights(const Light& light, std::size_t spheres, int samples);
 inline constexpr int turned_sets = 16;
 
 // Of a set, in an order whose beginnings are spread evenly, too; the sun comes first. Lights that add nothing are left out. The
-// directions are fixed to the scene, the key light to the camera.
+// directions are fixed to the scene, the key light to the camera unless the light says where it is.
 std::vector<DirectedLight> light_set(const Light& light, int lights, const Camera& camera, int set);
 
 // The sets of a picture of so many spheres, one for each of the points, `side` along a side of a pixel.

@@ -32,6 +32,8 @@ struct Light {
     std::optional<double> sky{};  // 0 .. most_sky: the strength of the sky, and of the key light in it; none: sky_of()
     double key = 1.0;             // 0 .. most_key: how much brighter the sky is around the key light
     std::optional<Sun> sun{};
+    // From the scene to the key light; none: by the camera, as everywhere but in pictures around a scene. No file holds it.
+    std::optional<glm::dvec3> toward_key{};
 
     bool operator==(const Light&) const = default;
 };

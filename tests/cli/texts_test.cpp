@@ -14,7 +14,7 @@
 namespace sphereview::test {
 namespace {
 
-const std::vector<std::string> commands = {"view", "render", "convert", "explain", "compare", "doctor"};
+const std::vector<std::string> commands = {"view", "render", "convert", "explain", "compare", "verify", "doctor"};
 
 // The names of options that `sphereview [COMMAND] --help` lists in its first column.
 std::set<std::string> options_in_help(const std::vector<std::string>& command) {
@@ -82,8 +82,9 @@ TEST(Texts, CompletionsNameEveryCommandAndOptionOfHelp) {
     for (const std::string& command : commands) {
         SCOPED_TRACE(command);
         const std::string in_zsh = section(zsh, "    ('" + command + "') _arguments -S \\", "    (");
-        const std::string condition = command == "view" ? "'not __fish_seen_subcommand_from render convert explain compare doctor'"
-                                                        : "'__fish_seen_subcommand_from " + command + "'";
+        const std::string condition = command == "view"
+                                          ? "'not __fish_seen_subcommand_from render convert explain compare verify doctor'"
+                                          : "'__fish_seen_subcommand_from " + command + "'";
         for (const std::string& option : options_in_help({command})) {
             EXPECT_TRUE(
                 matches(line_with(bash, "    '" + command + "') options='"), ".* '?" + option + "[ '].*|.*'" + option + " .*"));

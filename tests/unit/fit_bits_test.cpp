@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "camera/fit.hpp"
+#include "camera/turntable.hpp"
 #include "oracle/random.hpp"
 
 namespace sphereview {
@@ -48,6 +49,20 @@ TEST(FitBits, OfSinesAndCosines) {
     EXPECT_EQ(sine_cosine(30.0).cosine, 0x1.bb67ae8584cabp-1);
     EXPECT_EQ(sine_cosine(-123.456).sine, -0x1.ab2a9b25a9ab9p-1);
     EXPECT_EQ(sine_cosine(-123.456).cosine, -0x1.1a43870d371f9p-1);
+}
+
+TEST(FitBits, OfTurnedCameras) {
+    Digest digest;
+    for (const TurnAxis axis : {TurnAxis::up, TurnAxis::x, TurnAxis::y, TurnAxis::z}) {
+        const ViewAxes axes = parse_view("30,20").value();
+        const Camera camera = fitted(some_scene(), axes).value();
+        const Turn turn(axes, axis);
+        for (int i = 0; i < 97; ++i) {
+            const Camera turned = turn.camera(camera, {0.1, 0.2, 0.3}, degrees_of(i, 97));
+            for (const glm::dvec3& vector : {turned.eye, turned.center, turned.right, turned.up}) digest.add(vector);
+        }
+    }
+    EXPECT_EQ(digest.hash(), 0xb3258cf671dba357U);
 }
 
 TEST(FitBits, OfOneCamera) {

@@ -22,7 +22,7 @@ using Names = std::vector<std::string_view>;
 
 // What a room may include beside itself and the C++ standard library: rooms, libraries, and "system".
 const std::map<std::string_view, Names> allowed = {
-    {"base", {"system", "zlib"}},
+    {"base", {"system", "zlib", "md"}},
     {"scene", {"base", "glm"}},
     {"camera", {"base", "scene", "glm"}},
     {"edit", {"base", "scene", "glm"}},
@@ -56,6 +56,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"png", {"png.h"}},
     {"deflate", {"libdeflate.h"}},
     {"zlib", {"zlib.h"}},
+    {"md", {"sha2.h"}},
     {"gemmi", {"gemmi/"}},
     {"boost", {"boost/"}},
     {"glad", {"glad/"}},
@@ -69,7 +70,7 @@ const std::vector<std::pair<std::string_view, Names>> libraries = {
     {"pybind11", {"pybind11/"}},
     {"system",
      {"unistd.h", "sys/", "fcntl.h", "poll.h", "sched.h", "spawn.h", "dlfcn.h", "signal.h", "pthread.h", "termios.h", "windows.h",
-      "io.h", "malloc.h", "mach-o/"}},
+      "io.h", "malloc.h", "mach-o/", "bcrypt.h", "CommonCrypto/"}},
 };
 
 bool may_include(std::string_view room, std::string_view what) {

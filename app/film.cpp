@@ -1,0 +1,165 @@
+#include "app/film.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <mutex>
+#include <string_view>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/interrupt.hpp"
+#include "base/standard_streams.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+// The film that an interruption ends, which comes on a thread of its own.
+std::mutex& current_mutex = *new std::mutex;
+Film* current = nullptr;
+
+std::string as_text(FrameRate rate) { return std::to_string(rate.pictures) + "/" + std::to_string(rate.seconds); }
+
+void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
+
+// BT.709, as image/y4m.hpp has it, with half the colour's pixels along each side, which every player shows; sides become even.
+Words usual_colors() {
+    return {"-vf",
+            "pad=ceil(iw/2)*2:ceil(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv,format=yuv420p",
+            "-colorspace",
+            "bt709",
+            "-color_range",
+            "tv",
+            "-color_trc",
+            "bt709",
+            "-color_primaries",
+            "bt709"};
+}
+
+Words encoding(std::string_view ending, int quality, bool alpha) {
+    Words words;
+    if (ending == ".mp4") {
+        words = {"-c:v", "libx264", "-crf", std::to_string(48 - (2 * quality + 2) / 5), "-movflags", "+faststart", "-f", "mp4"};
+        append(words, usual_colors());
+    } else if (ending == ".webm") {
+        words = {"-c:v", "libvpx-vp9", "-crf", std::to_string(63 - quality / 2), "-b:v", "0", "-row-mt", "1", "-f", "webm"};
+        append(words, usual_colors());
+    } else if (ending == ".gif") {
+        // A palette for each picture: one for all would keep all of them in memory first.
+        words = {"-vf", "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1", "-f", "gif"};
+    } else if (ending == ".png") {
+        words = {"-c:v", "apng", "-plays", "0", "-pix_fmt", alpha ? "rgba" : "rgb24", "-f", "apng"};
+    } else {
+        words = {"-c:v", "ffv1", "-level", "3", "-pix_fmt", alpha ? "bgra" : "bgr0", "-f", "matroska"};
+    }
+    return words;
+}
+
+}  // namespace
+
+std::string find_film_encoder() { return find_program("ffmpeg"); }
+
+Film::Film(const FilmOptions& options, Durability durability, std::size_t pictures)
+    : options_(options), durability_(durability), pictures_(pictures) {
+    if (!options.movie) return;
+    program_ = find_film_encoder();
+    if (program_.empty()) {
+        throw RenderError(
+            "--movie: found no program ffmpeg in the folders of PATH, which makes films; expected it, or -o - for another encoder");
+    }
+    place_ = std::make_unique<OutputPlace>(*options.movie);
+    const std::lock_guard lock(current_mutex);
+    current = this;
+    static std::once_flag passed;
+    std::call_once(passed, [] { pass_interrupts_to(&Film::interrupt); });
+}
+
+Film::~Film() {
+    if (!options_.movie) return;
+    const std::lock_guard lock(current_mutex);
+    current = nullptr;
+    encoder_.reset();
+    place_.reset();
+    if (!finished_) say(how_far());
+}
+
+std::string Film::how_far() const {
+    return *options_.movie + ": not written; " + in_groups(added_) + " of " + in_groups(pictures_) + " pictures were done";
+}
+
+void Film::interrupt(int signal_number) {
+    const std::lock_guard lock(current_mutex);
+    if (current != nullptr) {
+        if (current->encoder_) current->encoder_->kill();
+        current->place_.reset();
+        if (stderr_is_terminal()) say("");  // behind the progress bar
+        say(current->how_far());
+    }
+    std::_Exit(128 + signal_number);
+}
+
+void Film::start(const Image& first) {
+    const bool alpha = first.channels() == 4;
+    if (alpha && !(options_.movie && film_kind(*options_.movie)->has_alpha)) {
+        throw InputError(options_.movie.value_or("stdout") +
+                         ": found a transparent background, which such a film cannot have; expected another --background");
+    }
+    if (!options_.movie) {
+        write_output(std::string(standard_stream), y4m_head(first.width(), first.height(), options_.rate));
+        return;
+    }
+    Words words = {"-hide_banner",
+                   "-loglevel",
+                   "error",
+                   "-f",
+                   "rawvideo",
+                   "-pix_fmt",
+                   alpha ? "rgba" : "rgb24",
+                   "-video_size",
+                   std::to_string(first.width()) + "x" + std::to_string(first.height()),
+                   "-framerate",
+                   as_text(options_.rate),
+                   "-i",
+                   "pipe:0",
+                   "-an",
+                   "-bitexact"};
+    append(words, encoding(film_kind(*options_.movie)->ending, options_.quality.value_or(usual_film_quality), alpha));
+    append(words, {"-y", place_->temporary()});
+    auto encoder = std::make_unique<PipedProgram>(program_, words);
+    const std::lock_guard lock(current_mutex);
+    encoder_ = std::move(encoder);
+}
+
+void Film::fail() {
+    { const std::lock_guard lock(current_mutex); }  // an interruption that has ended the encoder ends this process as well
+    encoder_->finish();
+    const std::string why = on_one_line(trimmed(encoder_->errors()));
+    throw OutputError(*options_.movie, "ffmpeg has failed" + (why.empty() ? "" : ": " + why), EIO);
+}
+
+void Film::add(const Image& picture) {
+    if (added_ == 0) start(picture);
+    if (encoder_) {
+        const auto bytes = picture.bytes();
+        if (!encoder_->write({reinterpret_cast<const char*>(bytes.data()), bytes.size()})) fail();
+    } else {
+        write_output(std::string(standard_stream), y4m_frame(picture));
+    }
+    const std::lock_guard lock(current_mutex);
+    ++added_;
+}
+
+void Film::finish() {
+    if (encoder_) {
+        if (!encoder_->finish()) fail();
+        const std::lock_guard lock(current_mutex);
+        place_->take(durability_);
+    }
+    finished_ = true;
+}
+
+}  // namespace sphereview

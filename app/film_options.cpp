@@ -1,0 +1,30 @@
+#include "app/film_options.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/number.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+std::optional<FrameRate> parse_frame_rate(std::string_view text) {
+    constexpr std::size_t most = 1'000'000;
+    const std::size_t slash = text.find('/');
+    std::size_t pictures = 0;
+    std::size_t seconds = 1;
+    if (!parse_whole(text.substr(0, slash), pictures)) return std::nullopt;
+    if (slash != std::string_view::npos && !parse_whole(text.substr(slash + 1), seconds)) return std::nullopt;
+    if (pictures < 1 || pictures > most || seconds < 1 || seconds > most) return std::nullopt;
+    return FrameRate{static_cast<int>(pictures), static_cast<int>(seconds)};
+}
+
+std::optional<FilmKind> film_kind(std::string_view path) {
+    constexpr std::array<FilmKind, 5> kinds = {
+        {{".mp4", true, false}, {".webm", true, false}, {".gif", false, false}, {".png", false, true}, {".mkv", false, true}}};
+    const std::string name = lower_case(path);
+    const auto found = std::ranges::find_if(kinds, [&](const FilmKind& kind) { return name.ends_with(kind.ending); });
+    return found == kinds.end() ? std::nullopt : std::optional(*found);
+}
+
+}  // namespace sphereview

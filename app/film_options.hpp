@@ -1,0 +1,34 @@
+// A film of several pictures.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "image/y4m.hpp"
+
+namespace sphereview {
+
+inline constexpr const char* film_endings = ".mp4, .webm, .gif, .png (animated) or .mkv";
+inline constexpr int best_film_quality = 100;
+inline constexpr int usual_film_quality = 75;
+
+struct FilmOptions {
+    std::optional<std::string> movie{};  // a file with one of film_endings
+    FrameRate rate{};
+    std::optional<int>
+        quality{};  // 1 to best_film_quality, of .mp4 and .webm; the others lose nothing, or .gif what it cannot hold
+};
+
+// "30" or "30000/1001", each number from 1 to 1,000,000; nothing for another text.
+std::optional<FrameRate> parse_frame_rate(std::string_view text);
+
+// Whether a film may be called so, and whether its quality can be chosen and it may be transparent.
+struct FilmKind {
+    std::string_view ending;
+    bool has_quality;
+    bool has_alpha;
+};
+std::optional<FilmKind> film_kind(std::string_view path);
+
+}  // namespace sphereview

@@ -1,0 +1,146 @@
+#include "app/frame_sequence.hpp"
+
+#include <algorithm>
+
+#include "base/memory.hpp"
+#include "base/standard_streams.hpp"
+#include "base/text.hpp"
+#include "camera/fit.hpp"
+#include "light/light_set.hpp"
+#include "tiles/build_lists.hpp"
+
+namespace sphereview {
+
+namespace {
+
+std::vector<Shot> shots_of(const std::vector<std::int64_t>& frames, std::int64_t turntable) {
+    std::vector<Shot> shots;
+    const bool one_frame = frames.size() == 1 && turntable > 0;
+    const auto count = one_frame ? turntable : static_cast<std::int64_t>(frames.size());
+    for (std::int64_t i = 0; i < count; ++i) {
+        const std::int64_t frame = one_frame ? frames[0] : frames[static_cast<std::size_t>(i)];
+        shots.push_back({one_frame ? i : frame, frame, turntable > 0 ? degrees_of(i, turntable) : 0.0});
+    }
+    return shots;
+}
+
+DataOptions with_properties(DataOptions data, const LookOptions& look) {
+    for (std::string& property : properties_for(look)) data.properties.push_back(std::move(property));
+    return data;
+}
+
+// A few spheres of a frame, and how far the camera has turned when it sees them.
+struct SeenSpheres {
+    std::vector<Sphere> spheres;
+    double degrees;
+};
+
+}  // namespace
+
+FrameSequence::FrameSequence(const std::string& path, const RenderOptions& options, Progress& progress)
+    : options_(options), look_(options.look), reader_(path, with_properties(options.data, options.look)) {
+    progress.start(reader_.name() + ": looking for frames");
+    reader_.watch([&progress](double done) { progress.update(done); });
+    std::vector<FrameRange> ranges = options.frames.ranges;
+    if (ranges.empty()) ranges = {{options.data.frame, {}, 1, true}};
+    const auto frames = frames_in(ranges, reader_.name(), [this](std::int64_t enough) { return reader_.count(enough); });
+    reader_.watch({});
+    progress.clear();
+    if (!reader_.fault().empty()) {
+        say(reader_.fault() + "; what follows frame " + std::to_string(reader_.count() - 1) + " is passed over");
+    }
+    shots_ = shots_of(frames, options.frames.turntable);
+}
+
+const LoadedScene& FrameSequence::read(std::int64_t frame) {
+    if (frame == present_frame_) return present_;
+    present_frame_ = -1;
+    present_ = {};
+    SphereData data = reader_.read(frame);
+    // One radius for all: made of each frame's own distances it would come and go.
+    if (data.radius_of_points) reader_.set_radius(*data.radius_of_points);
+    const std::size_t count = data.scene.spheres.size();
+    require_memory(count * bytes_to_draw_a_sphere, reader_.name() + ": " + in_groups(count) + " spheres need");
+    present_.scene = std::move(data.scene);
+    present_.name = reader_.name();
+    present_.format = reader_.format();
+    present_.frames = data.frames;
+    present_.warnings = std::move(data.warnings);
+    present_.notes = std::move(data.notes);
+    present_.property_names = std::move(data.property_names);
+    if (look_.any()) {
+        present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
+        // The first frame's range and scale are those of all: made of each frame's own values, colours and sizes would come and go.
+        if (present_.look.coloring && !present_.look.coloring->is_category()) look_.range = present_.look.coloring->range;
+        if (present_.look.sizing) look_.scale = present_.look.sizing->scale;
+    }
+    present_frame_ = frame;
+    return present_;
+}
+
+void FrameSequence::prepare(Progress& progress) {
+    const LoadedScene& first = read(shots_.front().frame);
+    middle_ = bounds_of(first.scene).middle();
+    const FitOptions& fit = options_.fit;
+    camera_ = chosen_camera(first, fit);
+    fitted_ = is_to_fit(first, fit);
+    const ViewAxes present = first.has_camera() || fit.camera ? axes_of(camera_) : data_axes;
+    const ViewAxes axes = fitted_ ? with_hand_of(present, fit.view.value_or(present)) : axes_of(camera_);
+    if (options_.frames.turntable > 0) turn_.emplace(axes, options_.frames.axis);
+    if (fitted_) camera_ = fitted_camera(first, axes, progress);
+}
+
+// Sees everything in every shot.
+Camera FrameSequence::fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress) {
+    const Projection projection = camera_.projection;
+    const std::int64_t first_frame = shots_.front().frame;
+    const std::string name = first.name;
+    // Each frame once, and from each side once.
+    std::set<std::pair<std::int64_t, double>> wanted;
+    for (const Shot& shot : shots_) wanted.emplace(options_.frames.fit_first ? first_frame : shot.frame, shot.degrees);
+    progress.start(name + ": fitting the camera", static_cast<double>(wanted.size()), "frame");
+    std::vector<SeenSpheres> seen;
+    Scene all;
+    for (const auto& [frame, degrees] : wanted) {
+        const ViewAxes turned = turn_ ? turn_->axes(axes, degrees) : axes;
+        seen.push_back({outermost(read(frame).scene, turned, projection), degrees});
+        all.spheres.insert(all.spheres.end(), seen.back().spheres.begin(), seen.back().spheres.end());
+        progress.update(static_cast<double>(seen.size()) / static_cast<double>(wanted.size()));
+    }
+    progress.clear();
+    middle_ = bounds_of(all).middle();
+    if (turn_) {
+        // Instead of the camera the spheres turn, the other way.
+        all.spheres.clear();
+        for (const SeenSpheres& some : seen) {
+            for (Sphere sphere : some.spheres) {
+                sphere.center = turn_->place(sphere.center, middle_, -some.degrees);
+                all.spheres.push_back(sphere);
+            }
+        }
+    }
+    return fitted(all, axes, projection).value_or(camera_);
+}
+
+LoadedScene FrameSequence::load(const Shot& shot) {
+    LoadedScene loaded = read(shot.frame);
+    loaded.scene.camera = camera_;
+    loaded.middle = middle_;
+    loaded.fitted = fitted_;
+    if (turn_) {
+        loaded.scene.camera = turn_->camera(camera_, middle_, shot.degrees);
+        loaded.scene.light.toward_key = key_direction(camera_axes(camera_));
+    }
+    return loaded;
+}
+
+void FrameSequence::say_warnings(const LoadedScene& loaded) {
+    for (const std::string& warning : loaded.warnings) {
+        if (said_.insert(warning).second) say(warning);
+    }
+    for (const std::string& line : loaded.look.lines) {
+        if (said_.insert(line).second) say(line);
+    }
+}
+
+}  // namespace sphereview

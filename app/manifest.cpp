@@ -1,0 +1,116 @@
+#include "app/manifest.hpp"
+
+#include <cerrno>
+#include <cstring>
+
+#include "app/frame_sequence.hpp"
+#include "app/json.hpp"
+#include "app/version.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/sha256.hpp"
+#include "base/standard_streams.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t read_at_once = std::size_t{1} << 22;
+constexpr std::size_t longest_line = std::size_t{1} << 20;  // that is written in one piece
+
+std::string required_text(const Json& json, std::string_view key, const std::string& place) {
+    if (auto text = json[key].text()) return *text;
+    throw InputError(place + "found no " + in_quotes(key) + ", expected a line of a manifest");
+}
+
+ManifestEntry entry_of(std::string_view line, const std::string& name, std::size_t number) {
+    const std::string place = place_in(name, {number, 1});
+    const Json json = Json::parse(line, name);
+    ManifestEntry entry;
+    entry.picture = json["picture"].text();
+    entry.frame = json["frame"].whole().value_or(0);
+    entry.place = static_cast<std::size_t>(std::max<std::int64_t>(json["place"].whole().value_or(0), 0));
+    entry.scene = required_text(json, "scene", place);
+    entry.scene_sum = required_text(json, "scene_sha256", place);
+    entry.camera_sum = json["camera_sha256"].text();
+    for (const Json& word : json["options"].list()) entry.options.push_back(word.text().value_or(""));
+    entry.pixels_sum = required_text(json, "pixels_sha256", place);
+    entry.file_sum = json["file_sha256"].text();
+    entry.version = required_text(json, "version", place);
+    return entry;
+}
+
+std::string_view whole_lines_of(std::string_view text) { return text.substr(0, text.rfind('\n') + 1); }
+
+std::vector<ManifestEntry> entries_of(std::string_view text, const std::string& name) {
+    std::vector<ManifestEntry> entries;
+    std::size_t number = 1;
+    for (text = whole_lines_of(text); !text.empty(); ++number) entries.push_back(entry_of(take_line(text), name, number));
+    return entries;
+}
+
+}  // namespace
+
+std::string sum_of_pixels(const Image& picture) {
+    const auto bytes = picture.bytes();
+    return sha256(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+std::string sum_of_file(const std::string& path) {
+    InputStream stream(path, Content::binary);
+    return sha256([&] {
+        stream.drop_first(stream.bytes().size());
+        stream.fill(read_at_once);
+        return stream.bytes();
+    });
+}
+
+std::vector<ManifestEntry> read_manifest(const std::string& path) {
+    const InputFile file(path);
+    return entries_of(file.bytes(), file.name());
+}
+
+Manifest::Manifest(const RenderOptions& options) : options_(options), file_(nullptr, &std::fclose) {
+    const std::string& path = *options.frames.manifest;
+    for (const std::string& scene : options.scenes) {
+        if (scene == standard_stream)
+            throw InputError("sphereview: --manifest: found stdin as a scene, expected a file: it has a sum");
+        scene_sums_.emplace(scene, sum_of_file(scene));
+    }
+    if (options.fit.camera) camera_sum_ = sum_of_file(*options.fit.camera);
+    std::string kept;
+    if (options.frames.skip_existing && file_identity(path, FileUse::input) != "") {
+        std::FILE* there = open_file(path, "rb");
+        if (there != nullptr) {
+            std::fclose(there);
+            const InputFile file(path);
+            kept = whole_lines_of(file.bytes());
+            for (const ManifestEntry& entry : entries_of(kept, path)) known_.insert(entry.picture.value_or(""));
+        }
+    }
+    write_output(path, kept);
+    file_.reset(open_file(path, "ab"));
+    if (!file_) throw OutputError(path, std::strerror(errno), errno);
+    std::setvbuf(file_.get(), nullptr, _IOFBF, longest_line);
+}
+
+void Manifest::add(const RenderJob& job, const Image& picture, std::optional<std::string_view> png) {
+    const std::int64_t frame = job.sequence ? job.sequence->shots()[job.shot].number : options_.data.frame;
+    const Json line = {{"frame", frame},
+                       {"picture", job.output},
+                       {"place", job.shot},
+                       {"scene", job.scene},
+                       {"scene_sha256", scene_sums_.at(job.scene)},
+                       {"camera_sha256", camera_sum_},
+                       {"options", options_.words},
+                       {"pixels_sha256", sum_of_pixels(picture)},
+                       {"file_sha256", png ? Json(sha256(*png)) : Json(nullptr)},
+                       {"version", std::string(version)}};
+    const std::string text = line.dump() + "\n";
+    const bool good = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0;
+    if (!good) throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
+}
+
+}  // namespace sphereview

@@ -1,0 +1,62 @@
+// What rendered pictures were made of, so that somebody else can make them again: a JSON line for each.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/options.hpp"
+#include "app/render_plan.hpp"
+#include "image/image.hpp"
+
+namespace sphereview {
+
+// Of a picture's bytes, the top row first, 3 or 4 a pixel.
+std::string sum_of_pixels(const Image& picture);
+// Throws InputError.
+std::string sum_of_file(const std::string& path);
+
+struct ManifestEntry {
+    std::optional<std::string> picture{};  // its file; none: it went into a film
+    std::int64_t frame = 0;
+    std::size_t place = 0;  // in the sequence, from 0
+    std::string scene{};
+    std::string scene_sum{};
+    std::optional<std::string> camera_sum{};  // of the scene that --camera names
+    std::vector<std::string> options{};       // of `render`, that say what the picture looks like
+    std::string pixels_sum{};
+    std::optional<std::string> file_sum{};
+    std::string version{};  // of the program
+};
+
+// The whole lines of a manifest: one that was cut off at its end is left out. Throws InputError.
+std::vector<ManifestEntry> read_manifest(const std::string& path);
+
+class Manifest {
+public:
+    // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there. Throws
+    // OutputError, and InputError for scenes without a name.
+    explicit Manifest(const RenderOptions& options);
+
+    // Whether there is a line for that picture.
+    bool has(const std::string& picture) const { return known_.contains(picture); }
+
+    // Appends the line of a job's picture, whole or not at all; `png`: what is in its file. Throws OutputError.
+    void add(const RenderJob& job, const Image& picture, std::optional<std::string_view> png);
+
+private:
+    const RenderOptions& options_;
+    std::map<std::string, std::string> scene_sums_{};
+    std::optional<std::string> camera_sum_{};
+    std::set<std::string> known_{};
+    std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+};
+
+}  // namespace sphereview

@@ -1,0 +1,26 @@
+// Rendering what is planned.
+#pragma once
+
+#include <span>
+
+#include "app/failure.hpp"
+#include "app/options.hpp"
+#include "app/render_plan.hpp"
+#include "base/progress.hpp"
+
+namespace sphereview {
+
+class Film;
+class Manifest;
+
+// Where pictures go besides their files.
+struct RenderSinks {
+    Film* film = nullptr;  // the first picture that fails ends it, and the work
+    Manifest* manifest = nullptr;
+};
+
+// Does the jobs one after the other, whose sequences are prepared; what concerns one alone does not stop the others. Returns the
+// highest status.
+ExitCode run_jobs(const RenderOptions& options, std::span<const RenderJob> jobs, const RenderSinks& sinks, Progress& progress);
+
+}  // namespace sphereview

@@ -1,0 +1,107 @@
+// sphereview verify: renders pictures of a manifest again.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <random>
+#include <utility>
+
+#include "app/frame_sequence.hpp"
+#include "app/manifest.hpp"
+#include "app/options.hpp"
+#include "app/render_command.hpp"
+#include "app/version.hpp"
+#include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/output_file.hpp"
+#include "base/standard_streams.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Spread evenly, from a random place on: who made the pictures cannot know which are looked at.
+std::vector<ManifestEntry> sample_of(std::vector<ManifestEntry> entries, const SampleSize& size) {
+    const auto all = static_cast<double>(entries.size());
+    const double wanted = std::clamp(size.is_percent ? std::ceil(all * size.number / 100.0) : size.number, 1.0, all);
+    const auto count = static_cast<std::size_t>(wanted);
+    std::random_device random;
+    const std::size_t begin = random() % entries.size();
+    std::vector<ManifestEntry> sample;
+    for (std::size_t i = 0; i < count; ++i) sample.push_back(entries[(begin + i * entries.size() / count) % entries.size()]);
+    std::ranges::stable_sort(sample, {}, &ManifestEntry::place);
+    return sample;
+}
+
+// Throws InputError where the file is not the one that the pictures were made of.
+void require_sum(const std::string& file, const std::string& sum) {
+    const std::string found = sum_of_file(file);
+    if (found == sum) return;
+    throw InputError(file + ": found another file than the pictures were made of: its SHA-256 is " + found + ", expected " + sum);
+}
+
+// Whether the picture's file, if it is here, is as it was written.
+bool is_file_unchanged(const ManifestEntry& entry) {
+    if (!entry.picture || !entry.file_sum) return true;
+    std::FILE* there = open_file(*entry.picture, "rb");
+    if (there == nullptr) return true;
+    std::fclose(there);
+    if (sum_of_file(*entry.picture) == *entry.file_sum) return true;
+    say(*entry.picture + ": the file differs from the one that was written");
+    return false;
+}
+
+// Pictures of one scene by the same options.
+ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOptions& verify, Progress& progress) {
+    const ManifestEntry& first = entries.front();
+    RenderOptions options = verify.parse_render(first.scene, first.options);
+    if (verify.backend) options.backend = *verify.backend;
+    require_sum(first.scene, first.scene_sum);
+    if (options.fit.camera && first.camera_sum) require_sum(*options.fit.camera, *first.camera_sum);
+    std::shared_ptr<FrameSequence> sequence;
+    if (options.frames.several()) {
+        sequence = std::make_shared<FrameSequence>(first.scene, options, progress);
+        sequence->prepare(progress);
+    }
+    ExitCode worst = ExitCode::done;
+    std::vector<RenderJob> jobs;
+    for (const ManifestEntry& entry : entries) {
+        if (sequence && entry.place >= sequence->shots().size()) {
+            throw InputError(verify.manifest + ": found picture " + std::to_string(entry.place) + " of " + entry.scene +
+                             ", expected at most " + std::to_string(sequence->shots().size() - 1));
+        }
+        if (!is_file_unchanged(entry)) worst = ExitCode::differs;
+        RenderJob job;
+        job.scene = entry.scene;
+        job.label = entry.picture.value_or(entry.scene + ", " + std::to_string(entry.frame));
+        job.name = name_in_patterns(entry.scene);
+        job.sequence = sequence;
+        job.shot = entry.place;
+        job.pixels_sum = entry.pixels_sum;
+        jobs.push_back(job);
+    }
+    return std::max(worst, run_jobs(options, jobs, {}, progress));
+}
+
+}  // namespace
+
+ExitCode run_verify(const VerifyOptions& options) {
+    std::vector<ManifestEntry> entries = read_manifest(options.manifest);
+    if (entries.empty()) throw InputError(options.manifest + ": found no whole line, expected one for each picture");
+    const std::size_t all = entries.size();
+    entries = sample_of(std::move(entries), options.sample);
+    std::map<std::pair<std::string, std::vector<std::string>>, std::vector<ManifestEntry>> groups;
+    for (const ManifestEntry& entry : entries) groups[{entry.scene, entry.options}].push_back(entry);
+    if (entries.front().version != version) {
+        say(options.manifest + ": the pictures are by sphereview " + entries.front().version + ", this is " + std::string(version));
+    }
+    Progress progress;
+    ExitCode worst = ExitCode::done;
+    for (const auto& [made_of, alike] : groups) worst = std::max(worst, verify_alike(alike, options, progress));
+    write_output(std::string(standard_stream), in_groups(entries.size()) + " of " + in_groups(all) + " pictures rendered again: " +
+                                                   (worst == ExitCode::done ? "all are equal" : "not all are equal") + "\n");
+    return worst;
+}
+
+}  // namespace sphereview

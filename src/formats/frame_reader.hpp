@@ -1,0 +1,75 @@
+// The frames of a file, one after the other: a trajectory is read in one pass and never in memory whole.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/input_file.hpp"
+#include "formats/scene_format.hpp"
+#include "formats/sphere_data.hpp"
+
+namespace sphereview {
+
+// Of formats that step over frames (scene_format.hpp) only a part of the text is in memory, and the place of each frame that was
+// passed is remembered; of the other formats, and of pipes, all that was read. A packed file is unpacked anew from its beginning
+// when an earlier frame is asked for.
+class FrameReader {
+public:
+    // Opens `path`, or standard input for "-", and tells its format. `frame` and `part` of `options` are not looked at. Throws
+    // InputError.
+    FrameReader(const std::string& path, DataOptions options);
+
+    const std::string& name() const { return stream_.name(); }
+    const SceneFormat& format() const { return format_; }
+    // From now on given to spheres for which the file says none.
+    void set_radius(double radius) { options_.radius = radius; }
+    // Called now and then with the part of the file that was passed, 0..1; not where its size is not known.
+    void watch(std::function<void(double)> watcher) { watcher_ = std::move(watcher); }
+
+    // How many frames there are, `enough` at most: it goes no further. A fault behind the first frame ends the file there. Throws
+    // InputError.
+    std::int64_t count(std::int64_t enough = most_frames);
+    // That fault, once frames up to it were counted; "" where none was met.
+    const std::string& fault() const { return fault_; }
+
+    // The frame's spheres. Throws InputError, also where the file has no such frame, and MemoryError.
+    SphereData read(std::int64_t frame);
+
+    static constexpr std::int64_t most_frames = std::int64_t{1} << 62;
+
+private:
+    struct Place {
+        std::uint64_t begin;
+        std::uint64_t end;
+        TextPosition origin;
+        std::size_t numbers_behind_first;  // PartOfFile
+    };
+
+    bool find_next();
+    void go_to(std::uint64_t offset);
+    std::string_view text_from(std::uint64_t offset) const;
+    bool holds_all() const { return format_.step_over == nullptr || !stream_.is_regular(); }
+    void read_whole_file();
+
+    std::string path_;
+    DataOptions options_;
+    InputStream stream_;
+    SceneFormat format_{};
+    std::function<void(double)> watcher_{};
+    std::uint64_t window_ = 0;  // where in the text the stream's window begins
+    std::uint64_t end_ = 0;     // of the frames found
+    TextPosition end_position_{};
+    std::size_t numbers_behind_first_ = 0;
+    std::vector<Place> places_{};
+    bool is_whole_ = false;  // the one frame is the whole text, and no part of it
+    bool found_all_ = false;
+    std::string fault_{};
+    std::optional<std::int64_t> frames_{};  // of a format that is only read whole
+};
+
+}  // namespace sphereview

@@ -1,0 +1,135 @@
+// Renders that are spread, go on after an end, and are proved.
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "support/json.hpp"
+#include "support/render.hpp"
+#include "support/sha256.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+class Farm : public testing::Test {
+protected:
+    Farm() {
+        std::string text;
+        for (int i = 0; i < 6; ++i) text += "2\n\nO 0 0 0\nH " + std::to_string(i + 1) + " 0 0\n";
+        folder_.write("a.xyz", text);
+    }
+
+    Outcome farm(const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments = {"a.xyz", "--frames", "all", "-s", "20x16", "-o", "out/{frame}.png", "--no-sync"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return render(folder_, arguments);
+    }
+
+    void expect_done(const std::vector<std::string>& more) const {
+        const Outcome outcome = farm(more);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+    }
+
+    Outcome verify(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> arguments = {"verify", "made.jsonl", "--backend", "cpu"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run({.arguments = arguments, .folder = folder_.path()});
+    }
+
+    std::vector<Json> lines() const {
+        std::vector<Json> all;
+        std::istringstream text(folder_.read("made.jsonl"));
+        for (std::string line; std::getline(text, line);) all.push_back(Json::parse(line));
+        return all;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Farm, PartsAreTheWhole) {
+    expect_done({});
+    std::vector<std::string> whole;
+    for (int i = 0; i < 6; ++i) whole.push_back(folder_.read("out/" + std::to_string(i) + ".png"));
+    EXPECT_NE(whole[0], whole[1]);
+    for (int i = 0; i < 6; ++i) folder_.write("out/" + std::to_string(i) + ".png", "");
+    expect_done({"--part", "2/4"});
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(folder_.read("out/" + std::to_string(i) + ".png").empty(), i % 4 != 1) << i;
+    for (const char* part : {"1/4", "3/4", "4/4"}) expect_done({"--part", part});
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(folder_.read("out/" + std::to_string(i) + ".png"), whole[i]);
+    for (const char* wrong : {"0/4", "5/4", "1", "1/", "/4", "-1/4", "1/0"}) EXPECT_EQ(farm({"--part", wrong}).status, 2) << wrong;
+}
+
+TEST_F(Farm, WhatIsThereWholeIsLeftAlone) {
+    expect_done({});
+    const std::string good = folder_.read("out/1.png");
+    folder_.write("out/0.png", good);                             // whole, of the wanted size: left as it is
+    folder_.write("out/1.png", good.substr(0, good.size() - 1));  // cut off
+    folder_.write("out/2.png", "");
+    folder_.write("out/3.png", "no picture, but longer than the head of one has to be");
+    folder_.write("out/4.png", encode_png(plain_picture(20, 15, {1, 2, 3})));
+    const std::string plain = encode_png(plain_picture(20, 16, {1, 2, 3}));
+    folder_.write("out/5.png", plain);
+    const Outcome outcome = farm({"--skip-existing", "--verbose"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "2 of 6 pictures are there already\n")) << outcome;
+    EXPECT_EQ(folder_.read("out/0.png"), good);
+    EXPECT_EQ(folder_.read("out/1.png"), good);
+    EXPECT_EQ(folder_.read("out/5.png"), plain);
+    for (const char* name : {"out/2.png", "out/3.png", "out/4.png"}) EXPECT_EQ(decode_png(folder_.read(name)).height, 16);
+    EXPECT_EQ(farm({"--skip-existing", "--expect", "out/{frame}.png"}).status, 2);
+}
+
+TEST_F(Farm, AManifestSaysWhatPicturesAreMadeOf) {
+    expect_done({"--manifest", "made.jsonl", "--view", "30,20"});
+    const std::vector<Json> made = lines();
+    ASSERT_EQ(made.size(), 6U);
+    const std::string png = folder_.read("out/3.png");
+    EXPECT_EQ(made[3]["frame"], 3);
+    EXPECT_EQ(made[3]["picture"], "out/3.png");
+    EXPECT_EQ(made[3]["scene"], "a.xyz");
+    EXPECT_EQ(made[3]["scene_sha256"], sha256(folder_.read("a.xyz")));
+    EXPECT_EQ(made[3]["file_sha256"], sha256(png));
+    EXPECT_EQ(made[3]["pixels_sha256"], sha256(decode_png(png).bytes));
+    EXPECT_EQ(made[3]["options"], Json::parse(R"(["--size", "20x16", "--view", "30,20", "--frames", "all"])"));
+
+    const Outcome equal = verify();
+    EXPECT_EQ(equal.status, 0) << equal;
+    EXPECT_EQ(equal.output, "6 of 6 pictures rendered again: all are equal\n");
+    EXPECT_EQ(verify({"--sample", "1%"}).output, "1 of 6 pictures rendered again: all are equal\n");
+    EXPECT_EQ(verify({"--sample", "4"}).output, "4 of 6 pictures rendered again: all are equal\n");
+
+    // A picture that is another one now.
+    folder_.write("out/3.png", png + "x");
+    const Outcome changed = verify();
+    EXPECT_EQ(changed.status, 1) << changed;
+    EXPECT_EQ(changed.errors, "out/3.png: the file differs from the one that was written\n");
+    folder_.write("out/3.png", png);
+    // A line that is not true.
+    std::string text = folder_.read("made.jsonl");
+    const std::string sum = made[2]["pixels_sha256"];
+    text.replace(text.find(sum), sum.size(), std::string(64, '0'));
+    folder_.write("made.jsonl", text);
+    const Outcome differs = verify();
+    EXPECT_EQ(differs.status, 1) << differs;
+    EXPECT_TRUE(contains(differs.errors, "out/2.png: differs: the SHA-256 of its pixels is " + sum)) << differs;
+    // Another scene.
+    folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
+    EXPECT_EQ(verify().status, 2);
+}
+
+TEST_F(Farm, AManifestGoesOnWhereItWasCutOff) {
+    expect_done({"--manifest", "made.jsonl", "--turntable", "12"});
+    const std::string text = folder_.read("made.jsonl");
+    std::size_t third = 0;
+    for (int i = 0; i < 3; ++i) third = text.find('\n', third) + 1;
+    folder_.write("made.jsonl", text.substr(0, third + 40));
+    EXPECT_EQ(verify().output, "3 of 3 pictures rendered again: all are equal\n");
+    // The pictures are all there, but of three it is not known what they are of.
+    const Outcome outcome = farm({"--manifest", "made.jsonl", "--turntable", "12", "--skip-existing", "--verbose"});
+    EXPECT_TRUE(contains(outcome.errors, "3 of 6 pictures are there already\n")) << outcome;
+    EXPECT_EQ(folder_.read("made.jsonl"), text);
+    EXPECT_EQ(verify().status, 0);
+}
+
+}  // namespace
+}  // namespace sphereview::test

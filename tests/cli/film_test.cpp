@@ -1,0 +1,145 @@
+// Films: uncompressed on standard output, and by ffmpeg, for which a script stands here.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <csignal>
+
+#include "support/eventually.hpp"
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+// Three frames that differ in one pixel of a 3 x 3 picture at most.
+constexpr const char* film_frames = "1\n\nO 0 0 0\n1\n\nN 0 0 0\n1\n\nC 0 0 0\n";
+
+class FilmCommand : public testing::Test {
+protected:
+    FilmCommand() { folder_.write("a.xyz", film_frames); }
+
+    // A program `ffmpeg` that does what the script says; $film: the last argument.
+    void write_encoder(const std::string& script) const {
+        folder_.write("bin/ffmpeg", "#!/bin/sh\nfor film; do :; done\n" + script + "\n");
+        chmod(folder_.path("bin/ffmpeg").c_str(), 0755);
+    }
+
+    Command film(const std::vector<std::string>& arguments, const std::string& path = "") const {
+        std::vector<std::string> all = {"a.xyz", "--frames", "all", "-s", "3x3"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        Command command = cpu_render(folder_, all);
+        command.environment.emplace_back("PATH", path.empty() ? folder_.path("bin") + ":/usr/bin:/bin" : path);
+        return command;
+    }
+
+    // The pixels of the pictures, one behind the other.
+    std::string pixels() const {
+        std::string all;
+        for (const char* name : {"a-00000.png", "a-00001.png", "a-00002.png"}) all += decode_png(folder_.read(name)).bytes;
+        return all;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(FilmCommand, IsUncompressedOnStandardOutput) {
+    ASSERT_EQ(run(film({})).status, 0);
+    const Outcome outcome = run(film({"-o", "-", "--fps", "24000/1001", "--background", "white"}));
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    std::string expected = "YUV4MPEG2 W3 H3 F24000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED\n";
+    ASSERT_EQ(run(film({"--background", "white"})).status, 0);
+    const std::string shown = pixels();
+    for (std::size_t frame = 0; frame < 3; ++frame) {
+        expected += "FRAME\n";
+        for (int plane = 0; plane < 3; ++plane) {
+            for (std::size_t pixel = 0; pixel < 9; ++pixel) {
+                const auto at = [&](std::size_t channel) {
+                    return static_cast<double>(static_cast<unsigned char>(shown[(frame * 9 + pixel) * 3 + channel]));
+                };
+                const double luma = 0.2126 * at(0) + 0.7152 * at(1) + 0.0722 * at(2);
+                const double value = plane == 0   ? 16.0 + luma * 219.0 / 255.0
+                                     : plane == 1 ? 128.0 + (at(2) - luma) / 1.8556 * 224.0 / 255.0
+                                                  : 128.0 + (at(0) - luma) / 1.5748 * 224.0 / 255.0;
+                expected += static_cast<char>(static_cast<unsigned char>(value + 0.5));
+            }
+        }
+    }
+    EXPECT_EQ(outcome.output, expected);
+    EXPECT_EQ(run(film({"-o", "-", "--json"})).status, 2);
+}
+
+TEST_F(FilmCommand, IsMadeByFfmpeg) {
+    write_encoder("echo \"$@\" >words\ncat >\"$film\"");
+    const Outcome outcome = run(film({"--movie", "out.mkv", "--fps", "25"}));
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.output + outcome.errors, "");
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin", "out.mkv", "words"}));
+    const std::string words = folder_.read("words");
+    EXPECT_TRUE(contains(words, "-f rawvideo -pix_fmt rgb24 -video_size 3x3 -framerate 25/1 -i pipe:0 ")) << words;
+    EXPECT_TRUE(contains(words, " -c:v ffv1 ")) << words;
+    // Pictures beside it, which have the same pixels.
+    ASSERT_EQ(run(film({"--movie", "out.mp4", "--quality", "75", "-o", "{name}-{frame:05}"})).status, 0);
+    EXPECT_EQ(folder_.read("out.mp4"), pixels());
+    EXPECT_EQ(folder_.read("out.mkv"), pixels());
+    EXPECT_TRUE(contains(folder_.read("words"), " -c:v libx264 -crf 18 "));
+}
+
+TEST_F(FilmCommand, IsWholeOrNotAtAll) {
+    folder_.write("out.mp4", "old");
+    write_encoder("head -c 20 >\"$film\"\necho 'no such codec' >&2\nexit 3");
+    const Outcome failed = run(film({"--movie", "out.mp4"}));
+    EXPECT_EQ(failed.status, 4) << failed;
+    EXPECT_TRUE(contains(failed.errors, "out.mp4: cannot be written: ffmpeg has failed: no such codec\n")) << failed;
+    EXPECT_EQ(folder_.read("out.mp4"), "old");
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin", "out.mp4"}));
+
+    const Outcome missing = run(film({"--movie", "out.mp4"}, "/nowhere"));
+    EXPECT_EQ(missing.status, 3) << missing;
+    EXPECT_TRUE(contains(missing.errors, "found no program ffmpeg")) << missing;
+
+    // A frame that is bad ends the film.
+    write_encoder("cat >\"$film\"");
+    folder_.write("a.xyz", "1\n\nO 0 0 0\n1\n\nN 0 x 0\n1\n\nC 0 0 0\n");
+    const Outcome bad = run(film({"--movie", "out.mp4", "--no-fit"}));
+    EXPECT_EQ(bad.status, 2) << bad;
+    EXPECT_TRUE(contains(bad.errors, "out.mp4: not written; 1 of 3 pictures were done\n")) << bad;
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin", "out.mp4"}));
+}
+
+// The encoder takes nothing until it is ended, so the program waits in the middle of the film.
+TEST_F(FilmCommand, InterruptedSaysHowFarItCame) {
+    write_encoder("echo >started\nhead -c 27 >\"$film\"\nexec sleep 60");
+    // A picture is more than a pipe holds.
+    Command command = cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "300x300", "--movie", "out.mp4"});
+    command.environment.emplace_back("PATH", folder_.path("bin") + ":/usr/bin:/bin");
+    Running program(command);
+    ASSERT_TRUE(eventually([&] { return folder_.has("started"); }));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, 130) << outcome;
+    EXPECT_EQ(outcome.errors, "out.mp4: not written; 0 of 3 pictures were done\n");
+    EXPECT_FALSE(folder_.has("out.mp4"));
+    for (const std::string& name : folder_.names()) EXPECT_FALSE(contains(name, ".tmp")) << name;
+}
+
+TEST_F(FilmCommand, IsNamedByWhatItBecomes) {
+    write_encoder("cat >\"$film\"");
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"--movie", "out.avi"},
+                                               {"--movie", "out.gif", "--quality", "50"},
+                                               {"--movie", "out.mp4", "--part", "1/2"},
+                                               {"--fps", "30"},
+                                               {"--movie", "out.mp4", "--fps", "0"},
+                                               {"--quality", "50"},
+                                               {"--movie", "a.xyz"}}) {
+        EXPECT_EQ(run(film(arguments)).status, 2) << testing::PrintToString(arguments);
+    }
+    Command alone = cpu_render(folder_, {"a.xyz", "--movie", "out.mp4"});
+    EXPECT_EQ(run(alone).status, 2);
+    // A film of a format that has none cannot be seen through.
+    EXPECT_EQ(run(film({"--movie", "out.mp4", "--background", "transparent"})).status, 2);
+    EXPECT_EQ(run(film({"--movie", "out.png", "--background", "transparent"})).status, 0);
+}
+
+}  // namespace
+}  // namespace sphereview::test

@@ -1,0 +1,164 @@
+// Pictures of several frames, and around a scene.
+#include <gtest/gtest.h>
+
+#include "support/json.hpp"
+#include "support/render.hpp"
+#include "support/text_match.hpp"
+
+namespace sphereview::test {
+namespace {
+
+// An oxygen in the middle of two hydrogens that go away.
+constexpr const char* breathing = "3\n0\nH -1 0 0\nH 1 0 0\nO 0 0 0\n3\n1\nH -6 0 0\nH 6 0 0\nO 0 0 0\n";
+
+class Frames : public testing::Test {
+protected:
+    Outcome render(const std::vector<std::string>& arguments) const { return test::render(folder_, arguments); }
+
+    void expect_done(const std::vector<std::string>& arguments) const {
+        const Outcome outcome = render(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_EQ(outcome.errors, "");
+    }
+
+    Picture picture(const std::string& name) const { return decode_png(folder_.read(name)); }
+
+    // Pixels of the oxygen's colour.
+    int red_pixels(const std::string& name) const {
+        const Picture shown = picture(name);
+        int count = 0;
+        for (int y = 0; y < shown.height; ++y) {
+            for (int x = 0; x < shown.width; ++x) count += shown.at(x, y) == std::vector<int>{255, 13, 13} ? 1 : 0;
+        }
+        return count;
+    }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Frames, HaveOneCamera) {
+    folder_.write("breathing.xyz", breathing);
+    expect_done({"breathing.xyz", "--frames", "all", "-s", "100x100", "-o", "out/{name}-{frame:05}.png"});
+    const int first = red_pixels("out/breathing-00000.png");
+    EXPECT_GT(first, 20);
+    EXPECT_EQ(first, red_pixels("out/breathing-00001.png"));
+    // The union of what they hold is what the second holds.
+    expect_done({"breathing.xyz", "--frame", "1", "-s", "100x100", "-o", "alone"});
+    EXPECT_EQ(picture("alone.png"), picture("out/breathing-00001.png"));
+    expect_done({"breathing.xyz", "--frame", "0", "-s", "100x100", "-o", "alone"});
+    EXPECT_GT(red_pixels("alone.png"), 5 * first);
+
+    // Fitted to the first frame, the second's hydrogens are beside the picture.
+    expect_done({"--fit", "first", "breathing.xyz", "--frames", ":", "-s", "100x100"});
+    EXPECT_EQ(picture("breathing-00000.png"), picture("alone.png"));
+    EXPECT_EQ(red_pixels("breathing-00001.png"), red_pixels("breathing-00000.png"));
+}
+
+// By the first frame's range and scale: made of each frame's own values, colours and sizes would come and go.
+TEST_F(Frames, HaveOneRangeOfColoursAndSizes) {
+    const auto frame = [](const char* first, const char* second) {
+        return std::string("2\nProperties=species:S:1:pos:R:3:v:R:1\nH -1 0 0 ") + first + "\nH 1 0 0 " + second + "\n";
+    };
+    folder_.write("v.xyz", frame("1", "2") + frame("1.5", "3"));
+    folder_.write("camera.toml", "[camera]\neye = [0, 0, 10]\ncenter = [0, 0, 9]\nright = [-0.3, 0, 0]\nup = [0, 0.3, 0]\n");
+    const auto rendered = [&](std::vector<std::string> more) {
+        for (const char* word : {"v.xyz", "-s", "50x50", "--camera", "camera.toml", "--color-by", "v", "--size-by", "v"})
+            more.emplace_back(word);
+        const Outcome outcome = render(more);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        return outcome.errors;
+    };
+    EXPECT_EQ(rendered({"--frames", "all"}), "v.xyz: colours by v: viridis from 1 to 2\nv.xyz: radii by v: 0.5 times the value\n");
+    rendered({"--frame", "1", "-o", "alone", "--range", "1:2", "--scale", "0.5"});
+    EXPECT_EQ(picture("v-00001.png"), picture("alone.png"));
+    rendered({"--frame", "1", "-o", "alone"});
+    EXPECT_NE(picture("v-00001.png"), picture("alone.png"));
+}
+
+TEST_F(Frames, AreNamedByNumber) {
+    std::string text;
+    for (int i = 0; i < 5; ++i) text += "1\n\nO " + std::to_string(i) + " 0 0\n";
+    folder_.write("a.xyz", text);
+    expect_done({"a.xyz", "--frames", "1:5:2,-1", "-s", "9x9", "-o", "{frame}.png"});
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"1.png", "3.png", "4.png", "a.xyz"}));
+    expect_done({"a.xyz", "--frames", "-2", "-s", "9x9"});
+    EXPECT_TRUE(folder_.has("a-00003.png"));
+    const Outcome json = render({"a.xyz", "--frames", ":2", "-s", "9x9", "--json"});
+    EXPECT_TRUE(contains(json.output, "\"scene\":\"a.xyz, 1\"")) << json;
+
+    const auto expect_fault = [&](const std::vector<std::string>& arguments, const std::string& fault) {
+        const Outcome outcome = render(arguments);
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.errors, fault + "\n");
+    };
+    expect_fault({"a.xyz", "--frames", "5"}, "a.xyz: found 5 frames, 0 to 4, expected frame 5");
+    expect_fault(
+        {"a.xyz", "--frames", "all", "-o", "a.png"},
+        "a.png: cannot be both the picture of a.xyz, 1 and the picture of a.xyz, 0; use {frame} for each picture's number");
+    EXPECT_EQ(render({"a.xyz", "--fit", "first"}).status, 2);
+}
+
+TEST_F(Frames, WarnOncePerFile) {
+    folder_.write("cut.xyz", "1\n\nO 0 0 0\n1\n\nO 1 0 0\n2\n\nO 1 0 0\n");
+    const Outcome outcome = render({"cut.xyz", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "cut.xyz:10:1: the text ends, expected atom 2 of 2 of frame 2; what follows frame 1 is passed over\n");
+    EXPECT_TRUE(folder_.has("cut-00001.png"));
+    EXPECT_FALSE(folder_.has("cut-00002.png"));
+}
+
+TEST_F(Frames, TakeTheCameraOfAScene) {
+    folder_.write("breathing.xyz", breathing);
+    folder_.write(
+        "view.toml",
+        "[camera]\neye = [0, 0, -100]\n[[view]]\nname = \"near\"\neye = [0, 0, -20]\ncenter = [0, 0, -10]\nright = [5, 0, 0]\n"
+        "up = [0, 5, 0]\n");
+    expect_done({"breathing.xyz", "--frames", "all", "-s", "60x60", "--camera", "view.toml"});
+    const int far = red_pixels("breathing-00000.png");
+    expect_done({"breathing.xyz", "--frames", "all", "-s", "60x60", "--camera", "view.toml", "--view", "near"});
+    EXPECT_GT(red_pixels("breathing-00000.png"), far);
+    expect_done({"breathing.xyz", "-s", "60x60", "--camera", "view.toml", "--view", "near", "-o", "still"});
+    EXPECT_EQ(picture("still.png"), picture("breathing-00000.png"));
+    EXPECT_EQ(render({"breathing.xyz", "--camera", "view.toml", "--view", "top"}).status, 2);
+    EXPECT_EQ(render({"breathing.xyz", "--camera", "breathing.xyz"}).status, 2);
+}
+
+// A red sphere to the right of a blue one, seen from four sides.
+TEST_F(Frames, GoRoundAScene) {
+    folder_.write("two.txt", "2\n255 0 0\n10 0 200\n5\n0 0 250\n-10 0 200\n5\n");
+    expect_done({"two.txt", "--turntable", "4", "-s", "41x41", "--fit"});
+    EXPECT_EQ(folder_.names(),
+              (std::vector<std::string>{"two-00000.png", "two-00001.png", "two-00002.png", "two-00003.png", "two.txt"}));
+    const auto colors = [&](const std::string& name) {
+        const Picture shown = picture(name);
+        std::vector<int> red_left{0, 0};
+        for (int x = 0; x < shown.width; ++x) {
+            if (shown.at(x, 20)[0] == 255) ++red_left[x < 20 ? 0 : 1];
+        }
+        return red_left;
+    };
+    EXPECT_GT(colors("two-00000.png")[1], 2);
+    EXPECT_EQ(colors("two-00000.png")[0], 0);
+    EXPECT_GT(colors("two-00001.png")[0], 2);  // from the right the red one is in front
+    EXPECT_GT(colors("two-00002.png")[0], 2);
+    EXPECT_EQ(colors("two-00002.png")[1], 0);
+    EXPECT_EQ(colors("two-00003.png")[0] + colors("two-00003.png")[1], 0);  // behind the blue one
+    // Nothing turns about x that lies on it; and a scene's own camera goes round as well.
+    expect_done({"two.txt", "--turntable", "2", "--axis", "x", "-s", "41x41", "-o", "x{frame}"});
+    EXPECT_EQ(picture("x0.png"), picture("x1.png"));
+    EXPECT_EQ(render({"two.txt", "--axis", "x"}).status, 2);
+}
+
+TEST_F(Frames, TurnWhileTheyRunAndTheLightStays) {
+    folder_.write("a.xyz", "1\n\nO 0 0 0\n1\n\nO 0 0 0\n1\n\nO 0 0 0\n");
+    expect_done({"a.xyz", "--frames", "all", "--turntable", "2", "-s", "32x32", "--shade", "studio", "--lights", "16"});
+    EXPECT_EQ(picture("a-00000.png"), picture("a-00002.png"));
+    const Picture front = picture("a-00000.png");
+    const Picture back = picture("a-00001.png");
+    // The key light, above left of the first eye, is behind the other one's sphere.
+    EXPECT_GT(front.at(12, 12)[0], back.at(12, 12)[0]);
+}
+
+}  // namespace
+}  // namespace sphereview::test

@@ -1,0 +1,139 @@
+// Reading frame by frame gives what reading the whole file gives.
+#include "formats/frame_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "formats/scene_format.hpp"
+#include "support/gzip.hpp"
+#include "support/temporary_folder.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Frames of 1, 2, ... atoms; of each format that steps over them.
+std::map<std::string, std::string> trajectories(int frames) {
+    std::map<std::string, std::string> texts;
+    for (int frame = 0; frame < frames; ++frame) {
+        const std::string count = std::to_string(frame + 1);
+        std::string& xyz = texts["a.xyz"] += "\n" + count + "\nframe " + std::to_string(frame) + "\n";
+        std::string& dump = texts["a.lammpstrj"] +=
+            "ITEM: TIMESTEP\n" + std::to_string(frame) + "\nITEM: NUMBER OF ATOMS\n" + count +
+            "\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id type xs ys zs radius\n";
+        std::string& gro = texts["a.gro"] += "frame\n" + count + "\n";
+        std::string& sdf = texts["a.sdf"] += "a\n\n\n  " + count + "  0  0     0  0            999 V2000\n";
+        for (int atom = 0; atom <= frame; ++atom) {
+            const std::string x = std::to_string(10 * frame + atom);
+            xyz += "O " + x + " 0 0\n";
+            dump += std::to_string(atom + 1) + " 1 0." + x + " 0 0 0.5\n";
+            gro +=
+                "    1SOL     OW    1   0." + std::string(2 - std::min<std::size_t>(x.size(), 2), '0') + x + "0   0.000   0.000\n";
+            sdf += "    " + x + ".0 0.0 0.0 O 0\n";
+        }
+        gro += "   1.0 1.0 1.0\n";
+        sdf += "M  END\n$$$$\n";
+    }
+    return texts;
+}
+
+SphereData read_at_once(const std::string& text, const std::string& name, std::int64_t frame) {
+    return format_of_name(name).read(text, name, {.frame = frame});
+}
+
+class FrameReading : public testing::Test {
+protected:
+    test::TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_F(FrameReading, GivesEachFrameInAnyOrder) {
+    for (const auto& [name, text] : trajectories(5)) {
+        SCOPED_TRACE(name);
+        std::string crlf;
+        for (const char c : text) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+        const std::string plain = folder_.write(name, text);
+        const std::string marked = folder_.write("marked-" + name, "\xEF\xBB\xBF" + text);
+        const std::string windows = folder_.write("windows-" + name, crlf);
+        const std::string packed = folder_.write(name + ".gz", test::gzipped(text));
+        for (const std::string& path : {plain, marked, windows, packed}) {
+            SCOPED_TRACE(path);
+            FrameReader reader(path, {});
+            for (const std::int64_t frame : {1, 0, 4, 2, 2, 3}) {
+                EXPECT_EQ(reader.read(frame).scene, read_at_once(text, name, frame).scene) << frame;
+            }
+            EXPECT_EQ(reader.count(), 5);
+            EXPECT_EQ(reader.count(2), 2);
+            EXPECT_EQ(reader.fault(), "");
+            EXPECT_EQ(message_of<InputError>([&] { reader.read(5); }), path + ": found 5 frames, 0 to 4, expected frame 5");
+        }
+    }
+}
+
+// Longer than what is read at a time, so that frames go over the window's end, and lines, too.
+TEST_F(FrameReading, HoldsOnlyAPart) {
+    std::string text;
+    for (int frame = 0; frame < 40; ++frame) {
+        text += "7000\nframe\n";
+        for (int atom = 0; atom < 7000; ++atom) text += "Si " + std::to_string(frame) + " " + std::to_string(atom) + " 0.25\n";
+    }
+    ASSERT_GT(text.size(), 4'200'000U);
+    for (const std::string& path : {folder_.write("long.xyz", text), folder_.write("long.xyz.gz", test::gzipped(text))}) {
+        FrameReader reader(path, {});
+        for (std::int64_t frame = 0; frame < 40; ++frame) {
+            const Scene scene = reader.read(frame).scene;
+            ASSERT_EQ(scene.spheres.size(), 7000U);
+            EXPECT_EQ(scene.spheres[0].center.x, static_cast<double>(frame));
+            EXPECT_EQ(scene.spheres[6999].center.y, 6999.0);
+        }
+        EXPECT_EQ(reader.count(), 40);
+        EXPECT_EQ(reader.read(3).scene.spheres[1].center.x, 3.0);
+    }
+}
+
+TEST_F(FrameReading, FaultsSayWhereInTheFile) {
+    const std::string bad = "1\nfirst\nO 0 0 0\n2\nsecond\nO 0 0 0\nO 0 x 0\n1\nthird\nO 1 0 0\n3\nlast\nO 1 0 0\n";
+    const std::string path = folder_.write("bad.xyz", bad);
+    FrameReader reader(path, {});
+    EXPECT_EQ(message_of<InputError>([&] { reader.read(1); }), path + ":7:5: found 'x', expected the y of atom 2 of 2, a number");
+    EXPECT_EQ(reader.read(2).scene.spheres[0].center.x, 1.0);
+    EXPECT_EQ(reader.count(), 3);
+    EXPECT_EQ(reader.fault(), path + ":14:1: the text ends, expected atom 2 of 3 of frame 3");
+    EXPECT_EQ(message_of<InputError>([&] { reader.read(3); }), reader.fault());
+
+    // One more atom than the first frame says, whose element is a number.
+    const std::string more = folder_.write("more.xyz", "1\nfirst\n8 0 0 0\n8 0 0 0\n");
+    FrameReader one_more(more, {});
+    EXPECT_EQ(one_more.count(), 1);
+    EXPECT_EQ(one_more.fault(), more + ":4:3: found '0', expected the end of the line after the number of atoms of frame 1");
+
+    const std::string empty = folder_.write("empty.xyz", "");
+    EXPECT_EQ(message_of<InputError>([&] { FrameReader(empty, {}).count(); }),
+              empty + ":1:1: the text is empty, expected the number of atoms of frame 0");
+}
+
+TEST_F(FrameReading, OtherFilesAreReadWhole) {
+    const std::string points = folder_.write("points.xyz", "0 0 0\n1 0 0\n2 0 0\n");
+    FrameReader bare(points, {});
+    EXPECT_EQ(bare.count(), 1);
+    EXPECT_EQ(bare.read(0).scene.spheres.size(), 3U);
+
+    const std::string models =
+        folder_.write("a.pdb",
+                      "MODEL        1\nATOM      1  N   ALA A   1       1.000   0.000   0.000  1.00  0.00           N\nENDMDL\n"
+                      "MODEL        2\nATOM      1  N   ALA A   1       2.000   0.000   0.000  1.00  0.00           N\nENDMDL\n");
+    FrameReader pdb(models, {});
+    EXPECT_EQ(pdb.count(), 2);
+    EXPECT_EQ(pdb.read(1).scene.spheres.at(0).center.x, 2.0);
+
+    FrameReader text(folder_.write("a.txt", "1\n255 0 0\n0 0 200\n20\n"), {});
+    EXPECT_EQ(text.count(), 1);
+    EXPECT_EQ(text.read(0).scene.spheres.size(), 1U);
+}
+
+}  // namespace sphereview
