@@ -48,7 +48,7 @@ void draw_background(const PanelContext& context) {
     if (usual) return;
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
     Background edited = present;
-    const auto gesture = draw_color_edit(context, "##background color", edited.color, false);
+    const auto gesture = draw_color_edit(context, "##background color", edited.color);
     note_widget(context, "background color");
     if (gesture) change_background(context, edited, *gesture);
 }

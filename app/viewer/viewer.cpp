@@ -46,12 +46,13 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
-        if (pacing_.rests() && input_.empty() && autosaves()) {
+        if ((pacing_.rests() || pacing_.refines()) && input_.empty() && autosaves()) {
             const std::lock_guard lock(state_.changing);
             state_.autosave.look(state_.document, state_.path, Clock::now());
         }
         keep_recent_files();
         wait_for_work();
+        if (pacing_.refines() && input_.empty() && !refine_picture()) continue;
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
     // What the end writes is not to be replaced by what was written before.
@@ -205,11 +206,20 @@ void Viewer::draw_rays_in_space() {
     draw_rays(state_, facts_.inspection, facts_.seen_by_eye, {seen, area_, pixels_, imgui_.scale()});
 }
 
-void Viewer::update_picture(int step) {
-    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading,
-                         state_.shown_light()))
+void Viewer::update_picture(int step, double patience) {
+    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading, state_.shown_light(),
+                         patience))
         return;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
+}
+
+bool Viewer::refine_picture() {
+    const int before = picture_.step();
+    // After one that is hardly a picture comes one that takes little of the time of the fine one.
+    update_picture(before > 8 ? 4 : 1, Pacing::refine_budget);
+    if (picture_.step() != before || before == 1) return true;
+    pacing_.refined_a_part();
+    return false;
 }
 
 void Viewer::redraw() {
@@ -221,7 +231,6 @@ void Viewer::redraw() {
         return;
     }
     std::vector<Action> actions;
-    const bool refines = pacing_.refines();
     facts_.keys = {};
     const std::vector<InputEvent> events = routing_.take(input_, facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
@@ -279,7 +288,7 @@ void Viewer::redraw() {
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);
-    update_picture(refines ? 1 : pacing_.moving_step());
+    update_picture(pacing_.moving_step(), Pacing::frame_budget);
     note_facts();
     follow_rays(state_);
     draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them

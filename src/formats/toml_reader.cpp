@@ -98,21 +98,20 @@ Light read_light(const TomlText& document, const toml::table& table) {
         if (lights < fewest_lights || lights > most_lights) wrong(document, *node, expected);
         light.lights = static_cast<int>(lights);
     }
-    const auto read_part = [&](const char* key, double most, double& part) {
+    const auto part = [&](const char* key, double most) -> std::optional<double> {
         const auto* node = reader.find(key);
-        if (node == nullptr) return;
+        if (node == nullptr) return std::nullopt;
         const std::string expected = std::string("'") + key + "' as a number from 0 to " + shortest(most);
-        part = reader.number(*node, expected);
-        if (!(part >= 0.0 && part <= most)) wrong(document, *node, expected);
+        const double found = reader.number(*node, expected);
+        if (!(found >= 0.0 && found <= most)) wrong(document, *node, expected);
+        return found;
     };
-    read_part("sky", most_sky, light.sky);
-    read_part("key", most_key, light.key);
+    light.sky = part("sky", most_sky);
+    light.key = part("key", most_key).value_or(light.key);
     if (const auto* node = reader.find("sun")) {
         const glm::dvec3 direction = reader.vector(*node, "sun");
         if (direction == glm::dvec3(0.0)) fail(document, *node, "found a sun in no direction, expected 'sun' other than [0, 0, 0]");
-        // The defaults are the command line's: without a word of the sky it makes room for the sun.
-        if (reader.find("sky") != nullptr) light.sun.emplace();
-        light = with_sun(light, direction);
+        light.sun = Sun{direction};
     }
     if (const auto* node = reader.find("sun_strength")) {
         const std::string expected = "'sun_strength' as a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun);

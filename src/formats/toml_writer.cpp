@@ -84,12 +84,11 @@ void append_light(std::string& text, const Light& light) {
     };
     text += text.empty() ? "[light]\n" : "\n[light]\n";
     if (light.lights) text += "lights = " + std::to_string(*light.lights) + "\n";
-    // Beside a sun all is said: what is left out would depend on what else is.
-    if (light.sun || light.sky != Light{}.sky) append("sky", light.sky);
+    if (light.sky) append("sky", *light.sky);
     if (light.key != Light{}.key) append("key", light.key);
     if (!light.sun) return;
     append_vector(text, "sun", light.sun->direction);
-    append("sun_strength", light.sun->strength);
+    if (light.sun->strength) append("sun_strength", *light.sun->strength);
 }
 
 void append_camera(std::string& text, const Camera& camera) {

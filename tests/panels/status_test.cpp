@@ -167,6 +167,19 @@ TEST(StatusBar, TellsWhatIsDrawnAndSelected) {
     EXPECT_FALSE(bar.says("1/"));
 }
 
+// Whole columns are left out, those first that people look at least; what is cut ends in dots.
+TEST(StatusBar, KeepsWhatIsUnderThePointerInAShortLine) {
+    Scene scene = scene_of(12'345);
+    scene.names[7] = std::string(200, 'n');
+    StatusHarness bar(scene, 420.0F);
+    bar.status.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+    bar.status.pixel = Pixel{12, 34};
+    bar.status.sphere = 7;
+    EXPECT_TRUE(bar.says("12, 34")) << bar.text();
+    EXPECT_TRUE(bar.says("nn...")) << bar.text();
+    EXPECT_FALSE(bar.says("llvm")) << bar.text();
+}
+
 TEST(StatusBar, TellsTheValuesThatAreAskedFor) {
     Scene scene = scene_of(2);
     scene.properties = {{"charge", std::vector<double>{0.25, std::numeric_limits<double>::quiet_NaN()}},

@@ -69,6 +69,7 @@ TEST_F(DataInViewer, SaysWhatTheReaderWarnedOf) {
 // Colours by a property are those of every frame, in the range that was chosen, and no reason to ask for a save.
 TEST_F(DataInViewer, OtherFramesAreColouredAlike) {
     run_command(state, CommandId::next_frame);
+    finish_reading();
     LookPanelState& look = state.side_panel.look;
     const ColorBy by{.property = "x", .map = ColorMap::grey, .range = ValueRange{0.0, 8.0}};
     const auto color_by_x = [&] {
@@ -84,6 +85,7 @@ TEST_F(DataInViewer, OtherFramesAreColouredAlike) {
     ASSERT_NE(shown_coloring(state.document, look), nullptr);
     EXPECT_TRUE(state.document.is_changed());
     run_command(state, CommandId::next_frame);
+    finish_reading();
     EXPECT_EQ(question(), nullptr);
     EXPECT_EQ(state.frame, 2);
     EXPECT_EQ(state.scene().spheres[0].color, (Color{96, 96, 96})) << "x = 3 of 8";
@@ -97,6 +99,7 @@ TEST_F(DataInViewer, OtherFramesAreColouredAlike) {
     answer(1);
     const std::string other = folder.write("b.xyz", three_frames);
     open_scene(state, other);
+    finish_reading();
     EXPECT_EQ(state.scene().spheres[0].color, (Color{255, 13, 13}));
 }
 

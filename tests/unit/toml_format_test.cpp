@@ -190,21 +190,27 @@ TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
 
 // As --sun and its like do: shadows have room in a sky that comes with a sun, unless somebody says how strong it is.
 TEST(TomlFormat, MakesRoomForASunOfWhichNothingMoreIsSaid) {
-    const glm::dvec3 up{0.0, 1.0, 0.0};
-    for (const auto& [more, light] : std::vector<std::pair<std::string, Light>>{
-             {"", {.sky = 0.4, .sun = Sun{up, 0.7}}},
-             {"key = 0.5\nlights = 32", {.lights = 32, .sky = 0.4, .key = 0.5, .sun = Sun{up, 0.7}}},
-             {"sun_strength = 2", {.sky = 0.4, .sun = Sun{up, 2.0}}},
-             {"sky = 1", {.sky = 1.0, .sun = Sun{up, 1.0}}},
-             {"sky = 0.25", {.sky = 0.25, .sun = Sun{up, 1.0}}},
-             {"sky = 1\nsun_strength = 0.7", {.sky = 1.0, .sun = Sun{up, 0.7}}}}) {
-        EXPECT_EQ(read_toml("[light]\nsun = [0, 1, 0]\n" + more, "s.toml", {}).scene.light, light) << more;
+    struct Case {
+        const char* more;
+        double sky;
+        double sun;
+    };
+    for (const auto& [more, sky, sun] : {Case{"", 0.4, 0.7},
+                                         {"key = 0.5\nlights = 32", 0.4, 0.7},
+                                         {"sun_strength = 2", 0.4, 2.0},
+                                         {"sky = 1", 1.0, 1.0},
+                                         {"sky = 0.25", 0.25, 1.0},
+                                         {"sky = 1\nsun_strength = 0.7", 1.0, 0.7}}) {
+        const Light light = read_toml(std::string("[light]\nsun = [0, 1, 0]\n") + more, "s.toml", {}).scene.light;
+        EXPECT_EQ(sky_of(light), sky) << more;
+        EXPECT_EQ(sun_strength_of(light), sun) << more;
     }
+    EXPECT_EQ(sky_of(Light{}), 1.0);
 }
 
 TEST(TomlFormat, KeepsTheLight) {
     for (const Light& light :
-         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.key = 0.5},
+         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.sky = most_sky}, Light{.key = 0.5},
           Light{.lights = {}, .sky = 0.0, .sun = Sun{}}, Light{.sun = Sun{}}, Light{.sun = Sun{{0.0, 1.0, 0.0}, sun_beside_sky}},
           Light{.sky = sky_beside_sun, .sun = Sun{}}, Light{.sky = sky_beside_sun, .sun = Sun{{0.0, 1.0, 0.0}, sun_beside_sky}},
           Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
