@@ -53,6 +53,12 @@ void FilterSearch::begin_condition(const Scene& scene) {
     }
 }
 
+bool FilterSearch::waits_for(std::span<const std::string> names_in_file) const {
+    return std::ranges::any_of(unknown_, [&](const std::string& name) {
+        return std::ranges::any_of(names_in_file, [&](const std::string& one) { return lower_case(one) == lower_case(name); });
+    });
+}
+
 bool FilterSearch::fits(std::uint32_t number) const {
     return std::ranges::any_of(numbers_, [&](const NumberRange& range) { return range.first <= number && number < range.behind; });
 }

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,8 @@ public:
     // The names of what the condition compares, each once, and of them those that the scene does not have.
     const std::vector<std::string>& compared() const { return compared_; }
     const std::vector<std::string>& unknown() const { return unknown_; }
+    // Whether one of those is among the names of what the file has.
+    bool waits_for(std::span<const std::string> names_in_file) const;
     // So far; ascending.
     const std::vector<std::uint32_t>& found() const { return found_; }
 

@@ -130,7 +130,8 @@ void hide_filtered(const PanelContext& context, SidePanelState& state) {
 }
 
 void draw_filter_fault(const PanelContext& context, const SidePanelState& state) {
-    const bool is_wrong = is_searched(context.document, state) && !state.search.fault().empty();
+    const bool is_wrong =
+        is_searched(context.document, state) && !state.search.fault().empty() && !state.search.waits_for(context.property_names);
     if (!is_wrong) return;
     const ImVec2 place = ImGui::GetCursorScreenPos();
     ImGui::PushTextWrapPos(0.0F);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/text.hpp"
 #include "panels/listed_spheres.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/widgets.hpp"
@@ -214,15 +213,6 @@ std::uint64_t searched_revision(const Document& document, const SidePanelState& 
     return is_condition(state.filter) ? document.revision() : document.names_revision();
 }
 
-// What the condition asks for may be in the file, and not read yet.
-void request_unread(const PanelContext& context, const FilterSearch& search) {
-    const auto is_unread = [&](const std::string& name) {
-        return std::ranges::any_of(context.property_names,
-                                   [&](const std::string& one) { return lower_case(one) == lower_case(name); });
-    };
-    if (std::ranges::any_of(search.unknown(), is_unread)) context.actions.emplace_back(RequestProperties{});
-}
-
 void keep_list(const PanelContext& context, SidePanelState& state) {
     const Document& document = context.document;
     if (state.filter.empty()) {
@@ -231,7 +221,7 @@ void keep_list(const PanelContext& context, SidePanelState& state) {
         state.search.begin(document.scene(), state.filter);
         state.searched = searched_revision(document, state);
     }
-    request_unread(context, state.search);
+    if (state.search.waits_for(context.property_names)) context.actions.emplace_back(RequestProperties{});
     if (!state.search.done()) state.search.go_on(document.scene());
     // A number means another sphere when others come and go.
     const std::uint64_t known = std::exchange(state.drawn_revision, document.revision());
@@ -355,10 +345,12 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
     if (bar > 0.0F) state.scroll.draw_bar(context, left + width, static_cast<float>(top), bar, inner_height);
     const RowPlaces places{top - std::round(state.scroll.above() * row_height), left, width, row_height};
     if (listed.size() == 0) {
-        ImGui::TextDisabled("%s", scene.spheres.empty()           ? "The scene has no spheres."
-                                  : !state.search.fault().empty() ? "The condition has a fault."
-                                  : state.search.done()           ? "No sphere matches the filter."
-                                                                  : "Looking...");
+        const char* const why = scene.spheres.empty()                            ? "The scene has no spheres."
+                                : state.search.waits_for(context.property_names) ? "Reading..."
+                                : !state.search.fault().empty()                  ? "The condition has a fault."
+                                : state.search.done()                            ? "No sphere matches the filter."
+                                                                                 : "Looking...";
+        ImGui::TextDisabled("%s", why);
     } else {
         draw_rows(context, state, listed, places);
     }

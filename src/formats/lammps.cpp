@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "base/memory.hpp"
 #include "base/text.hpp"
@@ -151,6 +152,13 @@ DumpColumns dump_columns(const TextSource& source, const DumpLine& head) {
                                        : names[i] == "type"  ? PropertyKind::words
                                                              : PropertyKind::found;
         add_column(found.properties, names[i], of_values, i);
+    }
+    for (const auto& [letter, length] : {std::pair("v", "velocity"), std::pair("f", "force")}) {
+        for (std::size_t i = 0; i + 2 < names.size(); ++i) {
+            const std::string axis(letter);
+            const bool is_vector = names[i] == axis + "x" && names[i + 1] == axis + "y" && names[i + 2] == axis + "z";
+            if (is_vector) add_column(found.properties, length, PropertyKind::magnitude, i);
+        }
     }
     return found;
 }

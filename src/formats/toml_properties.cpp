@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/toml_values.hpp"
@@ -118,6 +119,7 @@ private:
     }
 
     void begin() {
+        require_memory(spheres_ * sizeof(double), document_.name + ": the values of " + in_groups(spheres_) + " spheres need");
         switch (type_) {
             case ValueType::real: property_.values = std::vector<double>{}; break;
             case ValueType::small_real: property_.values = std::vector<float>{}; break;

@@ -74,6 +74,8 @@ public:
             }
             auto field = field_named(name, type, count);
             if (count > most_columns - first) fail("at most " + std::to_string(most_columns) + " columns");
+            // Of a symbol and an atomic number the first is the element.
+            if (field == XyzField::species && has(columns, XyzField::species)) field.reset();
             if (field != XyzField::position) add_properties(layout.properties, written, type[0], count, first, field);
             if (field) {
                 if (*field == XyzField::position && count == 2) field = XyzField::flat_position;

@@ -179,7 +179,8 @@ void reserve_values(Property& property, std::size_t spheres) {
 }
 
 Property values_of(const Property& property, std::span<const std::uint32_t> spheres) {
-    const auto choose = [&](const auto& values) -> decltype(property.values) { return chosen(values, spheres); };
+    using Values = decltype(Property::values);
+    const auto choose = [&](const auto& values) { return Values(chosen(values, spheres)); };
     return {property.name, std::visit(choose, property.values)};
 }
 

@@ -76,6 +76,22 @@ TEST_F(Convert, ToChoosesTheFormatWhateverTheNameIs) {
     EXPECT_EQ(convert({"-", "-", "--to", "text"}, hard_text).output, hard_text);
 }
 
+TEST_F(Convert, KeepsThePropertiesThatAreAskedFor) {
+    folder_.write("a.csv", "x,y,z,radius,q,kind\n0,0,9,1,0.5,a\n1,0,9,1,,b\n");
+    ASSERT_EQ(convert({"a.csv", "none.toml"}).status, 0);
+    EXPECT_FALSE(contains(folder_.read("none.toml"), "[[property]]"));
+    ASSERT_EQ(convert({"a.csv", "one.toml", "--properties", "Q"}).status, 0);
+    EXPECT_TRUE(contains(folder_.read("one.toml"), "[[property]]\nname = \"q\"\nvalues = [0.5, nan]\n"));
+    EXPECT_FALSE(contains(folder_.read("one.toml"), "kind"));
+    ASSERT_EQ(convert({"a.csv", "all.toml", "--properties", "all"}).status, 0);
+    EXPECT_TRUE(contains(folder_.read("all.toml"), "name = \"kind\"\nvalues = [\"a\", \"b\"]\n"));
+    ASSERT_EQ(convert({"all.toml", "again.toml"}).status, 0);
+    EXPECT_EQ(folder_.read("again.toml"), folder_.read("all.toml"));
+    EXPECT_TRUE(contains(convert({"all.toml", "all.txt"}).errors, "the text format cannot hold the camera, the properties (3)"));
+    EXPECT_TRUE(fails(convert({"a.csv", "new.toml", "--properties", "q,kin"}), 2,
+                      "a.csv: found no property 'kin', expected one of 'radius', 'q', 'kind'; did you mean 'kind'?"));
+}
+
 TEST_F(Convert, FailsLikeRender) {
     folder_.write("bad.txt", bad_scene);
     folder_.write("red.txt", red_scene);

@@ -54,6 +54,17 @@ TEST(Explain, GivesTheArithmeticOfThePixel) {
     }
 }
 
+TEST(Explain, TellsThePropertiesThatAreAskedFor) {
+    const std::string table = "x,y,z,radius,q,kind\n0,0,300,50,-0.5,a\n0,0,500,50,,b\n";
+    const std::vector<std::string> straight = {"--no-fit", "--properties", "q,kind"};
+    EXPECT_TRUE(contains(explain(table, straight).output, "  q = -0.5, kind = 'a'\n"));
+    EXPECT_FALSE(contains(explain(table, {"--no-fit"}).output, "q ="));
+    const Json json = Json::parse(explain(table, {"--no-fit", "--json", "--properties", "q,kind"}).output);
+    EXPECT_EQ(json["hits"][0]["properties"], Json::parse(R"({"q": -0.5, "kind": "a"})"));
+    EXPECT_EQ(json["hits"][1]["properties"], Json::parse(R"({"q": null, "kind": "b"})"));
+    EXPECT_FALSE(explain_as_json("1 1 1 1 0 0 300 50")["hits"][0].contains("properties"));
+}
+
 TEST(Explain, ShowsNothingThatContradictsWhatWasDecided) {
     const std::string small = "(above 0, too small for a double to show; decided exactly)";
     const std::string large = "(above 0, too large for a double to show; decided exactly)";
@@ -203,7 +214,8 @@ TEST(Explain, RefusesALightThatThereIsNot) {
     refused({"--light", "17", "--sun", "0,0,-1"}, "sphereview: --light: found 17, expected 0 (the sun) or 1 to 16");
     refused({"--light", "1", "--sun", "0,0,-1", "--sky", "0"}, "sphereview: --light: found 1, expected 0 (the sun)");
     refused({"--light", "1", "--sky", "0"}, "sphereview: --light: found 1, expected a scene with a light");
-    EXPECT_TRUE(fails(explain(scene, {"--shade", "studio", "--light", "one"}), 2, "sphereview: --light: found 'one', expected the number"));
+    EXPECT_TRUE(
+        fails(explain(scene, {"--shade", "studio", "--light", "one"}), 2, "sphereview: --light: found 'one', expected the number"));
     EXPECT_TRUE(fails(explain(scene, {"--light", "1"}), 2, "sphereview: --shade: found 'flat', expected studio with --light"));
 }
 

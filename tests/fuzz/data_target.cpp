@@ -14,8 +14,10 @@ std::string wrong_with(std::string_view bytes, const char* name) {
     const SceneFormat& format = *find_format(name);
     for (std::int64_t frame = 0; frame < (format.has_frames ? 3 : 1); ++frame) {
         SphereData data;
+        DataOptions options{frame, {}, frame != 1};
+        options.all_properties = frame < 2;
         try {
-            data = format.read(bytes, "data", {frame, {}, frame != 1});
+            data = format.read(bytes, "data", options);
         } catch (const InputError&) {
             continue;
         } catch (const MemoryError&) {
@@ -26,6 +28,9 @@ std::string wrong_with(std::string_view bytes, const char* name) {
             const glm::dvec3& c = sphere.center;
             const bool finite = std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z) && std::isfinite(sphere.radius);
             if (!finite || !(sphere.radius > 0.0)) return "a sphere that none can be";
+        }
+        for (const Property& property : data.scene.properties) {
+            if (size_of(property) != data.scene.spheres.size()) return "another number of values than of spheres";
         }
         const std::string written = write_scene(data.scene, SceneFormat::toml);
         if (data.scene == Scene{}) continue;  // nothing to write

@@ -220,6 +220,7 @@ TEST(SphereList, AConditionSaysWhatIsWrongAndAsksForWhatIsNotRead) {
     panel.click("clear filter");
     panel.type_into("filter", "mass > 1");
     EXPECT_FALSE(panel.taken<RequestProperties>().empty());
+    EXPECT_FALSE(panel.has("filter fault"));
     panel.document.add_properties({{"Mass", std::vector<double>(125, 2.0)}});
     panel.frames(2);
     EXPECT_EQ(panel.state().search.found().size(), 125U);

@@ -57,6 +57,12 @@ TEST(PropertiesOfXyz, AreItsColumns) {
     EXPECT_TRUE(std::holds_alternative<std::vector<std::int32_t>>(find_property(data.scene.properties, "tag")->values));
 }
 
+TEST(PropertiesOfXyz, HaveOneElement) {
+    const SphereData data = read_xyz("1\nProperties=species:S:1:pos:R:3:Z:I:1\nC 0 0 0 6\n", "a", everything);
+    EXPECT_EQ(data.property_names, (Words{"element", "Z"}));
+    EXPECT_EQ(values(data, "Z"), "6");
+}
+
 TEST(PropertiesOfXyz, AreKeptOnlyWhereAskedFor) {
     const SphereData none = read_xyz(extended_xyz, "a", {});
     EXPECT_TRUE(none.scene.properties.empty());
@@ -131,6 +137,13 @@ TEST(PropertiesOfLammps, GoWithTheOrderOfTheIds) {
     EXPECT_TRUE(is_category(*find_property(data.scene.properties, "type")));
     EXPECT_EQ(values(data, "vx"), "0.1 0.2 0.3");
     EXPECT_EQ(values(data, "c_pe"), "-1.5 -2 -3");
+}
+
+TEST(PropertiesOfLammps, HaveTheLengthsOfVectors) {
+    const std::string head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS ";
+    const SphereData data = read_lammps(head + "x y z vx vy vz fx fy\n0 0 0 0.3 0.4 0 1 2\n", "a", everything);
+    EXPECT_EQ(data.property_names, (Words{"vx", "vy", "vz", "fx", "fy", "velocity"}));
+    EXPECT_EQ(values(data, "velocity"), "0.5");
 }
 
 TEST(PropertiesOfLammps, HaveElements) {

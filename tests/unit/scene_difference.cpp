@@ -64,6 +64,7 @@ std::string difference(const Scene& actual, const Scene& expected) {
         const std::string text = difference("sphere " + std::to_string(i), actual.spheres[i], expected.spheres[i]);
         if (!text.empty()) return text;
     }
+    if (actual.properties != expected.properties) return "other properties";
     return actual.names == expected.names ? "" : "other names";
 }
 
