@@ -22,12 +22,15 @@ ExitCode run_convert(const ConvertOptions& options) {
     const SceneFormat format = options.to.value_or(format_of_name(options.output));
     FitOptions fit = options.fit;
     if (format.holds_only_spheres && !fit.wanted) fit.wanted = false;  // no camera is made only to be lost
-    const LoadedScene loaded = [&] {
+    LoadedScene loaded = [&] {
         Progress progress;
         return load_scene(options.input, {.progress = &progress, .data = options.data, .look = options.look, .fit = fit});
     }();
     say_warnings(loaded);
     require_properties(loaded, options.data);
+    // What was read only for colours and sizes is not kept.
+    const bool keeps_properties = options.data.all_properties || !options.data.properties.empty() || !loaded.format.is_data;
+    if (!keeps_properties) loaded.scene.properties.clear();
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
         say(loaded.name + ": the " + std::string(format.name) + " format cannot hold " + lost + "; left out");
     }

@@ -1,5 +1,7 @@
 #include "app/look.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -8,21 +10,24 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::size_t most_listed = 30;
+constexpr std::size_t most_names_listed = 30;
 
 // "found no property 'q', expected one that the file has: charge and chain; or x, y, z or radius".
 std::string missing(const std::string& asked, const std::vector<std::string>& has) {
-    std::vector<std::string> candidates(own_value_names.begin(), own_value_names.end());
+    std::vector<std::string> candidates;
+    for (const std::string_view own : own_value_names) {
+        if (std::ranges::find(has, own) == has.end()) candidates.emplace_back(own);
+    }
     const std::string of_all = listed(candidates, "or");
     candidates.insert(candidates.end(), has.begin(), has.end());
     std::vector<std::string> shown;
     for (const std::string& one : has) {
-        if (shown.size() < most_listed) shown.push_back(one);
+        if (shown.size() < most_names_listed) shown.push_back(one);
     }
     if (has.size() > shown.size()) shown.push_back(in_groups(has.size() - shown.size()) + " more");
     return "found no property " + in_quotes(asked) + ", expected " +
            (shown.empty() ? of_all + ": the file has no others"
-                          : "one that the file has, " + listed(shown, "or") + ", or " + of_all) +
+                          : "one that the file has, " + listed(shown, "or") + (of_all.empty() ? "" : ", or " + of_all)) +
            did_you_mean(asked, candidates);
 }
 

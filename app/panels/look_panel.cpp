@@ -64,16 +64,19 @@ public:
 
     void draw() {
         take_seen();
-        const bool chosen = choose("colour by", state_.colors.property, false);
-        if (chosen) {
+        if (choose("colour by", state_.colors.property, false)) {
             state_.colors.range.reset();
-            recolor(0);
+            state_.colors.log = false;
+            state_.recolors = true;
         }
         Property own;
-        const Property* values = state_.colors.property.empty() ? nullptr : find_values(scene_, state_.colors.property, own);
+        const Property* values = chosen(state_.colors.property, own, state_.recolors);
+        if (values != nullptr && std::exchange(state_.recolors, false)) {
+            state_.colors.map = is_of_categories(*values) ? std::nullopt : state_.last_map;
+            recolor(0);
+        }
         if (values != nullptr) {
-            const bool by_category = is_category(*values) || (!as_numbers() && shown_by_category(*values));
-            if (by_category) {
+            if (is_category(*values) || (!as_numbers() && is_of_categories(*values))) {
                 draw_categories();
             } else {
                 count(*values);
@@ -88,12 +91,37 @@ public:
 private:
     bool as_numbers() const { return state_.colors.map || state_.colors.range || state_.colors.log; }
 
-    // What can be chosen: words only for colours.
-    std::vector<std::string> choices(bool numbers_only) const {
-        std::vector<std::string> names;
-        for (const Property& property : scene_.properties) {
-            if (!numbers_only || !is_category(property)) names.push_back(property.name);
+    // Looked at once: there may be very many numbers.
+    bool is_of_categories(const Property& values) {
+        const std::uint64_t order = context_.document.order_revision();
+        if (state_.judged_property != values.name || state_.judged_revision != order) {
+            state_.judged_property = values.name;
+            state_.judged_revision = order;
+            state_.by_category = shown_by_category(values);
         }
+        return state_.by_category;
+    }
+
+    // The values of what is chosen; null until they are read, for which it asks where somebody `waits`.
+    const Property* chosen(const std::string& name, Property& own, bool& waits) {
+        const Property* values = name.empty() ? nullptr : find_values(scene_, name, own);
+        const bool is_unread = std::ranges::find(context_.property_names, name) != context_.property_names.end();
+        if (values != nullptr && !(values == &own && is_unread)) return values;
+        waits = waits && is_unread;
+        if (waits) context_.actions.emplace_back(RequestProperties{});
+        return nullptr;
+    }
+
+    // What can be chosen: for sizes no words, as far as it is known what they are.
+    std::vector<std::string> choices(bool numbers_only) const {
+        std::vector<std::string> names(context_.property_names.begin(), context_.property_names.end());
+        for (const Property& property : scene_.properties) {
+            if (std::ranges::find(names, property.name) == names.end()) names.push_back(property.name);
+        }
+        std::erase_if(names, [&](const std::string& name) {
+            const Property* property = find_property(scene_.properties, name);
+            return numbers_only && property != nullptr && is_category(*property);
+        });
         for (const std::string_view name : own_value_names) {
             const auto same = [&](const std::string& other) { return lower_case(other) == name; };
             if (std::ranges::none_of(names, same)) names.emplace_back(name);
@@ -196,6 +224,7 @@ private:
             const float width = ImGui::GetContentRegionAvail().x;
             if (ImGui::Selectable(name.c_str(), map == present, 0, {0.0F, row_height()}) && map != present) {
                 state_.colors.map = map;
+                state_.last_map = map;
                 recolor(0);
             }
             note_widget(context_, "map " + name);
@@ -337,11 +366,11 @@ private:
     }
 
     void draw_sizes() {
-        const bool chosen = choose("size by", state_.size_by, true);
+        if (choose("size by", state_.size_by, true)) state_.resizes = true;
         Property own;
-        const Property* values = state_.size_by.empty() ? nullptr : find_values(scene_, state_.size_by, own);
+        const Property* values = chosen(state_.size_by, own, state_.resizes);
         if (values == nullptr || is_category(*values)) return;
-        if (chosen) {
+        if (std::exchange(state_.resizes, false)) {
             state_.scale = usual_scale(scene_, *values);
             resize(*values, 0);
         }

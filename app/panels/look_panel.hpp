@@ -28,9 +28,13 @@ struct Histogram {
 
 // What the part of the side panel remembers from frame to frame.
 struct LookPanelState {
-    ColorBy colors{};     // what is chosen; without a property: nothing yet
-    std::string size_by;  // likewise
-    double scale = 1.0;   // the radius of a value of 1
+    ColorBy colors{};                  // what is chosen; without a property: nothing yet
+    std::optional<ColorMap> last_map;  // that was chosen for numbers
+    std::string size_by;               // likewise
+    double scale = 1.0;                // the radius of a value of 1
+    // Chosen, and to be done as soon as the property is read.
+    bool recolors = false;
+    bool resizes = false;
 
     // The latest first. The spheres may have others by now, and have these again after an undo.
     std::vector<UsedColors> used;
@@ -43,6 +47,10 @@ struct LookPanelState {
     std::string counted_property;
     bool counted_log = false;
     std::uint64_t counted_revision = 0;
+    // Whether the values of a property are shown by category, of spheres in that order.
+    std::string judged_property;
+    std::uint64_t judged_revision = 0;
+    bool by_category = false;
 
     std::optional<int> handle;  // of the range, in the hand: 0 is `low`; the histogram's span stands still meanwhile
 

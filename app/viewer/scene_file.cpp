@@ -56,7 +56,7 @@ void read_scene(ViewerState& state, const std::string& path) {
     start_loading(state, {path, load_options(state, path, 0), accept, fail, [&state] { look_at_file(state); }});
 }
 
-// The colours that the spheres have, in the same range, and the sizes that were chosen last.
+// The colours that the spheres have, in the same range, and the sizes that were chosen last, if they have them.
 void keep_chosen_look(const ViewerState& state, LookOptions& options) {
     const LookPanelState& look = state.side_panel.look;
     if (look.shown && look.shown_revision == state.document.revision()) {
@@ -67,7 +67,9 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
             by_category || look.shown->range.low == look.shown->range.high ? std::nullopt : std::optional(look.shown->range);
         options.log = look.shown->log;
     }
-    if (!look.size_by.empty()) {
+    Property own;
+    const Property* sizes = look.size_by.empty() ? nullptr : find_values(state.scene(), look.size_by, own);
+    if (sizes != nullptr && part_with_sizes(state.scene(), *sizes, look.scale) > 0.5) {
         options.size_by = look.size_by;
         options.scale = look.scale;
         options.radii.reset();

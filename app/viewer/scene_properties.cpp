@@ -30,7 +30,10 @@ bool has_unread_properties(const ViewerState& state) {
 }
 
 std::vector<std::string> told_properties(const ViewerState& state) {
-    return state.panel_shown ? state.side_panel.search.compared() : std::vector<std::string>();
+    if (!state.panel_shown) return {};
+    std::vector<std::string> names = state.side_panel.search.compared();
+    if (const auto& shown = state.side_panel.look.shown) names.push_back(shown->property);
+    return names;
 }
 
 void request_properties(ViewerState& state) {

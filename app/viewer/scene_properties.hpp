@@ -24,7 +24,8 @@ bool has_unread_properties(const ViewerState& state);
 // as not there.
 void request_properties(ViewerState& state);
 
-// The names of those whose values the status bar tells of the sphere under the pointer: what the list is filtered by.
+// The names of those whose values the status bar tells of the sphere under the pointer: what the list is filtered by, and
+// what the spheres are coloured by.
 std::vector<std::string> told_properties(const ViewerState& state);
 
 }  // namespace sphereview

@@ -136,7 +136,9 @@ void draw_scale_bar_on_screen(const ViewerState& state, const Rectangle& picture
 
 void draw_legend_on_screen(const ViewerState& state, const Coloring& coloring, const Rectangle& picture, double pixels, int unit) {
     const LegendRoom room = room_for_legend(state.picture_size.width * stroke_unit, state.picture_size.height * stroke_unit, unit);
-    draw_strokes(strokes_of_legend(coloring, room, unit, is_light(state.shown_background())), {picture.x, picture.y}, pixels);
+    // Letters as large as the window's.
+    draw_strokes(strokes_of_legend(coloring, room, unit * 2 / 3, is_light(state.shown_background())), {picture.x, picture.y},
+                 pixels);
 }
 
 }  // namespace

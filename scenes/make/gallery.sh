@@ -20,5 +20,6 @@ dark="--background #202430"
     picture crystal "$scenes/crystal.extxyz" --view iso --samples 16 $dark
     picture packing "$scenes/packing.csv" --samples 16 $dark
     python3 "$scenes/make/sphereflake.py" | picture sphereflake - --fit --samples 16 --lights 64 $dark
+    python3 "$scenes/make/drop.py" | picture drop - --view 35,30 --samples 16 --lights 64 --color-by height --colormap coolwarm --legend $dark
     picture planets "$scenes/planets.toml" --samples 16
 }

@@ -94,6 +94,20 @@ Sizing size_by(std::vector<Sphere>& spheres, const Property& values, double scal
     return sizing;
 }
 
+double part_with_sizes(const Scene& scene, const Property& values, double scale) {
+    if (scene.spheres.empty() || size_of(values) != scene.spheres.size()) return 0.0;
+    constexpr std::size_t most_looked_at = 1000;
+    std::size_t looked_at = 0;
+    std::size_t same = 0;
+    for (std::size_t i = 0; i < scene.spheres.size(); i += scene.spheres.size() / most_looked_at + 1) {
+        const double value = number_at(values, i);
+        if (!is_size(value)) continue;
+        ++looked_at;
+        same += scene.spheres[i].radius == within_doubles(scale * value) ? 1 : 0;
+    }
+    return looked_at == 0 ? 0.0 : static_cast<double>(same) / static_cast<double>(looked_at);
+}
+
 std::size_t use_radii(std::vector<Sphere>& spheres, const Property& elements, RadiiKind kind) {
     const auto& [words, numbers] = std::get<Labels>(elements.values);
     std::vector<std::optional<double>> of_words;

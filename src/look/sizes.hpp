@@ -37,6 +37,9 @@ double usual_scale(const Scene& scene, const Property& values);
 // Each sphere's radius becomes the scale times its value; where that is no finite number above 0, a fiftieth of the largest one.
 Sizing size_by(std::vector<Sphere>& spheres, const Property& values, double scale);
 
+// Which part of the spheres have such radii, from 0 to 1: looked at for some of them, where there are many.
+double part_with_sizes(const Scene& scene, const Property& values, double scale);
+
 // Gives atoms the radii of their elements. Returns how many spheres keep theirs, as their element is not known.
 std::size_t use_radii(std::vector<Sphere>& spheres, const Property& elements, RadiiKind kind);
 

@@ -20,7 +20,7 @@ inline constexpr std::array<std::string_view, 4> own_value_names = {"x", "y", "z
 const Property* find_values(const Scene& scene, std::string_view name, Property& own);
 
 // How properties are called that say what element an atom is.
-inline constexpr std::array<std::string_view, 5> element_property_names = {"element", "species", "symbol", "type_symbol", "atom"};
+inline constexpr std::array<std::string_view, 4> element_property_names = {"element", "species", "symbol", "type_symbol"};
 // Whether it is one of these, of words, and any of its words is an element.
 bool holds_elements(const Property& values);
 // The first that does; null where the scene keeps none.

@@ -86,6 +86,31 @@ TEST_F(Look, IsInThePictureAndInItsReport) {
     EXPECT_EQ(sphereview({"render", "b.toml", "-s", "64x64", "--backend", "cpu", "--expect", "a.png"}).status, 0);
 }
 
+TEST_F(Look, UsesWhatFilesHold) {
+    folder_.write("q.xyz", "3\nProperties=species:S:1:pos:R:3:charge:R:1\nC 0 0 0 -1\nO 1 0 0 1\nC 2 0 0 nan\n");
+    const auto [colors, said] = converted({"--color-by", "Charge", "--colormap", "grey", "--radius", "1"}, "q.xyz");
+    EXPECT_EQ(colors, "3\n0 0 0\n0 0 0\n1\n255 255 255\n1 0 0\n1\n128 128 128\n2 0 0\n1\n");
+    EXPECT_EQ(said,
+              "q.xyz: colours by charge: grey from -1 to 1; 1 sphere has no value, and is grey\n"
+              "q.xyz: the text format cannot hold the names (3); left out\n");
+    EXPECT_EQ(converted({"--radii", "vdw", "--radius-scale", "0.5"}, "q.xyz").first,
+              "3\n144 144 144\n0 0 0\n0.85\n255 13 13\n1 0 0\n0.76\n144 144 144\n2 0 0\n0.85\n");
+    folder_.write("m.csv", "x,y,z,mass,kind\n0,0,0,1,a\n1,0,0,2,b\n");
+    EXPECT_EQ(converted({"--size-by", "mass", "--color-by", "kind"}, "m.csv").first,
+              "2\n230 159 0\n0 0 0\n0.25\n86 180 233\n1 0 0\n0.5\n");
+    expect_fault(
+        {"render", "m.csv", "--color-by", "maas"},
+        "m.csv: found no property 'maas', expected one that the file has, mass or kind, or x, y, z or radius; did you mean "
+        "'mass'?");
+    expect_fault({"render", "m.csv", "--size-by", "kind"}, "m.csv: kind: found words, expected numbers, for sizes");
+    const Outcome outcome = sphereview(
+        {"render", "q.xyz", "-s", "20x20", "--backend", "cpu", "--color-by", "element", "--size-by", "charge", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    const Json report = Json::parse(outcome.output);
+    EXPECT_EQ(report["color_by"]["categories"][0], Json::parse(R"({"name": "C", "color": [144, 144, 144], "count": 2})"));
+    EXPECT_EQ(report["size_by"], Json::parse(R"({"property": "charge", "scale": 0.5, "small": 2})"));
+}
+
 TEST_F(Look, SaysWhatIsWrong) {
     expect_fault({"render", "a.txt", "--color-by", "charge"},
                  "a.txt: found no property 'charge', expected x, y, z or radius: the file has no others");

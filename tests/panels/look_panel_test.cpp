@@ -120,6 +120,36 @@ TEST(LookPanel, ColorsByWords) {
     EXPECT_EQ(panel.legend(), "");
 }
 
+// Of a large scene the file's properties are read when somebody asks for one.
+TEST(LookPanel, WaitsForWhatIsNotReadYet) {
+    OpenLookPanel panel;
+    panel.property_names = {"charge", "mass", "chain"};
+    panel.frames(2);
+    panel.click("colour by");
+    panel.frames(3);
+    panel.take_actions();
+    panel.click("colour by mass");
+    panel.frames(2);
+    EXPECT_FALSE(panel.taken<RequestProperties>().empty());
+    EXPECT_FALSE(panel.document.can_undo());
+    panel.document.add_properties({{"mass", std::vector<float>{2.0F, 1.0F, 1.5F}}});
+    panel.frames(3);
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {1.0, 0.0, 0.5}));
+    panel.take_actions();
+    panel.frames(2);
+    EXPECT_TRUE(panel.take_actions().empty());
+    // What cannot be read is asked for no more.
+    panel.property_names = {"charge", "mass", "chain", "lost"};
+    panel.frames(2);
+    panel.choose("colour by", "lost");
+    panel.property_names.pop_back();
+    panel.frames(2);
+    panel.take_actions();
+    panel.frames(2);
+    EXPECT_TRUE(panel.take_actions().empty());
+    EXPECT_FALSE(panel.look().recolors);
+}
+
 TEST(LookPanel, SizesByNumbers) {
     OpenLookPanel panel;
     const std::vector<Sphere> before = panel.document.scene().spheres;

@@ -200,7 +200,8 @@ TEST(Coloring, OfElementsIsTheUsualOne) {
     EXPECT_EQ(colors[1], (Color{255, 255, 255}));
     EXPECT_EQ(colors[4], (Color{255, 20, 147}));
     EXPECT_EQ(find_elements(scene), &scene.properties[0]);
-    // A chain's letters are no elements.
+    // A chain's letters are no elements, nor are the names of atoms: CA is a carbon.
+    EXPECT_EQ(colored(scene_with({"atom", Labels{{"CA", "C"}, {0, 1}}}), {}).categories[0].color, category_color(0));
     EXPECT_EQ(colored(scene_with({"chain", Labels{{"C"}, {0}}}), {}).categories[0].color, category_color(0));
 }
 
@@ -221,6 +222,8 @@ TEST(Sizes, AreTimesTheValue) {
     std::vector<double> radii;
     for (const Sphere& sphere : scene.spheres) radii.push_back(sphere.radius);
     EXPECT_EQ(radii, (std::vector<double>{0.5, 2.0, 0.04, 0.04, 0.04, 0.04}));
+    EXPECT_EQ(part_with_sizes(scene, scene.properties[0], 0.5), 1.0);
+    EXPECT_EQ(part_with_sizes(scene, scene.properties[0], 1.0), 0.0);
     scale_radii(scene.spheres, 2.0);
     EXPECT_EQ(scene.spheres[1].radius, 4.0);
     scale_radii(scene.spheres, 1e308);
