@@ -41,7 +41,66 @@ std::size_t begin_of_line(std::string_view text, std::size_t line) {
     return begin;
 }
 
+bool same_tag(std::string_view a, std::string_view b) { return a.size() == b.size() && find_word(a, b, 0) == 0; }
+
+// A text's words from some place on; a quoted text and a text field are one each.
+class CifWords {
+public:
+    CifWords(std::string_view text, std::size_t begin) : text_(text), at_(begin) {}
+
+    // Empty at the end.
+    std::string_view next() {
+        skip_space();
+        const std::size_t begin = at_;
+        if (begin == text_.size()) return {};
+        const char first = text_[begin];
+        if (first == ';' && begins_line(begin)) {
+            const std::size_t end = text_.find("\n;", begin);
+            at_ = end == std::string_view::npos ? text_.size() : end + 2;
+        } else if (first == '\'' || first == '"') {
+            do {
+                at_ = std::min(text_.find_first_of(std::string{first, '\n'}, at_ + 1), text_.size());
+            } while (at_ + 1 < text_.size() && text_[at_] == first && !is_space(text_[at_ + 1]));
+            if (at_ < text_.size() && text_[at_] == first) ++at_;
+        } else {
+            while (at_ < text_.size() && !is_space(text_[at_])) ++at_;
+        }
+        return text_.substr(begin, at_ - begin);
+    }
+
+private:
+    bool begins_line(std::size_t place) const { return place == 0 || text_[place - 1] == '\n'; }
+
+    // And comments.
+    void skip_space() {
+        while (at_ < text_.size()) {
+            if (text_[at_] == '#') {
+                at_ = std::min(text_.find('\n', at_), text_.size());
+            } else if (is_space(text_[at_])) {
+                ++at_;
+            } else {
+                break;
+            }
+        }
+    }
+
+    std::string_view text_;
+    std::size_t at_;
+};
+
 }  // namespace
+
+std::size_t place_of_cif_word(std::string_view text, std::size_t line, std::span<const std::string> tags, std::size_t number) {
+    CifWords words(text, begin_of_line(text, line));
+    std::string_view word = words.next();
+    // Others may stand before it in its line.
+    while (!word.empty() && !same_tag(word, tags.front())) word = words.next();
+    for (std::size_t i = 0; i < number && !word.empty(); ++i) {
+        word = words.next();
+        if (i + 1 < tags.size() && !same_tag(word, tags[i + 1])) return std::string_view::npos;
+    }
+    return word.empty() ? std::string_view::npos : static_cast<std::size_t>(word.data() - text.data());
+}
 
 std::string placed_cif_fault(const TextSource& source, const std::string& message) {
     const std::string_view text = source.text;

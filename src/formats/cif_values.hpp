@@ -1,23 +1,53 @@
 // What the readers of CIF share: values, and where in the text they stand. For sources that may include gemmi.
 #pragma once
 
+#include <cstddef>
 #include <gemmi/cifdoc.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "formats/cif_fault.hpp"
 #include "formats/lines.hpp"
 
 namespace sphereview {
 
-// gemmi keeps only the line of a table, or of a pair of a tag and a value.
-inline std::string in_line(const TextSource& source, const gemmi::cif::Item& item, const std::string& message) {
-    return source.name + ":" + std::to_string(item.line_number) + ": " + message;
+// gemmi keeps only the line of a table, or of a pair of a tag and a value: the others are looked for behind that.
+inline std::string at_word(const TextSource& source, const gemmi::cif::Item& item, std::size_t number, const std::string& message) {
+    const bool is_loop = item.type == gemmi::cif::ItemType::Loop;
+    const std::span<const std::string> tags = is_loop ? std::span(item.loop.tags) : std::span(item.pair.data(), 1);
+    const std::size_t place = place_of_cif_word(source.text, static_cast<std::size_t>(item.line_number), tags, number);
+    const std::string line = source.name + ":" + std::to_string(item.line_number) + ": ";
+    return (place == std::string_view::npos ? line : source.place(place)) + message;
 }
 
-[[noreturn]] inline void fail_in_line(const TextSource& source, const gemmi::cif::Item& item, const std::string& message) {
-    throw InputError(in_line(source, item, message));
+// `tag`: which of the table's.
+[[noreturn]] inline void fail_at_tag(const TextSource& source, const gemmi::cif::Item& item, const std::string& message,
+                                     std::size_t tag = 0) {
+    throw InputError(at_word(source, item, tag, message));
+}
+
+// `value`: which of the table's, row by row.
+inline std::string at_value(const TextSource& source, const gemmi::cif::Item& item, const std::string& message,
+                            std::size_t value = 0) {
+    const std::size_t tags = item.type == gemmi::cif::ItemType::Loop ? item.loop.tags.size() : 1;
+    return at_word(source, item, tags + value, message);
+}
+
+[[noreturn]] inline void fail_at_value(const TextSource& source, const gemmi::cif::Item& item, const std::string& message,
+                                       std::size_t value = 0) {
+    throw InputError(at_value(source, item, message, value));
+}
+
+// Of a column that the table has.
+[[noreturn]] inline void fail_at_value(const TextSource& source, const gemmi::cif::Table::Row& row, std::size_t column,
+                                       const std::string& message) {
+    const auto place = static_cast<std::size_t>(row.tab.positions.at(column));
+    const gemmi::cif::Item* loop = row.tab.loop_item;
+    if (loop == nullptr) fail_at_value(source, row.tab.bloc.items[place], message);
+    fail_at_value(source, *loop, message, static_cast<std::size_t>(row.row_index) * loop->loop.width() + place);
 }
 
 inline const gemmi::cif::Item& first_item(gemmi::cif::Table& table) {

@@ -49,7 +49,7 @@ std::optional<double> number_of(const TextSource& source, const cif::Block& bloc
     const cif::Item* item = pair_of(block, tags);
     if (item == nullptr || cif::is_null(item->pair[1])) return std::nullopt;
     const double number = cif::as_number(cif::as_string(item->pair[1]));
-    if (!std::isfinite(number)) fail_in_line(source, *item, found_expected(item->pair[1], item->pair[0] + ", a number"));
+    if (!std::isfinite(number)) fail_at_value(source, *item, found_expected(item->pair[1], item->pair[0] + ", a number"));
     return number;
 }
 
@@ -57,11 +57,11 @@ Cell cell_in(const TextSource& source, const cif::Block& block, const cif::Item&
     const auto length = [&](std::initializer_list<const char*> tags) {
         const std::optional<double> number = number_of(source, block, tags);
         if (!number) {
-            fail_in_line(source, atoms,
-                         "found places in parts of a cell, expected its lengths too, as " + std::string(*tags.begin()));
+            fail_at_tag(source, atoms,
+                        "found places in parts of a cell, expected its lengths too, as " + std::string(*tags.begin()));
         }
         const cif::Item& item = *pair_of(block, tags);
-        if (!(*number > 0.0)) fail_in_line(source, item, found_expected(item.pair[1], item.pair[0] + " above 0"));
+        if (!(*number > 0.0)) fail_at_value(source, item, found_expected(item.pair[1], item.pair[0] + " above 0"));
         return *number;
     };
     constexpr double right = 90.0;
@@ -72,9 +72,9 @@ Cell cell_in(const TextSource& source, const cif::Block& block, const cif::Item&
     const double gamma = number_of(source, block, {"_cell_angle_gamma", "_cell.angle_gamma"}).value_or(right);
     const std::optional<Cell> cell = cell_of(lengths, alpha, beta, gamma);
     if (cell) return *cell;
-    fail_in_line(source, *pair_of(block, {"_cell_length_a", "_cell.length_a"}),
-                 "found angles " + shortest(alpha) + ", " + shortest(beta) + " and " + shortest(gamma) +
-                     ", expected angles that a cell can have");
+    fail_at_tag(source, *pair_of(block, {"_cell_length_a", "_cell.length_a"}),
+                "found angles " + shortest(alpha) + ", " + shortest(beta) + " and " + shortest(gamma) +
+                    ", expected angles that a cell can have");
 }
 
 // One operation: where an atom comes again, in parts of the edges.
@@ -126,15 +126,21 @@ std::vector<SymmetryOperation> operations_in(const TextSource& source, cif::Bloc
                             "_symmetry_equiv.pos_as_xyz"}) {
         cif::Column column = block.find_values(tag);
         if (column.item() == nullptr) continue;
+        const cif::Item& item = *column.item();
+        const bool is_loop = item.type == cif::ItemType::Loop;
+        const std::size_t width = is_loop ? item.loop.width() : 1;
+        std::size_t place = is_loop ? static_cast<std::size_t>(item.loop.find_tag(tag)) : 0;  // among the item's values
         for (const std::string& value : column) {
-            if (cif::is_null(value)) continue;
-            const std::optional<gemmi::Op> op = operation_in(cif::as_string(value));
-            if (!op) fail_in_line(source, *column.item(), found_expected(value, "an operation of symmetry, as -x,y+1/2,z"));
-            operations.emplace_back(*op);
-            if (operations.size() > most_operations) {
-                fail_in_line(source, *column.item(),
-                             "found more operations of symmetry, expected at most " + std::to_string(most_operations));
+            if (!cif::is_null(value)) {
+                const std::optional<gemmi::Op> op = operation_in(cif::as_string(value));
+                if (!op) fail_at_value(source, item, found_expected(value, "an operation of symmetry, as -x,y+1/2,z"), place);
+                if (operations.size() == most_operations) {
+                    fail_at_value(source, item,
+                                  "found more operations of symmetry, expected at most " + std::to_string(most_operations), place);
+                }
+                operations.emplace_back(*op);
             }
+            place += width;
         }
         if (!operations.empty()) return operations;
     }
@@ -147,8 +153,8 @@ std::vector<SymmetryOperation> operations_in(const TextSource& source, cif::Bloc
     const std::string name = cif::as_string(named->pair[1]);
     const gemmi::SpaceGroup* group = name.size() <= longest_name ? gemmi::find_spacegroup_by_name(name) : nullptr;
     if (group == nullptr) {
-        warnings.push_back(
-            in_line(source, *named, found_expected(name, "a space group that is known; only the atoms that are listed are shown")));
+        warnings.push_back(at_value(source, *named,
+                                    found_expected(name, "a space group that is known; only the atoms that are listed are shown")));
         return operations;
     }
     for (const gemmi::Op& op : group->operations()) operations.emplace_back(op);
@@ -242,9 +248,9 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
             double number = cif::as_number(value);
             if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));  // in quotes
             if (!std::isfinite(number) && !cif::is_null(value)) {
-                fail_in_line(source, item,
-                             found_expected(value, std::string("fract_") + "xyz"[axis] + " of atom " +
-                                                       std::to_string(row.row_index + 1) + " of the table, a number"));
+                fail_at_value(source, row, axis,
+                              found_expected(value, std::string("fract_") + "xyz"[axis] + " of atom " +
+                                                        std::to_string(row.row_index + 1) + " of the table, a number"));
             }
             parts[static_cast<int>(axis)] = number;
         }
@@ -268,9 +274,9 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
             if (is_virtual(element)) atoms.virtual_sites.push_back(atoms.spheres.size());
             const glm::dvec3 center = cell.place(place);
             if (!std::isfinite(center.x + center.y + center.z)) {
-                fail_in_line(source, item,
-                             "found atom " + std::to_string(row.row_index + 1) +
-                                 " of the table beyond what a double can hold, expected its place");
+                fail_at_value(source, row, 0,
+                              "found atom " + std::to_string(row.row_index + 1) +
+                                  " of the table beyond what a double can hold, expected its place");
             }
             atoms.spheres.push_back({.center = center, .radius = radius_of(element, options), .color = element.color});
             if (wants_values) {
@@ -287,7 +293,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
         }
     }
     if (atoms.spheres.empty()) {
-        fail_in_line(source, item, "found a crystal's atoms without places, expected fract_x, fract_y and fract_z as numbers");
+        fail_at_tag(source, item, "found a crystal's atoms without places, expected fract_x, fract_y and fract_z as numbers");
     }
     atoms.properties = properties.take();
     SphereData data = data_of(std::move(atoms), source.name, options, as_utf8);

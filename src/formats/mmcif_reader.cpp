@@ -84,8 +84,9 @@ cif::Table atoms_of(const TextSource& source, cif::Block& block) {
     // gemmi throws its own error for columns of another table in this one.
     for (const cif::Item& item : block.items) {
         if (!item.has_prefix(atom_table) || item.type != cif::ItemType::Loop) continue;
-        for (const std::string& tag : item.loop.tags) {
-            if (!gemmi::istarts_with(tag, atom_table)) fail_in_line(source, item, found_expected(tag, "a column of _atom_site"));
+        for (std::size_t i = 0; i < item.loop.tags.size(); ++i) {
+            const std::string& tag = item.loop.tags[i];
+            if (!gemmi::istarts_with(tag, atom_table)) fail_at_tag(source, item, found_expected(tag, "a column of _atom_site"), i);
         }
     }
     return block.find_mmcif_category(atom_table);
@@ -144,7 +145,7 @@ AtomTables find_atoms(const TextSource& source, cif::Document& document) {
         } else if (component.ok() && component.length() > 0) {
             found.tables.push_back({component});
         } else if (any.ok() && found.fault.empty()) {
-            found.fault = in_line(source, first_item(any),
+            found.fault = at_word(source, first_item(any), 0,
                                   "found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
         }
     }
@@ -163,9 +164,9 @@ double coordinate(const TextSource& source, const cif::Table::Row& row, Column c
     double number = cif::as_number(value);
     if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));
     if (std::isfinite(number)) return number;
-    fail_in_line(source, first_item(row.tab),
-                 found_expected(value, std::string(1, "xyz"[column]) + " of atom " + std::to_string(row.row_index + 1) +
-                                           " of the table, a number"));
+    fail_at_value(source, row, column,
+                  found_expected(value, std::string(1, "xyz"[column]) + " of atom " + std::to_string(row.row_index + 1) +
+                                            " of the table, a number"));
 }
 
 // What gemmi's document of a text takes at most: a string for each word, in an array that grows, or an item or block of its own for

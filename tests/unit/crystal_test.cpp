@@ -87,7 +87,7 @@ TEST(Crystal, SymmetryRepeatsTheAtoms) {
     const SphereData unknown = cif(cif_cell + "_symmetry_space_group_name_H-M 'Q 7'\n" + cif_sites + cif_salt);
     EXPECT_EQ(unknown.scene.spheres.size(), 2U);
     EXPECT_EQ(unknown.warnings,
-              (std::vector<std::string>{"a.cif:8: found 'Q 7', expected a space group that is known; only the atoms that "
+              (std::vector<std::string>{"a.cif:8:32: found 'Q 7', expected a space group that is known; only the atoms that "
                                         "are listed are shown"}));
 }
 
@@ -137,24 +137,28 @@ TEST(CrystalErrors, SayWhatIsWrong) {
     expect_messages(
         "a.cif", read,
         {
-            {"data_a\n" + cif_sites + cif_salt, "2: found places in parts of a cell, expected its lengths too, as _cell_length_a"},
+            {"data_a\n" + cif_sites + cif_salt,
+             "3:1: found places in parts of a cell, expected its lengths too, as _cell_length_a"},
             {"data_a\n_cell_length_a 0\n_cell_length_b 5\n_cell_length_c 5\n" + cif_sites + cif_salt,
-             "2: found '0', expected _cell_length_a above 0"},
+             "2:16: found '0', expected _cell_length_a above 0"},
             {"data_a\n_cell_length_a -5\n_cell_length_b 5\n_cell_length_c 5\n" + cif_sites + cif_salt,
-             "2: found '-5', expected _cell_length_a above 0"},
-            {"data_a\n_cell_length_a long\n" + cif_sites + cif_salt, "2: found 'long', expected _cell_length_a, a number"},
+             "2:16: found '-5', expected _cell_length_a above 0"},
+            {"data_a\n_cell_length_a long\n" + cif_sites + cif_salt, "2:16: found 'long', expected _cell_length_a, a number"},
             {"data_a\n" + edge + "_cell_angle_alpha 180\n" + cif_sites + cif_salt,
-             "2: found angles 180, 90 and 90, expected angles that a cell can have"},
-            {cif_cell + cif_sites + "Na1 Na zero 0 0\n", "8: found 'zero', expected fract_x of atom 1 of the table, a number"},
+             "2:1: found angles 180, 90 and 90, expected angles that a cell can have"},
+            {cif_cell + cif_sites + "Na1 Na zero 0 0\n", "14:8: found 'zero', expected fract_x of atom 1 of the table, a number"},
             {cif_cell + cif_sites + "Na1 Na ? 0 0\n",
-             "8: found a crystal's atoms without places, expected fract_x, fract_y and fract_z as numbers"},
+             "9:1: found a crystal's atoms without places, expected fract_x, fract_y and fract_z as numbers"},
             {cif_cell + "_symmetry_equiv_pos_as_xyz x,y\n" + cif_sites + cif_salt,
-             "8: found 'x,y', expected an operation of symmetry, as -x,y+1/2,z"},
+             "8:28: found 'x,y', expected an operation of symmetry, as -x,y+1/2,z"},
             {cif_cell + "_symmetry_equiv_pos_as_xyz 99999999999999999999x,y,z\n" + cif_sites + cif_salt,
-             "8: found '99999999999999999999x,y,z', expected an operation of symmetry, as -x,y+1/2,z"},
-            {many + cif_sites + cif_salt, "8: found more operations of symmetry, expected at most 384"},
+             "8:28: found '99999999999999999999x,y,z', expected an operation of symmetry, as -x,y+1/2,z"},
+            {cif_cell + "loop_\n_symmetry_equiv_pos_site_id\n_symmetry_equiv_pos_as_xyz\n1 x,y,z\n2 'x,-y'\n" + cif_sites +
+                 cif_salt,
+             "12:3: found ''x,-y'', expected an operation of symmetry, as -x,y+1/2,z"},
+            {many + cif_sites + cif_salt, "394:1: found more operations of symmetry, expected at most 384"},
             {"data_a\n_cell_length_a 1e300\n_cell_length_b 5\n_cell_length_c 5\n" + cif_sites + "Na1 Na 1e300 0 0\n",
-             "5: found atom 1 of the table beyond what a double can hold, expected its place"},
+             "11:8: found atom 1 of the table beyond what a double can hold, expected its place"},
         });
 }
 

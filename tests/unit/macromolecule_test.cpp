@@ -197,7 +197,7 @@ TEST(Mmcif, TheModelsOfASecondBlockAreMoreFrames) {
     // What is wrong with another block is only said.
     const SphereData data = mmcif(cif_places + "1 2 3\ndata_y\n_atom_site.Cartn_x 1\n");
     EXPECT_EQ(data.frames, 1);
-    EXPECT_EQ(data.warnings, (Names{"a.cif:8: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and "
+    EXPECT_EQ(data.warnings, (Names{"a.cif:8:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and "
                                     "Cartn_z; passed over"}));
 }
 
@@ -209,9 +209,16 @@ TEST(Mmcif, NeedsOnlyPlaces) {
 }
 
 TEST(Mmcif, FaultsAreReported) {
-    EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n1 two 3\n"), "a.cif:2: found 'two', expected y of atom 2 of the table, a number");
-    EXPECT_EQ(mmcif_fault(cif_places + "1 2 ?\n"), "a.cif:2: found '?', expected z of atom 1 of the table, a number");
-    EXPECT_EQ(mmcif_fault(cif_places + "1 2 nan\n"), "a.cif:2: found 'nan', expected z of atom 1 of the table, a number");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n1 two 3\n"), "a.cif:7:3: found 'two', expected y of atom 2 of the table, a number");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 ?\n"), "a.cif:6:5: found '?', expected z of atom 1 of the table, a number");
+    // Behind quotes, comments and text fields, whose words are none of the table's.
+    EXPECT_EQ(mmcif_fault(cif_places + "'1' 2 # 3 4\n3 1\n;\n2 3\n;\n4\n"),
+              "a.cif:8:1: found ';\\x0a2 3\\x0a;', expected y of atom 2 of the table, a number");
+    EXPECT_EQ(mmcif_fault("data_x _a '' _b 'it''s' loop_ _atom_site.Cartn_z _atom_site.Cartn_x _atom_site.cartn_Y 1 2 'a'b'"),
+              "a.cif:1:92: found ''a'b'', expected y of atom 1 of the table, a number");
+    EXPECT_EQ(mmcif_fault("data_x\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y two\n_atom_site.Cartn_z 3\n"),
+              "a.cif:3:20: found 'two', expected y of atom 1 of the table, a number");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 nan\n"), "a.cif:6:5: found 'nan', expected z of atom 1 of the table, a number");
     EXPECT_TRUE(mmcif_fault(cif_places + "1 2 3 4\n").starts_with("a.cif:2:"));  // gemmi's words
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 'three\n"), "a.cif:6:11: unterminated 'string'");
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n$ 1 2\n"), "a.cif:7:1: parse error");
@@ -225,9 +232,9 @@ TEST(Mmcif, FaultsAreReported) {
     EXPECT_EQ(mmcif_fault("data_x _a 1\n_b\n_c 2\n"), "a.cif:2:1: found '_b' without a value, expected one behind it");
     EXPECT_EQ(mmcif_fault("hello"), "a.cif:1:1: expected block header (data_)");
     EXPECT_EQ(mmcif_fault("data_x loop_ _atom_site.id 1"),
-              "a.cif:1: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
+              "a.cif:1:14: found a table of atoms without one of their places, expected Cartn_x, Cartn_y and Cartn_z");
     EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site.Cartn_x\n_atom_type.symbol\n1 C\n"),
-              "a.cif:2: found '_atom_type.symbol', expected a column of _atom_site");
+              "a.cif:4:1: found '_atom_type.symbol', expected a column of _atom_site");
     const std::string table =
         "expected the table _atom_site with Cartn_x, Cartn_y and Cartn_z, or a crystal's with fract_x, fract_y and fract_z";
     EXPECT_EQ(mmcif_fault("data_x\nloop_\n_atom_site_fract_x\n0.5\n"), "a.cif:5:1: the text ends, " + table);
