@@ -9,14 +9,14 @@
 #include <string_view>
 #include <vector>
 
+#include "edit/condition.hpp"
 #include "panels/panel_context.hpp"
-#include "scene/condition.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
 
 // Finds the spheres whose name contains the filter, ignoring the case of ASCII letters, and those whose number, or title
-// "sphere 12", begins with it; or those that fulfil a condition (scene/condition.hpp): a part of the scene at a time, so that a
+// "sphere 12", begins with it; or those that fulfil a condition (edit/condition.hpp): a part of the scene at a time, so that a
 // million names hold no redraw up. Document::names_revision() says when names or numbers changed, so moving a sphere begins no
 // search anew; a condition is about what revision() counts.
 class FilterSearch {

@@ -1,5 +1,5 @@
 // Conditions that people write to find spheres.
-#include "scene/condition.hpp"
+#include "edit/condition.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/condition.hpp"
+#include "edit/condition.hpp"
 
 #include <algorithm>
 #include <array>
