@@ -16,19 +16,39 @@ pack() {
     rm -rf "$root/build/packages/_CPack_Packages"
 }
 
-# An .ico with one picture, which the program for this system renders: a head of 22 bytes and a PNG.
+# The number's lowest bytes, the lowest first: bytes NUMBER HOW_MANY.
+bytes() {
+    number=$1
+    for _ in $(seq "$2"); do
+        # shellcheck disable=SC2059
+        printf "\\$(printf %o $((number & 255)))"
+        number=$((number >> 8))
+    done
+}
+
+# An .ico with a PNG of each usual size, which the program for this system renders: a head of 6 bytes, for each picture 16 bytes that
+# say its sides (0 means 256), 1 plane of 32 bits, its length and where it begins; then the pictures.
 icon_for_windows() {
     icon=$root/build/icon.ico
-    "$program" render "$root/packaging/icon.toml" -s 256x256 --samples 16 --shade headlight --backend cpu -o "$icon.png"
-    size=$(wc -c <"$icon.png")
+    sides="16 32 48 256"
+    place=$((6 + 4 * 16))
     {
-        printf '\0\0\1\0\1\0\0\0\0\0\1\0\40\0'
-        for shift in 0 8 16 24; do
-            # shellcheck disable=SC2059
-            printf "\\$(printf %o $((size >> shift & 255)))"
+        bytes 0 2
+        bytes 1 2
+        bytes 4 2
+        for side in $sides; do
+            "$program" render "$root/packaging/icon.toml" -s "${side}x$side" --samples 16 --shade headlight --backend cpu -o "$icon-$side.png"
+            length=$(wc -c <"$icon-$side.png")
+            bytes "$side" 1
+            bytes "$side" 1
+            bytes 0 2
+            bytes 1 2
+            bytes 32 2
+            bytes "$length" 4
+            bytes $place 4
+            place=$((place + length))
         done
-        printf '\26\0\0\0'
-        cat "$icon.png"
+        for side in $sides; do cat "$icon-$side.png"; done
     } >"$icon"
     echo "$icon"
 }

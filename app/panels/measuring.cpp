@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "panels/measures.hpp"
 #include "panels/widgets.hpp"
-#include "scene/measures.hpp"
 
 namespace sphereview {
 

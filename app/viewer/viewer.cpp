@@ -13,6 +13,7 @@
 #include "viewer/pointer_marks.hpp"
 #include "viewer/ray_drawing.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -257,7 +258,8 @@ void Viewer::redraw() {
                                state_.frames,
                                state_.shown_light(),
                                camera_axes(state_.camera),
-                               state_.camera};
+                               state_.camera,
+                               state_.property_names};
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs
@@ -282,6 +284,7 @@ void Viewer::redraw() {
         perform(state_, std::move(actions));
         perform(state_, routing_.take_after_typing());
     }
+    give_seen();
     const bool searches = state_.panel_drawn && !state_.side_panel.search.done();
     if (fly_on(state_, begin) || !state_.rays.to_see.empty() || searches) pacing_.touch();
     window_.set_title(title_for(state_));
@@ -313,6 +316,20 @@ void Viewer::redraw() {
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
 }
 
+void Viewer::give_seen() {
+    LookPanelState& look = state_.side_panel.look;
+    if (!look.asks_for_seen) return;
+    std::vector<std::uint32_t> seen;
+    for (const std::int32_t number : picture_.seen_texels().numbers) {
+        if (number >= 0) seen.push_back(static_cast<std::uint32_t>(number));
+    }
+    std::ranges::sort(seen);
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    look.seen = std::move(seen);
+    look.asks_for_seen = false;
+    pacing_.touch();
+}
+
 void Viewer::note_facts() {
     const std::optional<Pixel> pixel = pointer_in_picture_ ? pixel_under_pointer() : std::nullopt;
     std::optional<std::uint32_t> sphere;
@@ -326,7 +343,8 @@ void Viewer::note_facts() {
         if (state_.hovered != sphere) pacing_.touch();
         state_.hovered = sphere;
     }
-    facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
+    facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere,
+                     told_properties(state_)};
     // A text field stays active when nothing moves; what is dragged in a panel has the button down.
     const bool drags = mouse_.is_dragging() || (ImGui::IsAnyItemActive() && ImGui::IsMouseDown(0));
     const std::size_t explained =

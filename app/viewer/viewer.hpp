@@ -41,6 +41,8 @@ private:
     bool refine_picture();
     void use_mouse(const PanelContext& context, bool cancelled);
     void show(const Rectangle& area);
+    // What the picture shows, for the panel that asks.
+    void give_seen();
     void note_facts();
     void end_announcement();
     void follow_work();

@@ -54,11 +54,20 @@ const char* expected_instead_of(NumberFault fault) {
     return fault == NumberFault::not_finite ? "a finite number" : "a number that a double can hold (at most 1.8e308)";
 }
 
-std::string shortest(double value) {
+namespace {
+
+template <typename Number>
+std::string shortest_text(Number value) {
     std::array<char, 32> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
     return {buffer.data(), end.ptr};
 }
+
+}  // namespace
+
+std::string shortest(double value) { return shortest_text(value); }
+
+std::string shortest(float value) { return shortest_text(value); }
 
 std::string decimal(double value, std::chars_format format, int digits) {
     std::array<char, 400> buffer{};

@@ -33,8 +33,9 @@ bool parse_whole(std::string_view token, Whole& value) {
 // What messages say that a number should be: "a finite number".
 const char* expected_instead_of(NumberFault fault);
 
-// The shortest decimal text that reads back as the same double; "inf" and "nan" where there is none.
+// The shortest decimal text that reads back as the same number; "inf" and "nan" where there is none.
 std::string shortest(double value);
+std::string shortest(float value);
 
 // `value` with that many digits, as printf writes it in the "C" locale. digits: 0..50.
 std::string decimal(double value, std::chars_format format, int digits);

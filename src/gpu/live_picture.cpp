@@ -259,8 +259,8 @@ void LivePicture::prepare_shading(const Document& document, Shading shading, con
     frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
     frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
     frame_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
-    frame_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(light.sky));
-    const glm::dvec3 sun = light.sun ? light.sun->strength * unit(light.sun->direction) : glm::dvec3(0.0);
+    frame_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(sky_of(light)));
+    const glm::dvec3 sun = light.sun ? sun_strength_of(light) * unit(light.sun->direction) : glm::dvec3(0.0);
     frame_.sun_light = glm::vec4(glm::vec3(sun), static_cast<float>(light.key));
 }
 

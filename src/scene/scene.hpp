@@ -12,6 +12,7 @@
 
 #include "scene/camera.hpp"
 #include "scene/light.hpp"
+#include "scene/property.hpp"
 #include "scene/sphere.hpp"
 
 namespace sphereview {
@@ -59,6 +60,7 @@ struct Scene {
     Camera camera;
     Light light{};
     std::vector<SavedView> views{};
+    std::vector<Property> properties{};  // each with a value for every sphere; only those that were asked for
 
     bool operator==(const Scene&) const = default;
 };
@@ -99,7 +101,7 @@ inline bool same_bits(const Camera& a, const Camera& b) {
 inline bool same_bits(const SavedView& a, const SavedView& b) { return a.name == b.name && same_bits(a.camera, b.camera); }
 
 inline bool same_bits(const Light& a, const Light& b) {
-    return a == b && same_bits(a.sky, b.sky) && same_bits(a.key, b.key) &&
+    return a == b && same_bits(a.sky.value_or(1.0), b.sky.value_or(1.0)) && same_bits(a.key, b.key) &&
            (!a.sun || same_bits(a.sun->direction, b.sun->direction));
 }
 

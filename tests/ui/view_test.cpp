@@ -78,7 +78,7 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
     expect_view("double click");
 
     window_.step("sizes of the window");
-    for (const auto& [width, height] : {std::pair{701, 951}, std::pair{1100, 555}}) {
+    for (const auto& [width, height] : {std::pair{701, 751}, std::pair{991, 555}}) {
         SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height));
         const Json before = window_.at("picture_size");
         window_.resize(width, height);

@@ -11,8 +11,8 @@
 namespace sphereview::test {
 
 struct ScreenOptions {
-    int width = 1100;  // a wider picture takes software longer and shows no more
-    int height = 1000;
+    int width = 1000;  // a wider picture takes software longer and shows no more
+    int height = 800;
     int dpi = 96;  // of text (the resource Xft.dpi); twice as many: text is twice as large
 };
 

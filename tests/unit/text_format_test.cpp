@@ -15,7 +15,7 @@ namespace {
 
 Sphere sphere(Color color, glm::dvec3 center, double radius) { return {center, radius, color, false}; }
 
-const std::vector<Sphere> two = {sphere({255, 0, 7}, {1.5, -2.0, 300.0}, 4.0), sphere({1, 2, 3}, {0.0, 0.25, 6.0}, 0.5)};
+const std::vector<Sphere> two_spheres = {sphere({255, 0, 7}, {1.5, -2.0, 300.0}, 4.0), sphere({1, 2, 3}, {0.0, 0.25, 6.0}, 0.5)};
 
 void expect_text_messages(const std::vector<WrongText>& cases) {
     expect_messages(
@@ -42,7 +42,7 @@ TEST(TextFormat, TakesWhiteSpaceAndLineEndsOfAnyKind) {
     };
     for (const std::string& text : texts) {
         SCOPED_TRACE(text);
-        EXPECT_EQ(parse_text_spheres({"s.txt", text}), two);
+        EXPECT_EQ(parse_text_spheres({"s.txt", text}), two_spheres);
     }
 }
 
@@ -67,10 +67,10 @@ TEST(TextFormat, KeepsEveryDoubleExactlyAndTakesTheNearestForWhatIsTooSmall) {
 }
 
 TEST(TextFormat, IsWrittenAsItIsDescribed) {
-    EXPECT_EQ(write_text_spheres(two), "2\n255 0 7\n1.5 -2 300\n4\n1 2 3\n0 0.25 6\n0.5\n");
+    EXPECT_EQ(write_text_spheres(two_spheres), "2\n255 0 7\n1.5 -2 300\n4\n1 2 3\n0 0.25 6\n0.5\n");
     EXPECT_EQ(write_text_spheres({}), "0\n");
     Scene scene;
-    scene.spheres = two;
+    scene.spheres = two_spheres;
     scene.spheres[0].hidden = true;
     EXPECT_EQ(write_text(scene), "1\n1 2 3\n0 0.25 6\n0.5\n") << "without hidden spheres";
 }

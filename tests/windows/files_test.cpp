@@ -59,9 +59,12 @@ TEST(InputFile, SaysWhatIsMissing) {
 TEST(UserFolders, AreThoseOfWindows) {
     const std::vector<std::filesystem::path> found = drives();
     EXPECT_NE(std::find(found.begin(), found.end(), "C:\\"), found.end());
+    const wchar_t* roaming = _wgetenv(L"APPDATA");
+    const wchar_t* local = _wgetenv(L"LOCALAPPDATA");
+    ASSERT_TRUE(roaming != nullptr && local != nullptr);
     EXPECT_TRUE(config_folder().is_absolute());
-    EXPECT_EQ(config_folder().filename(), "sphereview");
-    EXPECT_NE(config_folder(), state_folder());
+    EXPECT_EQ(config_folder(), std::filesystem::path(roaming) / "sphereview");
+    EXPECT_EQ(state_folder(), std::filesystem::path(local) / "sphereview");
 }
 
 }  // namespace

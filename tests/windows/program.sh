@@ -24,7 +24,7 @@ ends() {
 says() { grep -q -F -- "$1" err.txt || fail "'$1' is not in: $(cat err.txt)"; }
 
 for scene in "$scenes"/input*.txt "$scenes"/planets.toml "$scenes"/helix.xyz "$scenes"/packing.csv; do
-    for options in "" "--shade headlight" "--samples 16 --size 200x200"; do
+    for options in "" "--shade headlight" "--samples 16 --size 200x200" "--shade studio --size 200x200"; do
         # shellcheck disable=SC2086
         "$native" render "$scene" --backend cpu $options -o here.png
         # shellcheck disable=SC2086

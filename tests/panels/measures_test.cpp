@@ -1,5 +1,5 @@
 // Lengths and angles between points.
-#include "scene/measures.hpp"
+#include "panels/measures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "scene/measures.hpp"
+#include "panels/measures.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,7 +9,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
+constexpr double degrees_of_radian = 180.0 / std::numbers::pi;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::optional<double> angle_of(const glm::dvec3& a, const glm::dvec3& b, const g
     const glm::dvec3 second = unit(c - b);
     if (first == glm::dvec3(0.0) || second == glm::dvec3(0.0)) return std::nullopt;
     // The arc tangent, which is right also for angles near 0 and 180.
-    return std::atan2(length_of(cross(first, second)), dot(first, second)) * degrees;
+    return std::atan2(length_of(cross(first, second)), dot(first, second)) * degrees_of_radian;
 }
 
 std::optional<double> dihedral_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
@@ -30,7 +30,7 @@ std::optional<double> dihedral_of(const glm::dvec3& a, const glm::dvec3& b, cons
     const glm::dvec3 after = cross(along, unit(d - c));
     constexpr double on_a_line = 1e-9;
     if (length_of(before) < on_a_line || length_of(after) < on_a_line) return std::nullopt;
-    const double angle = std::atan2(dot(cross(before, after), along), dot(before, after)) * degrees;
+    const double angle = std::atan2(dot(cross(before, after), along), dot(before, after)) * degrees_of_radian;
     return left_handed && angle < 180.0 ? -angle + 0.0 : angle;
 }
 
