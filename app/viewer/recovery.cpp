@@ -124,10 +124,20 @@ std::optional<Recovery> read_head(const fs::path& file) {
     return Recovery{text_from(file), *path, std::chrono::system_clock::time_point(Milliseconds(count))};
 }
 
-// Whether the process that wrote it has ended.
-bool is_left_behind(const fs::path& file) {
-    const std::string name = text_from(file.filename());
-    return name.starts_with(prefix) && name.ends_with(ending) && !FileLock::is_held(lock_of(file));
+// The recovery files whose processes hold their locks, or have ended, or may have.
+std::vector<fs::path> files_of(FileLock::Holder holder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    const fs::path folder = state_folder();
+    if (folder.empty()) return files;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        std::error_code ignored;
+        const fs::path& file = entry->path();
+        const std::string name = text_from(file.filename());
+        if (!entry->is_regular_file(ignored) || !name.starts_with(prefix) || !name.ends_with(ending)) continue;
+        if (FileLock::holder_of(lock_of(file)) == holder) files.push_back(file);
+    }
+    return files;
 }
 
 }  // namespace
@@ -153,20 +163,22 @@ bool write_recovery(const Scene& scene, const std::string& original) noexcept {
 
 std::vector<Recovery> list_recoveries() {
     std::vector<Recovery> recoveries;
-    std::error_code error;
-    const fs::path folder = state_folder();
-    if (folder.empty()) return recoveries;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-        std::error_code ignored;
-        if (!entry->is_regular_file(ignored) || !is_left_behind(entry->path())) continue;
+    for (const fs::path& file : files_of(FileLock::Holder::nobody)) {
         try {
-            if (auto recovery = read_head(entry->path())) recoveries.push_back(std::move(*recovery));
+            if (auto recovery = read_head(file)) recoveries.push_back(std::move(*recovery));
         } catch (const std::exception&) {
             // Unreadable, or just taken by another viewer.
         }
     }
     std::ranges::sort(recoveries, std::ranges::greater(), &Recovery::time);
     return recoveries;
+}
+
+std::vector<std::string> unclear_recoveries() {
+    std::vector<std::string> names;
+    for (const fs::path& file : files_of(FileLock::Holder::unknown)) names.push_back(text_from(file));
+    std::ranges::sort(names);
+    return names;
 }
 
 bool remove_recovery(const std::string& file) noexcept {

@@ -95,6 +95,12 @@ void offer_recovery(ViewerState& state) {
         };
         state.dialogs.push_back(std::move(question));
     }
+    if (const std::vector<std::string> unclear = unclear_recoveries(); !unclear.empty()) {
+        const std::string others = unclear.size() > 1 ? " and " + in_groups(unclear.size() - 1) + " more" : "";
+        say("sphereview: " + unclear.front() + others +
+            ": these unsaved changes are not offered, because it cannot be told whether their window still runs; open them as "
+            "scenes");
+    }
 }
 
 void adopt_first_scene(ViewerState& state, LoadedScene loaded) {

@@ -26,9 +26,10 @@ FileLock::~FileLock() {
     if (holds()) CloseHandle(reinterpret_cast<HANDLE>(handle_));
 }
 
-bool FileLock::is_held(const std::filesystem::path& file) {
+FileLock::Holder FileLock::holder_of(const std::filesystem::path& file) {
     std::error_code ignored;
-    return std::filesystem::status(file, ignored).type() != std::filesystem::file_type::not_found && !FileLock(file).holds();
+    const bool missing = std::filesystem::status(file, ignored).type() == std::filesystem::file_type::not_found;
+    return missing || FileLock(file).holds() ? Holder::nobody : Holder::process;
 }
 
 #else
@@ -68,13 +69,13 @@ FileLock::~FileLock() {
     if (holds()) close(static_cast<int>(handle_));
 }
 
-bool FileLock::is_held(const std::filesystem::path& file) {
+FileLock::Holder FileLock::holder_of(const std::filesystem::path& file) {
     const int handle = open_at_once(file, O_RDONLY);
-    if (handle < 0) return errno != ENOENT;
+    if (handle < 0) return errno == ENOENT ? Holder::nobody : Holder::unknown;
     // Shared, so that two who ask at once do not take each other for the holder.
-    const bool held = !locks(handle, LOCK_SH);
+    const Holder holder = locks(handle, LOCK_SH) ? Holder::nobody : errno == EWOULDBLOCK ? Holder::process : Holder::unknown;
     close(handle);
-    return held;
+    return holder;
 }
 
 #endif

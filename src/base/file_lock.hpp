@@ -16,9 +16,12 @@ public:
     FileLock& operator=(FileLock&& other) noexcept;
 
     bool holds() const { return handle_ != none; }
-    // Whether a process holds the file, this one included. Also where that cannot be told: nobody holds only a file that is
-    // missing, or whose lock can be had. What is no regular file is not waited for, and counts as held.
-    static bool is_held(const std::filesystem::path& file);
+
+    // Whether a process holds the file, this one included. Nobody holds a file that is missing, or whose lock can be had. Nothing
+    // can be told of a file that cannot be opened or that is no regular file, which is not waited for, and where the file system
+    // cannot lock.
+    enum class Holder { nobody, process, unknown };
+    static Holder holder_of(const std::filesystem::path& file);
 
 private:
     static constexpr std::intptr_t none = -1;

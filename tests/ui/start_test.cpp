@@ -127,6 +127,20 @@ TEST(Recovery, OffersChangesUntilTheyAreSavedOrDiscarded) {
     EXPECT_EQ(window.at("dialogs"), Json::array());
 }
 
+TEST(Recovery, SaysWhatItCannotOffer) {
+    const TemporaryFolder folder;
+    const std::string name = "home/state/sphereview/recovery-1";
+    folder.write(name + ".toml", "# sphereview recovery, milliseconds since 1970: 1\n# of: /a\n");
+    std::filesystem::create_directory(folder.path(name + ".lock"));  // it cannot be asked, as where a file system cannot lock
+    ViewerWindow window(folder, {});
+    EXPECT_EQ(window.at("dialogs"), Json::array());
+    window.press_close_button();
+    const Outcome outcome = window.wait_for_end();
+    EXPECT_EQ(outcome.status, 0);
+    ASSERT_EQ(lines(outcome.errors).size(), 1U) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, folder.path(name + ".toml: these unsaved changes are not offered"))) << outcome;
+}
+
 // A saved shader is in the picture at once, a broken one leaves the last good one.
 TEST(LiveShaders, AreInThePictureWhenSaved) {
     const TemporaryFolder folder;

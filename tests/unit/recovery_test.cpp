@@ -196,11 +196,13 @@ TEST_F(RecoveryTest, OffersOnlyWhatIsSurelyLeftBehind) {
     const fs::path lock = folder.path("state/sphereview/recovery-1.lock");
     folder.write("state/sphereview/recovery-1.toml", "# sphereview recovery, milliseconds since 1970: 1\n# of: /a\n");
     EXPECT_EQ(list_recoveries().size(), 1U) << "nobody has locked it";
+    EXPECT_TRUE(unclear_recoveries().empty());
     ASSERT_EQ(mkfifo(lock.c_str(), 0600), 0);
     EXPECT_TRUE(list_recoveries().empty()) << "and does not wait for the FIFO";
     fs::remove(lock);
     fs::create_symlink(lock, lock);
     EXPECT_TRUE(list_recoveries().empty()) << "the lock cannot be opened";
+    EXPECT_EQ(unclear_recoveries(), std::vector<std::string>{folder.path("state/sphereview/recovery-1.toml")});
     fs::remove(lock);
     folder.write("state/sphereview/recovery-1.lock", "");
     EXPECT_EQ(list_recoveries().size(), 1U) << "who locked it has ended";
