@@ -338,10 +338,14 @@ private:
 
     void draw_rest(const PixelExplanation& e) {
         const auto count = [](std::int64_t spheres) { return in_groups(static_cast<std::uint64_t>(spheres)); };
-        if (e.missed > 0) draw_colored_words(count(e.missed) + " missed: discriminant < 0", color_of_sign(-1));
         const std::string behind = behind_in_words(e);
-        if (e.elsewhere > 0) draw_words(count(e.elsewhere) + " elsewhere or " + behind + ": not hit");
-        if (e.behind > 0) draw_words(count(e.behind) + " " + behind + ": no positive root");
+        if (e.elsewhere > 0) {
+            // Some were not tried: which of them pass by and which lie behind is not known, whatever those above do.
+            draw_words("in all " + count(e.missed + e.elsewhere + e.behind) + " not hit: missed, or " + behind);
+        } else {
+            if (e.missed > 0) draw_colored_words(count(e.missed) + " missed: discriminant < 0", color_of_sign(-1));
+            if (e.behind > 0) draw_words(count(e.behind) + " " + behind + ": no positive root");
+        }
         if (e.hidden > 0) draw_dim_words(count(e.hidden) + " hidden");
     }
 

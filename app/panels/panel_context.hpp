@@ -89,7 +89,7 @@ struct PanelContext {
     std::int64_t frames = 1;
     Light light{};      // as the picture shows it: the scene's, or what the command line asks for instead
     CameraAxes view{};  // of the view
-    Camera camera{};    // the view's own
+    Camera camera{};    // the view's own; beside the rays that of the drawn eye
     // Of what the file holds of each sphere; the scene has those alone that were read (RequestProperties).
     std::span<const std::string> property_names{};
 };

@@ -14,7 +14,9 @@ namespace sphereview {
 
 namespace {
 
-EditScene use_view_as_camera(const ViewerState& state) { return {ChangeCamera{state.camera}, "Use of this view as the camera", 0}; }
+EditScene use_view_as_camera(const ViewerState& state) {
+    return {ChangeCamera{state.inspected_camera()}, "Use of this view as the camera", 0};
+}
 
 void scale_text(ViewerState& state, double factor) {
     state.settings.text_scale = text_scale_range.nearest(state.settings.text_scale * factor);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "exact/resolve.hpp"
+#include "light/hit_places.hpp"
 #include "light/lighting.hpp"
 #include "shade/picture_shader.hpp"
 
@@ -14,15 +16,40 @@ namespace {
 // Lists for each light are worth their time for many points, which take some 100 bytes each.
 constexpr int most_points = 1 << 20;
 
-// A guess that is no hit at all becomes the background: nobody can say where the light would fall.
-std::int32_t believed(const Scene& scene, const DrawnSpheres& drawn, const HitPlaces& places, Pixel pixel, std::int32_t seen) {
-    if (!is_doubtful(seen)) return seen;
-    const std::int32_t guess = doubtful(seen);
-    if (guess < 0) return visible_background;
-    const auto index = drawn.index_of(static_cast<std::uint32_t>(guess));
-    const Sphere& sphere = scene.spheres[static_cast<std::size_t>(guess)];
-    return index && std::isfinite(places.at(pixel, sphere, drawn.side(*index)).error) ? guess : visible_background;
-}
+// The spheres that may be tried, all together, to decide pixels of which there is no guess: a fraction of a second.
+constexpr std::size_t most_tried = 10'000'000;
+
+// What the window's picture shows, where its guesses are hits: else nobody can say where the light falls. Such pixels are at the
+// edge of a sphere and see another one behind it, or the background; as long as there is time they are decided.
+class Believed {
+public:
+    Believed(const Scene& scene, const DrawnSpheres& drawn, const Camera& camera, PictureSize size)
+        : scene_(scene), drawn_(drawn), places_(camera, size), resolver_(scene, drawn, camera, size, nullptr) {}
+
+    std::int32_t operator()(Pixel pixel, std::int32_t seen) {
+        if (!is_doubtful(seen)) return seen;
+        const std::int32_t guess = doubtful(seen);
+        if (guess < 0) return visible_background;
+        if (is_hit(pixel, guess)) return guess;
+        tried_ += drawn_.size();
+        if (tried_ > most_tried) return visible_background;
+        DecisionLevel level{};
+        return resolver_.resolve(pixel, level);
+    }
+
+private:
+    bool is_hit(Pixel pixel, std::int32_t number) const {
+        const auto index = drawn_.index_of(static_cast<std::uint32_t>(number));
+        const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
+        return index && std::isfinite(places_.at(pixel, sphere, drawn_.side(*index)).error);
+    }
+
+    const Scene& scene_;
+    const DrawnSpheres& drawn_;
+    HitPlaces places_;
+    Resolver resolver_;
+    std::size_t tried_ = 0;
+};
 
 int rows_at_once(PictureSize size) { return std::clamp(most_points / size.width, 1, size.height); }
 
@@ -45,7 +72,7 @@ Image lit_draft(const Scene& scene, const PictureOptions& picture_options, std::
     const bool grows = rows == height;
 
     const DrawnSpheres drawn = drawn_spheres(scene, options.camera);
-    const HitPlaces places(options.camera, options.size);
+    Believed believed(scene, drawn, options.camera, options.size);
     const Lighting lighting(scene, drawn, options.camera, options.size, 1, options.light);
     if (kept != nullptr) kept->begin(lighting.sets(), 1);
     const PictureShader shader(scene, options.camera, options.size, Shading::studio, options.background);
@@ -56,7 +83,7 @@ Image lit_draft(const Scene& scene, const PictureOptions& picture_options, std::
         std::vector<std::int32_t> visible(static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
         for (std::size_t i = 0; i < visible.size(); ++i) {
             const auto place = static_cast<int>(i);
-            visible[i] = believed(scene, drawn, places, {place % width, y + place / width}, seen[begin + i]);
+            visible[i] = believed({place % width, y + place / width}, seen[begin + i]);
         }
         const LightPreviews previews{.show = [&](std::span<const LightVector> some) {
             shader.shade(block, visible, picture, {}, some);

@@ -42,7 +42,7 @@ glm::dvec3 point_under(const PictureState& state, const glm::dvec2& place, std::
 
 // The middle of what some rays, spread over the picture, meet; the pivot where they meet nothing.
 glm::dvec3 middle_of_seen(const PictureState& state) {
-    constexpr int rays = 5;  // in a row, and rows
+    constexpr int rays = 11;  // in a row, and rows
     std::optional<SceneBounds> seen;
     for (int i = 0; i < rays * rays; ++i) {
         const glm::dvec2 place{(i % rays + 0.5) * state.size.width / rays,

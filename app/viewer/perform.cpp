@@ -16,7 +16,12 @@ void select_touched(ViewerState& state, const Touched& touched) {
     state.hovered.reset();
 }
 
+// Beside the rays it is the drawn eye that moves, not who looks at it.
 void show_scene_camera(ViewerState& state) {
+    if (state.rays.on) {
+        state.rays.camera = state.scene().camera;
+        return;
+    }
     state.flight.reset();
     state.camera = state.scene().camera;
 }
@@ -24,13 +29,13 @@ void show_scene_camera(ViewerState& state) {
 }  // namespace
 
 void undo(ViewerState& state) {
-    const bool follows = state.document.undo_moves_view() && state.camera == state.scene().camera;
+    const bool follows = state.document.undo_moves_view() && state.inspected_camera() == state.scene().camera;
     select_touched(state, state.document.undo());
     if (follows) show_scene_camera(state);
 }
 
 void redo(ViewerState& state) {
-    const bool follows = state.document.redo_moves_view() && state.camera == state.scene().camera;
+    const bool follows = state.document.redo_moves_view() && state.inspected_camera() == state.scene().camera;
     select_touched(state, state.document.redo());
     if (follows) show_scene_camera(state);
 }

@@ -4,8 +4,12 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <optional>
 
+#include "base/sine_cosine.hpp"
+#include "camera/navigation.hpp"
 #include "edit/selection.hpp"
+#include "panels/widgets.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -18,23 +22,49 @@ std::string selected_in_words(const ViewerState& state) { return title_of(state.
 constexpr std::array<Color, 7> new_colors = {
     {{230, 80, 60}, {70, 140, 230}, {90, 190, 90}, {240, 180, 50}, {160, 100, 210}, {60, 190, 190}, {230, 110, 170}}};
 
-// Moves the sphere to the right until no shown sphere's centre is in it and its own is in none: else it could not be seen.
-void move_out_of_others(const Scene& scene, const glm::dvec3& right, Sphere& sphere) {
+// Moves the sphere that way until no shown sphere's centre is in it and its own is in none: else it could not be seen. Returns
+// whether it is so.
+bool move_out_of_others(const Scene& scene, const glm::dvec3& direction, Sphere& sphere) {
     constexpr int most_moves = 100;  // in a crowd that ends somewhere
     for (int i = 0; i < most_moves; ++i) {
         const auto other = std::ranges::find_if(scene.spheres, [&](const Sphere& one) {
             return !one.hidden && glm::distance(one.center, sphere.center) < std::max(one.radius, sphere.radius);
         });
-        if (other == scene.spheres.end()) return;
+        if (other == scene.spheres.end()) return true;
         // To where the two touch, beyond the other's centre.
         const glm::dvec3 way = other->center - sphere.center;
-        const double along = glm::dot(way, right);
+        const double along = glm::dot(way, direction);
         const double reach = sphere.radius + other->radius;
         const double aside = reach * reach - (glm::dot(way, way) - along * along);
-        const glm::dvec3 moved = sphere.center + (along + std::sqrt(std::max(aside, 0.0))) * right;
-        if (!std::isfinite(moved.x) || !std::isfinite(moved.y) || !std::isfinite(moved.z)) return;
+        const glm::dvec3 moved = sphere.center + (along + std::sqrt(std::max(aside, 0.0))) * direction;
+        if (!std::isfinite(moved.x) || !std::isfinite(moved.y) || !std::isfinite(moved.z)) return false;
         sphere.center = moved;
     }
+    return false;
+}
+
+// Of the places beside it, to all sides of the view, the nearest free one whose middle the picture shows; to the right where it
+// shows none.
+Sphere in_a_free_place(const ViewerState& state, const Sphere& sphere) {
+    constexpr int ways = 8;
+    const glm::dvec3 right = glm::normalize(state.camera.right);
+    const glm::dvec3 up = glm::normalize(state.camera.up);
+    Sphere beside = sphere;
+    move_out_of_others(state.scene(), right, beside);
+    std::optional<double> nearest;
+    for (int i = 0; i < ways; ++i) {
+        const auto [upward, rightward] = sine_cosine(i * 360.0 / ways);
+        Sphere moved = sphere;
+        if (!move_out_of_others(state.scene(), rightward * right + upward * up, moved)) continue;
+        const auto place = place_of(state.camera, state.picture_size, moved.center);
+        const bool is_seen = place && place->x > 0.0 && place->y > 0.0 && place->x < state.picture_size.width &&
+                             place->y < state.picture_size.height;
+        const double distance = glm::distance(moved.center, sphere.center);
+        if (!is_seen || (nearest && *nearest <= distance)) continue;
+        nearest = distance;
+        beside = moved;
+    }
+    return beside;
 }
 
 // By one place in the list, up (-1) or down (1); needs one sphere and a place to go to.
@@ -56,7 +86,10 @@ EditScene add_sphere(const ViewerState& state) {
     const glm::dvec2 beside = middle + glm::dvec2(0.1 * state.picture_size.shorter_side(), 0.0);
     sphere.radius = glm::distance(point_at(state.camera, state.picture_size, beside, depth), sphere.center);
     sphere.color = new_colors[count % new_colors.size()];
-    move_out_of_others(state.scene(), glm::normalize(state.camera.right), sphere);
+    sphere.radius = rounded_to(sphere.radius, last_digit(sphere.radius, 3));
+    sphere = in_a_free_place(state, sphere);
+    // A thousandth of its size is less than anybody sees.
+    for (int i = 0; i < 3; ++i) sphere.center[i] = rounded_to(sphere.center[i], last_digit(sphere.radius, 4)) + 0.0;
     return {InsertSpheres{{static_cast<std::uint32_t>(count)}, {{sphere, ""}}}, "Add sphere " + std::to_string(count), 0};
 }
 

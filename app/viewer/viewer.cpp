@@ -258,7 +258,7 @@ void Viewer::redraw() {
                                state_.frames,
                                state_.shown_light(),
                                camera_axes(state_.camera),
-                               state_.camera,
+                               state_.inspected_camera(),
                                state_.property_names};
     const bool asked = !state_.dialogs.empty();
     {

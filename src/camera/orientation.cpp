@@ -53,7 +53,10 @@ std::optional<ScaleBar> scale_bar(const Camera& camera, PictureSize size, const 
 
 std::string in_words(const ScaleBar& bar) {
     const std::string length = shortest(bar.length);
-    return bar.depth ? length + " at depth " + decimal(*bar.depth, std::chars_format::general, 3) : length;
+    if (!bar.depth) return length;
+    double depth = *bar.depth;
+    parse_double(decimal(depth, std::chars_format::scientific, 2), depth);
+    return length + " at depth " + shortest(depth);
 }
 
 }  // namespace sphereview

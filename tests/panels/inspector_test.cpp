@@ -119,9 +119,10 @@ TEST(Inspector, ShowsTheNearestOfManyHits) {
 
 TEST(Inspector, CountsWhatWasNotTried) {
     InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
-    EXPECT_EQ(panel.text().find("elsewhere"), std::string::npos);
+    EXPECT_EQ(panel.text().find("in all"), std::string::npos);
     panel.pixel().explanation.elsewhere = 1000;
-    EXPECT_NE(panel.text().find("elsewhere or behind the eye"), std::string::npos);
+    panel.pixel().explanation.missed = 7;
+    EXPECT_NE(panel.text().find("in all 1,007 not hit: missed, or behind the eye"), std::string::npos) << panel.text();
 }
 
 TEST(Inspector, SaysWhereParallelRaysDoNotGo) {
@@ -130,7 +131,7 @@ TEST(Inspector, SaysWhereParallelRaysDoNotGo) {
     InspectorHarness panel(scene);
     expect_in_order(panel.text(), {"sphere 0", "1 behind where the ray begins: no positive root"});
     panel.pixel().explanation.elsewhere = 1000;
-    EXPECT_NE(panel.text().find("elsewhere or behind where the ray begins: not hit"), std::string::npos);
+    EXPECT_NE(panel.text().find("in all 1,001 not hit: missed, or behind where the ray begins"), std::string::npos);
 }
 
 TEST(Inspector, AsksForAPixel) {

@@ -86,6 +86,7 @@ TEST(ScaleBar, HoldsAsDeepAsThePointInPerspective) {
     EXPECT_EQ(bar->length, 50.0);
     EXPECT_EQ(bar->depth, 300.0);
     EXPECT_EQ(in_words(*bar), "50 at depth 300");
+    EXPECT_EQ(in_words(ScaleBar{.length = 50.0, .pixels = 10.0, .depth = 1128.4}), "50 at depth 1130");
     // A stick so long, there, is so long in the picture.
     const auto left = place_of(camera, {1000, 1000}, {-25, 0, 300});
     const auto right = place_of(camera, {1000, 1000}, {25, 0, 300});

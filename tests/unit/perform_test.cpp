@@ -5,6 +5,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "base/number.hpp"
+#include "camera/navigation.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/layout.hpp"
 
@@ -141,14 +143,18 @@ TEST_F(Commands, WhatIsNoSceneIsNotPasted) {
     }
 }
 
-TEST_F(Commands, NoSphereIsAddedInsideAnother) {
-    for (int i = 0; i < 5; ++i) run_command(state, CommandId::add_sphere);
+TEST_F(Commands, NoSphereIsAddedInsideAnotherOrWhereNobodySeesIt) {
+    for (int i = 0; i < 9; ++i) run_command(state, CommandId::add_sphere);
     const std::vector<Sphere>& spheres = state.scene().spheres;
     for (std::size_t i = 2; i < spheres.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             EXPECT_GE(glm::distance(spheres[i].center, spheres[j].center), std::max(spheres[i].radius, spheres[j].radius));
         }
-        EXPECT_EQ(spheres[i].center.y, 0.0);
+        const auto place = place_of(state.camera, state.picture_size, spheres[i].center);
+        ASSERT_TRUE(place) << i;
+        EXPECT_TRUE(place->x > 0.0 && place->x < state.picture_size.width && place->y > 0.0 && place->y < state.picture_size.height)
+            << i << ": " << place->x << ", " << place->y;
+        EXPECT_LE(shortest(spheres[i].center.x).size() + shortest(spheres[i].radius).size(), 12U) << "few digits";
     }
 }
 

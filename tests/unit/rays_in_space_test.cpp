@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "camera/camera_values.hpp"
 #include "camera/navigation.hpp"
 #include "exact/explain.hpp"
 #include "support/eventually.hpp"
@@ -142,6 +143,24 @@ TEST_F(Rays, AreAViewAndNoEdit) {
     EXPECT_FALSE(state.rays.on);
     settle();
     EXPECT_EQ(state.camera, eye) << "to the bit";
+}
+
+// The numbers in the camera panel are the drawn eye's, and who looks at it stays where he is.
+TEST_F(Rays, LetTheDrawnEyeBeEdited) {
+    run_command(state, CommandId::toggle_rays);
+    settle();
+    const Camera beside = state.camera;
+    const Camera eye = state.rays.camera;
+    const Camera moved = with_eye(eye, eye.eye + glm::dvec3(3.0, 0.0, 0.0));
+    perform(state, {EditScene{ChangeCamera{moved, true}, "Move the camera's eye"}});
+    EXPECT_EQ(state.rays.camera, moved);
+    EXPECT_EQ(state.camera, beside);
+    run_command(state, CommandId::use_view_as_camera);
+    EXPECT_EQ(state.scene().camera, moved);
+    undo(state);
+    EXPECT_EQ(state.rays.camera, eye);
+    EXPECT_EQ(state.camera, beside);
+    EXPECT_FALSE(state.document.is_changed());
 }
 
 TEST_F(Rays, FollowTheSceneTheRowAndTheChoice) {
