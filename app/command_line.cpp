@@ -9,6 +9,7 @@
 #include "app/add_option.hpp"
 #include "app/command_line_texts.hpp"
 #include "app/licenses.hpp"
+#include "app/look_options.hpp"
 #include "app/options.hpp"
 #include "app/render_picture.hpp"
 #include "app/shared_options.hpp"
@@ -85,6 +86,7 @@ void check(const CLI::App&, const Options&) {}  // where each option stands for 
 void declare(CLI::App& command, ViewOptions& options) {
     add_file(command, options.scene, "SCENE", "", scene_files() + "; none: an empty scene");
     add_scene_options(command, options.data, options.fit);
+    add_look(command, options.look);
     add_size(command, options.size, "Width and height of exports in pixels [as last time, at first 1000x1000]");
     add_samples(command, options.samples,
                 "Anti-aliasing of exports and of the window at rest: points a pixel, 1, 4 or 16 [as last time, at first 16]");
@@ -101,7 +103,10 @@ void declare(CLI::App& command, ViewOptions& options) {
     command.footer(std::string(view_examples) + exit_codes);
 }
 
-void check(const CLI::App&, const ViewOptions& options) { check_light(options.light, options.shading.value_or(Shading::studio)); }
+void check(const CLI::App&, const ViewOptions& options) {
+    check_light(options.light, options.shading.value_or(Shading::studio));
+    check_look(options.look);
+}
 
 void declare(CLI::App& command, RenderOptions& options) {
     add_files(command, options.scenes, "SCENE", scene_files());
@@ -109,12 +114,15 @@ void declare(CLI::App& command, RenderOptions& options) {
     add_size(command, options.size, "Width and height in pixels [1000x1000]");
     add_samples(command, options.samples, "Anti-aliasing: points a pixel, whose colours are averaged: 1, 4 or 16 [1]");
     add_scene_options(command, options.data, options.fit);
+    add_look(command, options.look);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
     add_flag(command, options.axes, "--axes", "Draw the directions of the axes in the lower left corner");
     add_flag(command, options.scale_bar, "--scale-bar",
              "Draw the length of a number of the scene's units in the lower right corner; in perspective as it is as deep as the "
              "scene's middle");
+    add_flag(command, options.legend, "--legend", "Draw what the colours stand for in the upper right corner, with --color-by")
+        ->needs(find_option(command, "--color-by"));
     add_option(command, options.backend,
                {"--backend", "NAME", backends_listed() + " [auto, or SPHEREVIEW_BACKEND]", backends_listed()}, backend_named);
     add_option(command, options.device,
@@ -140,6 +148,7 @@ void declare(CLI::App& command, RenderOptions& options) {
 
 void check(const CLI::App& command, RenderOptions& options) {
     check_light(options.light, options.shading);
+    check_look(options.look);
     const int longest = longest_side(options.samples);
     if (std::max(options.size.width, options.size.height) > longest) {
         wrong("--size", in_quotes(std::to_string(options.size.width) + "x" + std::to_string(options.size.height)),
@@ -169,10 +178,13 @@ void declare(CLI::App& command, ConvertOptions& options) {
                    return format != nullptr && is_written(*format) ? std::optional(*format) : std::nullopt;
                });
     add_scene_options(command, options.data, options.fit);
+    add_properties(command, options.data);
+    add_look(command, options.look);
     command.footer(std::string(convert_examples) + exit_codes);
 }
 
 void check(const CLI::App&, const ConvertOptions& options) {
+    check_look(options.look);
     if (options.output == standard_stream && !options.to) {
         throw CLI::ValidationError("OUT", "standard output has no name to tell the format; add --to FORMAT: " +
                                               lower_case(listed(format_names(is_written), "or")));
@@ -190,6 +202,8 @@ void declare(CLI::App& command, ExplainOptions& options) {
         ->required();
     add_size(command, options.size, "Width and height of the picture in pixels [1000x1000]");
     add_scene_options(command, options.data, options.fit);
+    add_properties(command, options.data);
+    add_look(command, options.look);
     add_colors(command, options.background, options.shading, "flat");
     add_light(command, options.light);
     add_option(command, options.light_to_show,
@@ -203,6 +217,7 @@ void declare(CLI::App& command, ExplainOptions& options) {
 
 void check(const CLI::App&, const ExplainOptions& options) {
     check_light(options.light, options.shading);
+    check_look(options.look);
     if (options.light_to_show) check_shows_light("--light", options.shading);
     const auto& [pixel, size] = std::pair(options.pixel, options.size);
     if (pixel.x >= 0 && pixel.y >= 0 && pixel.x < size.width && pixel.y < size.height) return;
@@ -213,6 +228,7 @@ void check(const CLI::App&, const ExplainOptions& options) {
 void declare(CLI::App& command, CompareOptions& options) {
     add_files(command, options.pictures, "PICTURE", "Pictures, and last the scene: " + scene_files())->type_name("... SCENE");
     add_scene_options(command, options.data, options.fit);
+    add_look(command, options.look);
     const std::string colors(background_syntax);
     add_option(command, options.background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors},
                background_named);
@@ -224,6 +240,7 @@ void declare(CLI::App& command, CompareOptions& options) {
 }
 
 void check(const CLI::App&, CompareOptions& options) {
+    check_look(options.look);
     if (options.pictures.size() < 2) wrong("PICTURE", "one file alone", "pictures, and last the scene");
     options.scene = options.pictures.back();
     options.pictures.pop_back();

@@ -178,7 +178,7 @@ private:
     std::string explain_command() const {
         const FitOptions& fit = options_.fit;
         const bool usual = !fit.wanted && !fit.view && !fit.projection && !fit.saved_view && options_.data.frame == 0 &&
-                           !options_.data.radius && options_.data.columns.empty() && !options_.background &&
+                           !options_.data.radius && options_.data.columns.empty() && !options_.look.any() && !options_.background &&
                            options_.scene != standard_stream;
         const auto is_plain = [](unsigned char c) {
             return std::isalnum(c) != 0 || std::string_view("._/+-").find(static_cast<char>(c)) != std::string_view::npos;
@@ -197,7 +197,7 @@ private:
 
 ExitCode run_compare(const CompareOptions& options) {
     const std::vector<CompareJob> jobs = plan(options);
-    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .look = options.look, .fit = options.fit});
     say_warnings(loaded);
     Comparing comparing(options, loaded);
     ExitCode worst = ExitCode::done;

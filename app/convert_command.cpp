@@ -24,9 +24,10 @@ ExitCode run_convert(const ConvertOptions& options) {
     if (format.holds_only_spheres && !fit.wanted) fit.wanted = false;  // no camera is made only to be lost
     const LoadedScene loaded = [&] {
         Progress progress;
-        return load_scene(options.input, {.progress = &progress, .data = options.data, .fit = fit});
+        return load_scene(options.input, {.progress = &progress, .data = options.data, .look = options.look, .fit = fit});
     }();
     say_warnings(loaded);
+    require_properties(loaded, options.data);
     if (const std::string lost = lost_in(loaded.scene, format); !lost.empty()) {
         say(loaded.name + ": the " + std::string(format.name) + " format cannot hold " + lost + "; left out");
     }

@@ -1,6 +1,8 @@
 // sphereview explain: the arithmetic of one pixel, to be checked with pen and paper.
 #include <cmath>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/json.hpp"
 #include "app/load_scene.hpp"
@@ -42,12 +44,24 @@ std::string title(const Scene& scene, std::int32_t number) {
     return name == scene.names.end() ? text : text + " " + in_quotes(name->second);
 }
 
+// "charge = 0.25, chain = 'A'"; "" of a sphere without values.
+std::string values_in_words(const Scene& scene, std::size_t sphere) {
+    std::vector<std::string> values;
+    for (const Property& property : scene.properties) {
+        const std::string value = text_at(property, sphere);
+        if (!value.empty())
+            values.push_back(on_one_line(property.name) + " = " + (is_category(property) ? in_quotes(value) : value));
+    }
+    return joined(values, ", ");
+}
+
 std::string hit_in_words(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
     std::string text;
     const auto line = [&](const std::string& what) { text += "  " + what + "\n"; };
     text += title(scene, hit.number) + ": colour " + in_words(sphere.color) + ", C = " + vector_in_words(sphere.center) +
             ", r = " + shortest(sphere.radius) + "\n";
+    if (const std::string values = values_in_words(scene, static_cast<std::size_t>(hit.number)); !values.empty()) line(values);
     const HitInWords words = in_words(hit);
     line("a = D.D                     = " + words.a);
     line("b = 2 D.(O - C)             = " + words.b);
@@ -111,30 +125,43 @@ std::string in_words(const ExplainOptions& options, const std::string& name, con
 Json number(double value) { return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr); }  // -0 becomes 0
 Json vector(const glm::dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
 
+Json values_of_sphere(const Scene& scene, std::size_t sphere) {
+    Json values = Json::object();
+    for (const Property& property : scene.properties) {
+        const std::string text = text_at(property, sphere);
+        values.set(property.name, text.empty()            ? Json(nullptr)
+                                  : is_category(property) ? Json(text)
+                                                          : number(number_at(property, sphere)));
+    }
+    return values;
+}
+
 Json to_json(const Scene& scene, const ExplainedHit& hit) {
     const Sphere& sphere = scene.spheres[static_cast<std::size_t>(hit.number)];
     const auto name = scene.names.find(static_cast<std::uint32_t>(hit.number));
-    return {{"sphere", hit.number},
-            {"name", name == scene.names.end() ? Json(nullptr) : Json(name->second)},
-            {"color", rgb(sphere.color)},
-            {"center", vector(sphere.center)},
-            {"radius", sphere.radius},
-            {"eye", hit.eye == EyeSide::outside  ? "outside"
-                    : hit.eye == EyeSide::inside ? "inside"
-                                                 : "on the surface"},
-            {"a", number(hit.a)},
-            {"b", number(hit.b)},
-            {"c", number(hit.c)},
-            {"discriminant", number(hit.discriminant)},
-            {"discriminant_sign", hit.discriminant_sign},
-            {"t1", number(hit.t1)},
-            {"t2", number(hit.t2)},
-            {"counts", hit.counts == CountingRoot::t1 ? "t1" : "t2"},
-            {"why", why(hit)},
-            {"t", number(hit.t)},
-            {"point", vector(hit.point)},
-            {"normal", vector(hit.normal)},
-            {"as_near_as_last", hit.as_near_as_last}};
+    Json json = {{"sphere", hit.number},
+                 {"name", name == scene.names.end() ? Json(nullptr) : Json(name->second)},
+                 {"color", rgb(sphere.color)},
+                 {"center", vector(sphere.center)},
+                 {"radius", sphere.radius},
+                 {"eye", hit.eye == EyeSide::outside  ? "outside"
+                         : hit.eye == EyeSide::inside ? "inside"
+                                                      : "on the surface"},
+                 {"a", number(hit.a)},
+                 {"b", number(hit.b)},
+                 {"c", number(hit.c)},
+                 {"discriminant", number(hit.discriminant)},
+                 {"discriminant_sign", hit.discriminant_sign},
+                 {"t1", number(hit.t1)},
+                 {"t2", number(hit.t2)},
+                 {"counts", hit.counts == CountingRoot::t1 ? "t1" : "t2"},
+                 {"why", why(hit)},
+                 {"t", number(hit.t)},
+                 {"point", vector(hit.point)},
+                 {"normal", vector(hit.normal)},
+                 {"as_near_as_last", hit.as_near_as_last}};
+    if (!scene.properties.empty()) json.set("properties", values_of_sphere(scene, static_cast<std::size_t>(hit.number)));
+    return json;
 }
 
 Json to_json(const LightVector& light) { return {light.x, light.y, light.z}; }
@@ -217,8 +244,9 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
 }
 
 ExitCode run_explain(const ExplainOptions& options) {
-    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .fit = options.fit});
+    const LoadedScene loaded = load_scene(options.scene, {.data = options.data, .look = options.look, .fit = options.fit});
     say_warnings(loaded);
+    require_properties(loaded, options.data);
     write_output(std::string(standard_stream), explain(loaded.scene, loaded.name, options));
     return ExitCode::done;
 }

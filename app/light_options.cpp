@@ -11,17 +11,16 @@ Light with_options(const Scene& scene, const LightOptions& options) {
     Light light = scene.light;
     if (options.sun) {
         const auto* view = std::get_if<ViewAxes>(&*options.sun);
-        const glm::dvec3 direction =
+        if (!light.sun) light.sun.emplace();
+        light.sun->direction =
             view != nullptr ? -with_hand_of(axes_of(scene.camera), *view).ahead : std::get<glm::dvec3>(*options.sun);
-        if (options.sky && !light.sun) light.sun.emplace();  // who says how strong the sky is has a sun of strength 1
-        light = with_sun(light, direction);
     }
     if (options.lights) light.lights = options.lights;
-    if (options.sky) light.sky = *options.sky;
+    if (options.sky) light.sky = options.sky;
     if (options.key) light.key = *options.key;
     if (options.sun_strength) {
         if (!light.sun) throw InputError("sphereview: --sun-strength: the scene has no sun, expected --sun as well");
-        light.sun->strength = *options.sun_strength;
+        light.sun->strength = options.sun_strength;
     }
     return light;
 }

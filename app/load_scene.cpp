@@ -40,13 +40,16 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     }
     stream.fill();
     if (options.control != nullptr) options.control->check();
-    SphereData data = loaded.format.read(stream.bytes(), loaded.name, options.data);
+    DataOptions wanted = options.data;
+    for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
+    SphereData data = loaded.format.read(stream.bytes(), loaded.name, wanted);
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
     loaded.warnings = std::move(data.warnings);
     loaded.notes = std::move(data.notes);
+    loaded.property_names = std::move(data.property_names);
     return loaded;
 }
 
@@ -79,6 +82,8 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     LoadedScene loaded = read_scene(path, options);
     if (options.control != nullptr) options.control->check();
     if (loaded.format.is_data && options.data_background) loaded.scene.background = *options.data_background;
+    // Before the camera is fitted: radii count.
+    if (options.look.any()) loaded.look = apply_look(loaded.scene, options.look, loaded.name, loaded.property_names);
     const FitOptions& fit = options.fit;
     if (fit.saved_view) loaded.scene.camera = saved_view(loaded, *fit.saved_view);
     if (fit.projection) loaded.scene.camera.projection = *fit.projection;
@@ -91,8 +96,27 @@ LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
     return loaded;
 }
 
+void require_properties(const LoadedScene& loaded, const DataOptions& asked) {
+    for (const std::string& name : asked.properties) {
+        const auto is_it = [&](const Property& property) { return lower_case(property.name) == lower_case(name); };
+        if (std::ranges::any_of(loaded.scene.properties, is_it)) continue;
+        constexpr std::size_t most_listed = 20;
+        std::vector<std::string> listed_names;
+        for (const std::string& one : loaded.property_names) {
+            if (listed_names.size() < most_listed) listed_names.push_back(in_quotes(one));
+        }
+        if (loaded.property_names.size() > most_listed) {
+            listed_names.push_back(in_groups(loaded.property_names.size() - most_listed) + " more");
+        }
+        throw InputError(loaded.name + ": found no property " + in_quotes(name) + ", expected " +
+                         (listed_names.empty() ? "none: the file has no properties" : "one of " + joined(listed_names, ", ")) +
+                         did_you_mean(name, loaded.property_names));
+    }
+}
+
 void say_warnings(const LoadedScene& loaded) {
     for (const std::string& warning : loaded.warnings) say(warning);
+    for (const std::string& line : loaded.look.lines) say(line);
 }
 
 }  // namespace sphereview

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/look.hpp"
 #include "base/background_job.hpp"
 #include "base/progress.hpp"
 #include "camera/fit.hpp"
@@ -21,10 +22,12 @@ struct LoadedScene {
     Scene scene{};
     std::string name{};
     SceneFormat format = SceneFormat::text;
-    std::int64_t frames = 1;              // in the file
-    std::vector<std::string> warnings{};  // SphereData::warnings
-    std::vector<std::string> notes{};     // SphereData::notes
-    bool fitted = false;                  // its camera was moved to see everything
+    std::int64_t frames = 1;                    // in the file
+    std::vector<std::string> warnings{};        // SphereData::warnings
+    std::vector<std::string> notes{};           // SphereData::notes
+    std::vector<std::string> property_names{};  // SphereData::property_names
+    AppliedLook look{};                         // what the options' look has made of it
+    bool fitted = false;                        // its camera was moved to see everything
 
     // Whether its camera is its own; else nobody has chosen one, and it is fitted unless that is forbidden.
     bool has_camera() const { return !format.is_data; }
@@ -45,6 +48,7 @@ struct LoadOptions {
     Progress* progress = nullptr;
     std::size_t more_per_sphere = 0;  // bytes that are needed for what is to be made of it
     DataOptions data{};
+    LookOptions look{};
     FitOptions fit{};
     std::optional<Background> data_background{};  // of a scene from another program's file, which names none
     WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
@@ -54,10 +58,13 @@ struct LoadOptions {
 Camera saved_view(const LoadedScene& loaded, const std::string& name);
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
-// InputError, also for a saved view that the scene has not, MemoryError when it cannot fit, and Cancelled.
+// InputError, also for a saved view or a property that the scene has not, MemoryError when it cannot fit, and Cancelled.
 LoadedScene load_scene(const std::string& path, const LoadOptions& options = {});
 
-// Says the warnings on stderr, a line each.
+// Throws InputError where the scene has not all the properties that were asked for by name.
+void require_properties(const LoadedScene& loaded, const DataOptions& asked);
+
+// Says the warnings and what the look has chosen on stderr, a line each.
 void say_warnings(const LoadedScene& loaded);
 
 }  // namespace sphereview

@@ -36,8 +36,10 @@ struct RenderOptions {
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
     LightOptions light;  // instead of the scene's own
-    bool axes = false;   // drawn in a corner
+    LookOptions look{};
+    bool axes = false;  // drawn in a corner
     bool scale_bar = false;
+    bool legend = false;
     Backend backend = Backend::automatic;
     std::optional<int> device;          // an EGL device
     std::optional<std::string> expect;  // a golden image, may hold {name}
@@ -54,6 +56,7 @@ struct ConvertOptions {
     std::string output;
     std::optional<SceneFormat> to;  // by the output's name when not given
     DataOptions data;
+    LookOptions look{};
     FitOptions fit;  // of the camera that is written
 };
 
@@ -62,10 +65,11 @@ struct ExplainOptions {
     Pixel pixel;        // inside the picture
     PictureSize size;
     DataOptions data;
+    LookOptions look{};
     FitOptions fit;
     std::optional<Background> background;  // instead of the scene's own
     Shading shading = Shading::flat;
-    LightOptions light;                // instead of the scene's own
+    LightOptions light;                  // instead of the scene's own
     std::optional<int> light_to_show{};  // one of NumberedLights, besides the one that is explained anyway
     bool json = false;
 };
@@ -74,6 +78,7 @@ struct CompareOptions {
     std::vector<std::string> pictures;  // paths, one of which may be "-"
     std::string scene;                  // a path, or "-"
     DataOptions data;
+    LookOptions look{};
     FitOptions fit;
     std::optional<Background> background;   // instead of the scene's own
     std::optional<std::string> difference;  // where its picture goes, may hold {name}
@@ -96,6 +101,7 @@ struct ProgramTexts {
 struct ViewOptions {
     std::optional<std::string> scene;  // a path, or "-"; none: an empty scene
     DataOptions data;                  // of the scene; its radius of every one that is opened
+    LookOptions look{};                // of the scene
     FitOptions fit;                    // of the scene; of later ones, if nobody has chosen their camera
     std::optional<Background> background;
     std::optional<Shading> shading;   // instead of the last one

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "app/legend.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -12,8 +14,8 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 constexpr std::array<Rgb, 3> axis_colors = {{{240, 92, 92}, {128, 204, 84}, {92, 150, 250}}};
 constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
-constexpr Rgb dark{18, 20, 26};  // around everything, so that it is seen on any colour
-constexpr Rgb light{245, 246, 248};
+constexpr Rgb dark = dark_mark;
+constexpr Rgb light = light_mark;
 
 // The same shape, so much wider on each side.
 Stroke around(Stroke stroke, int by) {
@@ -29,12 +31,15 @@ Rgb dimmed(const Rgb& color, int percent) {
     return dim;
 }
 
-void append(std::vector<Stroke>& strokes, const std::vector<Stroke>& more, int edge) {
-    for (const Stroke& stroke : more) strokes.push_back(around(stroke, edge));
+}  // namespace
+
+void append_with_edge(std::vector<Stroke>& strokes, const std::vector<Stroke>& more, int edge, const Rgb& color) {
+    for (const Stroke& stroke : more) {
+        strokes.push_back(around(stroke, edge));
+        strokes.back().color = color;
+    }
     strokes.insert(strokes.end(), more.begin(), more.end());
 }
-
-}  // namespace
 
 int unit_of_marks(int shorter_side, int wanted) {
     constexpr int smallest = stroke_unit;  // letters of 7 pixels
@@ -82,12 +87,12 @@ std::vector<Stroke> strokes_of_scale_bar(const ScaleBar& bar, StrokePlace corner
     const int text_left = std::min(left + (corner.x - left - width) / 2, corner.x - width);
     const int text_top = corner.y - tick - (3 + height_of_letters) * letter;
     std::vector<Stroke> strokes;
-    append(strokes,
-           {{{left, corner.y}, corner, 2 * unit, light},
-            {{left, corner.y - tick}, {left, corner.y}, 2 * unit, light},
-            {{corner.x, corner.y - tick}, corner, 2 * unit, light}},
-           edge);
-    append(strokes, strokes_of_text(words, {text_left, text_top}, letter, letter * 5 / 4, light), edge);
+    append_with_edge(strokes,
+                     {{{left, corner.y}, corner, 2 * unit, light},
+                      {{left, corner.y - tick}, {left, corner.y}, 2 * unit, light},
+                      {{corner.x, corner.y - tick}, corner, 2 * unit, light}},
+                     edge);
+    append_with_edge(strokes, strokes_of_text(words, {text_left, text_top}, letter, letter * 5 / 4, light), edge);
     return strokes;
 }
 
@@ -103,6 +108,7 @@ void draw_marks(const PictureMarks& marks, const Camera& camera, Image& picture)
     }
     const auto bar =
         marks.scale_bar ? scale_bar(camera, size, marks.scale_at, longest_scale_bar * size.shorter_side()) : std::nullopt;
+    if (marks.legend) draw(strokes_of_legend(*marks.legend, room_for_legend(right, bottom, unit), unit, marks.on_light), picture);
     if (bar)
         draw(strokes_of_scale_bar(*bar, {right - 2 * marks_margin * unit, bottom - 2 * marks_margin * unit}, unit, right / 2),
              picture);

@@ -1,19 +1,30 @@
-// What may be drawn over a picture: the axes in its lower left corner, a scale bar in the lower right one. A window draws the same
-// lines.
+// What may be drawn over a picture: the axes in its lower left corner, a scale bar in the lower right one, a legend in the upper
+// right one. A window draws the same lines.
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "camera/orientation.hpp"
 #include "image/strokes.hpp"
+#include "look/coloring.hpp"
+#include "scene/scene.hpp"
 
 namespace sphereview {
+
+// Whether letters on such a background should be dark.
+constexpr bool is_light(const Background& background) {
+    const Color& color = background.color;
+    return !background.transparent && 3 * color.r + 6 * color.g + color.b > 10 * 150;
+}
 
 struct PictureMarks {
     bool axes = false;
     bool scale_bar = false;
     glm::dvec3 scale_at{0.0};  // in perspective the bar holds as deep as this point
+    std::optional<Coloring> legend{};
+    bool on_light = false;  // the background is: the legend's letters are dark
 
     bool operator==(const PictureMarks&) const = default;
 };
@@ -30,6 +41,13 @@ inline constexpr double longest_scale_bar = 0.25;
 // How far from the middle an axis' end is drawn, and how large it is there.
 inline constexpr int axis_length = 20;
 inline constexpr int axis_ball = 6;  // its radius
+
+// Of letters and lines, and of the edge around everything, so that it is seen on any colour.
+inline constexpr std::array<std::uint8_t, 3> light_mark{245, 246, 248};
+inline constexpr std::array<std::uint8_t, 3> dark_mark{18, 20, 26};
+// Adds strokes with an edge around all of them, so wide, of that colour.
+void append_with_edge(std::vector<Stroke>& strokes, const std::vector<Stroke>& more, int edge,
+                      const std::array<std::uint8_t, 3>& color = dark_mark);
 
 std::vector<Stroke> strokes_of_axes(const Camera& camera, StrokePlace middle, int unit);
 // With its words above it. `corner`: the bar's lower right end. Words that are wider than `most`, in sixteenths of a pixel, leave

@@ -39,6 +39,7 @@ struct RenderReport {
     std::optional<Comparison> comparison;
     std::vector<std::string> warnings;  // of the scene's file, and of the picture
     std::vector<std::string> notes;     // of the file
+    AppliedLook look;
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
 };
@@ -71,6 +72,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
           {"longest_list", report.facts.longest_list}}},
         {"timings_ms", timings},
     };
+    if (options.look.any()) json.update(to_json(report.look));
     if (report.comparison) {
         const Comparison& comparison = *report.comparison;
         const bool has_first = comparison.different_pixels > 0;
@@ -191,14 +193,16 @@ private:
         progress_.start(job.name + order, 1e-6 * options_.size.width * options_.size.height, "Mpixel");
         const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
         const bool shows_any = std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden));
-        const PictureOptions options{scene.camera,
-                                     options_.size,
-                                     options_.background.value_or(scene.background),
-                                     options_.certify,
-                                     options_.samples,
-                                     options_.shading,
-                                     with_options(scene, options_.light),
-                                     {options_.axes, options_.scale_bar && shows_any, middle_for_scale(scene)}};
+        const PictureOptions options{
+            scene.camera,
+            options_.size,
+            options_.background.value_or(scene.background),
+            options_.certify,
+            options_.samples,
+            options_.shading,
+            with_options(scene, options_.light),
+            {options_.axes, options_.scale_bar && shows_any, middle_for_scale(scene),
+             options_.legend ? loaded.look.coloring : std::nullopt, is_light(options_.background.value_or(scene.background))}};
         const Image picture = render(scene, drawn, options, report);
         if (loaded.fitted && !report.facts.shows_sphere && shows_any) {
             report.warnings.push_back(job.label +
@@ -222,11 +226,12 @@ private:
 
     LoadedScene read_scene(const std::string& path, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
-        LoadedScene loaded = load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.fit});
+        LoadedScene loaded = load_scene(path, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.look, options_.fit});
         progress_.clear();
         say_warnings(loaded);
         report.warnings = loaded.warnings;
         report.notes = loaded.notes;
+        report.look = loaded.look;
         return loaded;
     }
 

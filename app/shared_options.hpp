@@ -11,6 +11,7 @@
 #include "app/load_scene.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/lines.hpp"
 #include "image/image.hpp"
 #include "scene/camera.hpp"
 #include "scene/scene.hpp"
@@ -56,6 +57,26 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
     forbidden->excludes(wanted)->excludes(side);
 }
 
+// What else of each sphere is read than place, size and colour.
+inline void add_properties(CLI::App& command, DataOptions& data) {
+    add_option(command, data,
+               {"--properties", "LIST", "Keep what the file holds of each sphere: all, or names with commas between",
+                "all, or names with commas between"},
+               [&data](const std::string& text) -> std::optional<DataOptions> {
+                   DataOptions asked = data;
+                   for (const std::string_view word : words_of(text, ",")) {
+                       const std::string_view name = trimmed(word);
+                       if (!name.empty()) asked.properties.emplace_back(name);
+                   }
+                   if (asked.properties.empty()) return std::nullopt;
+                   if (asked.properties.size() == 1 && lower_case(asked.properties[0]) == "all") {
+                       asked.properties.clear();
+                       asked.all_properties = true;
+                   }
+                   return asked;
+               });
+}
+
 template <typename Size>
 void add_size(CLI::App& command, Size& size, const std::string& help) {
     const std::string expected =
@@ -92,7 +113,8 @@ void add_colors(CLI::App& command, std::optional<Background>& background, Mode& 
 // Of the shading `studio`.
 inline void add_light(CLI::App& command, LightOptions& light) {
     add_option(command, light.lights,
-               {"--lights", "K", "With --shade studio: directions of the sky's light [256; 64 with --samples or many spheres]",
+               {"--lights", "K",
+                "With --shade studio: directions of the sky's light [the scene's; 256, or 64 with --samples or many spheres]",
                 lights_syntax()},
                [](const std::string& text) {
                    const auto number = whole_number(text, fewest_lights);
@@ -105,17 +127,22 @@ inline void add_light(CLI::App& command, LightOptions& light) {
             return good ? std::optional(number) : std::nullopt;
         };
     };
-    const auto add_part = [&](std::optional<double>& value, const char* name, const std::string& help, double most) {
+    const auto add_part = [&](std::optional<double>& value, const char* name, const std::string& help, double most,
+                              const std::string& otherwise) {
         const std::string range = "0 to " + shortest(most);
-        add_option(command, value, {name, "S", help + ", " + range + " [1]", part_syntax(most)}, part(most));
+        add_option(command, value, {name, "S", help + ", " + range + " [the scene's; " + otherwise + "]", part_syntax(most)},
+                   part(most));
     };
-    add_part(light.sky, "--sky", "Strength of the sky and the key light in it", most_sky);
-    add_part(light.key, "--key", "How much brighter the sky is around the key light", most_key);
+    add_part(light.sky, "--sky", "Strength of the sky and the key light in it", most_sky,
+             "1, or " + shortest(sky_beside_sun) + " beside a sun");
+    add_part(light.key, "--key", "How much brighter the sky is around the key light", most_key, "1");
     const std::string directions(sun_syntax);
     add_option(command, light.sun, {"--sun", "DIR", "A sun: " + directions, directions},
                [](const std::string& text) { return parse_sun(text); });
     add_option(command, light.sun_strength,
-               {"--sun-strength", "S", "Strength of the sun, " + shortest(weakest_sun) + " to " + shortest(strongest_sun) + " [1]",
+               {"--sun-strength", "S",
+                "Strength of the sun, " + shortest(weakest_sun) + " to " + shortest(strongest_sun) + " [the scene's; " +
+                    shortest(sun_beside_sky) + ", or 1 where the sky's is said]",
                 sun_strength_syntax()},
                [](const std::string& text) {
                    const auto strength = number_above_0(text, strongest_sun);

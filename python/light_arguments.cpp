@@ -14,7 +14,7 @@ LightNumbers numbers_of(const Light& light) {
 Light light_from(const LightNumbers& numbers) {
     const auto& [lights, sky, key, sun, strength] = numbers;
     Light light{lights, sky, key, {}};
-    if (sun) light.sun = Sun{{(*sun)[0], (*sun)[1], (*sun)[2]}, strength.value_or(1.0)};
+    if (sun) light.sun = Sun{{(*sun)[0], (*sun)[1], (*sun)[2]}, strength};
     return light;
 }
 

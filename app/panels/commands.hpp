@@ -63,6 +63,7 @@ enum class CommandId {
     toggle_export_area,
     toggle_axes,
     toggle_scale_bar,
+    toggle_legend,
     toggle_exported_marks,
     no_anti_aliasing,
     anti_aliasing_4,

@@ -56,8 +56,15 @@ public:
         ImGui::BeginGroup();
         draw_sun();
         ImGui::EndGroup();
-        part("sky", "How strong the sky is, and the key light in it", light_.sky, most_sky);
-        part("key", "How much brighter the sky is around the key light, above left of the view", light_.key, most_key);
+        double sky = sky_of(light_);
+        if (part("sky", "How strong the sky is, and the key light in it", sky, most_sky)) {
+            if (light_.sun) light_.sun->strength = sun_strength_of(light_);  // which would depend on whether the sky is said
+            light_.sky = sky;
+            change("Change the sky", gesture_);
+        }
+        if (part("key", "How much brighter the sky is around the key light, above left of the view", light_.key, most_key)) {
+            change("Change the key light", gesture_);
+        }
         draw_lights();
     }
 
@@ -144,7 +151,7 @@ private:
     double brightness(const glm::dvec3& normal) const {
         constexpr double own = 0.85;
         double e = brightness_of_free_sky(light_, normal);
-        if (light_.sun) e += light_.sun->strength * std::max(dot(normal, in_view(unit(light_.sun->direction))), 0.0);
+        if (light_.sun) e += sun_strength_of(light_) * std::max(dot(normal, in_view(unit(light_.sun->direction))), 0.0);
         return own * std::min(shown_part(e), 1.0);
     }
 
@@ -188,7 +195,7 @@ private:
             if (on) {
                 switch_on(state_.last_sun ? state_.last_sun->direction : rounded(in_scene(unit(first_sun))));
             } else {
-                light_ = without_sun(light_);
+                light_.sun.reset();
             }
             change(on ? "Switch the sun on" : "Switch the sun off", 0);
         }
@@ -206,7 +213,9 @@ private:
             sun.direction = {-view.x, -view.y, -ahead * view.z};
             set_sun(sun, "Move the sun");
         }
-        if (number("strength", {.low = weakest_sun, .high = strongest_sun, .usual_size = 0.5}, sun.strength)) {
+        double strength = light_.sun ? sun_strength_of(light_) : sun.strength.value_or(1.0);
+        if (number("strength", {.low = weakest_sun, .high = strongest_sun, .usual_size = 0.5}, strength)) {
+            sun.strength = strength;
             set_sun(sun, "Change the sun");
         }
         ImGui::EndDisabled();
@@ -214,8 +223,7 @@ private:
 
     // As strong as it was last.
     void switch_on(const glm::dvec3& direction) {
-        light_ = with_sun(light_, direction);
-        if (state_.last_sun) light_.sun->strength = state_.last_sun->strength;
+        light_.sun = Sun{direction, state_.last_sun ? state_.last_sun->strength : std::nullopt};
     }
 
     void set_sun(const Sun& sun, const std::string& name) {
@@ -223,9 +231,8 @@ private:
         change(name, gesture_);
     }
 
-    void part(const char* name, const char* help, double& value, double most) {
-        const std::string step = std::string("Change the ") + name + (std::string_view(name) == "key" ? " light" : "");
-        if (number(name, {.low = 0.0, .high = most, .usual_size = 0.5, .help = help}, value)) change(step, gesture_);
+    bool part(const char* name, const char* help, double& value, double most) {
+        return number(name, {.low = 0.0, .high = most, .usual_size = 0.5, .help = help}, value);
     }
 
     bool number(const char* name, const NumberRule& rule, double& value) {

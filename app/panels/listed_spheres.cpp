@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -25,6 +26,7 @@ void FilterSearch::begin(const Scene& scene, std::string_view filter) {
     filter_ = filter;
     wanted_ = lower_case(trimmed(filter));
     count_ = scene.spheres.size();
+    if (is_condition(wanted_)) return begin_condition(scene);
     unnamed_ = std::string_view("sphere").find(wanted_) != std::string_view::npos;  // as every unnamed sphere is titled
     const std::string_view digits = digits_of(wanted_);
     std::uint64_t first = 0;
@@ -33,6 +35,21 @@ void FilterSearch::begin(const Scene& scene, std::string_view filter) {
     for (std::uint64_t behind = first + 1; first < count_; first *= 10, behind *= 10) {
         numbers_.push_back({first, behind});
         if (first == 0) break;
+    }
+}
+
+void FilterSearch::begin_condition(const Scene& scene) {
+    try {
+        const Condition condition(filter_);
+        for (const ValueComparison& comparison : condition.comparisons()) {
+            if (std::ranges::find(compared_, comparison.name) != compared_.end()) continue;
+            compared_.push_back(comparison.name);
+            if (!can_compare(scene, comparison.name)) unknown_.push_back(comparison.name);
+        }
+        condition_.emplace(condition, scene);
+    } catch (const InputError& error) {
+        fault_ = error.what();
+        next_ = count_;
     }
 }
 
@@ -48,6 +65,11 @@ bool FilterSearch::fits(std::string_view name) const {
 void FilterSearch::go_on(const Scene& scene, std::size_t step) {
     constexpr std::size_t for_a_name = 8;  // times as long as without
     std::size_t work = 0;
+    for (; condition_ && next_ < count_ && work < for_a_name * step; ++work) {
+        const auto number = static_cast<std::uint32_t>(next_++);
+        if ((*condition_)(number)) found_.push_back(number);
+    }
+    if (condition_) return;
     auto name = scene.names.lower_bound(static_cast<std::uint32_t>(next_));
     while (next_ < count_ && work < for_a_name * step) {
         if (!unnamed_ && numbers_.empty()) next_ = name == scene.names.end() ? count_ : std::min<std::size_t>(name->first, count_);

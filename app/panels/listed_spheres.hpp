@@ -9,21 +9,23 @@
 #include <vector>
 
 #include "panels/panel_context.hpp"
+#include "scene/condition.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
 
 // Finds the spheres whose name contains the filter, ignoring the case of ASCII letters, and those whose number, or title
-// "sphere 12", begins with it: a part of the scene at a time, so that a million names hold no redraw up.
-// Document::names_revision() says when names or numbers changed, so moving a sphere begins no search anew.
+// "sphere 12", begins with it; or those that fulfil a condition (scene/condition.hpp): a part of the scene at a time, so that a
+// million names hold no redraw up. Document::names_revision() says when names or numbers changed, so moving a sphere begins no
+// search anew; a condition is about what revision() counts.
 class FilterSearch {
 public:
     // So many names, or eight times as many spheres without one: some milliseconds.
     static constexpr std::size_t usual_step = 32768;
 
-    // From the beginning. The filter is not empty.
+    // From the beginning. The filter is not empty. A condition that cannot be understood finds nothing, and has a fault().
     void begin(const Scene& scene, std::string_view filter);
-    // The scene's names and numbers must not have changed since begin().
+    // The scene's names and numbers, and for a condition the scene, must not have changed since begin().
     void go_on(const Scene& scene, std::size_t step = usual_step);
     void finish(const Scene& scene);
 
@@ -31,15 +33,26 @@ public:
     // Of the scene that has been looked at, 0..1.
     double part() const { return count_ == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(count_); }
     const std::string& filter() const { return filter_; }
+    bool has_condition() const { return condition_.has_value(); }
+    // What is wrong with the condition, in words; "" where nothing is.
+    const std::string& fault() const { return fault_; }
+    // The names of what the condition compares, each once, and of them those that the scene does not have.
+    const std::vector<std::string>& compared() const { return compared_; }
+    const std::vector<std::string>& unknown() const { return unknown_; }
     // So far; ascending.
     const std::vector<std::uint32_t>& found() const { return found_; }
 
 private:
+    void begin_condition(const Scene& scene);
     bool fits(std::uint32_t number) const;
     bool fits(std::string_view name) const;
 
     std::string filter_;
     std::string wanted_;  // what is looked for in names
+    std::optional<SphereTest> condition_;
+    std::string fault_;
+    std::vector<std::string> compared_;
+    std::vector<std::string> unknown_;
     struct NumberRange {
         std::uint64_t first;
         std::uint64_t behind;

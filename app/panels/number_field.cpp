@@ -38,6 +38,7 @@ double value_after(const NumberRule& rule, const NumberFields::Drag& drag, doubl
         return std::clamp(rounded_to(value, last_digit(value, factor_digits + finer)), least, rule.high);
     }
     const double value = std::clamp(drag.from + steps * drag.step, rule.low, rule.high);
+    if (rule.whole) return std::round(value);
     // Rounded ends may lie beyond the rule's.
     return std::clamp(rounded_to(value, last_digit(drag.step, 1 + finer)), rule.low, rule.high) + 0.0;  // -0 becomes 0
 }
@@ -77,18 +78,20 @@ void open_box(NumberFields& fields, const std::string& name) {
     fields.typed = name;
     fields.focus = true;
     fields.opens = true;
-    fields.refused.clear();
+    if (fields.refused == name) fields.refused.clear();
 }
 
 std::string ends_in_words(const NumberRule& rule) {
     if (rule.above_zero && rule.low <= 0.0) return "a number above 0 is expected";
-    return "a number from " + shortest(rule.low) + " to " + shortest(rule.high) + " is expected";
+    return std::string(rule.whole ? "a whole number from " : "a number from ") + shortest(rule.low) + " to " + shortest(rule.high) +
+           " is expected";
 }
 
 ExpressionValue entered(std::string_view text, const NumberRule& rule) {
     ExpressionValue result = evaluate(text);
     if (!result.fault.empty()) return result;
-    const bool allowed = result.value >= rule.low && result.value <= rule.high && (!rule.above_zero || result.value > 0.0);
+    const bool allowed = result.value >= rule.low && result.value <= rule.high && (!rule.above_zero || result.value > 0.0) &&
+                         (!rule.whole || result.value == std::round(result.value));
     if (!allowed) result.fault = ends_in_words(rule);
     return result;
 }
@@ -143,6 +146,7 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
         refuse_number(fields, name, in_quotes(text) + ": " + result.fault);
         return NumberChange::none;
     }
+    fields.refused.clear();
     if (result.value == value && several.empty()) return NumberChange::none;
     value = result.value;
     return NumberChange::typed;
@@ -168,7 +172,9 @@ void draw_place_between_ends(const NumberRule& rule, double value, float scale) 
 NumberChange draw_drag(const PanelContext& context, NumberFields& fields, const std::string& name, const NumberRule& rule,
                        double& value, const std::string& several) {
     const float width = ImGui::CalcItemWidth();
-    const std::string shown = several.empty() ? fitting_text(value, width - 2.0F * ImGui::GetStyle().FramePadding.x) : several;
+    const float room = width - 2.0F * ImGui::GetStyle().FramePadding.x;
+    std::string shown = several.empty() ? fitting_text(value, room) : several;
+    if (width_of(rule.prefix + shown) <= room) shown.insert(0, rule.prefix);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgHovered));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
@@ -181,8 +187,8 @@ NumberChange draw_drag(const PanelContext& context, NumberFields& fields, const 
     const bool active = ImGui::IsItemActive();
     if (ImGui::IsItemHovered() || active) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (fields.just_typed == name && !ImGui::IsItemHovered()) fields.just_typed.clear();
-    // What is said below the field, and the fields there, are not covered.
-    if (ImGui::IsItemHovered() && !active && fields.just_typed != name) {
+    // What is said below the field, and fields that are typed into, are not covered.
+    if (ImGui::IsItemHovered() && !active && fields.typed.empty() && fields.just_typed != name) {
         say_what_it_is(name, rule, several.empty() ? shortest(value) : several);
     }
     if (ImGui::IsItemActivated()) begin_drag(context, fields, rule, value);

@@ -17,10 +17,12 @@ struct NumberRule {
     double high = std::numeric_limits<double>::max();
     // More than 0 alone; a drag makes it larger or smaller by equal factors.
     bool above_zero = false;
+    bool whole = false;  // whole numbers alone
     // A drag of some 100 pixels changes a number by about its own size when the drag begins; one that is smaller than this, 0 too,
     // by about this much.
     double usual_size = 1.0;
-    const char* help = "";  // a sentence for the tooltip
+    const char* help = "";    // a sentence for the tooltip
+    const char* prefix = "";  // before the number, where there is room
 };
 
 // Of a coordinate in a scene: one near 0 moves by a part of what the scene takes up.

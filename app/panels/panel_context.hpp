@@ -25,6 +25,7 @@ struct EditScene {
     Edit edit;
     std::string name;           // of the step, for the menu
     std::uint64_t gesture = 0;  // edits of one drag have the same; 0: a step of its own
+    bool is_look = false;       // colours and sizes by a property, which other frames of the file get as well
 };
 struct SelectSpheres {
     Selection selection;
@@ -45,6 +46,8 @@ struct MeasureSphere {
 struct ShowView {
     Camera camera;
 };
+// What the file holds of each sphere is read, where that is not done yet.
+struct RequestProperties {};
 // Of the pixel inspector's pixels.
 enum class InspectorWish { pin, unpin, compare, copy, copy_second };
 // Shows the pixel of a picture of that size in the inspector, and holds it there.
@@ -52,8 +55,8 @@ struct PinPixel {
     Pixel pixel;
     PictureSize size;
 };
-using Action =
-    std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere, ShowView, InspectorWish, PinPixel>;
+using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere, ShowView, RequestProperties,
+                            InspectorWish, PinPixel>;
 
 // Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
 struct WidgetRectangle {
@@ -87,6 +90,8 @@ struct PanelContext {
     Light light{};      // as the picture shows it: the scene's, or what the command line asks for instead
     CameraAxes view{};  // of the view
     Camera camera{};    // the view's own
+    // Of what the file holds of each sphere; the scene has those alone that were read (RequestProperties).
+    std::span<const std::string> property_names{};
 };
 
 // Notes a rectangle, or that of ImGui's last widget, where `rectangles` are collected.

@@ -178,8 +178,8 @@ private:
         const float length = std::hypot(b.x - a.x, b.y - a.y);
         if (blocked || length < 60.0F * canvas_.scale()) return;
         const float on = std::min(length, 46.0F * canvas_.scale()) / length;
-        canvas_.text({a.x + on * (b.x - a.x) + 6.0F * canvas_.scale(), a.y + on * (b.y - a.y)}, 0.0F, 0.5F, "to the " + std::string(of_.name_of_sun),
-                     faded(sun_color, 0.95F), Importance::some);
+        canvas_.text({a.x + on * (b.x - a.x) + 6.0F * canvas_.scale(), a.y + on * (b.y - a.y)}, 0.0F, 0.5F,
+                     "to the " + std::string(of_.name_of_sun), faded(sun_color, 0.95F), Importance::some);
     }
 
     void draw_roots() const {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/text.hpp"
@@ -47,7 +48,7 @@ void draw_background(const PanelContext& context) {
     if (usual) return;
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
     Background edited = present;
-    const auto gesture = draw_color_edit(context, "##background color", edited.color, false);
+    const auto gesture = draw_color_edit(context, "##background color", edited.color);
     note_widget(context, "background color");
     if (gesture) change_background(context, edited, *gesture);
 }
@@ -91,12 +92,17 @@ void draw_buttons(const PanelContext& context, SidePanelState& state) {
                                    {CommandId::hide, hide, "hide"}});
 }
 
+// Nothing where it is not looked for yet: what was typed in this frame is in the next.
+std::optional<std::vector<std::uint32_t>> filtered(const PanelContext& context, SidePanelState& state) {
+    if (!is_searched(context.document, state)) return std::nullopt;
+    state.search.finish(context.document.scene());
+    return state.search.found();
+}
+
 void select_filtered(const PanelContext& context, SidePanelState& state) {
-    // What was typed in this frame is looked for in the next.
-    const Document& document = context.document;
-    if (state.search.filter() != state.filter || state.searched_names != document.names_revision()) return;
-    state.search.finish(document.scene());
-    std::vector<std::uint32_t> numbers = state.search.found();
+    auto found = filtered(context, state);
+    if (!found) return;
+    std::vector<std::uint32_t> numbers = std::move(*found);
     if (ImGui::GetIO().KeyCtrl) {
         const auto& others = context.selection.numbers();
         numbers.insert(numbers.begin(), others.begin(), others.end());
@@ -106,23 +112,65 @@ void select_filtered(const PanelContext& context, SidePanelState& state) {
     context.actions.emplace_back(SelectSpheres{std::move(selection)});
 }
 
+// Or shows them, where all are hidden.
+void hide_filtered(const PanelContext& context, SidePanelState& state) {
+    const auto found = filtered(context, state);
+    if (!found || found->empty()) return;
+    const Scene& scene = context.document.scene();
+    const bool hide = std::ranges::any_of(*found, [&](std::uint32_t number) { return !scene.spheres[number].hidden; });
+    ChangeSpheres change;
+    for (const std::uint32_t number : *found) {
+        if (scene.spheres[number].hidden == hide) continue;
+        change.numbers.push_back(number);
+        change.spheres.push_back(scene.spheres[number]);
+        change.spheres.back().hidden = hide;
+    }
+    const std::string what = spheres_in_words(change.numbers.size());
+    context.actions.emplace_back(EditScene{std::move(change), (hide ? "Hide " : "Show ") + what});
+}
+
+void draw_filter_fault(const PanelContext& context, const SidePanelState& state) {
+    const bool is_wrong = is_searched(context.document, state) && !state.search.fault().empty();
+    if (!is_wrong) return;
+    const ImVec2 place = ImGui::GetCursorScreenPos();
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s", shown_text(state.search.fault()).c_str());
+    ImGui::PopTextWrapPos();
+    note_rectangle(context, "filter fault", place, ImGui::GetItemRectSize());
+}
+
 void draw_filter(const PanelContext& context, SidePanelState& state) {
     const float side = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float select = button_width("Select");
-    const float buttons = state.filter.empty() ? 0.0F : side + select + 2.0F * gap;
+    // A condition is long: its buttons have a line of their own.
+    const bool below = is_condition(state.filter);
+    const float beside = below ? 0.0F : select + gap;
+    const float buttons = state.filter.empty() ? 0.0F : side + gap + beside;
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons));
-    ImGui::InputTextWithHint("##filter", "Filter by name or number", &state.filter);
+    ImGui::InputTextWithHint("##filter", "Filter: name, number, charge > 0.5", &state.filter);
     note_widget(context, "filter");
     if (state.filter.empty()) return;
-    ImGui::SameLine(0.0F, gap);
+    const auto draw_clear = [&] {
+        ImGui::SameLine(0.0F, gap);
+        if (ImGui::Button("x##clear filter", {side, side})) state.filter.clear();
+        note_widget(context, "clear filter");
+        explain_item("Show all spheres");
+    };
+    if (below) {
+        draw_clear();
+    } else {
+        ImGui::SameLine(0.0F, gap);
+    }
     if (ImGui::Button("Select##filtered", {select, side})) select_filtered(context, state);
     note_widget(context, "select filtered");
     explain_item("Select what the filter shows; with Ctrl, besides what is selected");
+    if (!below) return draw_clear();
     ImGui::SameLine(0.0F, gap);
-    if (ImGui::Button("x##clear filter", {side, side})) state.filter.clear();
-    note_widget(context, "clear filter");
-    explain_item("Show all spheres");
+    if (ImGui::Button("Hide##filtered", {button_width("Select"), side})) hide_filtered(context, state);
+    note_widget(context, "hide filtered");
+    explain_item("Hide what the filter shows, or show it again");
+    draw_filter_fault(context, state);
 }
 
 std::string count_in_words(const PanelContext& context, const SidePanelState& state) {
@@ -146,6 +194,9 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     const float below = ImGui::GetCursorPosY();
     ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
     if (ImGui::CollapsingHeader("Sphere", ImGuiTreeNodeFlags_DefaultOpen)) draw_sphere_editor(context, state);
+    const bool look = ImGui::CollapsingHeader("Colour and size");
+    note_widget(context, "look");
+    if (look) draw_look_panel(context, state.look, state.numbers);
     const bool light = ImGui::CollapsingHeader("Light");
     note_widget(context, "light");
     if (light) draw_light_panel(context, state);

@@ -6,6 +6,7 @@
 
 #include "edit/selection.hpp"
 #include "panels/listed_spheres.hpp"
+#include "panels/look_panel.hpp"
 #include "panels/number_field.hpp"
 #include "panels/panel_context.hpp"
 
@@ -33,7 +34,7 @@ struct SidePanelState {
     std::string new_name;
     bool focus_rename = false;
     FilterSearch search;               // for the spheres that pass the filter; goes on from frame to frame
-    std::uint64_t searched_names = 0;  // Document::names_revision() of the search
+    std::uint64_t searched = 0;        // Document::names_revision() of the search; of a condition revision()
     bool scroll_to_selection = false;  // set by whoever selects elsewhere
     ListScroll scroll;
     bool list_hovered = false;   // the wheel is the list's
@@ -62,12 +63,17 @@ struct SidePanelState {
     // Whether a box is there, or opens.
     bool has_box() const { return !numbers.typed.empty() || renamed_view; }
 
+    LookPanelState look;
+
     std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
     float below_list = 0.0F;      // how high what comes below the list was
 };
 
 // Draws into the current ImGui window.
 void draw_side_panel(const PanelContext& context, SidePanelState& state);
+
+// Whether what was found is of the filter and the document as they are.
+bool is_searched(const Document& document, const SidePanelState& state);
 
 // Begins typing the name of a sphere in the list.
 void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number);

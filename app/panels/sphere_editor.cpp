@@ -1,6 +1,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -26,15 +27,11 @@ public:
     void draw() {
         if (numbers_.size() == 1) draw_name();
         const NumberRule coordinate = coordinate_rule(context_.bounds);
-        number("x", coordinate, SphereValue::x);
-        number("y", coordinate, SphereValue::y);
-        number("z", coordinate, SphereValue::z);
-        number("radius", {.above_zero = true}, SphereValue::radius);
-        begin_field(context_, "colour");
-        if (takes_keyboard(state_.numbers)) ImGui::SetKeyboardFocusHere();
-        const auto gesture = draw_color_edit(context_, "##color", sphere_.color);
-        note_widget(context_, "color");
-        if (gesture) change_all("Recolour ", *gesture, [&](Sphere& sphere, std::size_t) { sphere.color = sphere_.color; });
+        number_line("x", coordinate, SphereValue::x);
+        number_line("y", coordinate, SphereValue::y);
+        number_line("z", coordinate, SphereValue::z);
+        number_line("radius", {.above_zero = true}, SphereValue::radius);
+        draw_color();
         begin_field(context_, "hidden");
         constexpr int all = 3;  // one of its two bits: some
         int hidden = shared_.hidden == shared_.count ? all : shared_.hidden > 0 ? 1 : 0;
@@ -58,31 +55,61 @@ private:
         }
     }
 
-    void number(const char* name, const NumberRule& rule, SphereValue which) {
+    // Three numbers and a swatch, which opens a picker.
+    void draw_color() {
+        struct Channel {
+            const char* name;
+            const char* prefix;
+            SphereValue value;
+        };
+        constexpr std::array<Channel, 3> channels{
+            {{"red", "R ", SphereValue::red}, {"green", "G ", SphereValue::green}, {"blue", "B ", SphereValue::blue}}};
+        begin_field(context_, "colour");
+        const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+        const float width = (ImGui::CalcItemWidth() - ImGui::GetFrameHeight()) / static_cast<float>(channels.size()) - gap;
+        for (const Channel& channel : channels) {
+            ImGui::SetNextItemWidth(std::max(width, 1.0F));
+            number(channel.name,
+                   {.low = 0.0, .high = color_max, .whole = true, .usual_size = 100.0, .help = "", .prefix = channel.prefix},
+                   channel.value);
+            ImGui::SameLine(0.0F, gap);
+        }
+        const auto gesture = draw_color_edit(context_, "##color", sphere_.color);
+        note_widget(context_, "color");
+        for (const Channel& channel : channels) draw_refusal(context_, state_.numbers, channel.name);
+        if (gesture) change_all("Recolour ", *gesture, [&](Sphere& sphere, std::size_t) { sphere.color = sphere_.color; });
+    }
+
+    void number_line(const char* name, const NumberRule& rule, SphereValue which) {
         begin_field(context_, name);
+        number(name, rule, which);
+        draw_refusal(context_, state_.numbers, name);
+    }
+
+    void number(const char* name, const NumberRule& rule, SphereValue which) {
         const SharedValues::Range& values = shared_.range(which);
         const std::string several = values.low == values.high ? "" : range_text(values.low, values.high);
         double value = value_of(sphere_, which);
         const NumberChange change = draw_number(context_, state_.numbers, name, rule, value, several);
-        draw_refusal(context_, state_.numbers, name);
         if (change == NumberChange::none) return;
-        const std::string what = which == SphereValue::radius ? "Change radius of " : "Move ";
-        value_of(sphere_, which) = value;
+        const std::string what = is_color(which) ? "Recolour " : which == SphereValue::radius ? "Change radius of " : "Move ";
+        set_value(sphere_, which, value);
         if (change == NumberChange::typed) {
-            change_all(what, 0, [&](Sphere& sphere, std::size_t) { value_of(sphere, which) = value; });
+            change_all(what, 0, [&](Sphere& sphere, std::size_t) { set_value(sphere, which, value); });
             return;
         }
         const ValueDrag& drag = drag_of(which);
         const double from = drag.values[drag.primary];
         const auto dragged = [&](std::size_t i) {
             if (i == drag.primary) return value;
+            if (is_color(which)) return std::clamp(drag.values[i] + (value - from), rule.low, rule.high);
             return which == SphereValue::radius ? drag.values[i] * (value / from) : drag.values[i] + (value - from);
         };
         for (std::size_t i = 0; i < drag.values.size(); ++i) {
             const double next = dragged(i);
             if (!std::isfinite(next) || (which == SphereValue::radius && !(next > 0.0))) return;
         }
-        change_all(what, context_.gesture, [&](Sphere& sphere, std::size_t i) { value_of(sphere, which) = dragged(i); });
+        change_all(what, context_.gesture, [&](Sphere& sphere, std::size_t i) { set_value(sphere, which, dragged(i)); });
     }
 
     // What the spheres had when the drag began, so that nothing adds up.

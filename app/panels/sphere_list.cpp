@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/text.hpp"
 #include "panels/listed_spheres.hpp"
 #include "panels/side_panel.hpp"
 #include "panels/widgets.hpp"
@@ -209,13 +210,28 @@ void draw_row_menu(const PanelContext& context, SidePanelState& state) {
 
 constexpr double rows_per_click = 3.0;  // of the wheel
 
-void keep_list(const Document& document, SidePanelState& state) {
+std::uint64_t searched_revision(const Document& document, const SidePanelState& state) {
+    return is_condition(state.filter) ? document.revision() : document.names_revision();
+}
+
+// What the condition asks for may be in the file, and not read yet.
+void request_unread(const PanelContext& context, const FilterSearch& search) {
+    const auto is_unread = [&](const std::string& name) {
+        return std::ranges::any_of(context.property_names,
+                                   [&](const std::string& one) { return lower_case(one) == lower_case(name); });
+    };
+    if (std::ranges::any_of(search.unknown(), is_unread)) context.actions.emplace_back(RequestProperties{});
+}
+
+void keep_list(const PanelContext& context, SidePanelState& state) {
+    const Document& document = context.document;
     if (state.filter.empty()) {
         if (!state.search.filter().empty()) state.search = {};
-    } else if (state.searched_names != document.names_revision() || state.search.filter() != state.filter) {
+    } else if (!is_searched(document, state)) {
         state.search.begin(document.scene(), state.filter);
-        state.searched_names = document.names_revision();
+        state.searched = searched_revision(document, state);
     }
+    request_unread(context, state.search);
     if (!state.search.done()) state.search.go_on(document.scene());
     // A number means another sphere when others come and go.
     const std::uint64_t known = std::exchange(state.drawn_revision, document.revision());
@@ -307,13 +323,17 @@ void draw_rows(const PanelContext& context, SidePanelState& state, const ListedS
 
 }  // namespace
 
+bool is_searched(const Document& document, const SidePanelState& state) {
+    return state.search.filter() == state.filter && state.searched == searched_revision(document, state);
+}
+
 void draw_sphere_list(const PanelContext& context, SidePanelState& state, float height) {
     const Scene& scene = context.document.scene();
-    keep_list(context.document, state);
+    keep_list(context, state);
     if (state.focus_rename && state.renaming && !state.filter.empty() &&
         !std::ranges::binary_search(state.search.found(), *state.renaming)) {
         state.filter.clear();  // its row must be there
-        keep_list(context.document, state);
+        keep_list(context, state);
     }
     const ListedSpheres listed(scene, state.filter.empty(), state.search.found());
     const float padding = 4.0F * context.scale;
@@ -335,9 +355,10 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
     if (bar > 0.0F) state.scroll.draw_bar(context, left + width, static_cast<float>(top), bar, inner_height);
     const RowPlaces places{top - std::round(state.scroll.above() * row_height), left, width, row_height};
     if (listed.size() == 0) {
-        ImGui::TextDisabled("%s", scene.spheres.empty() ? "The scene has no spheres."
-                                  : state.search.done() ? "No sphere matches the filter."
-                                                        : "Looking...");
+        ImGui::TextDisabled("%s", scene.spheres.empty()           ? "The scene has no spheres."
+                                  : !state.search.fault().empty() ? "The condition has a fault."
+                                  : state.search.done()           ? "No sphere matches the filter."
+                                                                  : "Looking...");
     } else {
         draw_rows(context, state, listed, places);
     }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "base/text.hpp"
 #include "panels/widgets.hpp"
@@ -107,6 +108,17 @@ float draw_trouble(const PanelContext& context, const Trouble& trouble, const Re
     return bottom;
 }
 
+// As much of the text as is no wider than that, with dots where something is missing.
+std::string shortened(const std::string& text, float width) {
+    if (width_of(text) <= width) return text;
+    constexpr const char* dots = "...";
+    const float room = width - width_of(dots);
+    if (room <= 0.0F) return "";
+    const char* end = text.data();
+    ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), room, 0.0F, text.data(), text.data() + text.size(), &end);
+    return std::string(text.data(), end) + dots;
+}
+
 // Columns from left to right, each as wide as its widest text can be.
 class Columns {
 public:
@@ -114,18 +126,15 @@ public:
         right_ = origin_.x + ImGui::GetContentRegionAvail().x;
     }
 
-    // Text that does not fit is cut off at the column's edge. `right`: numbers, whose last digits stay in place.
+    // Text that is wider than its column ends in dots. `right`: numbers, whose last digits stay in place.
     void put(const std::string& text, float width, bool right = false) {
-        const float end = std::min(left_ + origin_.x + width, right_);
-        const float begin = origin_.x + left_ + (right ? std::max(0.0F, width - width_of(text)) : 0.0F);
-        if (begin < end) {
-            ImGui::PushClipRect({begin, origin_.y}, {end, origin_.y + ImGui::GetTextLineHeight()}, true);
-            ImGui::SetCursorScreenPos({begin, origin_.y});
-            ImGui::TextUnformatted(text.c_str());
-            ImGui::PopClipRect();
-        }
+        const std::string shown = shortened(text, std::min(width, rest()));
+        ImGui::SetCursorScreenPos({origin_.x + left_ + (right ? std::max(0.0F, width - width_of(shown)) : 0.0F), origin_.y});
+        ImGui::TextUnformatted(shown.c_str());
         left_ += width + gap_;
     }
+    // What a column of that width takes with the gap behind it.
+    float with_gap(float width) const { return width + gap_; }
 
     float rest() const { return std::max(0.0F, right_ - origin_.x - left_); }
 
@@ -153,11 +162,23 @@ std::string pixel_text(int x, int y) { return std::to_string(x) + ", " + std::to
 // Seconds can be anything a driver says, also before the first frame.
 std::string time_text(double seconds) { return fixed(std::clamp(seconds * 1000.0, 0.0, 99'999.9), 1) + " ms"; }
 
+// ", charge 0.25, chain A"
+std::string values_of_sphere(const Scene& scene, std::uint32_t sphere, const std::vector<std::string>& names) {
+    std::string text;
+    for (const Property& property : scene.properties) {
+        const auto is_it = [&](const std::string& name) { return lower_case(name) == lower_case(property.name); };
+        if (std::ranges::none_of(names, is_it)) continue;
+        const std::string value = text_at(property, sphere);
+        text += ", " + shown_text(property.name) + " " + (value.empty() ? "none" : shown_text(value));
+    }
+    return text;
+}
+
 std::string under_pointer(const PanelContext& context, const Status& status) {
     if (!status.pixel) return "";
     const Scene& scene = context.document.scene();
     if (!status.sphere || *status.sphere >= scene.spheres.size()) return "background";
-    return title_of(scene, *status.sphere);
+    return title_of(scene, *status.sphere) + values_of_sphere(scene, *status.sphere, status.properties);
 }
 
 }  // namespace
@@ -183,15 +204,29 @@ bool draw_messages(const PanelContext& context, Messages& messages, const Rectan
 void draw_status_bar(const PanelContext& context, const Status& status) {
     const std::size_t spheres = context.document.scene().spheres.size();
     Columns columns(context.scale);
-    columns.put(status.renderer, std::min(width_of(status.renderer), 0.3F * columns.rest()));
-    columns.put(spheres_text(spheres, context.bounds.hidden, context.selection.size()),
-                width_of(spheres_text(spheres, std::max<std::size_t>(spheres, 1), std::max<std::size_t>(spheres, 1))));
-    if (context.frames > 1) {
-        columns.put(frame_text(context.frame, context.frames), width_of(frame_text(context.frames - 1, context.frames)));
+    const float renderer = std::min(width_of(status.renderer), 0.3F * columns.rest());
+    const std::string counts_now = spheres_text(spheres, context.bounds.hidden, context.selection.size());
+    float counts = width_of(spheres_text(spheres, std::max<std::size_t>(spheres, 1), std::max<std::size_t>(spheres, 1)));
+    const float frame = width_of(frame_text(context.frames - 1, context.frames));
+    const float time = width_of("9,999.9 ms");
+    const float step = width_of("1/16");
+    const float pixel = width_of(pixel_text(99'999, 99'999));
+    // Where the line is too short for all of them, what is under the pointer stays: what renders goes, then how long that took.
+    const auto fit = [&](std::initializer_list<float> widths) {
+        float needed = width_of("sphere 999,999") + (context.frames > 1 ? columns.with_gap(frame) : 0.0F);
+        for (const float width : widths) needed += columns.with_gap(width);
+        return needed <= columns.rest();
+    };
+    if (!fit({counts, pixel})) counts = width_of(counts_now);
+    const bool shows_time = fit({counts, time, step, pixel});
+    if (fit({renderer, counts, time, step, pixel})) columns.put(status.renderer, renderer);
+    columns.put(counts_now, counts);
+    if (context.frames > 1) columns.put(frame_text(context.frame, context.frames), frame);
+    if (shows_time) {
+        columns.put(time_text(status.frame_seconds), time, true);
+        columns.put(status.step > 1 ? "1/" + std::to_string(status.step) : "", step);
     }
-    columns.put(time_text(status.frame_seconds), width_of("9,999.9 ms"), true);
-    columns.put(status.step > 1 ? "1/" + std::to_string(status.step) : "", width_of("1/16"));
-    columns.put(status.pixel ? pixel_text(status.pixel->x, status.pixel->y) : "", width_of(pixel_text(99'999, 99'999)), true);
+    columns.put(status.pixel ? pixel_text(status.pixel->x, status.pixel->y) : "", pixel, true);
     columns.put(under_pointer(context, status), columns.rest());
 }
 

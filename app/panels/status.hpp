@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "edit/document.hpp"
 #include "panels/panel_context.hpp"
@@ -38,7 +39,8 @@ struct Status {
     int step = 1;                // its grid; more than 1: coarse
     std::optional<Pixel> pixel;  // under the pointer
     PictureSize size;
-    std::optional<std::uint32_t> sphere;  // that the pixel shows
+    std::optional<std::uint32_t> sphere;    // that the pixel shows
+    std::vector<std::string> properties{};  // whose values of that sphere are told, by name in any letter case
 };
 
 // Draws into the current ImGui window, one line high. Its columns stay where they are while numbers change.

@@ -226,15 +226,14 @@ bool key_pressed(ImGuiKey key) {
 #endif
 }
 
-std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const char* label, Color& color, bool numbers) {
+std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const char* label, Color& color) {
     std::array<float, 3> parts = {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
     for (float& part : parts) part /= static_cast<float>(color_max);
-    const ImGuiColorEditFlags flags =
-        ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoDragDrop | (numbers ? 0 : ImGuiColorEditFlags_NoInputs);
-    const bool changed = ImGui::ColorEdit3(label, parts.data(), flags);
+    const bool changed = ImGui::ColorEdit3(
+        label, parts.data(), ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoDragDrop | ImGuiColorEditFlags_NoInputs);
     const ImVec2 end = ImGui::GetItemRectMax();
     draw_edge({end.x - ImGui::GetFrameHeight(), ImGui::GetItemRectMin().y}, end, context.scale);
-    // ImGui counts the three numbers and the picker as one item: a drag in one activates the item.
+    // ImGui counts the swatch and the picker as one item: a drag in the picker activates the item.
     if (ImGui::IsItemActivated()) ++context.gesture;
     if (!changed) return std::nullopt;
     const auto byte = [](float part) {

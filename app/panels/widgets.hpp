@@ -69,9 +69,9 @@ void draw_swatch(const Color& color, ImVec2 place, float side, float scale, floa
 // Whether a key, as ImGui calls it (ImGuiKey_UpArrow), went down or repeats.
 bool key_pressed(ImGuiKey key);
 
-// The gesture that a change of `color` belongs to; nothing while the colour stays. Begins a gesture with each drag. The
-// widget is ImGui's last item afterwards.
-std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const char* label, Color& color, bool numbers = true);
+// A swatch that opens a picker. The gesture that a change of `color` belongs to; nothing while the colour stays. Begins a gesture
+// with each drag. The widget is ImGui's last item afterwards.
+std::optional<std::uint64_t> draw_color_edit(const PanelContext& context, const char* label, Color& color);
 
 // The nearest multiple of 10^exponent, as the nearest double; 0 where that is nearest.
 double rounded_to(double value, int exponent);

@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -25,6 +26,9 @@ Scene selected_spheres(const ViewerState& state) {
         const std::string name = name_of(state.scene(), number);
         if (!name.empty()) copied.names[static_cast<std::uint32_t>(copied.spheres.size())] = name;
         copied.spheres.push_back(state.scene().spheres[number]);
+    }
+    for (const Property& property : state.scene().properties) {
+        copied.properties.push_back(values_of(property, state.selection.numbers()));
     }
     return copied;
 }
@@ -97,6 +101,7 @@ void paste(ViewerState& state) {
         insert.numbers.push_back(next++);
         insert.spheres.push_back(std::move(added));
     }
+    insert.properties = std::move(pasted.properties);
     const std::string what = "Paste " + spheres_in_words(pasted.spheres.size());
     perform(state, {EditScene{std::move(insert), what, 0}});
 }

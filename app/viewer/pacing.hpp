@@ -16,8 +16,14 @@ public:
     // pixels, so what a finer one would take is found out by trying, ever less often where that fails.
     void traced(int step, double seconds, double drawing) {
         const int level = std::countr_zero(static_cast<unsigned>(step));
-        if (level != level_) {  // nothing moved, and the picture was made fine
-            if (level < level_ && seconds <= frame_budget) level_ = level;
+        if (level < level_) {  // nothing moved, and the picture was made fine
+            if (seconds <= frame_budget) level_ = level;
+            return;
+        }
+        if (level > level_) {  // the first parts of a finer one took too long (LivePicture::update)
+            if (std::exchange(tries_, false)) pause();
+            level_ = level;
+            left_seconds_ = 0.0;
             return;
         }
         if (stays_ > 0) --stays_;
@@ -38,33 +44,43 @@ public:
         }
     }
 
-    // The step for a picture that is moving: 1 where the device is fast enough, at most 8; and no coarser than saves time.
+    // The step for a picture that is moving: 1 where the device is fast enough, at most 8, or what was traced instead; and no
+    // coarser than saves time.
     int moving_step() const { return 1 << level_; }
 
     // Something happened: some frames must be drawn, until the panels have settled.
-    void touch() { frames_ = settling_frames; }
+    void touch() {
+        frames_ = settling_frames;
+        goes_on_ = false;
+    }
     // There is another picture to show, which changes nothing of the panels.
     void show_once() { frames_ = frames_ > 0 ? frames_ : 1; }
     // A frame was drawn.
     void drew(int step) {
         if (frames_ > 0) --frames_;
         coarse_ = step > 1;
+        goes_on_ = false;
     }
+    // A part of a fine picture was drawn; there are others.
+    void refined_a_part() { goes_on_ = true; }
 
     // Nothing is to be drawn before the next event.
     bool rests() const { return frames_ == 0 && !coarse_; }
     // How long to wait for events before the next frame; nothing: until one comes.
     std::optional<double> patience() const {
         if (frames_ > 0) return 0.0;
-        return coarse_ ? std::optional(refine_after) : std::nullopt;
+        if (!coarse_) return std::nullopt;
+        return goes_on_ ? 0.0 : refine_after;
     }
-    // Whether nothing moves in the frame that comes: time to make the picture fine.
+    // Whether nothing moves, and the picture is coarse: time to make it fine.
     bool refines() const { return frames_ == 0 && coarse_; }
 
     // Seconds for the trace of a moving picture; with what shows it, about 30 ms a frame.
     static constexpr double frame_budget = 0.024;
     static constexpr double refine_after = 0.08;  // seconds without an event
-    static constexpr double look_again = 0.01;    // seconds, while another thread works
+    // Seconds for what is drawn of a fine picture before the next look for events.
+    static constexpr double refine_budget = 0.016;
+    static constexpr double look_again = 0.01;  // seconds, while another thread works
 
 private:
     static constexpr int coarsest = 3;  // the step is 2^3
@@ -72,8 +88,11 @@ private:
     static constexpr int short_pause = 60;  // frames
     static constexpr int long_pause = 480;
 
+    // After a finer frame that was tried and took too long.
+    void pause() { wait_ = pause_ = std::clamp(2 * pause_, short_pause, long_pause); }
+
     void become_coarser(double seconds, double drawing) {
-        if (std::exchange(tries_, false)) wait_ = pause_ = std::clamp(2 * pause_, short_pause, long_pause);
+        if (std::exchange(tries_, false)) pause();
         left_level_ = level_;
         left_seconds_ = seconds;
         double lists = seconds - drawing;
@@ -89,6 +108,7 @@ private:
 
     int frames_ = settling_frames;
     bool coarse_ = false;
+    bool goes_on_ = false;       // a part of the fine picture is drawn
     int level_ = 0;              // the step of what moves is 2^this
     bool tries_ = false;         // the last frame was made finer
     int wait_ = 0;               // so many frames before the next try,

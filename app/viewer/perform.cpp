@@ -2,6 +2,7 @@
 
 #include "viewer/command_table.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -42,7 +43,9 @@ void apply(ViewerState& state, EditScene action) {
     if (std::holds_alternative<ChangeLight>(action.edit)) state.light = {};
     const auto* camera = std::get_if<ChangeCamera>(&action.edit);
     const bool moves_view = camera != nullptr && camera->moves_view;
+    const bool only_looks = !state.document.is_changed() || state.document.revision() == state.look_revision;
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
+    if (action.is_look && only_looks) state.look_revision = state.document.revision();
     if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);
@@ -65,6 +68,8 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             measure(state.measuring, state.document, measured->number);
         } else if (const auto* view = std::get_if<ShowView>(&action)) {
             fly_to(state, view->camera);
+        } else if (std::holds_alternative<RequestProperties>(action)) {
+            request_properties(state);
         } else if (const auto* wish = std::get_if<InspectorWish>(&action)) {
             grant(state, *wish);
         } else if (const auto* pinned = std::get_if<PinPixel>(&action)) {

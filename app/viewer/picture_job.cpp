@@ -188,7 +188,7 @@ std::shared_ptr<const Scene> scene_snapshot(ViewerState& state) {
 bool KeptLights::are_of(const Document& document, const PictureOptions& options) {
     if (!same_spheres(document, revision_)) return false;
     const Light& kept = options_.light;
-    if (kept.sky == 0.0 && options.light.sky > 0.0) return false;  // nobody asked where the sky shines
+    if (sky_of(kept) == 0.0 && sky_of(options.light) > 0.0) return false;  // nobody asked where the sky shines
     PictureOptions otherwise = options;
     otherwise.light.sky = kept.sky;
     otherwise.light.key = kept.key;

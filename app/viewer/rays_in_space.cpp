@@ -125,7 +125,7 @@ AskedPicture asked_picture(const ViewerState& state) {
 }
 
 std::string light_in_words(const ViewerState& state, const InspectedLight& light) {
-    const std::string name = light.is_sun() ? "sun" : "sky's strongest light";
+    const std::string name = light.is_sun() ? "sun" : "light nearest to the key light";
     if (light.shines) return "The " + name + " shines there: no sphere is in the way.";
     if (!light.blocker) return "The surface faces away from the " + name + ".";
     return title_of(state.scene(), static_cast<std::uint32_t>(*light.blocker)) + " is in the way of the " + name + ".";

@@ -10,6 +10,7 @@
 #include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -55,6 +56,37 @@ void read_scene(ViewerState& state, const std::string& path) {
     start_loading(state, {path, load_options(state, path, 0), accept, fail, [&state] { look_at_file(state); }});
 }
 
+// The colours that the spheres have, in the same range, and the sizes that were chosen last.
+void keep_chosen_look(const ViewerState& state, LookOptions& options) {
+    const LookPanelState& look = state.side_panel.look;
+    if (look.shown && look.shown_revision == state.document.revision()) {
+        options.color_by = look.shown->property;
+        const bool by_category = look.shown->is_category();
+        options.map = by_category ? std::nullopt : std::optional(look.shown->map);
+        options.range =
+            by_category || look.shown->range.low == look.shown->range.high ? std::nullopt : std::optional(look.shown->range);
+        options.log = look.shown->log;
+    }
+    if (!look.size_by.empty()) {
+        options.size_by = look.size_by;
+        options.scale = look.scale;
+        options.radii.reset();
+    }
+}
+
+// What the command line, or the window before another frame, has asked for.
+void note_look(ViewerState& state, const LoadedScene& loaded) {
+    LookPanelState& look = state.side_panel.look;
+    if (loaded.look.coloring) {
+        look.colors = loaded.look.colored_by;
+        note_colors(look, {look.colors, *loaded.look.coloring});
+    }
+    if (loaded.look.sizing) {
+        look.size_by = loaded.look.sized_by;
+        look.scale = loaded.look.sizing->scale;
+    }
+}
+
 void forget_file_messages(ViewerState& state) {
     state.gone_at.reset();
     state.messages.scene_gone.clear();
@@ -76,6 +108,8 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         state.frame = 0;
         state.frames = 1;
         state.stamp = file_states(path);
+        state.property_names.clear();
+        for (const Property& property : state.scene().properties) state.property_names.push_back(property.name);
         forget_file_messages(state);
         add_recent(state.settings, path);
         announce(state, "Saved " + path);
@@ -173,6 +207,7 @@ void read_frame(ViewerState& state, std::int64_t frame) {
     const auto accept = unless_edited(state, [&state, frame, stamp = file_states(state.path)](LoadedScene loaded) {
         const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
         state.document = Document(std::move(loaded.scene));
+        note_properties(state, loaded);
         state.bounds_revision = 0;
         if (!same_spheres) state.selection.clear();
         state.hovered.reset();
@@ -180,6 +215,7 @@ void read_frame(ViewerState& state, std::int64_t frame) {
         state.frame = frame;
         state.frames = loaded.frames;
         state.stamp = stamp;
+        note_look(state, loaded);
         announce_reading(state, "", loaded);
     });
     const auto fail = [&state](const std::string& why) {
@@ -196,8 +232,10 @@ void reload(ViewerState& state, LoadedScene loaded) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
         state.hovered.reset();
+        note_look(state, loaded);
         announce_reading(state, "Reloaded " + state.path, loaded);
     }
+    note_properties(state, loaded);
     state.document.mark_saved();
 }
 
@@ -238,9 +276,17 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
     options.data_background = quiet_background;
     options.data = state.options.data;
     options.data.frame = frame;
-    // The columns are those of the table that the command line names.
+    options.data.all_properties_up_to = most_spheres_with_properties;
+    if (state.all_properties && path == state.path) options.data.all_properties = true;
+    // The columns are those of the table that the command line names, and the look is that file's.
     const auto& first = state.options.scene;
-    if (!first || absolute_path(*first) != absolute_path(path)) options.data.columns.clear();
+    if (first && absolute_path(*first) == absolute_path(path)) {
+        options.look = state.options.look;
+    } else {
+        options.data.columns.clear();
+    }
+    // What was chosen in the window is kept for other frames, and where the file has changed, of files that hold no colours.
+    if (state.format.is_data && !state.path.empty() && absolute_path(path) == state.path) keep_chosen_look(state, options.look);
     options.fit = state.options.fit;
     if (options.fit.wanted.value_or(false)) options.fit.wanted.reset();
     // Of the first view, not of scenes.
@@ -252,6 +298,8 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.loading.reset();
     state.document = Document(std::move(loaded.scene));
+    state.all_properties = false;
+    note_properties(state, loaded);
     state.bounds_revision = 0;
     state.selection.clear();
     state.hovered.reset();
@@ -271,7 +319,8 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
         add_recent(state.settings, state.path);
     }
     go_home(state);
-    announce_reading(state, "", loaded);
+    note_look(state, loaded);
+    announce_reading(state, joined(loaded.look.lines, "\n"), loaded);
 }
 
 void with_edits_safe(ViewerState& state, std::function<void()> then) {
@@ -342,6 +391,8 @@ bool has_frame(const ViewerState& state, std::int64_t frame) { return !state.pat
 
 void show_frame(ViewerState& state, std::int64_t frame) {
     if (!has_frame(state, frame) || frame == state.frame) return;
+    // The next frame gets the same colours and sizes: nothing is lost.
+    if (state.format.is_data && state.document.revision() == state.look_revision) return read_frame(state, frame);
     with_edits_safe(state, [&state, frame] {
         if (has_frame(state, frame)) read_frame(state, frame);  // saving may have made it another file
     });

@@ -72,6 +72,9 @@ EditScene duplicate_selected(const ViewerState& state) {
         insert.numbers.push_back(next++);
         insert.spheres.push_back(std::move(copy));
     }
+    for (const Property& property : state.scene().properties) {
+        insert.properties.push_back(values_of(property, state.selection.numbers()));
+    }
     return {std::move(insert), "Duplicate " + selected_in_words(state), 0};
 }
 

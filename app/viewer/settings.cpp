@@ -64,6 +64,7 @@ void each_switch(Settings& settings, const Visit& visit) {
     visit("light_theme", settings.light_theme);
     visit("axes", settings.axes_shown);
     visit("scale_bar", settings.scale_bar_shown);
+    visit("legend", settings.legend_shown);
     visit("marks_in_exports", settings.marks_exported);
 }
 

@@ -41,7 +41,8 @@ struct ViewerSettings {
     bool light_theme = false;
     bool axes_shown = true;
     bool scale_bar_shown = false;
-    bool marks_exported = false;  // what is shown of these two
+    bool legend_shown = true;     // of colours that stand for something
+    bool marks_exported = false;  // what is shown of these three
 
     bool operator==(const ViewerSettings&) const = default;
 };

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "app/legend.hpp"
 #include "camera/navigation.hpp"
 #include "camera/projected_line.hpp"
 #include "panels/widgets.hpp"
@@ -133,13 +134,20 @@ void draw_scale_bar_on_screen(const ViewerState& state, const Rectangle& picture
     draw_strokes(strokes_of_scale_bar(*bar, {0, 0}, unit, state.picture_size.width * stroke_unit / 2), corner, pixels);
 }
 
+void draw_legend_on_screen(const ViewerState& state, const Coloring& coloring, const Rectangle& picture, double pixels, int unit) {
+    const LegendRoom room = room_for_legend(state.picture_size.width * stroke_unit, state.picture_size.height * stroke_unit, unit);
+    draw_strokes(strokes_of_legend(coloring, room, unit, is_light(state.shown_background())), {picture.x, picture.y}, pixels);
+}
+
 }  // namespace
 
 void draw_view_marks(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {
+    const Coloring* coloring = shown_coloring(state.document, state.side_panel.look);  // also for exports and other frames
     const int wanted = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
     const int unit = unit_of_marks(state.picture_size.shorter_side(), wanted);
     if (state.is_at_start() || unit == 0) return;
     if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, pixels, unit);
+    if (state.settings.legend_shown && coloring != nullptr) draw_legend_on_screen(state, *coloring, picture, pixels, unit);
     if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
 }
 
@@ -195,7 +203,10 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
 
 PictureMarks exported_marks(const ViewerState& state) {
     if (!state.settings.marks_exported) return {};
-    return {state.settings.axes_shown, state.settings.scale_bar_shown, state.pivot};
+    const LookPanelState& look = state.side_panel.look;
+    const bool has_legend = state.settings.legend_shown && look.shown_revision == state.document.revision();
+    return {state.settings.axes_shown, state.settings.scale_bar_shown, state.pivot, has_legend ? look.shown : std::nullopt,
+            is_light(state.shown_background())};
 }
 
 void draw_strokes(std::span<const Stroke> strokes, ImVec2 origin, double pixels) {

@@ -13,6 +13,7 @@
 #include "viewer/pointer_marks.hpp"
 #include "viewer/ray_drawing.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -45,12 +46,13 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
-        if (pacing_.rests() && input_.empty() && autosaves()) {
+        if ((pacing_.rests() || pacing_.refines()) && input_.empty() && autosaves()) {
             const std::lock_guard lock(state_.changing);
             state_.autosave.look(state_.document, state_.path, Clock::now());
         }
         keep_recent_files();
         wait_for_work();
+        if (pacing_.refines() && input_.empty() && !refine_picture()) continue;
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
     // What the end writes is not to be replaced by what was written before.
@@ -204,11 +206,20 @@ void Viewer::draw_rays_in_space() {
     draw_rays(state_, facts_.inspection, facts_.seen_by_eye, {seen, area_, pixels_, imgui_.scale()});
 }
 
-void Viewer::update_picture(int step) {
-    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading,
-                         state_.shown_light()))
+void Viewer::update_picture(int step, double patience) {
+    if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading, state_.shown_light(),
+                         patience))
         return;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
+}
+
+bool Viewer::refine_picture() {
+    const int before = picture_.step();
+    // After one that is hardly a picture comes one that takes little of the time of the fine one.
+    update_picture(before > 8 ? 4 : 1, Pacing::refine_budget);
+    if (picture_.step() != before || before == 1) return true;
+    pacing_.refined_a_part();
+    return false;
 }
 
 void Viewer::redraw() {
@@ -220,7 +231,6 @@ void Viewer::redraw() {
         return;
     }
     std::vector<Action> actions;
-    const bool refines = pacing_.refines();
     facts_.keys = {};
     const std::vector<InputEvent> events = routing_.take(input_, facts_.keys, actions);
     imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
@@ -246,7 +256,8 @@ void Viewer::redraw() {
                                state_.frames,
                                state_.shown_light(),
                                camera_axes(state_.camera),
-                               state_.camera};
+                               state_.camera,
+                               state_.property_names};
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs
@@ -271,12 +282,13 @@ void Viewer::redraw() {
         perform(state_, std::move(actions));
         perform(state_, routing_.take_after_typing());
     }
+    give_seen();
     const bool searches = state_.panel_drawn && !state_.side_panel.search.done();
     if (fly_on(state_, begin) || !state_.rays.to_see.empty() || searches) pacing_.touch();
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);
-    update_picture(refines ? 1 : pacing_.moving_step());
+    update_picture(pacing_.moving_step(), Pacing::frame_budget);
     note_facts();
     follow_rays(state_);
     draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them
@@ -302,6 +314,20 @@ void Viewer::redraw() {
     last_redraw_ = std::max(begin, Clock::now() - most_counted);
 }
 
+void Viewer::give_seen() {
+    LookPanelState& look = state_.side_panel.look;
+    if (!look.asks_for_seen) return;
+    std::vector<std::uint32_t> seen;
+    for (const std::int32_t number : picture_.seen_texels().numbers) {
+        if (number >= 0) seen.push_back(static_cast<std::uint32_t>(number));
+    }
+    std::ranges::sort(seen);
+    seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+    look.seen = std::move(seen);
+    look.asks_for_seen = false;
+    pacing_.touch();
+}
+
 void Viewer::note_facts() {
     const std::optional<Pixel> pixel = pointer_in_picture_ ? pixel_under_pointer() : std::nullopt;
     std::optional<std::uint32_t> sphere;
@@ -315,7 +341,8 @@ void Viewer::note_facts() {
         if (state_.hovered != sphere) pacing_.touch();
         state_.hovered = sphere;
     }
-    facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere};
+    facts_.status = {facts_.status.renderer, picture_.last_seconds(), picture_.step(), pixel, state_.picture_size, sphere,
+                     told_properties(state_)};
     // A text field stays active when nothing moves; what is dragged in a panel has the button down.
     const bool drags = mouse_.is_dragging() || (ImGui::IsAnyItemActive() && ImGui::IsMouseDown(0));
     const std::size_t explained =

@@ -35,10 +35,14 @@ private:
     void keep_recent_files();
     void wait_for_work();
     void redraw();
-    // Brings the picture up to date with the state.
-    void update_picture(int step);
+    // Brings the picture up to date with the state, as LivePicture::update() does.
+    void update_picture(int step, double patience);
+    // Draws a part of a finer picture of what nothing moves in. Returns whether all of it is there.
+    bool refine_picture();
     void use_mouse(const PanelContext& context, bool cancelled);
     void show(const Rectangle& area);
+    // What the picture shows, for the panel that asks.
+    void give_seen();
     void note_facts();
     void end_announcement();
     void follow_work();

@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/options.hpp"
 #include "base/file_watcher.hpp"
@@ -53,6 +54,7 @@ struct ViewerState {
     Selection selection;
     std::optional<std::uint32_t> hovered;
     std::uint64_t gesture = 0;
+    std::uint64_t look_revision = 0;  // of the document that differs from its file in colours and sizes by properties alone
     SceneBounds bounds;  // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
 
@@ -61,7 +63,10 @@ struct ViewerState {
     SceneFormat format = SceneFormat::toml;
     std::int64_t frame = 0;  // of the file, which may have several
     std::int64_t frames = 1;
-    FileStates stamp;  // of what was read or written last
+    FileStates stamp;                         // of what was read or written last
+    std::vector<std::string> property_names;  // of what the file holds of each sphere, whether read or not
+    bool all_properties = false;              // they are read, whatever they take
+    std::uint64_t file_order = 0;             // the document's order_revision() in which its numbers are the file's
     // While the file is gone: the document's revision then, if that was what the file held; else 0.
     std::optional<std::uint64_t> gone_at;
     std::optional<Work> loading;

@@ -23,11 +23,11 @@ class Light:
     sun_strength: 0.001 to 4. None: 1, and 0.7 where nothing is said of the sky.
     lights: directions of the sky's light, 16 to 1024; None: 256, and 64 with several samples a pixel or more than 300,000 spheres.
 
-    The attributes hold what stands for None; `sun_strength` is None without a sun. The defaults are those of a native scene.
+    The defaults are those of a native scene.
     """
 
     sky: float | None = None
-    key: float | None = None
+    key: float = 1.0
     sun: Vector | None = None
     sun_strength: float | None = None
     lights: int | None = None

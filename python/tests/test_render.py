@@ -67,7 +67,7 @@ def test_light_is_that_of_the_program(seed_scene, tmp_path, run_program):
         assert not numpy.array_equal(lit, plain), light
         assert numpy.array_equal(lit, picture(*options)), light
     sun = sphereview.Light(sun=(-8, 5, -6))
-    assert (sun.sky, sun.key, sun.sun, sun.sun_strength, sun.lights) == (0.4, 1, (-8, 5, -6), 0.7, None)
+    assert (sun.sky, sun.key, sun.sun, sun.sun_strength, sun.lights) == (None, 1, (-8, 5, -6), None, None)
     assert numpy.array_equal(draw(light=sun), draw(sun=(-8, 5, -6)))
     assert numpy.array_equal(draw(light=sun, sun_strength=2, lights=20), picture("--sun=-8,5,-6", "--sun-strength", "2", "--lights", "20"))
 

@@ -33,6 +33,11 @@ bool changes_names(const Edit& edit) {
            !std::holds_alternative<ChangeViews>(edit);
 }
 
+bool changes_order(const Edit& edit) {
+    return std::holds_alternative<InsertSpheres>(edit) || std::holds_alternative<RemoveSpheres>(edit) ||
+           std::holds_alternative<ReorderSphere>(edit) || std::holds_alternative<ReplaceScene>(edit);
+}
+
 }  // namespace
 
 Document::Document(Scene scene, std::size_t history_bytes)
@@ -53,6 +58,7 @@ Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
     Touched touched = numbers_concerned(edit);
     if (changes_nothing(edit, scene_)) return touched;
     const bool names = changes_names(edit);
+    const bool order = changes_order(edit);
     Edit inverse = sphereview::apply(std::move(edit), scene_);
     advance(change_undone_by(inverse, scene_));
     if (history_.covers(inverse, gesture)) {
@@ -61,7 +67,15 @@ Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
         history_.add(std::move(inverse), std::move(name), gesture);
     }
     if (names) names_revision_ = revision_;
+    if (order) order_revision_ = revision_;
     return touched;
+}
+
+void Document::add_properties(std::vector<Property> properties) {
+    for (Property& property : properties) {
+        if (find_property(scene_.properties, property.name) == nullptr) scene_.properties.push_back(std::move(property));
+    }
+    advance({});
 }
 
 Touched Document::apply_step(HistoryStep& step) {
@@ -74,9 +88,11 @@ Touched Document::apply_step(HistoryStep& step) {
         touched.clear();
         std::ranges::set_union(before, more, std::back_inserter(touched));
         const bool names = changes_names(*edit);
+        const bool order = changes_order(*edit);
         inverses.push_back(sphereview::apply(std::move(*edit), scene_));
         advance(change_undone_by(inverses.back(), scene_));
         if (names) names_revision_ = revision_;
+        if (order) order_revision_ = revision_;
     }
     step.edits = std::move(inverses);
     return touched;

@@ -30,6 +30,8 @@ public:
     std::uint64_t revision() const { return revision_; }
     // Grows, like revision(), with what may change the name that goes with a number: names, and which spheres there are.
     std::uint64_t names_revision() const { return names_revision_; }
+    // Grows, like revision(), with what may change which sphere a number means: unlike the scene, it does not come back.
+    std::uint64_t order_revision() const { return order_revision_; }
     // Of a revision that is another document's, or too old (ChangeLog says how old): everything.
     ChangesSince changes_since(std::uint64_t revision) const {
         return revision == revision_ ? ChangesSince{} : log_.since(revision, scene_);
@@ -39,6 +41,10 @@ public:
     // a part of that. `name` is what a menu says: "Move 'sun'"; a step has that of its first edit. Forgets what could be
     // redone. An edit that changes nothing is no step; a gesture that ends where it began leaves none.
     Touched apply(Edit edit, std::string name, std::uint64_t gesture = 0);
+
+    // Adds the properties whose names the scene does not have, each with a value for every sphere. No step to undo: they were in
+    // the file all the time. Steps from before know no values of theirs: what they bring back has none.
+    void add_properties(std::vector<Property> properties);
 
     bool can_undo() const { return history_.last_done() != nullptr; }
     bool can_redo() const { return history_.last_undone() != nullptr; }
@@ -70,6 +76,7 @@ private:
     Scene scene_;
     std::uint64_t revision_;
     std::uint64_t names_revision_ = revision_;
+    std::uint64_t order_revision_ = revision_;
     ChangeLog log_;
     History history_;
 };

@@ -90,7 +90,15 @@ struct Apply {
             std::string& name = edit.spheres[i].name;
             if (!name.empty()) new_names.emplace_hint(new_names.end(), edit.numbers[i], std::move(name));
         }
+        for (Property& property : scene.properties) reserve_values(property, old_count + edit.numbers.size());
         scene.spheres.resize(old_count + edit.numbers.size());
+        RemoveSpheres inverse;
+        for (Property& property : scene.properties) {
+            const auto* const labels = std::get_if<Labels>(&property.values);
+            const std::size_t words = labels != nullptr ? labels->words.size() : 0;
+            insert_values(property, edit.numbers, find_property(edit.properties, property.name));
+            if (labels != nullptr && labels->words.size() > words) inverse.words.push_back({property.name, words});
+        }
         renumber(scene.names, scene.names.lower_bound(edit.numbers.front()), scene.names.end(), AfterInsert(edit.numbers));
         scene.names.merge(new_names);
         // From the back: the old spheres that come after the i-th new one move up by i + 1 places.
@@ -101,13 +109,17 @@ struct Apply {
             scene.spheres[edit.numbers[i]] = edit.spheres[i].sphere;
             end = begin;
         }
-        return RemoveSpheres{std::move(edit.numbers)};
+        inverse.numbers = std::move(edit.numbers);
+        return inverse;
     }
 
     Edit operator()(RemoveSpheres& edit) const {
         assert(ascend_below(edit.numbers, scene.spheres.size()));
         if (edit.numbers.empty()) return InsertSpheres{};
         std::vector<NamedSphere> removed(edit.numbers.size());
+        std::vector<Property> values;
+        values.reserve(scene.properties.size());
+        for (const Property& property : scene.properties) values.push_back(values_of(property, edit.numbers));
         auto name = scene.names.lower_bound(edit.numbers.front());
         for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
             removed[i].sphere = scene.spheres[edit.numbers[i]];
@@ -123,7 +135,12 @@ struct Apply {
             std::copy(place(scene, begin), place(scene, end), place(scene, begin - i - 1));
         }
         scene.spheres.resize(scene.spheres.size() - edit.numbers.size());
-        return InsertSpheres{std::move(edit.numbers), std::move(removed)};
+        for (Property& property : scene.properties) remove_values(property, edit.numbers);
+        for (const WordCount& count : edit.words) {
+            const auto property = std::ranges::find(scene.properties, count.property, &Property::name);
+            if (property != scene.properties.end()) std::get<Labels>(property->values).words.resize(count.words);
+        }
+        return InsertSpheres{std::move(edit.numbers), std::move(removed), std::move(values)};
     }
 
     Edit operator()(const ReorderSphere& edit) const {
@@ -132,6 +149,7 @@ struct Apply {
         const auto first = place(scene, low);
         const auto last = place(scene, std::size_t{high} + 1);
         std::rotate(first, edit.from < edit.to ? first + 1 : last - 1, last);
+        for (Property& property : scene.properties) move_value(property, edit.from, edit.to);
         Names::node_type moved = scene.names.extract(edit.from);
         renumber(scene.names, scene.names.lower_bound(low), scene.names.upper_bound(high),
                  [&](std::uint32_t number) { return after_reorder(edit, number); });
@@ -189,7 +207,8 @@ struct ChangesNothing {
         const auto same = [](const Sphere& a, const Sphere& b) { return same_bits(a, b); };
         return std::ranges::equal(edit.scene.spheres, scene.spheres, same) && edit.scene.names == scene.names &&
                edit.scene.background == scene.background && same_bits(edit.scene.camera, scene.camera) &&
-               same_bits(edit.scene.light, scene.light) && same_views(edit.scene.views, scene.views);
+               same_bits(edit.scene.light, scene.light) && same_views(edit.scene.views, scene.views) &&
+               edit.scene.properties == scene.properties;
     }
 };
 

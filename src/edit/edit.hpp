@@ -28,11 +28,19 @@ struct ChangeSpheres {
 struct InsertSpheres {
     std::vector<std::uint32_t> numbers;
     std::vector<NamedSphere> spheres;
+    std::vector<Property> properties{};  // their values, for those properties of the scene that have one of these names
+};
+
+// How many words a property of the scene had.
+struct WordCount {
+    std::string property;
+    std::size_t words = 0;
 };
 
 // Spheres go out. The numbers ascend.
 struct RemoveSpheres {
     std::vector<std::uint32_t> numbers;
+    std::vector<WordCount> words{};  // of an insertion that is taken back: words behind these came with it
 };
 
 // One sphere gets another place in the order; those between move up or down by one. Names go along.

@@ -22,6 +22,12 @@ bool keeps_numbers(const Edit& edit) {
            !std::holds_alternative<ReorderSphere>(edit);
 }
 
+std::size_t bytes_of(const std::vector<Property>& properties) {
+    std::size_t bytes = 0;
+    for (const Property& property : properties) bytes += bytes_of(property);
+    return bytes;
+}
+
 // What an edit keeps in memory, about.
 std::size_t bytes_of(const Edit& edit) {
     constexpr std::size_t for_a_name = 80;
@@ -30,12 +36,12 @@ std::size_t bytes_of(const Edit& edit) {
     if (const auto* change = std::get_if<ChangeSpheres>(&edit)) {
         bytes += change->numbers.size() * (sizeof(std::uint32_t) + sizeof(Sphere));
     } else if (const auto* insert = std::get_if<InsertSpheres>(&edit)) {
-        bytes += insert->numbers.size() * (sizeof(std::uint32_t) + sizeof(NamedSphere));
+        bytes += insert->numbers.size() * (sizeof(std::uint32_t) + sizeof(NamedSphere)) + bytes_of(insert->properties);
     } else if (const auto* remove = std::get_if<RemoveSpheres>(&edit)) {
         bytes += remove->numbers.size() * sizeof(std::uint32_t);
     } else if (const auto* replace = std::get_if<ReplaceScene>(&edit)) {
         bytes += replace->scene.spheres.size() * sizeof(Sphere) + replace->scene.names.size() * for_a_name +
-                 replace->scene.views.size() * for_a_view;
+                 replace->scene.views.size() * for_a_view + bytes_of(replace->scene.properties);
     } else if (const auto* views = std::get_if<ChangeViews>(&edit)) {
         bytes += views->views.size() * for_a_view;
     }

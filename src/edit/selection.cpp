@@ -87,6 +87,26 @@ void Selection::changed() {
 
 void Selection::choose_last() { primary_ = numbers_.empty() ? std::nullopt : std::optional(numbers_.back()); }
 
+double value_of(const Sphere& sphere, SphereValue value) {
+    switch (value) {
+        case SphereValue::radius: return sphere.radius;
+        case SphereValue::red: return sphere.color.r;
+        case SphereValue::green: return sphere.color.g;
+        case SphereValue::blue: return sphere.color.b;
+        default: return sphere.center[static_cast<int>(value)];
+    }
+}
+
+void set_value(Sphere& sphere, SphereValue value, double number) {
+    switch (value) {
+        case SphereValue::radius: sphere.radius = number; break;
+        case SphereValue::red: sphere.color.r = static_cast<std::uint8_t>(number); break;
+        case SphereValue::green: sphere.color.g = static_cast<std::uint8_t>(number); break;
+        case SphereValue::blue: sphere.color.b = static_cast<std::uint8_t>(number); break;
+        default: sphere.center[static_cast<int>(value)] = number;
+    }
+}
+
 SharedValues shared_values(const std::vector<Sphere>& spheres, const std::vector<std::uint32_t>& numbers) {
     SharedValues shared;
     shared.count = numbers.size();

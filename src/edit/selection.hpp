@@ -53,14 +53,14 @@ private:
 };
 
 // The numbers of a sphere that a slider changes.
-enum class SphereValue { x, y, z, radius };
+enum class SphereValue { x, y, z, radius, red, green, blue };
+inline constexpr std::size_t sphere_values = 7;
 
-inline double& value_of(Sphere& sphere, SphereValue value) {
-    return value == SphereValue::radius ? sphere.radius : sphere.center[static_cast<int>(value)];
-}
-inline double value_of(const Sphere& sphere, SphereValue value) {
-    return value == SphereValue::radius ? sphere.radius : sphere.center[static_cast<int>(value)];
-}
+constexpr bool is_color(SphereValue value) { return value > SphereValue::radius; }
+
+double value_of(const Sphere& sphere, SphereValue value);
+// `number`: what the value may be; of a colour a whole number from 0 to color_max.
+void set_value(Sphere& sphere, SphereValue value, double number);
 
 struct SharedValues {
     struct Range {
@@ -69,9 +69,9 @@ struct SharedValues {
     };
 
     std::size_t count = 0;
-    std::array<Range, 4> ranges{};  // of each SphereValue; low == high where all have the same
-    std::optional<Color> color;     // that all have
-    std::size_t hidden = 0;         // how many are
+    std::array<Range, sphere_values> ranges{};  // of each SphereValue; low == high where all have the same
+    std::optional<Color> color;                 // that all have
+    std::size_t hidden = 0;                     // how many are
 
     const Range& range(SphereValue value) const { return ranges[static_cast<std::size_t>(value)]; }
 };

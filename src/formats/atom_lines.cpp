@@ -38,6 +38,7 @@ SphereData data_of(Atoms atoms, const std::string& name, const DataOptions& opti
         if (atoms.labels[i].empty()) continue;
         data.scene.names.emplace_hint(data.scene.names.end(), static_cast<std::uint32_t>(i), name_of(atoms.labels[i]));
     }
+    add_properties(data, std::move(atoms.properties));
     warn_of_virtual_sites(data, atoms.virtual_sites.size(), name, options);
     if (!options.virtual_sites) remove_spheres(data.scene, atoms.virtual_sites);
     return data;

@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "formats/lines.hpp"
+#include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -97,6 +98,7 @@ struct Atoms {
     std::vector<Sphere> spheres{};
     std::vector<std::string_view> labels{};    // none of more than most_named_atoms
     std::vector<std::size_t> virtual_sites{};  // their numbers, ascending
+    FileProperties properties{};
 };
 
 // Reads a frame's lines. make_reader(piece) makes what reads the lines of one piece: read(begin, end, index) gives the LineAtom of
@@ -126,6 +128,48 @@ Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, char lin
         atoms.virtual_sites.insert(atoms.virtual_sites.end(), of_piece.begin(), of_piece.end());
     }
     return atoms;
+}
+
+// Reads the columns of a frame's lines that are asked for. words_of_row(begin, end, index, most, words) appends the first `most`
+// fields of the row of atom `index`, whose line stands at [begin, end) of the text, to `words`.
+template <typename WordsOfRow>
+FileProperties read_line_properties(const TextSource& source, const AtomLines& lines, char line_end,
+                                    const std::vector<PropertyColumn>& columns, const DataOptions& options,
+                                    const WordsOfRow& words_of_row) {
+    return read_properties(columns, options, lines.count, source.name, [&](PropertyTable& table) {
+        std::vector<std::string_view> words;
+        LineWalker walker(source.text, line_end, lines.count > 0 ? lines.pieces[0] : 0);
+        for (std::size_t i = 0; i < lines.count; ++i) {
+            const std::size_t begin = walker.offset();
+            const std::size_t end = walker.step();
+            words.clear();
+            words_of_row(begin, end, i, table.places(), words);
+            if (lines.goes_on != nullptr) step_over_rest(source, walker, lines.goes_on, begin, end);
+            table.add([&](std::size_t place) { return place < words.size() ? words[place] : std::string_view(); });
+        }
+    });
+}
+
+// Appends at most `most` words of the line to `words`.
+inline void split_line(std::string_view line, std::size_t most, std::vector<std::string_view>& words) {
+    const char* const end = line.data() + line.size();
+    for (const char* at = line.data(); words.size() < most;) {
+        at = std::find_if_not(at, end, is_space);
+        if (at == end) return;
+        const char* const word = at;
+        at = std::find_if(at, end, is_space);
+        words.emplace_back(word, static_cast<std::size_t>(at - word));
+    }
+}
+
+// The same where the columns are the words of each line.
+inline FileProperties read_word_properties(const TextSource& source, const AtomLines& lines, char line_end,
+                                           const std::vector<PropertyColumn>& columns, const DataOptions& options) {
+    const auto split = [&](std::size_t begin, std::size_t end, std::size_t, std::size_t most,
+                           std::vector<std::string_view>& words) {
+        split_line(source.text.substr(begin, end - begin), most, words);
+    };
+    return read_line_properties(source, lines, line_end, columns, options, split);
 }
 
 // Makes data of atoms: name_of(label) calls each that has a label.

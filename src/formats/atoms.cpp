@@ -30,6 +30,9 @@ void remove_spheres(Scene& scene, std::span<const std::size_t> numbers) {
     }
     scene.spheres.resize(kept);
     scene.names = std::move(names);
+    if (scene.properties.empty()) return;
+    const std::vector<std::uint32_t> gone(numbers.begin(), numbers.end());
+    for (Property& property : scene.properties) remove_values(property, gone);
 }
 
 void warn_of_virtual_sites(SphereData& data, std::size_t count, const std::string& name, const DataOptions& options) {

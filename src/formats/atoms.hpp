@@ -13,7 +13,7 @@ namespace sphereview {
 // The radius of an atom for which the file says none: the element's, or the given one. A virtual site stays small.
 double radius_of(const Element& element, const DataOptions& options);
 
-// Removes the spheres of these numbers, which ascend, and their names; the others move up.
+// Removes the spheres of these numbers, which ascend, with their names and values; the others move up.
 void remove_spheres(Scene& scene, std::span<const std::size_t> numbers);
 
 // Warns of the virtual sites of the file `name`, if there are any.

@@ -25,9 +25,10 @@ namespace {
 
 namespace cif = gemmi::cif;
 
-enum class SiteColumn : std::size_t { x, y, z, label, type_symbol, assembly, group, occupancy };
+enum class SiteColumn : std::size_t { x, y, z, label, type_symbol, assembly, group, occupancy, u_iso };
 constexpr std::string_view site_columns =
-    "fract_x fract_y fract_z ?label ?type_symbol ?disorder_assembly ?disorder_group ?occupancy";
+    "fract_x fract_y fract_z ?label ?type_symbol ?disorder_assembly ?disorder_group ?occupancy "
+    "?U_iso_or_equiv";
 
 // Images of one atom that are nearer to each other are the same: the atom lies on an element of symmetry, and its numbers are
 // rounded. In angstrom, as gemmi has it.
@@ -223,6 +224,14 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
     require_memory(most * sizeof(Sphere), source.name + ": up to " + in_groups(most) + " spheres need");
     Atoms atoms;
     atoms.spheres.reserve(table.length());
+    enum PropertyPlace : std::size_t { element_place, atom_place, occupancy_place, u_iso_place };
+    const std::vector<PropertyColumn> columns = {{"element", PropertyKind::words, element_place},
+                                                 {"atom", PropertyKind::words, atom_place},
+                                                 {"occupancy", PropertyKind::real, occupancy_place},
+                                                 {"u_iso", PropertyKind::real, u_iso_place}};
+    PropertyTable properties(columns, options, most, source.name);
+    const bool wants_values = properties.wants_rows();
+    properties.next_walk();
     std::vector<glm::dvec3> places;
     std::size_t nowhere = 0;
     std::size_t others = 0;
@@ -264,12 +273,23 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
                                  " of the table beyond what a double can hold, expected its place");
             }
             atoms.spheres.push_back({.center = center, .radius = radius_of(element, options), .color = element.color});
+            if (wants_values) {
+                properties.add([&](std::size_t value) -> std::string_view {
+                    if (value == element_place) return element.symbol.empty() ? name : element.symbol;
+                    if (value == atom_place) return name;
+                    // Numbers may have their uncertainty in brackets.
+                    const std::string_view number =
+                        site_text(row, value == occupancy_place ? SiteColumn::occupancy : SiteColumn::u_iso);
+                    return number.substr(0, number.find('('));
+                });
+            }
             if (most <= most_named_atoms) atoms.labels.push_back(name.empty() ? element.symbol : name);
         }
     }
     if (atoms.spheres.empty()) {
         fail_in_line(source, item, "found a crystal's atoms without places, expected fract_x, fract_y and fract_z as numbers");
     }
+    atoms.properties = properties.take();
     SphereData data = data_of(std::move(atoms), source.name, options, as_utf8);
     data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
     if (nowhere > 0) {

@@ -15,6 +15,7 @@
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
 #include "formats/point_radius.hpp"
+#include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -65,10 +66,7 @@ public:
                           "the end of the line after " + std::to_string(table_.fields) + " fields, as the header has them");
         }
         Sphere sphere;
-        sphere.center = glm::dvec3(0.0);
-        const bool has_z = has(CsvColumn::z);
-        if (!number(CsvColumn::x, sphere.center.x) || !number(CsvColumn::y, sphere.center.y) ||
-            (has_z && !number(CsvColumn::z, sphere.center.z))) {
+        if (!read_center(sphere.center)) {
             const auto is_empty = [](const CsvField& field) { return field.text.empty(); };
             if (!std::ranges::all_of(fields, is_empty)) ++read.counts.no_center;  // spreadsheets end with empty rows
             return;
@@ -83,6 +81,13 @@ public:
         read.spheres.push_back(sphere);
         std::string name = name_of_row();
         if (!name.empty()) read.names.emplace_back(read.spheres.size() - 1, std::move(name));
+    }
+
+    // False where the row has none.
+    bool read_center(glm::dvec3& center) const {
+        center = glm::dvec3(0.0);
+        return number(CsvColumn::x, center.x) && number(CsvColumn::y, center.y) &&
+               (!has(CsvColumn::z) || number(CsvColumn::z, center.z));
     }
 
 private:
@@ -252,6 +257,27 @@ public:
         return counts;
     }
 
+    // The values of the spheres, `count` of them, that were read.
+    FileProperties read_properties_of(std::size_t count) const {
+        const auto walk = [&](PropertyTable& properties) {
+            CsvRecords records(source_, table_.layout, table_.begin, source_.text.size(), table_.fields + 1);
+            const RowReader row(records, table_, options_, false, false);
+            glm::dvec3 ignored;
+            std::string text;
+            while (records.next()) {
+                if (!row.read_center(ignored)) continue;
+                const auto fields = records.fields();
+                properties.add([&](std::size_t place) -> std::string_view {
+                    if (place >= fields.size()) return {};
+                    if (!fields[place].quoted) return fields[place].text;
+                    text = unquoted(fields[place]);
+                    return text;
+                });
+            }
+        };
+        return read_properties(table_.properties, options_, count, source_.name, walk, table_.decimal_commas);
+    }
+
 private:
     Spheres read_records(CsvRecords& records, bool colors_to_1, std::size_t most, bool& more) const {
         Spheres read;
@@ -297,7 +323,7 @@ std::string passed_over_in_words(const CsvTable& table) {
     if (listed_count < table.passed_over.size()) {
         words += " and " + in_groups(table.passed_over.size() - listed_count) + " more";
     }
-    return "columns that are passed over: " + words;
+    return "columns that are passed over: " + words + "; --color-by and --size-by can use them";
 }
 
 }  // namespace
@@ -315,6 +341,7 @@ SphereData read_csv(std::string_view content, const std::string& name, const Dat
     const bool colors_to_1 = counts.color_fractions && !counts.color_above_1;
     if (colors_to_1 != table.colors_to_1 && table.columns.has(CsvColumn::red)) counts = rows.read(data.scene, colors_to_1);
 
+    add_properties(data, rows.read_properties_of(data.scene.spheres.size()));
     if (!table.has_header && options.columns.empty()) {
         data.warnings.push_back(name + ": no header: the first columns are taken for x, y" +
                                 std::string(table.columns.has(CsvColumn::z) ? " and z" : "") +

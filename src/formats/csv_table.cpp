@@ -327,10 +327,22 @@ private:
         if (!any_color || columns.has(CsvColumn::red)) columns[CsvColumn::color].reset();
         for (std::size_t i = 0; i < names.size(); ++i) {
             const std::size_t place = i + (shifted_ ? 1 : 0);
-            if (std::ranges::find(columns.places, std::optional(place)) == columns.places.end() && !names[i].empty()) {
-                table_.passed_over.push_back(names[i]);
-            }
+            const auto drawn = std::ranges::find(columns.places, std::optional(place));
+            if (drawn == columns.places.end() && !names[i].empty()) table_.passed_over.push_back(names[i]);
+            const auto column =
+                drawn == columns.places.end() ? std::optional<CsvColumn>() : static_cast<CsvColumn>(drawn - columns.places.begin());
+            add_property(names[i], place, column);
         }
+    }
+
+    void add_property(const std::string& name, std::size_t place, std::optional<CsvColumn> column) {
+        if (column && *column != CsvColumn::radius && *column != CsvColumn::diameter && *column != CsvColumn::element) return;
+        const std::string key = column_key(name);
+        const PropertyKind kind = column == CsvColumn::element      ? PropertyKind::element
+                                  : key == "type" || key == "chain" ? PropertyKind::words
+                                                                    : PropertyKind::found;
+        const bool is_element = column == CsvColumn::element && key != "type";
+        add_column(table_.properties, is_element ? "element" : table_.has_header ? name : "column" + name, kind, place);
     }
 
     bool is_chosen(std::string_view column) const {

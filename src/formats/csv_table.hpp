@@ -10,6 +10,7 @@
 
 #include "formats/csv_records.hpp"
 #include "formats/lines.hpp"
+#include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -31,11 +32,12 @@ struct CsvTable {
     CsvLayout layout{};
     std::size_t fields = 0;  // of each record
     CsvColumns columns{};
-    std::size_t begin = 0;                   // of the first row
-    bool has_header = true;                  // else what the columns are is a guess
-    bool decimal_commas = false;             // 1,5 is a number
-    bool colors_to_1 = false;                // what the first rows show: red, green and blue are parts of 1
-    std::vector<std::string> passed_over{};  // the names, or numbers from 1, of the other columns
+    std::size_t begin = 0;                     // of the first row
+    bool has_header = true;                    // else what the columns are is a guess
+    bool decimal_commas = false;               // 1,5 is a number
+    bool colors_to_1 = false;                  // what the first rows show: red, green and blue are parts of 1
+    std::vector<std::string> passed_over{};    // the names, or numbers from 1, of the other columns
+    std::vector<PropertyColumn> properties{};  // all but places, colours and names
 };
 
 inline constexpr std::size_t most_csv_columns = 100'000;

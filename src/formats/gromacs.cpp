@@ -117,6 +117,37 @@ std::string name_of_gro_atom(std::string_view label) {
     return as_utf8(residue + " " + std::string(gro_columns(label, 0, 5)) + "/" + std::string(gro_columns(label, 10, 15)));
 }
 
+// Names, and the velocities in nm/ps behind the places, as wide as these.
+FileProperties read_gro_properties(const TextSource& source, const AtomLines& lines, std::size_t width, char line_end,
+                                   const DataOptions& options) {
+    const std::size_t velocities = names_end + 3 * width;
+    std::vector<PropertyColumn> columns = {{"element", PropertyKind::words, 0},
+                                           {"atom", PropertyKind::words, 1},
+                                           {"residue", PropertyKind::words, 2},
+                                           {"residue_number", PropertyKind::whole, 3}};
+    if (lines.count > 0) {
+        LineWalker walker(source.text, line_end, lines.pieces[0]);
+        const std::size_t length = walker.step() - lines.pieces[0];
+        if (length > velocities + 2 * width) {
+            for (std::size_t i = 0; i < 3; ++i) {
+                columns.push_back({std::string("velocity.") + "xyz"[i], PropertyKind::real, 4 + i});
+            }
+            columns.push_back({"velocity", PropertyKind::magnitude, 4});
+        }
+    }
+    const auto split = [&](std::size_t begin, std::size_t end, std::size_t, std::size_t, std::vector<std::string_view>& fields) {
+        const std::string_view line = source.text.substr(begin, end - begin);
+        const std::string_view residue = gro_columns(line, 5, 10);
+        const std::string_view atom = gro_columns(line, 10, 15);
+        const std::string_view symbol = element_of_name(atom, residue, NameColumns::unknown).symbol;
+        fields.insert(fields.end(), {symbol.empty() ? atom : symbol, atom, residue, gro_columns(line, 0, 5)});
+        for (std::size_t at = velocities; at < velocities + 3 * width; at += width) {
+            fields.push_back(gro_columns(line, at, at + width));
+        }
+    };
+    return read_line_properties(source, lines, line_end, columns, options, split);
+}
+
 SphereData read_gro_frame(const TextSource& source, const AtomLines& lines, char line_end, const DataOptions& options) {
     require_memory(lines.count * sizeof(Sphere), source.name + ": " + in_groups(lines.count) + " spheres need");
     std::size_t width = 0;
@@ -130,7 +161,9 @@ SphereData read_gro_frame(const TextSource& source, const AtomLines& lines, char
         }
     }
     const auto reader = [&](std::size_t) { return GroAtomReader(source, width, lines.count, options); };
-    return data_of(read_atom_lines(source, lines, line_end, reader), source.name, options, name_of_gro_atom);
+    Atoms atoms = read_atom_lines(source, lines, line_end, reader);
+    atoms.properties = read_gro_properties(source, lines, width, line_end, options);
+    return data_of(std::move(atoms), source.name, options, name_of_gro_atom);
 }
 
 bool is_gro_number(std::string_view word) {

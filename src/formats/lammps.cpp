@@ -32,7 +32,8 @@ struct DumpColumn {
 // The columns that are drawn, from left to right.
 struct DumpColumns {
     std::vector<DumpColumn> columns{};
-    bool scaled = false;  // places are parts of the box's edges
+    std::vector<PropertyColumn> properties{};  // all but the places that are drawn
+    bool scaled = false;                       // places are parts of the box's edges
 
     bool has(DumpField field) const { return std::ranges::find(columns, field, &DumpColumn::field) != columns.end(); }
 };
@@ -144,6 +145,13 @@ DumpColumns dump_columns(const TextSource& source, const DumpLine& head) {
     add(DumpField::type, "type");
     if (!add(DumpField::radius, "radius")) add(DumpField::diameter, "diameter");
     std::ranges::sort(found.columns, {}, &DumpColumn::place);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (std::ranges::find(*kind, names[i]) != kind->end()) continue;
+        const PropertyKind of_values = names[i] == "element" ? PropertyKind::element
+                                       : names[i] == "type"  ? PropertyKind::words
+                                                             : PropertyKind::found;
+        add_column(found.properties, names[i], of_values, i);
+    }
     return found;
 }
 
@@ -276,6 +284,7 @@ void order_by_id(Atoms& atoms, const std::vector<std::int64_t>& ids) {
     std::vector<std::uint32_t> order(ids.size());  // from: the atom that belongs at each place
     std::iota(order.begin(), order.end(), std::uint32_t{0});
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return ids[i]; });
+    for (Property& property : atoms.properties.kept) property = values_of(property, order);
     std::vector<std::uint32_t> new_places;
     if (!atoms.virtual_sites.empty()) {
         new_places.resize(order.size());
@@ -306,7 +315,7 @@ std::string name_of_dump_atom(std::string_view label) {
 
 SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, char line_end, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
-    const DumpColumns columns = dump_columns(source, frame.columns);
+    DumpColumns columns = dump_columns(source, frame.columns);
     const bool has_ids = columns.has(DumpField::id);
     const std::size_t bytes = sizeof(Sphere) + (has_ids ? sizeof(std::int64_t) + sizeof(std::uint32_t) : 0);
     require_memory(count * bytes, source.name + ": " + in_groups(count) + " spheres need");
@@ -327,6 +336,12 @@ SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, cha
         has_elements = begins_with_letter(reader(0).read(first, walker.step(), 0).label);
     }
     Atoms atoms = read_atom_lines(source, frame.atoms, line_end, reader);
+    // Labels of types often are elements.
+    const auto type = std::ranges::find(columns.columns, DumpField::type, &DumpColumn::field);
+    if (has_elements && !columns.has(DumpField::element) && type != columns.columns.end()) {
+        add_column(columns.properties, "element", PropertyKind::element, type->place);
+    }
+    atoms.properties = read_word_properties(source, frame.atoms, line_end, columns.properties, options);
     if (has_ids) order_by_id(atoms, ids);
     SphereData data = data_of(std::move(atoms), source.name, options, name_of_dump_atom);
     const bool has_radii = columns.has(DumpField::radius) || columns.has(DumpField::diameter);

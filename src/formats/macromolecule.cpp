@@ -15,6 +15,28 @@ namespace sphereview {
 
 namespace {
 
+enum class MoleculeField : std::size_t { element, atom, residue, residue_number, chain, b_factor, occupancy, charge, radius };
+
+std::vector<PropertyColumn> molecule_columns(bool has_radii) {
+    std::vector<PropertyColumn> columns;
+    const auto add = [&](const char* name, PropertyKind kind, MoleculeField field) {
+        add_column(columns, name, kind, static_cast<std::size_t>(field));
+    };
+    add("element", PropertyKind::words, MoleculeField::element);
+    add("atom", PropertyKind::words, MoleculeField::atom);
+    add("residue", PropertyKind::words, MoleculeField::residue);
+    add("residue_number", PropertyKind::whole, MoleculeField::residue_number);
+    add("chain", PropertyKind::words, MoleculeField::chain);
+    if (!has_radii) add("b_factor", PropertyKind::real, MoleculeField::b_factor);
+    if (!has_radii) add("occupancy", PropertyKind::real, MoleculeField::occupancy);
+    add("charge", PropertyKind::real, MoleculeField::charge);
+    if (has_radii) add("radius", PropertyKind::real, MoleculeField::radius);
+    return columns;
+}
+
+// "52" of "52A".
+std::string_view without_insertion_code(std::string_view number) { return number.substr(0, number.find_last_of("0123456789") + 1); }
+
 std::string name_of(const MoleculeAtom& atom) {
     std::string name;
     if (!atom.chain.empty()) name.append(atom.chain) += '/';
@@ -104,8 +126,30 @@ std::vector<std::size_t> surplus_places(std::vector<AlternativePlace> places) {
     return surplus;
 }
 
-MoleculeScene::MoleculeScene(std::size_t atoms, const DataOptions& options) : named_(atoms <= most_named_atoms), options_(options) {
+MoleculeScene::MoleculeScene(std::size_t atoms, const DataOptions& options, const std::string& name, bool has_radii)
+    : named_(atoms <= most_named_atoms),
+      options_(options),
+      name_(name),
+      properties_(molecule_columns(has_radii), options, atoms, name),
+      wants_texts_(properties_.wants_rows()) {
     scene_.spheres.reserve(atoms);
+    properties_.next_walk();
+}
+
+void MoleculeScene::add_values(const MoleculeAtom& atom) {
+    properties_.add([&](std::size_t field) -> std::string_view {
+        switch (static_cast<MoleculeField>(field)) {
+            case MoleculeField::element: return atom.element->symbol.empty() ? atom.atom : atom.element->symbol;
+            case MoleculeField::atom: return atom.atom;
+            case MoleculeField::residue: return atom.residue;
+            case MoleculeField::residue_number: return without_insertion_code(atom.residue_number);
+            case MoleculeField::chain: return atom.chain;
+            case MoleculeField::b_factor: return atom.texts.b_factor;
+            case MoleculeField::occupancy: return atom.texts.occupancy;
+            case MoleculeField::charge: return atom.texts.charge;
+            default: return atom.texts.radius;
+        }
+    });
 }
 
 void MoleculeScene::add(const MoleculeAtom& atom) {
@@ -124,15 +168,17 @@ void MoleculeScene::add(const MoleculeAtom& atom) {
     if (is_virtual(*atom.element)) virtual_sites_.push_back(number);
     if (named_) scene_.names.emplace_hint(scene_.names.end(), static_cast<std::uint32_t>(number), name_of(atom));
     const double radius = atom.radius > 0.0 ? atom.radius : radius_of(*atom.element, options_);
+    if (wants_texts_) add_values(atom);
     scene_.spheres.push_back({.center = atom.position, .radius = radius, .color = atom.element->color});
 }
 
-SphereData MoleculeScene::take(const std::string& name) {
+SphereData MoleculeScene::take() {
     std::vector<std::size_t> removed = surplus_places(std::move(places_));
     std::vector<std::size_t> sites;
     std::ranges::set_difference(virtual_sites_, removed, std::back_inserter(sites));
     SphereData data{std::move(scene_)};
-    warn_of_virtual_sites(data, sites.size(), name, options_);
+    add_properties(data, properties_.take());
+    warn_of_virtual_sites(data, sites.size(), name_, options_);
     if (!options_.virtual_sites) {
         std::vector<std::size_t> all;
         std::ranges::set_union(removed, sites, std::back_inserter(all));

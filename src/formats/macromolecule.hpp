@@ -8,9 +8,18 @@
 
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
+#include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
+
+// What PDB and mmCIF say of an atom as text, beside what is drawn.
+struct AtomTexts {
+    std::string_view b_factor{};
+    std::string_view occupancy{};
+    std::string_view charge{};  // "2+", "-1", "0.25"
+    std::string_view radius{};
+};
 
 struct MoleculeAtom {
     glm::dvec3 position{};  // in angstrom
@@ -22,6 +31,7 @@ struct MoleculeAtom {
     std::string_view alternative{};  // "A", "B"; "" of an atom with one place
     double occupancy = 1.0;          // how much of the atom is there; finite
     double radius = 0.0;             // its own; 0: that of the element
+    AtomTexts texts{};               // only where MoleculeScene::wants_texts()
 };
 
 // An atom of which the file may hold other places.
@@ -45,18 +55,24 @@ std::vector<std::size_t> surplus_places(std::vector<AlternativePlace> places);
 class MoleculeScene {
 public:
     // `atoms`: how many will be added, of which the texts stay where they are.
-    MoleculeScene(std::size_t atoms, const DataOptions& options);
+    // `name`: of the file, for messages. has_radii: it says them itself, instead of occupancies and B factors.
+    MoleculeScene(std::size_t atoms, const DataOptions& options, const std::string& name, bool has_radii = false);
 
+    bool wants_texts() const { return wants_texts_; }
     void add(const MoleculeAtom& atom);
-    // `name`: of the file, for warnings.
-    SphereData take(const std::string& name);
+    SphereData take();
 
 private:
+    void add_values(const MoleculeAtom& atom);
+
     bool named_;
     DataOptions options_;
     Scene scene_{};
     std::vector<AlternativePlace> places_{};
     std::vector<std::size_t> virtual_sites_{};  // their spheres
+    std::string name_;
+    PropertyTable properties_;
+    bool wants_texts_;
     // Of the residue that goes on:
     std::string_view chain_{};
     std::string number_{};

@@ -44,11 +44,14 @@ enum Column : std::size_t {
     insertion_code,
     alternative,
     occupancy,
-    model
+    model,
+    b_factor,
+    charge
 };
 constexpr std::string_view atom_columns =
     "Cartn_x Cartn_y Cartn_z ?type_symbol ?auth_atom_id ?label_atom_id ?auth_comp_id ?label_comp_id ?auth_asym_id ?label_asym_id "
-    "?auth_seq_id ?label_seq_id ?pdbx_PDB_ins_code ?label_alt_id ?occupancy ?pdbx_PDB_model_num";
+    "?auth_seq_id ?label_seq_id ?pdbx_PDB_ins_code ?label_alt_id ?occupancy ?pdbx_PDB_model_num "
+    "?B_iso_or_equiv ?pdbx_formal_charge";
 
 struct ReadDocument {
     cif::Document document{};
@@ -90,7 +93,7 @@ cif::Table atoms_of(const TextSource& source, cif::Block& block) {
 
 // The columns of chemical components in the order of the others; what the table never has is -. A component is a model of its own.
 constexpr const char* component_table = "_chem_comp_atom.";
-constexpr std::string_view component_columns = " ?type_symbol ?atom_id ?- ?comp_id ?- ?- ?- ?- ?- ?- ?- ?- ?comp_id";
+constexpr std::string_view component_columns = " ?type_symbol ?atom_id ?- ?comp_id ?- ?- ?- ?- ?- ?- ?- ?- ?comp_id ?- ?charge";
 constexpr auto component_places =
     std::to_array<std::string_view>({"model_Cartn_x model_Cartn_y model_Cartn_z",
                                      "pdbx_model_Cartn_x_ideal pdbx_model_Cartn_y_ideal pdbx_model_Cartn_z_ideal", "x y z"});
@@ -184,7 +187,7 @@ const Element& element_of(std::string_view symbol, std::string_view atom, std::s
     return is_virtual(element) ? dummy_in(residue) : element;
 }
 
-MoleculeAtom atom_of(const TextSource& source, const cif::Table::Row& row) {
+MoleculeAtom atom_of(const TextSource& source, const cif::Table::Row& row, bool wants_texts) {
     MoleculeAtom atom;
     atom.position = {coordinate(source, row, x), coordinate(source, row, y), coordinate(source, row, z)};
     atom.atom = first_of(row, auth_atom, label_atom);
@@ -195,6 +198,9 @@ MoleculeAtom atom_of(const TextSource& source, const cif::Table::Row& row) {
     atom.alternative = text_of(row, alternative);
     if (row.has2(occupancy)) atom.occupancy = cif::as_number(row[occupancy], 1.0);
     if (!std::isfinite(atom.occupancy)) atom.occupancy = 1.0;
+    if (wants_texts) {
+        atom.texts = {.b_factor = text_of(row, b_factor), .occupancy = text_of(row, occupancy), .charge = text_of(row, charge)};
+    }
     return atom;
 }
 
@@ -229,11 +235,11 @@ WantedModel find_model(std::vector<AtomTable>& tables, std::int64_t wanted) {
 
 SphereData read_model(const TextSource& source, cif::Table& table, const WantedModel& wanted, const DataOptions& options) {
     require_memory(wanted.atoms * sizeof(Sphere), source.name + ": " + in_groups(wanted.atoms) + " spheres need");
-    MoleculeScene scene(wanted.atoms, options);
+    MoleculeScene scene(wanted.atoms, options, source.name);
     for (const auto row : table) {
-        if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row));
+        if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row, scene.wants_texts()));
     }
-    return scene.take(source.name);
+    return scene.take();
 }
 
 }  // namespace

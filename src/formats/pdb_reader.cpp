@@ -25,7 +25,7 @@ struct Field {
     const char* what;
 };
 constexpr std::array<Field, 3> coordinates = {{{30, 38, "x"}, {38, 46, "y"}, {46, 54, "z"}}};
-constexpr std::size_t columns_read = 78;  // up to the element; the charge behind it is often wrong, and not drawn
+constexpr std::size_t columns_read = 78;  // up to the element; the charge behind it is not drawn
 
 bool is_organic(std::string_view residue) { return is_water(residue) || is_polymer(residue); }
 
@@ -93,7 +93,7 @@ public:
     explicit PdbAtoms(const TextSource& source) : source_(source) {}
 
     // The atom of the line that begins at `begin`.
-    MoleculeAtom atom(std::size_t begin, std::string_view line) {
+    MoleculeAtom atom(std::size_t begin, std::string_view line, bool wants_texts) {
         const std::size_t zero = line.substr(0, columns_read).find('\0');
         if (zero != std::string_view::npos) source_.fail(begin + zero, "found a zero byte, expected text");
         MoleculeAtom atom;
@@ -111,6 +111,7 @@ public:
         const std::string_view occupancy = columns(line, 54, 60);
         if (parse_double(occupancy, atom.occupancy) != NumberFault::none) atom.occupancy = 1.0;
         atom.element = &element_of(line.substr(12, 4), atom.residue, columns(line, 76, 78));
+        if (wants_texts) atom.texts = {.b_factor = columns(line, 60, 66), .occupancy = occupancy, .charge = columns(line, 78, 80)};
         return atom;
     }
 
@@ -151,15 +152,15 @@ SphereData read_pdb(std::string_view content, const std::string& name, const Dat
     if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
     require_frame(name, options.frame, frame.frames);
     require_memory(frame.count * sizeof(Sphere), name + ": " + in_groups(frame.count) + " spheres need");
-    MoleculeScene scene(frame.count, options);
+    MoleculeScene scene(frame.count, options, name);
     PdbAtoms atoms(source);
     LineWalker lines(content.substr(0, frame.end), line_end_of(content), frame.begin);
     while (!lines.at_end()) {
         const std::size_t begin = lines.offset();
         const std::string_view line = content.substr(begin, lines.step() - begin);
-        if (is_pdb_atom(line)) scene.add(atoms.atom(begin, line));
+        if (is_pdb_atom(line)) scene.add(atoms.atom(begin, line, scene.wants_texts()));
     }
-    SphereData data = scene.take(name);
+    SphereData data = scene.take();
     data.frames = frame.frames;
     return data;
 }

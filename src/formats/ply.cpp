@@ -155,6 +155,63 @@ private:
     VertexNotes& notes_;
 };
 
+// A property of vertices that is kept, at its own size.
+struct KeptVertexProperty {
+    std::size_t place;  // among all
+    Property property;
+};
+
+std::vector<KeptVertexProperty> kept_properties(const Vertices& vertices, const DataOptions& options,
+                                                std::vector<std::string>& names) {
+    std::vector<PropertyColumn> columns;
+    for (std::size_t i = 0; i < vertices.properties.size(); ++i) {
+        const auto& [property, field] = vertices.properties[i];
+        const bool is_drawn = field != no_field && field != ply_radius && field != ply_diameter;
+        if (!property.count_type && !is_drawn) add_column(columns, property.name, PropertyKind::found, i);
+    }
+    std::vector<KeptVertexProperty> kept;
+    for (const PropertyColumn& column : columns) {
+        names.push_back(column.name);
+        if (!is_wanted(options, column.name, vertices.count)) continue;
+        Property property{column.name, std::vector<double>{}};
+        const PlyType type = vertices.properties[column.place].property.type;
+        if (type == PlyType::float32) property.values = std::vector<float>{};
+        if (is_whole(type) && type != PlyType::uint32) property.values = std::vector<std::int32_t>{};
+        kept.push_back({column.place, std::move(property)});
+    }
+    return kept;
+}
+
+// What is not finite is no value.
+void append(Property& property, double value) {
+    if (auto* const numbers = std::get_if<std::vector<float>>(&property.values)) {
+        const auto number = static_cast<float>(value);
+        numbers->push_back(std::isfinite(number) ? number : std::numeric_limits<float>::quiet_NaN());
+    } else if (auto* const wholes = std::get_if<std::vector<std::int32_t>>(&property.values)) {
+        const bool fits = value > no_whole_number && value <= std::numeric_limits<std::int32_t>::max();
+        wholes->push_back(fits ? static_cast<std::int32_t>(value) : no_whole_number);
+    } else {
+        std::get<std::vector<double>>(property.values).push_back(std::isfinite(value) ? value : nothing);
+    }
+}
+
+// The values of a line, one for each of the properties, lists passed over.
+void read_line_values(std::string_view line, const Vertices& vertices, std::vector<std::string_view>& words,
+                      std::vector<double>& values) {
+    words.clear();
+    split_line(line, line.size(), words);
+    values.assign(vertices.properties.size(), nothing);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < values.size() && at < words.size(); ++i, ++at) {
+        std::size_t count = 0;
+        if (!vertices.properties[i].property.count_type) {
+            parse_or_nothing(words[at], values[i]);
+        } else if (parse_whole(words[at], count)) {
+            at += std::min(count, words.size() - at);
+        }
+    }
+}
+
 bool is_blank_line(std::string_view, std::string_view rest) {
     const std::size_t word = rest.find_first_not_of(" \t\r\v\f");
     return word == std::string_view::npos || rest[word] == '\n';
@@ -239,6 +296,20 @@ public:
         return spheres;
     }
 
+    // Of the vertices that begin here, all of which are there.
+    void append_values(const PlyElement& element, std::vector<KeptVertexProperty>& kept) {
+        std::vector<std::size_t> places(element.properties.size());
+        for (std::size_t i = 0; i < element.count; ++i) {
+            for (std::size_t k = 0; k < places.size(); ++k) {
+                places[k] = next_;
+                skip(element.properties[k], element, i);
+            }
+            for (auto& [place, property] : kept) {
+                append(property, number_at(source_.text.data() + places[place], element.properties[place].type, swapped_));
+            }
+        }
+    }
+
 private:
     std::size_t left() const { return source_.text.size() - next_; }
 
@@ -273,6 +344,16 @@ private:
     std::size_t next_;
 };
 
+// Where the lines of an element of a text stand.
+AtomLines lines_of(const TextSource& source, const PlyHeader& header, const PlyElement& element) {
+    LineWalker walker(source.text, header.line_end, header.end);
+    for (const PlyElement& before : header.elements) {
+        if (&before == &element) break;
+        step_over_atoms(source, walker, before.count, false, " of " + in_quotes(before.name), is_blank_line, "element");
+    }
+    return step_over_atoms(source, walker, element.count, true, "", is_blank_line, "vertex");
+}
+
 // Reads the vertices that the header describes, with what they are painted with.
 std::vector<Sphere> read_vertices(const TextSource& source, const PlyHeader& header, const PlyElement& element,
                                   const Vertices& vertices, const DataOptions& options, std::vector<VertexNotes>& notes) {
@@ -284,15 +365,40 @@ std::vector<Sphere> read_vertices(const TextSource& source, const PlyHeader& hea
         }
         return bytes.vertices(element, vertices, options, notes);
     }
-    LineWalker walker(source.text, header.line_end, header.end);
-    for (const PlyElement& before : header.elements) {
-        if (&before == &element) break;
-        step_over_atoms(source, walker, before.count, false, " of " + in_quotes(before.name), is_blank_line, "element");
-    }
-    const AtomLines lines = step_over_atoms(source, walker, element.count, true, "", is_blank_line, "vertex");
+    const AtomLines lines = lines_of(source, header, element);
     notes.resize(lines.pieces.size());
     const auto reader = [&](std::size_t piece) { return PlyLineReader(source, vertices, options, notes[piece]); };
     return read_atom_lines(source, lines, header.line_end, reader).spheres;
+}
+
+// Reads the properties that are asked for, of vertices that were read.
+void read_properties_of(const TextSource& source, const PlyHeader& header, const PlyElement& element, const Vertices& vertices,
+                        const DataOptions& options, SphereData& data) {
+    std::vector<KeptVertexProperty> kept = kept_properties(vertices, options, data.property_names);
+    if (kept.empty()) return;
+    require_memory(kept.size() * element.count * sizeof(double),
+                   source.name + ": the values of " + in_groups(element.count) + " vertices need");
+    if (header.encoding != PlyEncoding::ascii) {
+        BytesReader bytes(source, header);
+        for (const PlyElement& before : header.elements) {
+            if (&before == &element) break;
+            bytes.skip(before);
+        }
+        bytes.append_values(element, kept);
+    } else {
+        const AtomLines lines = lines_of(source, header, element);
+        LineWalker walker(source.text, header.line_end, lines.count > 0 ? lines.pieces[0] : 0);
+        std::vector<std::string_view> words;
+        std::vector<double> values;
+        for (std::size_t i = 0; i < lines.count; ++i) {
+            const std::size_t begin = walker.offset();
+            const std::size_t end = walker.step();
+            step_over_rest(source, walker, lines.goes_on, begin, end);
+            read_line_values(source.text.substr(begin, end - begin), vertices, words, values);
+            for (auto& [place, property] : kept) append(property, values[place]);
+        }
+    }
+    for (KeptVertexProperty& one : kept) data.scene.properties.push_back(std::move(one.property));
 }
 
 // What stands for 255 in the colours: of whole numbers 255, or 65535 where one is larger; else 1, or 255 likewise.
@@ -330,6 +436,7 @@ SphereData read_ply(std::string_view content, const std::string& name, const Dat
     }
     std::vector<std::size_t> nowhere;
     for (const VertexNotes& note : notes) nowhere.insert(nowhere.end(), note.nowhere.begin(), note.nowhere.end());
+    read_properties_of(source, header, *element, vertices, options, data);
     remove_spheres(data.scene, nowhere);
     if (!nowhere.empty()) {
         data.warnings.push_back(name + ": " + in_groups(nowhere.size()) + (nowhere.size() == 1 ? " vertex has" : " vertices have") +

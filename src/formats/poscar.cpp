@@ -36,6 +36,8 @@ struct PoscarFrame {
     std::vector<PoscarGroup> groups{};
     bool direct = true;  // places are parts of the edges
     AtomLines atoms{};
+
+    const PoscarGroup& group_of(std::size_t atom) const { return *std::ranges::upper_bound(groups, atom, {}, &PoscarGroup::end); }
 };
 
 bool has_word_first(std::string_view text) {
@@ -202,7 +204,7 @@ public:
         for (int axis = 0; axis < 3; ++axis) center[axis] = frame_.scale[static_cast<std::size_t>(axis)] * place[axis];
         if (frame_.direct) center = frame_.cell.place(place);
         require_finite(line_, begin, center, index, count);
-        const PoscarGroup& group = group_of(index);
+        const PoscarGroup& group = frame_.group_of(index);
         const Element& element = group.symbol.empty() ? unknown_element() : element_of_species(group.symbol);
         // "Fe_pv" and "Fe/2f1c0b" are names of potentials.
         atom.label = group.symbol.substr(0, group.symbol.find_first_of("_/"));
@@ -213,10 +215,6 @@ public:
     }
 
 private:
-    const PoscarGroup& group_of(std::size_t index) const {
-        return *std::ranges::upper_bound(frame_.groups, index, {}, &PoscarGroup::end);
-    }
-
     std::string_view text_;
     TextSource line_;  // the text up to the line's end
     const PoscarFrame& frame_;
@@ -251,7 +249,12 @@ SphereData read_poscar(std::string_view content, const std::string& name, const 
     const AtomLines& lines = found.frame.atoms;
     require_memory(lines.count * sizeof(Sphere), name + ": " + in_groups(lines.count) + " spheres need");
     const auto reader = [&](std::size_t) { return PoscarAtomReader(source, found.frame, options); };
-    SphereData data = data_of(read_atom_lines(source, lines, line_end, reader), name, options, name_of_species);
+    Atoms atoms = read_atom_lines(source, lines, line_end, reader);
+    const auto element = [&](std::size_t, std::size_t, std::size_t index, std::size_t, std::vector<std::string_view>& fields) {
+        fields.push_back(found.frame.group_of(index).symbol);
+    };
+    atoms.properties = read_line_properties(source, lines, line_end, {{"element", PropertyKind::element, 0}}, options, element);
+    SphereData data = data_of(std::move(atoms), name, options, name_of_species);
     note_frames(data, found);
     return data;
 }

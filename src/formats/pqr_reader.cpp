@@ -40,6 +40,8 @@ public:
         if (places > fewest_names) atom.chain = words_[4];
         atom.residue_number = std::string(words_[places - 1]);
         atom.element = &element_of(atom.atom, atom.residue);
+        atom.texts.charge = words_[places + 3];
+        atom.texts.radius = words_[places + 4];
         return atom;
     }
 
@@ -121,7 +123,7 @@ SphereData read_pqr(std::string_view content, const std::string& name, const Dat
     if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
     require_frame(name, options.frame, frame.frames);
     require_memory(frame.count * sizeof(Sphere), name + ": " + in_groups(frame.count) + " spheres need");
-    MoleculeScene scene(frame.count, options);
+    MoleculeScene scene(frame.count, options, name, true);
     PqrAtoms atoms(source);
     LineWalker lines(source.text.substr(0, frame.end), line_end_of(source.text), frame.begin);
     while (!lines.at_end()) {
@@ -129,7 +131,7 @@ SphereData read_pqr(std::string_view content, const std::string& name, const Dat
         const std::string_view line = source.text.substr(begin, lines.step() - begin);
         if (is_pdb_atom(line)) scene.add(atoms.atom(begin, line));
     }
-    SphereData data = scene.take(name);
+    SphereData data = scene.take();
     data.frames = frame.frames;
     return data;
 }

@@ -173,6 +173,7 @@ std::string lost_in(const Scene& scene, const SceneFormat& format) {
     if (scene.camera != Camera{}) lost.emplace_back("the camera");
     if (scene.light != Light{}) lost.emplace_back("the light");
     if (!scene.views.empty()) lost.push_back("the views (" + std::to_string(scene.views.size()) + ")");
+    if (!scene.properties.empty()) lost.push_back("the properties (" + std::to_string(scene.properties.size()) + ")");
     if (!scene.names.empty()) lost.push_back("the names (" + std::to_string(scene.names.size()) + ")");
     const auto hidden = std::count_if(scene.spheres.begin(), scene.spheres.end(), [](const Sphere& s) { return s.hidden; });
     if (hidden != 0) lost.push_back("the hidden spheres (" + std::to_string(hidden) + ")");

@@ -150,7 +150,10 @@ SphereData read_sdf(std::string_view content, const std::string& name, const Dat
     const AtomLines& lines = found.frame.atoms;
     require_memory(lines.count * sizeof(Sphere), name + ": " + in_groups(lines.count) + " spheres need");
     const auto reader = [&](std::size_t) { return MolAtomReader(source, found.frame, options); };
-    SphereData data = data_of(read_atom_lines(source, lines, line_end, reader), name, options, name_of_species);
+    Atoms atoms = read_atom_lines(source, lines, line_end, reader);
+    constexpr std::size_t symbol_place = 3;  // of both versions
+    atoms.properties = read_word_properties(source, lines, line_end, {{"element", PropertyKind::element, symbol_place}}, options);
+    SphereData data = data_of(std::move(atoms), name, options, name_of_species);
     note_frames(data, found);
     return data;
 }

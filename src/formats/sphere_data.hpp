@@ -29,6 +29,7 @@ struct DataOptions {
     std::vector<std::string>
         properties{};             // names of those to keep in the scene, in any letter case; those that a file lacks are left out
     bool all_properties = false;  // keep every one
+    std::size_t all_properties_up_to = 0;  // keep every one of at most so many spheres
 };
 
 struct SphereData {
@@ -51,28 +52,33 @@ inline constexpr std::size_t most_named_atoms = 100'000;
 // Throws InputError when a file of so many frames has not the one that is asked for.
 void require_frame(const std::string& name, std::int64_t frame, std::int64_t frames);
 
-// The native format, TOML: `background`, `[camera]`, `[light]`, `[[view]]`, `[[sphere]]`, or `spheres = """..."""` holding the text
-// format. Beside that text may stand `hidden = [3, 5]` and `[names]` with `7 = "sun"`: the numbers of spheres, from 0. Unknown keys
-// are errors.
+// The native format, TOML: `background`, `[camera]`, `[light]`, `[[view]]`, `[[property]]`, `[[sphere]]`, or `spheres = """..."""`
+// holding the text format. Beside that text may stand `hidden = [3, 5]` and `[names]` with `7 = "sun"`: the numbers of spheres,
+// from 0. Unknown keys are errors. Properties are the scene's own, and always kept.
 bool shows_toml(std::string_view head);
 SphereData read_toml(std::string_view content, const std::string& name, const DataOptions& options);
 
 // The scene as TOML that read_toml reads back as the same scene, bit for bit. Defaults are left out.
 std::string write_toml(const Scene& scene);
 
-// Above this many spheres write_toml uses the `spheres` text.
+// Above this many spheres write_toml uses the `spheres` text, and text for the values of properties.
 inline constexpr std::size_t most_sphere_tables = 1000;
 
-// The one long string of a native scene.
-struct SpheresLiteral {
+// A long string of a native scene.
+struct NumberLiteral {
+    std::size_t line = 1;   // where its quotes open
     std::string_view text;  // inside `spheres = """..."""`, without the line end that may stand first
-    std::string rest;       // the whole document with that string emptied; every place outside it has the same line and column
 };
 
-// Finds the string without a TOML parser, which copies it several times. Finds it where that is plain: a line of the top-level
-// table, before any other string of several lines, and nothing but numbers and white space inside. Nothing otherwise: the TOML
-// parser then reads or refuses it.
-std::optional<SpheresLiteral> find_spheres_literal(std::string_view content);
+struct NumberLiterals {
+    std::vector<NumberLiteral> literals{};  // ascending
+    std::string rest{};  // the whole document with these emptied; every place outside them has the same line and column
+};
+
+// Finds the strings `spheres` and `values` without a TOML parser, which copies them several times. Finds them where that is plain:
+// before any other string of several lines, `spheres` above all tables, and nothing but numbers and white space inside. Nothing
+// where there are none: the TOML parser then reads or refuses what there is.
+std::optional<NumberLiterals> find_number_literals(std::string_view content);
 
 // XYZ: for each frame the number of atoms, a line of comment, and lines `ELEMENT x y z ...`. Extended XYZ: the comment's
 // `Properties=` says what the columns are. The other frames are only skipped: what their lines hold is not looked at.

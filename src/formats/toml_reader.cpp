@@ -1,11 +1,7 @@
-#include <toml++/toml.h>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <set>
-#include <span>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,128 +11,11 @@
 #include "base/text.hpp"
 #include "formats/sphere_data.hpp"
 #include "formats/text_format.hpp"
+#include "formats/toml_values.hpp"
 
 namespace sphereview {
 
 namespace {
-
-// A file's name and whole text, for messages.
-struct TomlText {
-    const std::string& name;
-    std::string_view content;
-    std::optional<std::string_view> literal{};  // what the string `spheres` held before it was emptied
-};
-
-// "NAME:LINE:COLUMN: "
-std::string in_words(const TomlText& document, const toml::source_position& place) {
-    return place_in(document.name, {std::max<toml::source_index>(1, place.line), std::max<toml::source_index>(1, place.column)});
-}
-
-// The byte at `place`: its column counts characters.
-std::size_t offset_of(const TomlText& document, const toml::source_position& place) {
-    const std::string_view text = document.content;
-    std::size_t offset = 0;
-    for (toml::source_index line = 1; line < place.line; ++line) offset = text.find('\n', offset) + 1;
-    for (toml::source_index column = 1; column < place.column && offset < text.size(); ++column) {
-        do ++offset;
-        while (offset < text.size() && (static_cast<unsigned char>(text[offset]) & 0xC0) == 0x80);
-    }
-    return offset;
-}
-
-[[noreturn]] void fail(const TomlText& document, const toml::source_position& place, const std::string& message) {
-    throw InputError(in_words(document, place) + message);
-}
-
-[[noreturn]] void fail(const TomlText& document, const toml::node& node, const std::string& message) {
-    fail(document, node.source().begin, message);
-}
-
-// What stands there, for a message: "a string" or the number itself.
-std::string found(const toml::node& node) {
-    if (node.is_integer() || node.is_floating_point()) {
-        std::ostringstream text;
-        text << toml::node_view(node);
-        return text.str();
-    }
-    if (const auto* text = node.as_string()) return in_quotes(text->get());
-    std::ostringstream text;
-    text << node.type();
-    return "a value of type '" + text.str() + "'";
-}
-
-[[noreturn]] void wrong(const TomlText& document, const toml::node& node, const std::string& expected) {
-    fail(document, node, "found " + found(node) + ", expected " + expected);
-}
-
-std::string unknown_key(std::string_view key, const std::string& where, std::span<const std::string> known) {
-    return "found the unknown key " + in_quotes(key) + " in " + where + ", expected one of " + joined(known, ", ") +
-           did_you_mean(key, known);
-}
-
-// A table whose every key must be known.
-class TableReader {
-public:
-    // `where` names the table in messages ("[camera]").
-    TableReader(const TomlText& document, const toml::table& table, std::string where, std::span<const std::string> keys)
-        : document_(document), table_(table), where_(std::move(where)) {
-        for (const auto& [key, value] : table) {
-            if (std::find(keys.begin(), keys.end(), key.str()) != keys.end()) continue;
-            fail(document, key.source().begin, unknown_key(key.str(), where_, keys));
-        }
-    }
-
-    const toml::node* find(std::string_view key) const { return table_.get(key); }
-
-    const toml::node& require(std::string_view key) const {
-        const toml::node* node = find(key);
-        if (node == nullptr) fail(document_, table_, where_ + " has no '" + std::string(key) + "', which it needs");
-        return *node;
-    }
-
-    double number(const toml::node& node, const std::string& expected) const {
-        if (const auto* whole = node.as_integer()) return static_cast<double>(whole->get());
-        if (const auto* real = node.as_floating_point(); real != nullptr && std::isfinite(real->get())) return real->get();
-        wrong(document_, node, expected);
-    }
-
-    glm::dvec3 vector(const toml::node& node, const std::string& key) const {
-        const std::string expected = "'" + key + "' as three finite numbers [x, y, z]";
-        const toml::array& array = three_of(node, expected);
-        return {number(array[0], expected), number(array[1], expected), number(array[2], expected)};
-    }
-
-    Color color(const toml::node& node) const {
-        const std::string expected = "'color' as three whole numbers [R, G, B] from 0 to 255";
-        const toml::array& array = three_of(node, expected);
-        std::array<std::uint8_t, 3> channels{};
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto* value = array[i].as_integer();
-            if (value == nullptr || value->get() < 0 || value->get() > color_max) wrong(document_, array[i], expected);
-            channels[i] = static_cast<std::uint8_t>(value->get());
-        }
-        return {channels[0], channels[1], channels[2]};
-    }
-
-    template <typename T>
-    T value(const toml::node& node, const std::string& expected) const {
-        const auto* typed = node.as<T>();
-        if (typed == nullptr) wrong(document_, node, expected);
-        return typed->get();
-    }
-
-private:
-    const toml::array& three_of(const toml::node& node, const std::string& expected) const {
-        const toml::array* array = node.as_array();
-        if (array == nullptr) wrong(document_, node, expected);
-        if (array->size() != 3) fail(document_, node, "found " + std::to_string(array->size()) + " values, expected " + expected);
-        return *array;
-    }
-
-    const TomlText& document_;
-    const toml::table& table_;
-    std::string where_;
-};
 
 void read_sphere(const TomlText& document, const toml::table& table, std::size_t index, Scene& scene) {
     static const std::vector<std::string> keys = {"name", "color", "center", "radius", "hidden"};
@@ -219,21 +98,20 @@ Light read_light(const TomlText& document, const toml::table& table) {
         if (lights < fewest_lights || lights > most_lights) wrong(document, *node, expected);
         light.lights = static_cast<int>(lights);
     }
-    const auto read_part = [&](const char* key, double most, double& part) {
+    const auto part = [&](const char* key, double most) -> std::optional<double> {
         const auto* node = reader.find(key);
-        if (node == nullptr) return;
+        if (node == nullptr) return std::nullopt;
         const std::string expected = std::string("'") + key + "' as a number from 0 to " + shortest(most);
-        part = reader.number(*node, expected);
-        if (!(part >= 0.0 && part <= most)) wrong(document, *node, expected);
+        const double found = reader.number(*node, expected);
+        if (!(found >= 0.0 && found <= most)) wrong(document, *node, expected);
+        return found;
     };
-    read_part("sky", most_sky, light.sky);
-    read_part("key", most_key, light.key);
+    light.sky = part("sky", most_sky);
+    light.key = part("key", most_key).value_or(light.key);
     if (const auto* node = reader.find("sun")) {
         const glm::dvec3 direction = reader.vector(*node, "sun");
         if (direction == glm::dvec3(0.0)) fail(document, *node, "found a sun in no direction, expected 'sun' other than [0, 0, 0]");
-        // The defaults are the command line's: without a word of the sky it makes room for the sun.
-        if (reader.find("sky") != nullptr) light.sun.emplace();
-        light = with_sun(light, direction);
+        light.sun = Sun{direction};
     }
     if (const auto* node = reader.find("sun_strength")) {
         const std::string expected = "'sun_strength' as a number from " + shortest(weakest_sun) + " to " + shortest(strongest_sun);
@@ -243,27 +121,6 @@ Light read_light(const TomlText& document, const toml::table& table) {
         light.sun->strength = strength;
     }
     return light;
-}
-
-// The text inside a string value, with its place in the file: where it begins, or, where escapes shift what follows them, that of
-// the whole value.
-TextSource inside_string(const TomlText& document, const toml::value<std::string>& value) {
-    const toml::source_position begin = value.source().begin;
-    TextPosition origin{begin.line, begin.column};
-    std::string_view quotes = document.content.substr(offset_of(document, begin));
-    const bool basic = quotes.starts_with('"');
-    const std::string_view delimiter = quotes.substr(0, quotes.starts_with(R"(""")") ? 3 : 1);
-    if (basic && quotes.substr(0, quotes.find(delimiter, delimiter.size())).find('\\') != std::string_view::npos) {
-        return {in_words(document, begin) + "in the value's text", value.get(), {}};
-    }
-    if (quotes.starts_with(R"(""")") || quotes.starts_with("'''")) {
-        quotes.remove_prefix(3);
-        origin.column += 3;
-        if (quotes.starts_with('\n') || quotes.starts_with("\r\n")) origin = {origin.line + 1, 1};
-    } else {
-        origin.column += 1;
-    }
-    return {document.name, document.literal ? *document.literal : std::string_view(value.get()), origin};
 }
 
 // The sphere whose number stands there.
@@ -355,7 +212,8 @@ std::uint64_t bytes_of_tree(std::string_view text) {
 // Of the whole scene.
 constexpr const char* top_level = "the scene";
 const std::vector<std::string>& top_keys() {
-    static const std::vector<std::string> keys = {"background", "camera", "light", "view", "sphere", "spheres", "hidden", "names"};
+    static const std::vector<std::string> keys = {"background", "camera",  "light",  "view", "property",
+                                                  "sphere",     "spheres", "hidden", "names"};
     return keys;
 }
 
@@ -393,9 +251,9 @@ toml::table parse(const TomlText& document) {
 
 SphereData read_toml(std::string_view content, const std::string& name, const DataOptions&) {
     content = without_byte_order_mark(content);
-    const auto literal = find_spheres_literal(content);
-    if (literal) content = literal->rest;
-    const TomlText document{name, content, literal ? std::optional(literal->text) : std::nullopt};
+    const auto literals = find_number_literals(content);
+    if (literals) content = literals->rest;
+    const TomlText document{name, content, literals ? literals->literals : std::vector<NumberLiteral>()};
     if (content.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
     }
@@ -417,7 +275,10 @@ SphereData read_toml(std::string_view content, const std::string& name, const Da
     }
     if (const auto* node = reader.find("view")) scene.views = read_views(document, *node);
     read_spheres(document, reader, scene);
-    return {std::move(scene), 1};
+    if (const auto* node = reader.find("property")) scene.properties = read_properties(document, *node, scene.spheres.size());
+    SphereData data{std::move(scene)};
+    for (const Property& property : data.scene.properties) data.property_names.push_back(property.name);
+    return data;
 }
 
 // A table's head, `key =`, or nothing but comments.

@@ -1,6 +1,9 @@
 #include <array>
+#include <cmath>
 #include <cstdio>
+#include <type_traits>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/sphere_data.hpp"
 #include "formats/text_format.hpp"
@@ -81,12 +84,11 @@ void append_light(std::string& text, const Light& light) {
     };
     text += text.empty() ? "[light]\n" : "\n[light]\n";
     if (light.lights) text += "lights = " + std::to_string(*light.lights) + "\n";
-    // Beside a sun all is said: what is left out would depend on what else is.
-    if (light.sun || light.sky != Light{}.sky) append("sky", light.sky);
+    if (light.sky) append("sky", *light.sky);
     if (light.key != Light{}.key) append("key", light.key);
     if (!light.sun) return;
     append_vector(text, "sun", light.sun->direction);
-    append("sun_strength", light.sun->strength);
+    if (light.sun->strength) append("sun_strength", *light.sun->strength);
 }
 
 void append_camera(std::string& text, const Camera& camera) {
@@ -95,6 +97,87 @@ void append_camera(std::string& text, const Camera& camera) {
     append_vector(text, "right", camera.right);
     append_vector(text, "up", camera.up);
     if (camera.orthographic()) text += "projection = \"" + std::string(name_of(camera.projection)) + "\"\n";
+}
+
+// A number that reads back as the same float: what is the shortest for a float may lie too near to the middle of two.
+std::string shortest_value(float value) {
+    const std::string text = shortest(value);
+    double read = 0.0;
+    parse_double(text, read);
+    return static_cast<float>(read) == value ? text : shortest(static_cast<double>(value));
+}
+std::string shortest_value(double value) { return shortest(value); }
+std::string shortest_value(std::uint32_t value) { return std::to_string(value); }
+std::string shortest_value(std::int32_t value) { return std::to_string(value); }
+
+template <typename Number>
+std::string value_in_words(Number value) {
+    if constexpr (std::is_floating_point_v<Number>) {
+        if (std::isnan(value)) return "nan";
+    } else if constexpr (std::is_signed_v<Number>) {
+        if (value == no_whole_number) return "nan";
+    }
+    return shortest_value(value);
+}
+
+// An array, or a string of lines where there are many.
+template <typename Number>
+void append_values(std::string& text, const std::vector<Number>& values) {
+    constexpr std::size_t in_a_line = 12;
+    const bool as_text = values.size() > most_sphere_tables;
+    text += as_text ? "values = \"\"\"" : "values = [";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const char* const gap = as_text ? " " : ", ";
+        const char* const line_gap = as_text ? "\n" : ",\n    ";
+        text += i % in_a_line != 0 ? gap : i > 0 ? line_gap : as_text ? "\n" : "";
+        std::string word = value_in_words(values[i]);
+        // As a TOML integer -0 would lose its sign.
+        if (!as_text && word == "-0") word = "-0.0";
+        text += word;
+    }
+    text += as_text ? "\n\"\"\"\n" : "]\n";
+}
+
+void append_words(std::string& text, const char* key, const std::vector<std::string>& words) {
+    text.append(key) += " = [";
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0) text += ", ";
+        append_string(text, words[i]);
+    }
+    text += "]\n";
+}
+
+// Whether the values alone tell which words there are, and in which order.
+bool speaks_for_itself(const Labels& labels) {
+    std::uint32_t next = 0;
+    for (const std::uint32_t number : labels.numbers) {
+        if (number > next) return false;
+        if (number == next) ++next;
+    }
+    return next == labels.words.size() && !labels.numbers.empty();
+}
+
+void append_property(std::string& text, const Property& property) {
+    text += text.empty() ? "[[property]]\nname = " : "\n[[property]]\nname = ";
+    append_string(text, property.name);
+    text += '\n';
+    if (const auto* const labels = std::get_if<Labels>(&property.values)) {
+        if (labels->numbers.size() <= most_sphere_tables && speaks_for_itself(*labels)) {
+            std::vector<std::string> words;
+            for (const std::uint32_t number : labels->numbers) words.push_back(labels->words[number]);
+            return append_words(text, "values", words);
+        }
+        append_words(text, "words", labels->words);
+        append_values(text, labels->numbers);
+    } else if (const auto* const reals = std::get_if<std::vector<float>>(&property.values)) {
+        text += "type = \"float\"\n";
+        append_values(text, *reals);
+    } else if (const auto* const wholes = std::get_if<std::vector<std::int32_t>>(&property.values)) {
+        text += "type = \"int\"\n";
+        append_values(text, *wholes);
+    } else {
+        append_values(text, std::get<std::vector<double>>(property.values));
+    }
 }
 
 }  // namespace
@@ -128,6 +211,7 @@ std::string write_toml(const Scene& scene) {
             text += '\n';
         }
     }
+    for (const Property& property : scene.properties) append_property(text, property);
     if (!as_text) {
         for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
             const auto name = scene.names.find(static_cast<std::uint32_t>(i));

@@ -177,6 +177,23 @@ private:
     double& largest_color_;
 };
 
+// Where nothing names them, numbers behind the places of the first atom are columns by their place.
+void add_further_columns(const TextSource& source, const XyzFrame& frame, char line_end, std::vector<PropertyColumn>& columns) {
+    constexpr std::size_t named = 4;
+    constexpr std::size_t most = 32;
+    if (frame.atoms.count == 0) return;
+    const std::size_t begin = frame.atoms.pieces[0];
+    std::vector<std::string_view> words;
+    split_line(source.text.substr(0, LineWalker(source.text, line_end, begin).step()).substr(begin), most, words);
+    const auto is_number = [](std::string_view word) {
+        double ignored = 0.0;
+        return parse_any_double(word, ignored) == NumberFault::none;
+    };
+    if (words.size() <= named || !std::all_of(words.begin() + named, words.end(), is_number)) return;
+    for (std::size_t i = named; i < words.size(); ++i)
+        columns.push_back({"column" + std::to_string(i + 1), PropertyKind::found, i});
+}
+
 SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, char line_end, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
     require_memory(count * sizeof(Sphere), source.name + ": " + in_groups(count) + " spheres need");
@@ -193,6 +210,8 @@ SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, char 
         layout.full_color = color_max;
         atoms = read();
     }
+    if (layout.is_plain) add_further_columns(source, frame, line_end, layout.properties);
+    atoms.properties = read_word_properties(source, frame.atoms, line_end, layout.properties, options);
     return data_of(std::move(atoms), source.name, options, name_of_species);
 }
 

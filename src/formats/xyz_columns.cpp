@@ -63,7 +63,8 @@ public:
         std::size_t first = 0;
         do {
             entry_ = rest_;
-            const std::string name = lower_case(name_part());
+            const std::string_view written = name_part();
+            const std::string name = lower_case(written);
             const std::string type = lower_case(part());
             const std::string_view digits = part();
             std::size_t count = 0;
@@ -71,14 +72,16 @@ public:
             if (name.empty() || !is_type || !parse_whole(digits, count) || count == 0) {
                 fail(example);
             }
-            if (auto field = field_named(name, type, count)) {
+            auto field = field_named(name, type, count);
+            if (count > most_columns - first) fail("at most " + std::to_string(most_columns) + " columns");
+            if (field != XyzField::position) add_properties(layout.properties, written, type[0], count, first, field);
+            if (field) {
                 if (*field == XyzField::position && count == 2) field = XyzField::flat_position;
                 if (*field != XyzField::color && count != columns_of(*field))
                     fail(name + " of " + columns_in_words(*field) + " columns");
                 if (!has(columns, *field)) columns.push_back({*field, first});
                 if (*field == XyzField::color && type == "i") layout.full_color = color_max;
             }
-            if (count > most_columns - first) fail("at most " + std::to_string(most_columns) + " columns");
             first += count;
         } while (!ended_);
         if (has(columns, XyzField::position) || has(columns, XyzField::flat_position)) return layout;
@@ -97,6 +100,28 @@ private:
         if (count == 1 && is({"radius", "radii"}, "ri")) return XyzField::radius;
         if (count >= 3 && is({"color", "colour", "colors"}, "ri")) return XyzField::color;
         return std::nullopt;
+    }
+
+    // A vector has a property for each of its columns, and its length.
+    static void add_properties(std::vector<PropertyColumn>& properties, std::string_view name, char type, std::size_t count,
+                               std::size_t first, std::optional<XyzField> field) {
+        constexpr std::size_t most_parts = 64;
+        const PropertyKind kind = type == 'r' ? PropertyKind::real : type == 'i' ? PropertyKind::whole : PropertyKind::words;
+        const auto add = [&](const std::string& of, PropertyKind its_kind, std::size_t place) {
+            add_column(properties, of, its_kind, place);
+        };
+        const std::string text(name);
+        if (field == XyzField::species) {
+            add("element", PropertyKind::element, first);
+        } else if (count == 1) {
+            add(text, kind, first);
+        } else if (count <= most_parts) {
+            const bool is_vector = count == 3 && (type == 'r' || type == 'i');
+            for (std::size_t i = 0; i < count; ++i) {
+                add(text + "." + (is_vector ? std::string(1, "xyz"[i]) : std::to_string(i + 1)), kind, first + i);
+            }
+            if (is_vector && field != XyzField::color) add(text, PropertyKind::magnitude, first);
+        }
     }
 
     static bool has(const std::vector<XyzColumn>& columns, XyzField field) {
@@ -139,7 +164,11 @@ private:
 
 XyzLayout xyz_layout(const TextSource& source, std::size_t begin) {
     const auto properties = find_properties(source.text.substr(begin));
-    if (!properties) return {.columns = {{XyzField::species, 0}, {XyzField::position, 1}}};
+    if (!properties) {
+        return {.columns = {{XyzField::species, 0}, {XyzField::position, 1}},
+                .properties = {{"element", PropertyKind::element, 0}},
+                .is_plain = true};
+    }
     return Properties(source, *properties).layout();
 }
 

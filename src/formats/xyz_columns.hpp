@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formats/lines.hpp"
+#include "formats/property_columns.hpp"
 
 namespace sphereview {
 
@@ -24,7 +25,9 @@ struct XyzColumn {
 // The columns that are drawn, from left to right; a position is always among them.
 struct XyzLayout {
     std::vector<XyzColumn> columns;
-    double full_color = 1.0;  // what stands for 255
+    double full_color = 1.0;                   // what stands for 255
+    std::vector<PropertyColumn> properties{};  // all but the position
+    bool is_plain = false;                     // nothing names the columns
 };
 
 // `source` ends with the frame's comment, which begins at `begin`: `Properties=species:S:1:pos:R:3:...` names the columns; without

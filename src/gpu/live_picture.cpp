@@ -25,6 +25,16 @@ constexpr std::int32_t checkerboard_shift = 3;  // squares of 8 pixels
 constexpr std::size_t most_single_ranges = 4096;
 // With more spheres a coarse grid has lists of its own. Those of fewer are quickly made for all pixels, once and for all grids.
 constexpr std::size_t most_for_all_pixels = 20'000;
+constexpr double part_seconds = 0.008;  // of drawing, before somebody may ask for something else
+
+double seconds_since(std::chrono::steady_clock::time_point begin) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+void set_grid(DrawBlock& frame, int step) {
+    frame.grid_shift = PixelGrid({}, step).shift();
+    frame.block_origin = {step / 2, step / 2};
+}
 
 // The framebuffers that are bound, until its end.
 class KeptFramebuffers {
@@ -96,6 +106,7 @@ void LivePicture::compile(const std::vector<std::string>& defines) {
         programs_ = make_programs(shader_files_, defines);
     }
     defines_ = defines;
+    compiled_ = false;
 }
 
 std::string LivePicture::reload_shaders() {
@@ -105,14 +116,15 @@ std::string LivePicture::reload_shaders() {
         programs_ = make_programs(files, defines_);
         shader_files_ = std::move(files);
         shader_log_.clear();
-        traced_ = false;
+        traced_ = compiled_ = false;
+        next_step_ = 0;
     } catch (const std::runtime_error& error) {  // RenderError, InputError, MemoryError
         shader_log_ = error.what();
     }
     return shader_log_;
 }
 
-void LivePicture::rebuild(const Document& document, const View& view, bool geometry, int step) {
+void LivePicture::rebuild(const Document& document, const View& view, bool geometry, int step, bool keeps_picture) {
     const Scene& scene = document.scene();
     std::optional<DrawnSpheres> drawn;
     const bool anew = geometry || scene_.edited();
@@ -130,9 +142,15 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
     if (defines != defines_) compile(defines);
 
     ++builds_;
-    forget_picture();
+    if (keeps_picture) {
+        revision_ = 0;  // unless the upload goes well
+        next_step_ = 0;
+    } else {
+        forget_picture();
+    }
     tables_.upload(spheres, lists.lists());
     frame_ = draw_block_of(lists.lists(), view.camera, view.size, spheres.scale);
+    if (keeps_picture) set_grid(frame_, step_);
     lists_step_ = grid.step;
     view_ = view;
     if (drawn) {
@@ -159,35 +177,69 @@ void LivePicture::forget_picture() {
     range_.reset();
     selected_range_known_ = false;
     traced_ = false;
+    next_step_ = 0;
 }
 
-void LivePicture::trace(int step) {
+void LivePicture::begin_trace(int step) {
     const PixelGrid grid{view_.size, step};
     const auto [width, height] = grid.size();
-    visible_.require(width, height);
-    frame_.grid_shift = grid.shift();
-    frame_.block_origin = {step / 2, step / 2};
-    upload_draw_block(draw_buffer_, frame_);
-    tables_.bind();
-    glUseProgram(programs_.trace.name());
+    next_visible_.require(width, height);
     PixelRange covered;
     if (const PixelRange& pixels = scene_.lists().covered; !pixels.empty()) {
         covered = {pixels.left / step, pixels.top / step, pixels.right / step, pixels.bottom / step};
     }
     // Elsewhere the background is known.
     if (!(covered == PixelRange{0, 0, width - 1, height - 1})) {
-        visible_.fill(frame_.all_doubtful != 0 ? doubtful_background : visible_background);
+        next_visible_.fill(frame_.all_doubtful != 0 ? doubtful_background : visible_background);
     }
-    for (int y = 0; y < height; y += preferred_block_side) {
-        for (int x = 0; x < width; x += preferred_block_side) {
-            const Block block = common({x, y, preferred_block_side, preferred_block_side}, covered);
-            if (block.width > 0 && block.height > 0) visible_.draw(no_vertices_, block);
-            glFinish();  // no draw waits behind another; and the time is known
+    next_parts_ = PictureParts(scene_.lists(), grid, covered);
+    next_step_ = step;
+    next_seconds_ = next_drawing_seconds_ = 0.0;
+}
+
+// Goes on with the picture. Returns whether that is there now: not if there is a coarser one and patience has ended, or if it would
+// take too long and there is none.
+bool LivePicture::trace(int step, double patience) {
+    if (next_step_ != step) begin_trace(step);
+    DrawBlock frame = frame_;
+    set_grid(frame, step);
+    upload_draw_block(draw_buffer_, frame);
+    tables_.bind();
+    glUseProgram(programs_.trace.name());
+    double drawing = 0.0;  // seconds, in this call
+    while (!next_parts_.ended()) {
+        const auto [block, cost] = next_parts_.take(scene_.lists(), part_cost_);
+        // Drivers compile a program when it first draws. What that takes says nothing of the parts.
+        if (!std::exchange(compiled_, true)) {
+            next_visible_.draw(no_vertices_, {block.x, block.y, 1, 1});
+            glFinish();
         }
+        const auto begin = std::chrono::steady_clock::now();
+        next_visible_.draw(no_vertices_, block);
+        glFinish();  // no draw waits behind another; and the time is known
+        const double seconds = std::max(seconds_since(begin), 1e-9);
+        drawing += seconds;
+        next_drawing_seconds_ += seconds;
+        // The last part of a picture may be too small to say anything.
+        if (seconds > part_seconds || 2.0 * cost > part_cost_) {
+            part_cost_ = std::max(cost * std::clamp(part_seconds / seconds, 0.1, 4.0), least_part_cost);
+        }
+        if (next_parts_.ended()) break;
+        if (traced_ && drawing > patience) return false;
+        if (!traced_ && step < coarsest_step && whole_drawing_seconds() > 2.0 * patience) return false;
     }
     check_gl("tracing");
+    std::swap(visible_, next_visible_);
+    set_grid(frame_, step);
     traced_ = true;
     step_ = step;
+    next_step_ = 0;
+    return true;
+}
+
+// What all of the picture's parts will have taken, as far as those that are drawn can tell.
+double LivePicture::whole_drawing_seconds() const {
+    return next_drawing_seconds_ * next_parts_.cost() / (next_parts_.cost() - next_parts_.cost_left());
 }
 
 // For show(), which is not given the scene.
@@ -207,12 +259,13 @@ void LivePicture::prepare_shading(const Document& document, Shading shading, con
     frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
     frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
     frame_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
-    frame_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(light.sky));
-    const glm::dvec3 sun = light.sun ? light.sun->strength * unit(light.sun->direction) : glm::dvec3(0.0);
+    frame_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(sky_of(light)));
+    const glm::dvec3 sun = light.sun ? sun_strength_of(light) * unit(light.sun->direction) : glm::dvec3(0.0);
     frame_.sun_light = glm::vec4(glm::vec3(sun), static_cast<float>(light.key));
 }
 
-bool LivePicture::update(const Document& document, const View& view, int step, Shading shading, const std::optional<Light>& light) {
+bool LivePicture::update(const Document& document, const View& view, int step, Shading shading, const std::optional<Light>& light,
+                         double patience) {
     assert(std::has_single_bit(static_cast<unsigned>(step)) && view.size.width >= 1 && view.size.height >= 1);
     const auto begin = std::chrono::steady_clock::now();
     if (view.size.width > visible_.largest_side() || view.size.height > visible_.largest_side()) {
@@ -221,21 +274,41 @@ bool LivePicture::update(const Document& document, const View& view, int step, S
     }
     const ChangesSince changes = document.changes_since(revision_);
     const bool geometry = revision_ == 0 || changes.order || changes.geometry;
+    const bool other_view = view != view_;
     const bool other_grid = (!traced_ || step < step_) && lists_step_ != 1 && lists_step_ != step;
-    const bool followed = geometry && revision_ != 0 && view == view_ && !other_grid && follow(document, changes);
-    if (!followed && (geometry || view != view_ || other_grid)) rebuild(document, view, geometry, step);
+    const bool followed = geometry && revision_ != 0 && !other_view && !other_grid && follow(document, changes);
+    if (!followed && (geometry || other_view || other_grid)) {
+        const bool keeps_picture = traced_ && !geometry && !other_view && !scene_.edited();
+        rebuild(document, view, geometry, step, keeps_picture);
+    }
     if (!geometry) colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, false);
     revision_ = document.revision();
-    prepare_shading(document, shading, light.value_or(document.scene().light));
-    if (traced_ && step >= step_) return false;
+    const Light shown_light = light.value_or(document.scene().light);
+    prepare_shading(document, shading, shown_light);
+    const bool finer_begun = next_step_ != 0 && next_step_ < step;
+    if (traced_ && (step >= step_ || finer_begun)) return false;
 
     const KeptFramebuffers kept;
     draw_plainly();
-    const auto drawing = std::chrono::steady_clock::now();
-    trace(step);
-    const auto end = std::chrono::steady_clock::now();
-    last_seconds_ = std::chrono::duration<double>(end - begin).count();
-    last_drawing_seconds_ = std::chrono::duration<double>(end - drawing).count();
+    while (!trace(step, patience)) {
+        if (traced_) {
+            next_seconds_ += seconds_since(begin);
+            return false;
+        }
+        // Too fine.
+        double drawing = whole_drawing_seconds();
+        do {
+            step *= 2;
+            drawing *= 0.25;
+        } while (step < coarsest_step && drawing > patience);
+        if (lists_step_ != 1) {
+            rebuild(document, view, false, step, false);
+            revision_ = document.revision();
+            prepare_shading(document, shading, shown_light);
+        }
+    }
+    last_seconds_ = next_seconds_ + seconds_since(begin);
+    last_drawing_seconds_ = next_drawing_seconds_;
     return true;
 }
 

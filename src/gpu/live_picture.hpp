@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@
 #include "shade/picture_shader.hpp"
 #include "shade/shading.hpp"
 #include "tiles/live_lists.hpp"
+#include "tiles/picture_parts.hpp"
 
 namespace sphereview {
 
@@ -58,15 +60,20 @@ public:
 
     // Brings the picture up to date: traces every step-th pixel of each row and column (a power of two; the pixels between show
     // what is traced around them), if what is there is coarser than that or of another scene or view. With step 1 all pixels.
-    // Returns whether it traced. Throws TooLarge, RenderError; the picture is then what it was. `shading` is what show() will
-    // colour it by; another one needs no tracing. `light` is instead of the scene's.
+    // Returns whether there is another picture now. Throws TooLarge, RenderError; the picture is then what it was. `shading` is
+    // what show() will colour it by; another one needs no tracing. `light` is instead of the scene's.
+    // `patience`: seconds for drawing. What would take more than twice as long is traced coarser, by up to coarsest_step, if there
+    // is no picture of this scene and view; if there is a coarser one, it stays, and a call for each part goes on with the finer
+    // one.
     bool update(const Document& document, const View& view, int step, Shading shading = Shading::flat,
-                const std::optional<Light>& light = {});
+                const std::optional<Light>& light = {}, double patience = std::numeric_limits<double>::infinity());
+
+    static constexpr int coarsest_step = 32;
 
     // Uploads a picture that another renderer has finished, for show(). No larger than the context's textures.
     void upload(const Image& finished);
 
-    // How long the last update() that traced took, in seconds: the lists, the uploads, and drawing until it was done.
+    // How long the picture that is there took, in seconds: the lists, the uploads, and drawing until it was done.
     double last_seconds() const { return last_seconds_; }
     // What of it was the drawing.
     double last_drawing_seconds() const { return last_drawing_seconds_; }
@@ -124,10 +131,13 @@ private:
     static Programs make_programs(const ShaderFiles& files, const std::vector<std::string>& defines);
 
     void compile(const std::vector<std::string>& defines);
-    void rebuild(const Document& document, const View& view, bool geometry, int step);
+    // Makes the lists anew. `keeps_picture`: what is traced is of the same spheres and view, and stays.
+    void rebuild(const Document& document, const View& view, bool geometry, int step, bool keeps_picture);
     bool follow(const Document& document, const ChangesSince& changes);
     void forget_picture();
-    void trace(int step);
+    void begin_trace(int step);
+    bool trace(int step, double patience);
+    double whole_drawing_seconds() const;
     void prepare_shading(const Document& document, Shading shading, const Light& light);
     void mark_selected(const Selection* selection);
     std::optional<std::int32_t> traced_number(Pixel pixel) const;
@@ -147,6 +157,7 @@ private:
     Buffer draw_buffer_;
     SceneTables tables_;
     NumberTarget visible_;
+    NumberTarget next_visible_;  // of the picture that is being traced
     Outlines outlines_;
     Texture finished_;
 
@@ -165,6 +176,16 @@ private:
 
     bool traced_ = false;  // the visible-sphere buffer is of this scene, view and shaders
     int step_ = 0;
+
+    // The picture that is being traced.
+    int next_step_ = 0;  // 0: none is
+    PictureParts next_parts_;
+    double next_seconds_ = 0.0;  // that it has taken
+    double next_drawing_seconds_ = 0.0;
+    bool compiled_ = false;   // the program has drawn: the driver has compiled it
+    double part_cost_ = 2e6;  // such that a part takes about a hundredth of a second; the first one takes little on any device
+    static constexpr double least_part_cost = 1e4;
+
     double last_seconds_ = 0.0;
     double last_drawing_seconds_ = 0.0;
 };

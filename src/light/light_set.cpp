@@ -98,12 +98,12 @@ std::vector<DirectedLight> light_set(const Light& light, int lights, const Camer
     const auto add = [&](const glm::dvec3& direction, const LightVector& its_share) {
         if (its_share != LightVector{}) all.push_back({direction, its_share});
     };
-    if (light.sun) add(light.sun->direction, share(light.sun->direction, light.sun->strength));
+    if (light.sun) add(light.sun->direction, share(light.sun->direction, sun_strength_of(light)));
     const glm::dvec3 key = key_direction(camera_axes(camera));
     const auto add_sky = [&](const glm::dvec3& direction) {
         const double towards_key = dot(unit(direction), key);
         const double lobe = towards_key > 0.0 ? (towards_key * towards_key) * (towards_key * towards_key) : 0.0;
-        add(direction, share(direction, light.sky * (4.0 * sky_light + 12.0 * (light.key * key_light) * lobe) / lights));
+        add(direction, share(direction, sky_of(light) * (4.0 * sky_light + 12.0 * (light.key * key_light) * lobe) / lights));
     };
     // Of pairs of opposite directions, the numbers' bits reversed.
     const std::vector<glm::dvec3> spiral = half_spiral(lights);

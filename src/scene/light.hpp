@@ -14,45 +14,32 @@ inline constexpr double most_key = 1.0;
 inline constexpr double weakest_sun = 0.001;
 inline constexpr double strongest_sun = 4.0;
 
+// Sun and sky that make a good picture together, where neither's strength is said: the brightest surfaces are about as bright as
+// white can be, and shadows half as bright. A sun of strength 1 beside a full sky would make white of most of what it shines on.
+inline constexpr double sky_beside_sun = 0.4;
+inline constexpr double sun_beside_sky = 0.7;
+
 // One hard light, infinitely far away.
 struct Sun {
     glm::dvec3 direction{0.0, 1.0, 0.0};  // from the scene to the sun, of any length: finite and not zero
-    double strength = 1.0;                // weakest_sun .. strongest_sun
+    std::optional<double> strength{};     // weakest_sun .. strongest_sun; none: sun_strength_of()
 
     bool operator==(const Sun&) const = default;
 };
 
 struct Light {
     std::optional<int> lights{};  // directions of the sky, fewest_lights .. most_lights; none: as many as suit the scene
-    double sky = 1.0;             // 0 .. most_sky: the strength of the sky, and of the key light in it
+    std::optional<double> sky{};  // 0 .. most_sky: the strength of the sky, and of the key light in it; none: sky_of()
     double key = 1.0;             // 0 .. most_key: how much brighter the sky is around the key light
     std::optional<Sun> sun{};
 
     bool operator==(const Light&) const = default;
 };
 
-// Sun and sky that make a good picture together: the brightest surfaces are about as bright as white can be, and shadows half as
-// bright. A sun of strength 1 beside a full sky would make white of most of what it shines on.
-inline constexpr double sky_beside_sun = 0.4;
-inline constexpr double sun_beside_sky = 0.7;
+// How strong the sky is. A full one makes room for a sun.
+constexpr double sky_of(const Light& light) { return light.sky.value_or(light.sun ? sky_beside_sun : most_sky); }
 
-// The light with a sun that nobody has said more of than where it shines from. A sky as it comes makes room for its light.
-constexpr Light with_sun(Light light, const glm::dvec3& direction) {
-    if (light.sun) {
-        light.sun->direction = direction;
-    } else if (light.sky == most_sky) {
-        light.sky = sky_beside_sun;
-        light.sun = Sun{direction, sun_beside_sky};
-    } else {
-        light.sun = Sun{direction, 1.0};
-    }
-    return light;
-}
-// And without it again.
-constexpr Light without_sun(Light light) {
-    if (light.sun && light.sky == sky_beside_sun) light.sky = most_sky;
-    light.sun.reset();
-    return light;
-}
+// How strong the light's sun is, which there must be. Beside a sky as it comes it is as strong as suits that.
+constexpr double sun_strength_of(const Light& light) { return light.sun->strength.value_or(light.sky ? 1.0 : sun_beside_sky); }
 
 }  // namespace sphereview

@@ -101,7 +101,7 @@ inline bool same_bits(const Camera& a, const Camera& b) {
 inline bool same_bits(const SavedView& a, const SavedView& b) { return a.name == b.name && same_bits(a.camera, b.camera); }
 
 inline bool same_bits(const Light& a, const Light& b) {
-    return a == b && same_bits(a.sky, b.sky) && same_bits(a.key, b.key) &&
+    return a == b && same_bits(a.sky.value_or(1.0), b.sky.value_or(1.0)) && same_bits(a.key, b.key) &&
            (!a.sun || same_bits(a.sun->direction, b.sun->direction));
 }
 

@@ -11,7 +11,7 @@ namespace sphereview {
 // directions right, up and toward the eye.
 inline double brightness_of_free_sky(const Light& light, const glm::dvec3& normal) {
     const double x = 0.5 + 0.5 * dot(normal, unit(key_in_view));
-    return light.sky * (sky_light + key_light * light.key * x * x * (0.5 + 0.5 * x));
+    return sky_of(light) * (sky_light + key_light * light.key * x * x * (0.5 + 0.5 * x));
 }
 
 // Which part of its own colour a surface shows that is so bright; above 1 where it is brighter than white can be.

@@ -158,7 +158,8 @@ TEST_F(Data, SaysWhatItLeavesOutAndPassesOver) {
     EXPECT_EQ(sphereview(usual).errors, warning);
     std::vector<std::string> verbose = usual;
     verbose.emplace_back("--verbose");
-    EXPECT_TRUE(sphereview(verbose).errors.starts_with(warning + "a.csv: columns that are passed over: 'mass\\x1b[31m'\n"));
+    EXPECT_TRUE(sphereview(verbose).errors.starts_with(
+        warning + "a.csv: columns that are passed over: 'mass\\x1b[31m'; --color-by and --size-by can use them\n"));
     std::vector<std::string> json = usual;
     json.emplace_back("--json");
     const auto report = Json::parse(sphereview(json).output);

@@ -11,7 +11,7 @@ namespace sphereview::test {
 namespace {
 
 // Of about 3,700 allocations.
-constexpr int last = 4'400;
+constexpr int last = 6'000;
 
 class FailingMalloc : public testing::Test {
 protected:

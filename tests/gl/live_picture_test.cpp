@@ -77,6 +77,72 @@ TEST_P(LivePictureTest, CoarsePictureIsSmoothBetweenThePixelsThatAreTraced) {
     }
 }
 
+// The eye is in all of them and near to their backs, so that no ray's walk ends before it has tried all.
+Scene overlapping(int count) {
+    Scene scene;
+    for (int i = 0; i < count; ++i) {
+        const glm::dvec3 center{20.0 * (i % 7 - 3), 30.0 * (i % 3 - 1), 500};
+        scene.spheres.push_back({center, 1000 + 0.02 * i, {static_cast<std::uint8_t>(20 * i), 9, 9}, false});
+    }
+    return scene;
+}
+
+// How many pixels differ.
+int differences(const Image& a, const Image& b) {
+    int count = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) count += at(a, x, y) == at(b, x, y) ? 0 : 1;
+    }
+    return count;
+}
+
+// Goes on with a coarse picture until every pixel is traced; returns how often it stayed as it was.
+int refine(LivePicture& picture, const Document& document, const View& view) {
+    int parts = 0;
+    const Image coarse = drawn_into_window(picture, document, view, {});
+    const int step = picture.step();
+    EXPECT_GT(step, 1);
+    while (picture.step() > 1 && !picture.update(document, view, 1, Shading::flat, {}, 0.0)) {
+        ++parts;
+        EXPECT_EQ(picture.step(), step);
+        EXPECT_TRUE(same(drawn_into_window(picture, document, view, {}), coarse));
+        EXPECT_FALSE(picture.update(document, view, 2)) << "a finer one is on its way";
+    }
+    return parts;
+}
+
+TEST_P(LivePictureTest, ThereIsACoarsePictureAtOnceAndAFineOnePartByPart) {
+    // More than 20,000 spheres have lists for the coarse pixels alone.
+    for (const int count : {600, 25'000}) {
+        const Scene scene = overlapping(count);
+        Document document(scene);
+        const View view{scene.camera, count > 1000 ? PictureSize{20, 20} : PictureSize{100, 100}};
+        const Image expected = exported(scene, view);
+        for (const int step : {1, 8}) {
+            LivePicture picture;
+            EXPECT_TRUE(picture.update(document, view, step, Shading::flat, {}, 0.0));
+            if (step == 1) {
+                EXPECT_EQ(picture.step(), LivePicture::coarsest_step);
+            }
+            EXPECT_GT(refine(picture, document, view), 1);
+            EXPECT_TRUE(same(drawn_into_window(picture, document, view, {}), expected));
+            // An edit in the middle begins anew.
+            Sphere sphere = document.scene().spheres[0];
+            for (const double radius : {1.0, sphere.radius}) {
+                sphere.radius = radius;
+                document.apply(change(0, sphere), "radius");
+                EXPECT_TRUE(picture.update(document, view, 8, Shading::flat, {}, 0.0));
+                EXPECT_FALSE(picture.update(document, view, 1, Shading::flat, {}, 0.0));
+            }
+            EXPECT_GT(refine(picture, document, view), 0);
+            // Guesses may be others in lists that have followed edits.
+            EXPECT_LE(differences(drawn_into_window(picture, document, view, {}), expected), view.size.width / 20);
+        }
+        LivePicture at_once;
+        EXPECT_TRUE(same(shown(at_once, document, view), expected));
+    }
+}
+
 TEST_P(LivePictureTest, KeepsToItsAreaOfTheWindow) {
     const Scene scene = two_spheres();
     const Document document(scene);

@@ -73,14 +73,14 @@ TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
     panel.click("sun");
     ASSERT_TRUE(panel.light().sun);
     EXPECT_EQ(panel.document.undo_name(), "Switch the sun on");
-    EXPECT_EQ(panel.light().sky, sky_beside_sun);
-    EXPECT_EQ(panel.light().sun->strength, sun_beside_sky);
+    EXPECT_EQ(sky_of(panel.light()), sky_beside_sun);
+    EXPECT_EQ(sun_strength_of(panel.light()), sun_beside_sky);
     panel.drag(panel.place("slider strength", 0.2F), panel.place("slider strength", 0.9F));
     EXPECT_GT(panel.light().sun->strength, 1.2 * sun_beside_sky);
     const Light with_sun = panel.light();
     panel.click("sun");
     EXPECT_FALSE(panel.light().sun);
-    EXPECT_EQ(panel.light().sky, most_sky);
+    EXPECT_EQ(sky_of(panel.light()), most_sky);
     panel.click("sun");
     EXPECT_EQ(panel.light(), with_sun);
     for (int i = 0; i < 4; ++i) panel.undo();
@@ -90,6 +90,23 @@ TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
     panel.click(panel.ball(0.0F, 0.0F));
     ASSERT_TRUE(panel.light().sun);
     EXPECT_LT(angle_between(panel.light().sun->direction, {0.0, 0.0, -1.0}), 3.0);
+}
+
+TEST(LightPanel, TheSunLeavesASkyThatIsSaid) {
+    OpenLightPanel panel({.sky = most_sky});
+    panel.click("sun");
+    EXPECT_EQ(panel.light().sky, most_sky);
+    EXPECT_EQ(sun_strength_of(panel.light()), 1.0);
+    panel.click("sun");
+    EXPECT_EQ(panel.light(), Light{.sky = most_sky});
+}
+
+TEST(LightPanel, AChangeOfTheSkyLeavesTheSun) {
+    OpenLightPanel panel;
+    panel.click("sun");
+    panel.drag_by("sky", -13.0F);
+    EXPECT_LT(sky_of(panel.light()), sky_beside_sun);
+    EXPECT_EQ(sun_strength_of(panel.light()), sun_beside_sky);
 }
 
 TEST(LightPanel, AzimuthAndElevationTurnTheSun) {

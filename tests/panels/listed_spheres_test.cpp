@@ -66,6 +66,27 @@ TEST(SphereFilter, TitleOfSpheresWithoutANameIsFound) {
     EXPECT_EQ(filtered(some(), "sph").size(), 122U);
 }
 
+Scene charged() {
+    Scene scene = some();
+    std::vector<double> charges;
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) charges.push_back(0.01 * static_cast<double>(i));
+    scene.properties = {{"charge", std::move(charges)}};
+    return scene;
+}
+
+TEST(SphereFilter, FindsWhatFulfilsACondition) {
+    EXPECT_EQ(filtered(charged(), "charge > 1.215"), (Numbers{122, 123, 124}));
+    EXPECT_EQ(filtered(charged(), " number < 2 or charge = 0.5"), (Numbers{0, 1, 50}));
+    FilterSearch search;
+    search.begin(charged(), "charge > and");
+    EXPECT_TRUE(search.done());
+    EXPECT_EQ(search.fault(), "column 10: found 'and', expected a number");
+    search.begin(charged(), "mass > 1 and Charge > 1");
+    EXPECT_EQ(search.unknown(), std::vector<std::string>{"mass"});
+    EXPECT_EQ(search.fault(), "column 1: found 'mass', expected the name of a property");
+    EXPECT_EQ(search.compared(), (std::vector<std::string>{"mass", "Charge"}));
+}
+
 TEST(ListedSpheres, RowsAndNumbersBelongTogether) {
     const Scene scene = some();
     const Numbers listed{3, 7, 50};
@@ -162,6 +183,49 @@ TEST(SphereList, WhatTheFilterShowsIsSelected) {
     panel.modifiers(false);
     panel.click("select filtered");
     panel.expect_selected({11, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119});
+}
+
+TEST(SphereList, WhatFulfilsAConditionIsSelectedAndHidden) {
+    SidePanelHarness panel(charged());
+    panel.type_into("filter", "charge >= 1.22");
+    EXPECT_EQ(panel.rows(), 3U);
+    panel.click("select filtered");
+    panel.expect_selected({122, 123, 124});
+    panel.click("hide filtered");
+    EXPECT_FALSE(panel.sphere(121).hidden);
+    for (const std::uint32_t number : {122U, 123U, 124U}) EXPECT_TRUE(panel.sphere(number).hidden);
+    EXPECT_EQ(panel.document.undo_name(), "Hide 3 spheres");
+    panel.click("hide filtered");
+    EXPECT_FALSE(panel.sphere(123).hidden);
+    EXPECT_FALSE(panel.has("filter fault"));
+    // What a condition asks for may change with every edit.
+    panel.click("clear filter");
+    panel.type_into("filter", "radius > 500");
+    EXPECT_EQ(panel.rows(), 0U);
+    panel.document.apply(ChangeSpheres{{5}, {{{}, 1000.0}}}, "");
+    panel.frames(2);
+    EXPECT_EQ(panel.state().search.found(), Numbers{5});
+    panel.document.apply(RemoveSpheres{{0, 1}}, "");
+    panel.frames(2);
+    EXPECT_EQ(panel.state().search.found(), Numbers{3});
+}
+
+TEST(SphereList, AConditionSaysWhatIsWrongAndAsksForWhatIsNotRead) {
+    SidePanelHarness panel(charged());
+    panel.property_names = {"charge", "Mass"};
+    panel.type_into("filter", "x >");
+    EXPECT_TRUE(panel.has("filter fault"));
+    EXPECT_NE(panel.text().find("column 4: the text ends, expected a number or a word"), std::string::npos) << panel.text();
+    EXPECT_TRUE(panel.taken<RequestProperties>().empty());
+    panel.click("clear filter");
+    panel.type_into("filter", "mass > 1");
+    EXPECT_FALSE(panel.taken<RequestProperties>().empty());
+    panel.document.add_properties({{"Mass", std::vector<double>(125, 2.0)}});
+    panel.frames(2);
+    EXPECT_EQ(panel.state().search.found().size(), 125U);
+    panel.take_actions();
+    panel.frames(2);
+    EXPECT_TRUE(panel.taken<RequestProperties>().empty());
 }
 
 TEST(SphereList, AFilterOfManyNamesAnswersBeforeItIsDone) {

@@ -182,19 +182,17 @@ TEST(SphereEditor, ExtremeScenesAreEdited) {
 
 TEST(SphereEditor, ColorIsEditedInWholeNumbers) {
     SidePanelHarness panel(5, {2});
-    type_into(panel, "color", "");  // focuses nothing typed
-    EXPECT_TRUE(panel.taken<EditScene>().empty());
-    panel.modifiers(true);
-    panel.click(panel.place("color", 0.1F));  // red's field
-    panel.modifiers(false);
-    panel.type("201");
-    panel.tap(ImGuiKey_Enter);
+    panel.enter("red", "200-50+51");
     EXPECT_EQ(panel.sphere(2).color, (Color{201, 20, 30}));
     EXPECT_EQ(panel.document.undo_name(), "Recolour sphere 2");
     panel.undo();
     EXPECT_EQ(panel.document.scene(), line_of_spheres(5)) << "typing is one step";
+    for (const char* refused : {"256", "-1", "12.5"}) {
+        panel.enter("green", refused);
+        EXPECT_NE(panel.text().find(": a whole number from 0 to 255 is expected."), std::string::npos) << panel.text();
+    }
     panel.take_actions();
-    panel.drag(panel.place("color", 0.1F), panel.place("color", 0.6F));
+    panel.drag_by("red", 37.0F);
     edits_of_one_gesture(panel);
     panel.document.undo();
     EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
@@ -213,12 +211,12 @@ TEST(SphereEditor, EveryColorIsShownWithoutChange) {
 
 TEST(SphereEditor, PickerIsOneGesture) {
     SidePanelHarness panel(5, {2});
-    panel.click(panel.place("color", 0.985F));  // the swatch opens it
+    panel.click("color");  // the swatch opens it
     panel.frames(3);
     panel.take_actions();
     const ImVec2 start = ImGui::GetIO().MousePos;
-    // The picker is placed below the swatch.
-    panel.drag({start.x + 40.0F, start.y + 60.0F}, {start.x + 90.0F, start.y + 120.0F});
+    // The picker opens where there is room: above the swatch.
+    panel.drag({start.x + 10.0F, start.y - 100.0F}, {start.x + 30.0F, start.y - 140.0F});
     edits_of_one_gesture(panel);
     panel.document.undo();
     EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
@@ -229,10 +227,28 @@ TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
     panel.click("hidden");
     EXPECT_EQ(panel.document.undo_name(), "Hide 3 spheres");
     for (std::uint32_t i = 0; i < 5; ++i) EXPECT_EQ(panel.sphere(i).hidden, i == 1 || i == 2 || i == 4) << i;
-    panel.drag(panel.place("color", 0.1F), panel.place("color", 0.6F));
+    panel.enter("blue", "77");
     EXPECT_EQ(panel.document.undo_name(), "Recolour 3 spheres");
-    EXPECT_EQ(panel.sphere(1).color, panel.sphere(2).color);
-    EXPECT_NE(panel.sphere(1).color, panel.sphere(0).color);
+    for (std::uint32_t i = 0; i < 5; ++i) {
+        const Color before = line_of_spheres(5).spheres[i].color;
+        EXPECT_EQ(panel.sphere(i).color, (Color{before.r, before.g, i == 1 || i == 2 || i == 4 ? std::uint8_t{77} : before.b}))
+            << i;
+    }
+}
+
+TEST(SphereEditor, ADragOfAColorMovesAllByAsMuchAndLeavesTheOthers) {
+    Scene scene = line_of_spheres(3);
+    scene.spheres[0].color = {10, 20, 250};
+    scene.spheres[1].color = {30, 40, 50};
+    SidePanelHarness panel(scene);
+    panel.select({0, 1});
+    panel.drag_by("blue", 23.0F);
+    const int by = panel.sphere(1).color.b - 50;
+    EXPECT_GT(by, 5);
+    EXPECT_EQ(panel.sphere(0).color, (Color{10, 20, 255}));
+    EXPECT_EQ(panel.sphere(1).color.r, 30);
+    EXPECT_EQ(panel.sphere(1).color.g, 40);
+    EXPECT_EQ(panel.sphere(2), scene.spheres[2]);
 }
 
 TEST(SphereEditor, DragsMoveAllByTheSameDifferenceInOneStep) {

@@ -167,6 +167,34 @@ TEST(StatusBar, TellsWhatIsDrawnAndSelected) {
     EXPECT_FALSE(bar.says("1/"));
 }
 
+// Whole columns are left out, those first that people look at least; what is cut ends in dots.
+TEST(StatusBar, KeepsWhatIsUnderThePointerInAShortLine) {
+    Scene scene = scene_of(12'345);
+    scene.names[7] = std::string(200, 'n');
+    StatusHarness bar(scene, 420.0F);
+    bar.status.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
+    bar.status.pixel = Pixel{12, 34};
+    bar.status.sphere = 7;
+    EXPECT_TRUE(bar.says("12, 34")) << bar.text();
+    EXPECT_TRUE(bar.says("nn...")) << bar.text();
+    EXPECT_FALSE(bar.says("llvm")) << bar.text();
+}
+
+TEST(StatusBar, TellsTheValuesThatAreAskedFor) {
+    Scene scene = scene_of(2);
+    scene.properties = {{"charge", std::vector<double>{0.25, std::numeric_limits<double>::quiet_NaN()}},
+                        {"chain", Labels{{"A"}, {0, 0}}},
+                        {"mass", std::vector<double>{1.0, 2.0}}};
+    StatusHarness bar(scene);
+    bar.status.pixel = Pixel{12, 34};
+    bar.status.sphere = 0;
+    bar.status.properties = {"CHARGE", "chain", "none such"};
+    EXPECT_TRUE(bar.says("sphere 0, charge 0.25, chain A")) << bar.text();
+    EXPECT_FALSE(bar.says("mass"));
+    bar.status.sphere = 1;
+    EXPECT_TRUE(bar.says("sphere 1, charge none, chain A")) << bar.text();
+}
+
 TEST(StatusBar, SurvivesWhatCannotBe) {
     Scene scene = scene_of(2);
     scene.names[1] = std::string(10'000, 'n') + "\n##%n%s";

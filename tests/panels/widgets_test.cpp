@@ -47,7 +47,7 @@ TEST(Style, SwatchesStandOutFromThePanel) {
             ImDrawList& list = *ImGui::GetWindowDrawList();
             const int before = list.VtxBuffer.Size;
             if (is_field) {
-                draw_color_edit(context, "##color", color, false);
+                draw_color_edit(context, "##color", color);
             } else {
                 draw_swatch(color, {20.0F, 20.0F}, 15.0F, 1.0F);
             }

@@ -67,7 +67,7 @@ void PanelHarness::frame(double seconds) {
     ImGui::NewFrame();
     if (logging_) ImGui::LogToClipboard(0);
     draw_({document, selection, bounds_, commands, scale, gesture, hovered, actions, &rectangles, frame_of_file, frames_of_file,
-           document.scene().light, camera_axes(view()), view()});
+           document.scene().light, camera_axes(view()), view(), property_names});
     ImGui::Render();
     if (applies) {
         for (const Action& action : actions) {

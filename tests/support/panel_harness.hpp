@@ -41,6 +41,7 @@ public:
     float scale = 1.0F;
     std::int64_t frame_of_file = 0;
     std::int64_t frames_of_file = 1;
+    std::vector<std::string> property_names;
     // Whether EditScene and SelectSpheres are done after each frame, as in the viewer; all actions are collected anyway.
     bool applies = true;
 

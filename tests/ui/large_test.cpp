@@ -1,6 +1,7 @@
 // A hundred thousand spheres, and a million, under the mouse.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <sstream>
 
 #include "support/text_match.hpp"
@@ -74,6 +75,29 @@ TEST(HundredThousandSpheres, AreListedMovedReloadedAndSaved) {
     EXPECT_EQ(window.wait_for_end().status, 0);
     EXPECT_EQ(lines(folder.read("back.txt")).front(), std::to_string(many + 1));
     EXPECT_EQ(lines(folder.read("back.txt")).size(), lines(wall(many + 1)).size());
+}
+
+// Each covers the whole picture and the one behind it: to trace every pixel takes a processor half a minute.
+TEST(OverlappingSpheres, AreCoarseAtFirstAndTheWindowAnswersMeanwhile) {
+    constexpr int many = 5'000;
+    std::string text = std::to_string(many) + "\n";
+    for (int i = 0; i < many; ++i) text += "99 " + std::to_string(i % 256) + " 0  0 0 " + std::to_string(1000 + i) + "e-3 2000\n";
+    const TemporaryFolder folder;
+    ViewerWindow window(folder, {});
+    EXPECT_TRUE(window.drop({folder.write("scene.txt", text)}));
+    const auto coarse = [](const Json& redraw) { return redraw.at("step").get<int>() > 1; };
+    window.wait_meanwhile("the first picture is coarse",
+                          [&](const Json& redraw) { return redraw.at("spheres") == many && coarse(redraw); });
+    window.key("ctrl+a");
+    window.wait_meanwhile("an answer before it is fine",
+                          [&](const Json& redraw) { return redraw.at("selected") == many && coarse(redraw); });
+    window.send(SIGTERM);
+    EXPECT_EQ(window.wait_for_end().status, 128 + SIGTERM);
+    std::istringstream log(folder.read("frames.log"));
+    for (std::string line; std::getline(log, line);) {
+        const Json redraw = Json::parse(line);
+        EXPECT_TRUE(redraw.at("spheres") != many || coarse(redraw)) << line;
+    }
 }
 
 TEST(MillionSpheres, AreCoarseWhileTheyTurnThenExactAndDraggedWithoutBuilding) {

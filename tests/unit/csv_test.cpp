@@ -90,10 +90,13 @@ TEST(CsvColumns, AreKnownByTheNamesThatProgramsGive) {
 TEST(CsvColumns, ThatArePassedOverAreNamed) {
     const SphereData data = table("x [nm],y [nm],z [nm],intensity [photon]\n1,2,3,99\n4,5,6,98\n");
     EXPECT_EQ(data.scene.spheres.size(), 2U);
-    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'intensity [photon]'"});
+    EXPECT_EQ(data.notes,
+              Lines{"a.csv: columns that are passed over: 'intensity [photon]'; --color-by and --size-by can use them"});
     EXPECT_EQ(table("x,y,z\n1,2,3\n").notes, Lines{});
-    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes, Lines{"a.csv: columns that are passed over: 'b', 'r'"});
-    EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes, Lines{"a.csv: columns that are passed over: 'a\\x1b[31m'"});
+    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes,
+              Lines{"a.csv: columns that are passed over: 'b', 'r'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes,
+              Lines{"a.csv: columns that are passed over: 'a\\x1b[31m'; --color-by and --size-by can use them"});
 }
 
 TEST(CsvColumns, MayBeChosen) {
@@ -169,7 +172,7 @@ TEST(CsvElements, GiveColoursAndRadii) {
     // Types that are none of elements.
     const SphereData data = table("Position.X,Position.Y,Position.Z,Radius,Particle Type\n1,2,3,0.5,1\n");
     EXPECT_EQ(data.scene.spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.5, {255, 255, 255}, false}}));
-    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'Particle Type'"});
+    EXPECT_EQ(data.notes, Lines{"a.csv: columns that are passed over: 'Particle Type'; --color-by and --size-by can use them"});
     EXPECT_EQ(table("type,x,y,z\nC,0,0,0\nbond,0,0,1\n").scene.names.size(), 0U);
 }
 
@@ -232,7 +235,7 @@ TEST(CsvWithoutHeader, TakesTheFirstColumns) {
     EXPECT_EQ(data.warnings[0], "a.csv: no header: the first columns are taken for x, y and z");
     const SphereData colored = table("1.5 2 3 255 128 0 0.7\n4 5 6 255 128 0 0.7\n");
     EXPECT_EQ(colored.scene.spheres[1].color, (Color{255, 128, 0}));
-    EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: '7'"});
+    EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: '7'; --color-by and --size-by can use them"});
     // Names that nobody knows are no reason to guess.
     EXPECT_EQ(message_of<InputError>([] { spheres("mass,time,depth\n1,2,3\n"); }),
               "a.csv:1:1: found 'mass', expected a header with x, y, z, and perhaps radius, r, g, b, name; "

@@ -92,6 +92,62 @@ TEST(Edit, ConcernsWhatThereIsToSelectAfterwards) {
     }
 }
 
+// A number, a whole number and a word of each sphere that say its x, so that values that stay behind are seen.
+Scene row_with_values(std::uint32_t count) {
+    Scene scene = row(count);
+    std::vector<double> numbers;
+    std::vector<std::int32_t> wholes;
+    Labels labels;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        numbers.push_back(i);
+        wholes.push_back(static_cast<std::int32_t>(i));
+        labels.words.push_back(std::to_string(i));
+        labels.numbers.push_back(i);
+    }
+    scene.properties = {{"number", numbers}, {"whole", wholes}, {"word", labels}};
+    return scene;
+}
+
+TEST(Edit, KeepsTheValuesOfSpheresInStep) {
+    for (int trial = 0; trial < trials; ++trial) {
+        SCOPED_TRACE("trial " + std::to_string(trial));
+        std::mt19937_64 random(static_cast<std::uint64_t>(trial));
+        const Scene before = row_with_values(static_cast<std::uint32_t>(below(random, 8)));
+        Edit edit = random_edit(random, before);
+        if (std::holds_alternative<ReplaceScene>(edit) || std::holds_alternative<ChangeSpheres>(edit)) continue;
+        // What comes in has no values, or some of another scene.
+        if (auto* const insert = std::get_if<InsertSpheres>(&edit)) {
+            for (std::size_t i = 0; i < insert->spheres.size(); ++i) {
+                insert->spheres[i].sphere.center.x = -1.0;
+                if (trial % 2 == 0) insert->spheres[i].sphere.center.x = 100.0 + static_cast<double>(i);
+            }
+            Labels words;
+            std::vector<float> numbers;
+            for (std::uint32_t i = 0; i < insert->spheres.size() && trial % 2 == 0; ++i) {
+                words.words.push_back(std::to_string(100 + i));
+                words.numbers.push_back(i);
+                numbers.push_back(100.0F + static_cast<float>(i));
+            }
+            if (trial % 2 == 0) insert->properties = {{"word", words}, {"number", numbers}, {"whole", numbers}, {"other", words}};
+        }
+        Scene scene = before;
+        Edit inverse = apply(std::move(edit), scene);
+        const Scene after = scene;
+        for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+            const double x = scene.spheres[i].center.x;
+            const std::string expected = x < 0.0 ? "" : std::to_string(static_cast<int>(x));
+            for (const Property& property : scene.properties) {
+                ASSERT_EQ(size_of(property), scene.spheres.size());
+                EXPECT_EQ(text_at(property, i), expected) << property.name;
+            }
+        }
+        Edit again = apply(std::move(inverse), scene);
+        ASSERT_TRUE(scene == before);
+        apply(std::move(again), scene);
+        ASSERT_TRUE(scene == after);
+    }
+}
+
 // Many named spheres: what copies once too often for each of them would take minutes.
 TEST(Edit, TakesManySpheresInOnePass) {
     constexpr std::uint32_t count = 200'000;

@@ -55,6 +55,24 @@ TEST(Pacing, ACoarsePictureIsRefinedBeforeItRests) {
     EXPECT_TRUE(pacing.rests());
 }
 
+TEST(Pacing, LooksForEventsBetweenThePartsOfAFinePicture) {
+    Pacing pacing;
+    while (pacing.patience() == 0.0) pacing.drew(32);
+    EXPECT_EQ(pacing.patience(), Pacing::refine_after);
+    for (int i = 0; i < 5; ++i) {
+        pacing.refined_a_part();
+        EXPECT_TRUE(pacing.refines());
+        EXPECT_EQ(pacing.patience(), 0.0);
+    }
+    // An event is answered first.
+    pacing.touch();
+    EXPECT_FALSE(pacing.refines());
+    while (pacing.patience() == 0.0) pacing.drew(32);
+    EXPECT_EQ(pacing.patience(), Pacing::refine_after);
+    pacing.drew(1);
+    EXPECT_TRUE(pacing.rests());
+}
+
 namespace {
 
 // A device and a scene: a picture takes `fixed` seconds, `lists` besides, and `pixels` for drawing all pixels.
@@ -128,6 +146,22 @@ TEST(Pacing, OneSlowFrameIsSoonForgotten) {
     EXPECT_GE(steps_of(pacing, load, 20)[1], 16);
     // Many are.
     EXPECT_LE(steps_of(pacing, {.pixels = 20.0 * budget}, 20)[1], 5);
+}
+
+// Pictures of thousands of spheres that overlap everywhere are traced coarser than was asked for.
+TEST(Pacing, StaysAsCoarseAsThePictureHadToBe) {
+    Pacing pacing;
+    pacing.traced(32, budget, 0.9 * budget);
+    EXPECT_EQ(pacing.moving_step(), 32);
+    // A finer one is tried, ever less often.
+    int tries = 0;
+    for (int i = 0; i < 1000; ++i) {
+        tries += pacing.moving_step() < 32 ? 1 : 0;
+        pacing.traced(32, 0.9 * budget, 0.5 * budget);
+    }
+    EXPECT_GT(tries, 0);
+    EXPECT_LT(tries, 10);
+    EXPECT_EQ(steps_of(pacing, {.pixels = 0.5 * budget}, 50)[1], 45);
 }
 
 TEST(Pacing, FollowsAViewThatBecomesFasterToDraw) {

@@ -40,5 +40,17 @@ TEST(Property, EqualsItselfWithoutValues) {
     EXPECT_NE((Property{"a", std::vector<float>{1.0F}}), (Property{"a", std::vector<double>{1.0}}));
 }
 
+TEST(Property, WholeNumbersHaveAMarkForNone) {
+    const Property id{"id", std::vector<std::int32_t>{no_whole_number}};
+    EXPECT_TRUE(std::isnan(number_at(id, 0)));
+    EXPECT_EQ(text_at(id, 0), "");
+    EXPECT_FALSE(has_values(id));
+}
+
+TEST(Property, KeepsOfChosenSpheresOnlyTheirWords) {
+    const Property chain{"chain", Labels{{"A", "B", "C"}, {0, 1, 2, 1}}};
+    EXPECT_EQ(values_of(chain, std::vector<std::uint32_t>{3, 0}), (Property{"chain", Labels{{"B", "A"}, {0, 1}}}));
+}
+
 }  // namespace
 }  // namespace sphereview

@@ -9,6 +9,7 @@
 #include "support/temporary_folder.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
+#include "viewer/scene_properties.hpp"
 
 namespace sphereview {
 
@@ -63,6 +64,43 @@ TEST_F(DataInViewer, SaysWhatTheReaderWarnedOf) {
     look_at_file(state);
     finish_reading();
     EXPECT_TRUE(state.messages.announcement.ends_with("--no-virtual")) << state.messages.announcement;
+}
+
+// Colours by a property are those of every frame, in the range that was chosen, and no reason to ask for a save.
+TEST_F(DataInViewer, OtherFramesAreColouredAlike) {
+    run_command(state, CommandId::next_frame);
+    finish_reading();
+    LookPanelState& look = state.side_panel.look;
+    const ColorBy by{.property = "x", .map = ColorMap::grey, .range = ValueRange{0.0, 8.0}};
+    const auto color_by_x = [&] {
+        Property own;
+        const Property& x = *find_values(state.scene(), "x", own);
+        const Coloring coloring = coloring_of(state.scene(), x, by);
+        std::vector<Sphere> spheres = state.scene().spheres;
+        for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(x, coloring)[i];
+        note_colors(look, {by, coloring});
+        apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour", 0, true});
+    };
+    color_by_x();
+    ASSERT_NE(shown_coloring(state.document, look), nullptr);
+    EXPECT_TRUE(state.document.is_changed());
+    run_command(state, CommandId::next_frame);
+    finish_reading();
+    EXPECT_EQ(question(), nullptr);
+    EXPECT_EQ(state.frame, 2);
+    EXPECT_EQ(state.scene().spheres[0].color, (Color{96, 96, 96})) << "x = 3 of 8";
+    EXPECT_NE(shown_coloring(state.document, look), nullptr);
+    EXPECT_FALSE(state.document.is_changed());
+    // What is edited besides is asked about.
+    add_sphere();
+    run_command(state, CommandId::previous_frame);
+    EXPECT_NE(question(), nullptr);
+    // Another file has its own colours.
+    answer(1);
+    const std::string other = folder.write("b.xyz", three_frames);
+    open_scene(state, other);
+    finish_reading();
+    EXPECT_EQ(state.scene().spheres[0].color, (Color{255, 13, 13}));
 }
 
 // Only in the window: what is rendered from the same file stays as it was. Another frame has the background too.
@@ -238,6 +276,59 @@ TEST_F(DataInViewer, SaysWhatWasMadeOfATable) {
     EXPECT_NE(said.find("passed over: 'mass'"), std::string::npos) << said;
     // It can be read in peace.
     EXPECT_GT(*state.announcement_ends - Clock::now(), std::chrono::seconds(8));
+}
+
+// Of a small file they are there at once; of another they are read when they are asked for.
+TEST_F(DataInViewer, HasPropertiesOfSmallFilesAtOnce) {
+    open_scene(state, folder.write("small.csv", "x,y,z,q\n0,0,9,1\n1,0,9,2\n"));
+    finish_reading();
+    EXPECT_EQ(state.property_names, std::vector<std::string>{"q"});
+    ASSERT_EQ(state.scene().properties.size(), 1U);
+    perform(state, {RequestProperties{}});
+    EXPECT_FALSE(state.loading);
+}
+
+struct LargeFileInViewer : DataInViewer {
+    LargeFileInViewer() {
+        std::string table = "x,y,z,q,kind\n";
+        for (std::size_t i = 0; i <= most_spheres_with_properties; ++i) table += std::to_string(i) + ",0,9,2,a\n";
+        large = folder.write("large.csv", table);
+        open_scene(state, large);
+        finish_reading();
+    }
+
+    std::string large;
+};
+
+TEST_F(LargeFileInViewer, HasPropertiesOnRequest) {
+    EXPECT_EQ(state.property_names, (std::vector<std::string>{"q", "kind"}));
+    EXPECT_TRUE(state.scene().properties.empty());
+    EXPECT_TRUE(has_unread_properties(state));
+    // What has moved meanwhile stays where it is.
+    perform(state, {EditScene{ChangeSpheres{{3}, {{{}, 7.0}}}, "Move", 0}, RequestProperties{}, RequestProperties{}});
+    finish_reading();
+    ASSERT_EQ(state.scene().properties.size(), 2U);
+    EXPECT_EQ(number_at(state.scene().properties[0], 3), 2.0);
+    EXPECT_EQ(state.scene().spheres[3].radius, 7.0);
+    EXPECT_FALSE(has_unread_properties(state));
+    EXPECT_TRUE(state.document.is_changed());
+    undo(state);
+    EXPECT_FALSE(state.document.is_changed());
+    // They stay when the file changes.
+    folder.write("large.csv", "x,y,z,q\n0,0,9,5\n");
+    look_at_file(state);
+    finish_reading();
+    ASSERT_EQ(state.scene().spheres.size(), 1U);
+    ASSERT_EQ(state.scene().properties.size(), 1U);
+    EXPECT_EQ(number_at(state.scene().properties[0], 0), 5.0);
+}
+
+TEST_F(LargeFileInViewer, HasNoPropertiesOfSpheresThatChangedPlaces) {
+    perform(state, {EditScene{ReorderSphere{0, 1}, "Reorder", 0}, RequestProperties{}});
+    finish_reading();
+    EXPECT_TRUE(state.scene().properties.empty());
+    EXPECT_TRUE(state.property_names.empty()) << "what is not to be had is not offered";
+    EXPECT_NE(state.messages.announcement.find("open it again"), std::string::npos) << state.messages.announcement;
 }
 
 // Those of the command line are of its table alone.

@@ -42,6 +42,7 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     settings.light_theme = true;
     settings.axes_shown = false;
     settings.scale_bar_shown = true;
+    settings.legend_shown = false;
     settings.marks_exported = true;
     settings.recent = {"/a/K\xC3\xBCgeln \"x\".toml", "/b"};
     EXPECT_TRUE(save_settings(settings));

@@ -8,6 +8,7 @@
 #include "exact/resolve.hpp"
 #include "oracle/random.hpp"
 #include "tiles/build_lists.hpp"
+#include "tiles/picture_parts.hpp"
 #include "tiles/pixel_range.hpp"
 
 namespace sphereview {
@@ -244,6 +245,61 @@ TEST(CandidateLists, AdaptToTheSceneAndTheGrid) {
     const DrawnSpheres drawn = drawn_spheres(scene);
     const std::size_t all = build_lists(drawn, scene.camera, {{1000, 1000}}, fine).candidates.size();
     EXPECT_LT(build_lists(drawn, scene.camera, {{1000, 1000}, 8}, fine).candidates.size(), all / 4);
+}
+
+// What its texels' lists hold.
+std::size_t candidates_of(const Block& block, const CandidateLists& lists, const PixelGrid& grid) {
+    std::size_t count = 0;
+    for (int y = block.y; y < block.y + block.height; ++y) {
+        for (int x = block.x; x < block.x + block.width; ++x) {
+            for (const TileLevel& level : lists.levels) {
+                count += lists.at(level, grid.traced_column(x), grid.traced_row(y)).size();
+            }
+        }
+    }
+    return count;
+}
+
+// Spheres everywhere, and many more in one corner.
+TEST(PictureParts, HoldEveryTexelOnceAndNoneCostsTooMuch) {
+    Scene scene = cloud(2'000, 3.0, 11);
+    for (int i = 0; i < 3'000; ++i) scene.spheres.push_back(ball({-40.0, 40.0, 100.0 + i * 1e-6}, 5.0));
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    for (const PixelGrid& grid : {PixelGrid{{203, 150}, 1}, {{203, 150}, 4}, {{1, 700}, 1}, {{700, 1}, 2}}) {
+        const CandidateLists lists = build_lists(drawn, scene.camera, grid.picture, fine);
+        const auto [width, height] = grid.size();
+        const PixelRange covered{0, height > 2 ? 1 : 0, width - 1, height - 1};
+        for (const double most : {0.0, 3e4, 1e6, 1e18}) {
+            std::vector<int> taken(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+            int count = 0;
+            PictureParts parts(lists, grid, covered);
+            for (; !parts.ended(); ++count) {
+                const auto [block, cost] = parts.take(lists, most);
+                ASSERT_TRUE(block.width > 0 && block.height > 0);
+                for (int y = block.y; y < block.y + block.height; ++y) {
+                    for (int x = block.x; x < block.x + block.width; ++x) ++taken.at(static_cast<std::size_t>(y * width + x));
+                }
+                const bool smallest = block.width <= PictureParts::smallest_side && block.height <= PictureParts::smallest_side;
+                EXPECT_TRUE(smallest || cost <= most) << cost;
+                // A coarse grid has fewer texels than its tiles have columns: which of them it meets is not counted.
+                if (grid.step == 1) {
+                    EXPECT_LE(0.2 * static_cast<double>(candidates_of(block, lists, grid)), cost);
+                }
+            }
+            for (int y = 0; y < height; ++y) {
+                for (int x = 0; x < width; ++x) {
+                    ASSERT_EQ(taken[static_cast<std::size_t>(y * width + x)], y < covered.top ? 0 : 1) << x << "," << y;
+                }
+            }
+            EXPECT_EQ(parts.cost_left(), 0.0);
+            if (most == 1e18) {
+                EXPECT_EQ(count, 1);
+            } else if (parts.cost() > 2.0 * most) {
+                EXPECT_GT(count, 1);
+            }
+        }
+    }
+    EXPECT_TRUE(PictureParts().ended());
 }
 
 TEST(CandidateLists, SuitPicturesOfAnyShape) {

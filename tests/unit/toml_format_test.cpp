@@ -154,7 +154,8 @@ TEST(TomlFormat, HoldsManySpheresAsTextWithWhatIsSaidOfSingleOnes) {
 TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
     expect_toml_messages({
         {"backgroud = 'white'",
-         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, view, sphere, spheres, "
+         "1:1: found the unknown key 'backgroud' in the scene, expected one of background, camera, light, view, property, sphere, "
+         "spheres, "
          "hidden, names; did you mean 'background'?"},
         {"[camera]\n  Eye = [0, 0, 0]",
          "2:3: found the unknown key 'Eye' in [camera], expected one of eye, center, right, up, projection; did you mean 'eye'?"},
@@ -162,7 +163,8 @@ TEST(TomlErrors, SuggestTheKeyThatWasMeant) {
          "2:1: found the unknown key 'colour' in [[sphere]] 1, expected one of name, color, center, radius, hidden; did you mean "
          "'color'?"},
         {"[lights]\n",
-         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, view, sphere, spheres, "
+         "1:2: found the unknown key 'lights' in the scene, expected one of background, camera, light, view, property, sphere, "
+         "spheres, "
          "hidden, "
          "names; did you mean 'light'?"},
         {"[light]\nsunn = 1",
@@ -188,21 +190,27 @@ TEST(TomlErrors, SayWhatIsWrongWithTheLight) {
 
 // As --sun and its like do: shadows have room in a sky that comes with a sun, unless somebody says how strong it is.
 TEST(TomlFormat, MakesRoomForASunOfWhichNothingMoreIsSaid) {
-    const glm::dvec3 up{0.0, 1.0, 0.0};
-    for (const auto& [more, light] : std::vector<std::pair<std::string, Light>>{
-             {"", {.sky = 0.4, .sun = Sun{up, 0.7}}},
-             {"key = 0.5\nlights = 32", {.lights = 32, .sky = 0.4, .key = 0.5, .sun = Sun{up, 0.7}}},
-             {"sun_strength = 2", {.sky = 0.4, .sun = Sun{up, 2.0}}},
-             {"sky = 1", {.sky = 1.0, .sun = Sun{up, 1.0}}},
-             {"sky = 0.25", {.sky = 0.25, .sun = Sun{up, 1.0}}},
-             {"sky = 1\nsun_strength = 0.7", {.sky = 1.0, .sun = Sun{up, 0.7}}}}) {
-        EXPECT_EQ(read_toml("[light]\nsun = [0, 1, 0]\n" + more, "s.toml", {}).scene.light, light) << more;
+    struct Case {
+        const char* more;
+        double sky;
+        double sun;
+    };
+    for (const auto& [more, sky, sun] : {Case{"", 0.4, 0.7},
+                                         {"key = 0.5\nlights = 32", 0.4, 0.7},
+                                         {"sun_strength = 2", 0.4, 2.0},
+                                         {"sky = 1", 1.0, 1.0},
+                                         {"sky = 0.25", 0.25, 1.0},
+                                         {"sky = 1\nsun_strength = 0.7", 1.0, 0.7}}) {
+        const Light light = read_toml(std::string("[light]\nsun = [0, 1, 0]\n") + more, "s.toml", {}).scene.light;
+        EXPECT_EQ(sky_of(light), sky) << more;
+        EXPECT_EQ(sun_strength_of(light), sun) << more;
     }
+    EXPECT_EQ(sky_of(Light{}), 1.0);
 }
 
 TEST(TomlFormat, KeepsTheLight) {
     for (const Light& light :
-         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.key = 0.5},
+         {Light{}, Light{.lights = 64}, Light{.lights = {}, .sky = 0.25}, Light{.sky = most_sky}, Light{.key = 0.5},
           Light{.lights = {}, .sky = 0.0, .sun = Sun{}}, Light{.sun = Sun{}}, Light{.sun = Sun{{0.0, 1.0, 0.0}, sun_beside_sky}},
           Light{.sky = sky_beside_sun, .sun = Sun{}}, Light{.sky = sky_beside_sun, .sun = Sun{{0.0, 1.0, 0.0}, sun_beside_sky}},
           Light{.lights = 1024, .sky = 1.0, .sun = Sun{{0.1, -1e-300, 1e300}, 3.75}}}) {
@@ -365,7 +373,7 @@ TEST(TomlErrors, RefuseDeepNestingWithoutExhaustingTheStack) {
     EXPECT_EQ(message(key), "s.toml:2:65: found a key of more than 32 parts, expected at most 32");
 }
 
-TEST(SpheresLiteral, IsTakenOutAndLeavesItsLines) {
+TEST(NumberLiterals, IsTakenOutAndLeavesItsLines) {
     struct Case {
         std::string content;
         std::string text;
@@ -380,14 +388,14 @@ TEST(SpheresLiteral, IsTakenOutAndLeavesItsLines) {
     };
     for (const Case& found : cases) {
         SCOPED_TRACE(testing::PrintToString(found.content));
-        const auto literal = find_spheres_literal(found.content);
+        const auto literal = find_number_literals(found.content);
         ASSERT_TRUE(literal.has_value());
-        EXPECT_EQ(literal->text, found.text);
+        EXPECT_EQ(literal->literals.at(0).text, found.text);
         EXPECT_EQ(literal->rest, found.rest);
     }
 }
 
-TEST(SpheresLiteral, IsLeftToTheParserWhereItIsNotPlain) {
+TEST(NumberLiterals, IsLeftToTheParserWhereItIsNotPlain) {
     for (const char* content : {
              "",
              "spheres",
@@ -405,7 +413,7 @@ TEST(SpheresLiteral, IsLeftToTheParserWhereItIsNotPlain) {
              "a = \"\"\"\nspheres = '''0'''\n\"\"\"",
              "a = '''\nspheres = \"\"\"0\"\"\"\n'''",
          }) {
-        EXPECT_FALSE(find_spheres_literal(content).has_value()) << content;
+        EXPECT_FALSE(find_number_literals(content).has_value()) << content;
     }
 }
 
@@ -415,7 +423,7 @@ TEST(TomlErrors, OfAnUnknownKeyComeBeforeALargeTree) {
     EXPECT_TRUE(message(large).starts_with("s.toml:2:2: found the unknown key 'a' in the scene")) << message(large);
 }
 
-TEST(SpheresLiteral, KeepsThePlacesOfMistakesAroundIt) {
+TEST(NumberLiterals, KeepsThePlacesOfMistakesAroundIt) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"spheres = \"\"\"\n1\n1 2 3 4 5 6 0\n\"\"\"\n", "3:13: found '0', expected the radius of sphere 1 of 1 above 0"},
         {"spheres = \"\"\"\n0\n1\"\"\"\n", "3:1: found '1', expected the end of the text after 0 spheres"},

@@ -1,0 +1,114 @@
+#include "app/look.hpp"
+
+#include "base/error.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+
+namespace sphereview {
+
+namespace {
+
+constexpr std::size_t most_listed = 30;
+
+// "found no property 'q', expected one that the file has: charge and chain; or x, y, z or radius".
+std::string missing(const std::string& asked, const std::vector<std::string>& has) {
+    std::vector<std::string> candidates(own_value_names.begin(), own_value_names.end());
+    const std::string of_all = listed(candidates, "or");
+    candidates.insert(candidates.end(), has.begin(), has.end());
+    std::vector<std::string> shown;
+    for (const std::string& one : has) {
+        if (shown.size() < most_listed) shown.push_back(one);
+    }
+    if (has.size() > shown.size()) shown.push_back(in_groups(has.size() - shown.size()) + " more");
+    return "found no property " + in_quotes(asked) + ", expected " +
+           (shown.empty() ? of_all + ": the file has no others"
+                          : "one that the file has, " + listed(shown, "or") + ", or " + of_all) +
+           did_you_mean(asked, candidates);
+}
+
+const Property& values_for(const Scene& scene, const std::string& asked, const std::string& name,
+                           const std::vector<std::string>& has, Property& own) {
+    const Property* found = find_values(scene, asked, own);
+    if (found == nullptr) throw InputError(name + ": " + missing(asked, has));
+    return *found;
+}
+
+std::string counted(std::size_t count) { return in_groups(count) + (count == 1 ? " sphere" : " spheres"); }
+
+}  // namespace
+
+Json to_json(const AppliedLook& look) {
+    Json json = {{"color_by", nullptr}, {"size_by", nullptr}};
+    if (look.sizing) {
+        json.set("size_by", {{"property", look.sized_by}, {"scale", look.sizing->scale}, {"small", look.sizing->small}});
+    }
+    if (!look.coloring) return json;
+    const Coloring& coloring = *look.coloring;
+    Json color_by = {{"property", coloring.property}};
+    if (coloring.is_category()) {
+        Json categories = Json::array();
+        for (const auto& [name, color, count] : coloring.categories) {
+            categories.push_back({{"name", name}, {"color", rgb(color)}, {"count", count}});
+        }
+        color_by.set("categories", categories);
+    } else {
+        color_by.set("colormap", name_of(coloring.map));
+        color_by.set("range", {coloring.range.low, coloring.range.high});
+        color_by.set("log", coloring.log);
+        color_by.set("without_value", coloring.without_value);
+    }
+    json.set("color_by", color_by);
+    return json;
+}
+
+std::vector<std::string> properties_for(const LookOptions& options) {
+    std::vector<std::string> names;
+    if (options.color_by) names.push_back(*options.color_by);
+    if (options.size_by) names.push_back(*options.size_by);
+    if (options.radii) names.insert(names.end(), element_property_names.begin(), element_property_names.end());
+    return names;
+}
+
+AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::string& name, const std::vector<std::string>& has) {
+    AppliedLook applied;
+    const std::string begin = name + ": ";
+    // Both are looked for before anything changes.
+    Property own_colors;
+    Property own_sizes;
+    const Property* colors = options.color_by ? &values_for(scene, *options.color_by, name, has, own_colors) : nullptr;
+    const Property* sizes = options.size_by ? &values_for(scene, *options.size_by, name, has, own_sizes) : nullptr;
+    if (colors != nullptr) {
+        applied.colored_by = {colors->name, options.map, options.range, options.log};
+        try {
+            applied.coloring = coloring_of(scene, *colors, applied.colored_by);
+        } catch (const InputError& error) {
+            throw InputError(begin + error.what());
+        }
+        const std::vector<Color> found = colors_of(*colors, *applied.coloring);
+        for (std::size_t i = 0; i < found.size(); ++i) scene.spheres[i].color = found[i];
+        applied.lines.push_back(begin + in_words(*applied.coloring));
+    }
+    if (sizes != nullptr) {
+        if (is_category(*sizes)) {
+            throw InputError(begin + sizes->name + ": found words, expected numbers, for sizes");
+        }
+        applied.sizing = size_by(scene.spheres, *sizes, options.scale.value_or(usual_scale(scene, *sizes)));
+        applied.sized_by = sizes->name;
+        const Sizing& sizing = *applied.sizing;
+        applied.lines.push_back(begin + "radii by " + sizes->name + ": " + shortest(sizing.scale) + " times the value" +
+                                (sizing.small > 0 ? "; small: " + counted(sizing.small) + " without a value above 0" : ""));
+    }
+    if (options.radii) {
+        const Property* elements = find_elements(scene);
+        if (elements == nullptr) throw InputError(begin + "found no elements, expected a file of atoms for --radii");
+        const std::size_t kept = use_radii(scene.spheres, *elements, *options.radii);
+        if (kept > 0) {
+            applied.lines.push_back(begin + counted(kept) + " without a known radius, " +
+                                    std::string(radii_names[static_cast<std::size_t>(*options.radii)]) + ": as before");
+        }
+    }
+    if (options.radius_scale) scale_radii(scene.spheres, *options.radius_scale);
+    return applied;
+}
+
+}  // namespace sphereview

@@ -1,0 +1,65 @@
+// Colours and sizes by what the scene's file holds of each sphere: chosen in the side panel, and shown by the picture's legend.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "look/coloring.hpp"
+#include "panels/number_field.hpp"
+#include "panels/panel_context.hpp"
+
+namespace sphereview {
+
+// Colours that the spheres were given, and why they are as they are.
+struct UsedColors {
+    ColorBy by;
+    Coloring coloring;
+    std::uint64_t gesture = 0;  // in which they were given; of one gesture the last are kept
+};
+
+// How many spheres have a value in each part of a span of numbers; the parts are equal, of logarithms where the colours are by
+// these.
+struct Histogram {
+    ValueRange span{};
+    std::vector<std::size_t> counts;
+};
+
+// What the part of the side panel remembers from frame to frame.
+struct LookPanelState {
+    ColorBy colors{};     // what is chosen; without a property: nothing yet
+    std::string size_by;  // likewise
+    double scale = 1.0;   // the radius of a value of 1
+
+    // The latest first. The spheres may have others by now, and have these again after an undo.
+    std::vector<UsedColors> used;
+    std::optional<Coloring> shown;  // of the latest that the spheres have now
+    std::uint64_t shown_revision = 0;
+
+    // Of the chosen property, at this revision of the scene.
+    Histogram histogram;
+    std::optional<ValueRange> data_range;
+    std::string counted_property;
+    bool counted_log = false;
+    std::uint64_t counted_revision = 0;
+
+    std::optional<int> handle;  // of the range, in the hand: 0 is `low`; the histogram's span stands still meanwhile
+
+    bool asks_for_seen = false;                      // whoever knows what the picture shows gives it
+    std::optional<std::vector<std::uint32_t>> seen;  // then: the spheres, ascending
+    std::string fault;                               // why the latest choice cannot be
+};
+
+// What the spheres' colours stand for, for the legend: the latest that was chosen, as far as most of them have it. Null where
+// nothing was, or they have others.
+const Coloring* shown_coloring(const Document& document, LookPanelState& state);
+
+// Notes that the spheres have been given these colours.
+void note_colors(LookPanelState& state, UsedColors colors);
+
+// Draws into the current ImGui window. Widgets: "colour by", "colour by NAME", "map", "map NAME", "range", "logarithm", "range of
+// data", "range of seen", "size by", "size by NAME".
+void draw_look_panel(const PanelContext& context, LookPanelState& state, NumberFields& numbers);
+
+}  // namespace sphereview

@@ -1,0 +1,84 @@
+// Conditions that people write to find spheres: `charge > 0.5`, `chain = A and not (element = H or b_factor >= 30)`.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+enum class ComparedBy { equal, unequal, less, at_most, greater, at_least };
+
+// A name, how it is compared, and with what; and in which columns of the text the two stand, from 1.
+struct ValueComparison {
+    std::string name;
+    ComparedBy by = ComparedBy::equal;
+    std::string value;
+    std::size_t name_column = 1;
+    std::size_t value_column = 1;
+};
+
+class Condition {
+public:
+    // NAME = VALUE, with = == != < <= > >=, joined by and, or, not (also && || !) and brackets; what has blanks is in quotes.
+    // Throws InputError "column 8: found ..., expected ...".
+    explicit Condition(std::string_view text);
+
+    // In the order of the text.
+    const std::vector<ValueComparison>& comparisons() const { return comparisons_; }
+
+private:
+    friend class SphereTest;
+    friend class ConditionParser;
+
+    // One after the other they work on a stack of truths: each takes what it joins and puts what becomes of it.
+    enum class Step : std::uint8_t { compare, both, either, negate };
+
+    std::vector<ValueComparison> comparisons_{};
+    std::vector<Step> steps_{};
+};
+
+inline constexpr const char* condition_syntax = "NAME = VALUE, NAME < VALUE and so on, with and, or, not and brackets";
+
+// Whether a text compares something: then it is meant as a condition, and as no name.
+bool is_condition(std::string_view text);
+
+// Whether a condition can ask for that of the scene's spheres: the name of a property, in any letter case, or one of x, y, z,
+// radius, number and name, which every sphere has.
+bool can_compare(const Scene& scene, std::string_view name);
+
+// A condition for the spheres of a scene, which must not change meanwhile. A sphere without a value fulfils no comparison.
+class SphereTest {
+public:
+    // Throws InputError where the scene has no such property, or where words are compared with a number's property.
+    SphereTest(const Condition& condition, const Scene& scene);
+
+    bool operator()(std::uint32_t sphere) const;
+
+private:
+    enum class Source { property, x, y, z, radius, number, name };
+
+    struct Test {
+        Source source = Source::property;
+        ComparedBy by = ComparedBy::equal;
+        const Property* property = nullptr;
+        double number = 0.0;
+        std::string word{};
+        std::vector<bool> words{};  // of a category: which of its words fulfil it
+    };
+
+    bool holds(const Test& test, std::uint32_t sphere) const;
+
+    const Scene* scene_;
+    std::vector<Condition::Step> steps_;
+    std::vector<Test> tests_{};
+};
+
+// Every sphere for which it holds; ascending. Throws as SphereTest.
+std::vector<std::uint32_t> spheres_where(const Condition& condition, const Scene& scene);
+
+}  // namespace sphereview

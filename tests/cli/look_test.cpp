@@ -1,0 +1,153 @@
+// Colours and sizes by what a file holds: --color-by, --size-by, --radii.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "cli/fails.hpp"
+#include "support/json.hpp"
+#include "support/picture.hpp"
+#include "support/render.hpp"
+#include "support/sha256.hpp"
+
+namespace sphereview::test {
+namespace {
+
+constexpr const char* three = "3\n1 2 3\n0 0 100 1\n4 5 6\n10 0 100 2\n7 8 9\n20 0 100 4\n";
+
+class Look : public testing::Test {
+protected:
+    Look() { folder_.write("a.txt", three); }
+
+    Outcome sphereview(const std::vector<std::string>& arguments) const {
+        return run({.arguments = arguments, .folder = folder_.path()});
+    }
+
+    // The scene with the look, as text, and what was said.
+    std::pair<std::string, std::string> converted(const std::vector<std::string>& arguments,
+                                                  const std::string& file = "a.txt") const {
+        std::vector<std::string> all = {"convert", file, "-", "--to", "text"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Outcome outcome = sphereview(all);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        return {outcome.output, outcome.errors};
+    }
+
+    void expect_fault(const std::vector<std::string>& arguments, const std::string& line) const {
+        const Outcome outcome = sphereview(arguments);
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.output, "");
+        EXPECT_EQ(outcome.errors, line + "\n");
+    }
+
+    Picture picture(const std::vector<std::string>& options) const {
+        std::vector<std::string> all = {"a.txt", "-o", "-"};
+        all.insert(all.end(), options.begin(), options.end());
+        const Outcome outcome = render(folder_, all);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        return decode_png(outcome.output);
+    }
+
+    TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_F(Look, ColorsByNumbers) {
+    const auto [grey, said] = converted({"--color-by", "x", "--colormap", "grey"});
+    EXPECT_EQ(grey, "3\n0 0 0\n0 0 100\n1\n128 128 128\n10 0 100\n2\n255 255 255\n20 0 100\n4\n");
+    EXPECT_EQ(said, "a.txt: colours by x: grey from 0 to 20\n");
+    const auto [turned, range] = converted({"--color-by", "Radius", "--range", "4:0", "--colormap", "grey"});
+    EXPECT_EQ(turned, "3\n191 191 191\n0 0 100\n1\n128 128 128\n10 0 100\n2\n0 0 0\n20 0 100\n4\n");
+    EXPECT_EQ(range, "a.txt: colours by radius: grey from 4 to 0\n");
+    EXPECT_EQ(converted({"--color-by", "radius", "--log", "--colormap", "grey"}).first,
+              "3\n0 0 0\n0 0 100\n1\n128 128 128\n10 0 100\n2\n255 255 255\n20 0 100\n4\n");
+}
+
+TEST_F(Look, SizesByNumbers) {
+    EXPECT_EQ(
+        converted({"--size-by", "x", "--scale", "0.5"}),
+        (std::pair<std::string, std::string>("3\n1 2 3\n0 0 100\n0.2\n4 5 6\n10 0 100\n5\n7 8 9\n20 0 100\n10\n",
+                                             "a.txt: radii by x: 0.5 times the value; small: 1 sphere without a value above 0\n")));
+    EXPECT_EQ(converted({"--size-by", "radius"}).second, "a.txt: radii by radius: 1.25 times the value\n");
+    EXPECT_EQ(converted({"--radius-scale", "2"}),
+              (std::pair<std::string, std::string>("3\n1 2 3\n0 0 100\n2\n4 5 6\n10 0 100\n4\n7 8 9\n20 0 100\n8\n", "")));
+}
+
+TEST_F(Look, IsInThePictureAndInItsReport) {
+    const Outcome outcome =
+        sphereview({"render", "a.txt", "-s", "64x64", "--backend", "cpu", "--fit", "--color-by", "x", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    const Json report = Json::parse(outcome.output);
+    EXPECT_EQ(report["color_by"], Json::parse(R"({"property": "x", "colormap": "viridis", "range": [0.0, 20.0], "log": false,
+                                                  "without_value": 0})"));
+    EXPECT_EQ(report["size_by"], nullptr);
+    // The same as the picture of the converted scene.
+    EXPECT_EQ(sphereview({"convert", "a.txt", "b.toml", "--fit", "--color-by", "x"}).status, 0);
+    EXPECT_EQ(sphereview({"render", "b.toml", "-s", "64x64", "--backend", "cpu", "--expect", "a.png"}).status, 0);
+}
+
+TEST_F(Look, SaysWhatIsWrong) {
+    expect_fault({"render", "a.txt", "--color-by", "charge"},
+                 "a.txt: found no property 'charge', expected x, y, z or radius: the file has no others");
+    expect_fault({"convert", "a.txt", "b.txt", "--size-by", "radios"},
+                 "a.txt: found no property 'radios', expected x, y, z or radius: the file has no others; did you mean 'radius'?");
+    expect_fault({"render", "a.txt", "--radii", "vdw"}, "a.txt: found no elements, expected a file of atoms for --radii");
+    const std::string see = " (see 'sphereview render --help')";
+    expect_fault({"render", "a.txt", "--color-by", "x", "--range", "1:1"},
+                 "sphereview: --range: found '1:1', expected A:B, two different numbers" + see);
+    expect_fault({"render", "a.txt", "--color-by", "x", "--log", "--range", "-1:1"},
+                 "sphereview: --range: found '-1:1', expected numbers above 0 with --log" + see);
+    expect_fault({"render", "a.txt", "--color-by", "x", "--colormap", "virids"},
+                 "sphereview: --colormap: found 'virids', expected viridis, plasma, cividis, turbo, coolwarm or grey; did you mean "
+                 "'viridis'?" +
+                     see);
+    expect_fault({"render", "a.txt", "--radii", "atomic"},
+                 "sphereview: --radii: found 'atomic', expected covalent, vdw or ionic" + see);
+    for (const auto& [option, value] : std::vector<std::pair<std::string, std::string>>{{"--range", "0:1"}, {"--scale", "2"}}) {
+        const Outcome outcome = sphereview({"render", "a.txt", option, value});
+        EXPECT_EQ(outcome.status, 2) << outcome;
+    }
+}
+
+namespace {
+
+// Which pixels two pictures of one size differ in.
+std::vector<bool> differing(const Picture& a, const Picture& b) {
+    std::vector<bool> found;
+    for (int y = 0; y < a.height; ++y) {
+        for (int x = 0; x < a.width; ++x) found.push_back(a.at(x, y) != b.at(x, y));
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_F(Look, ALegendIsBesideOtherMarks) {
+    for (const char* size : {"200x200", "200x500", "640x200"}) {
+        for (const char* background : {"black", "white", "transparent"}) {
+            const auto with = [&](const std::vector<std::string>& marks) {
+                std::vector<std::string> all = {"--fit", "-s", size, "--color-by", "radius", "--background", background};
+                all.insert(all.end(), marks.begin(), marks.end());
+                return picture(all);
+            };
+            const Picture plain = with({});
+            const std::vector<bool> legend = differing(with({"--legend"}), plain);
+            const std::vector<bool> others = differing(with({"--axes", "--scale-bar"}), plain);
+            const std::vector<bool> all = differing(with({"--legend", "--axes", "--scale-bar"}), plain);
+            EXPECT_GT(std::ranges::count(legend, true), 500) << size;
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                ASSERT_FALSE(legend[i] && others[i]) << size << " " << background << ": pixel " << i;
+                ASSERT_EQ(all[i], legend[i] || others[i]) << size << " " << background << ": pixel " << i;
+            }
+        }
+    }
+    EXPECT_EQ(picture({"-s", "191x400", "--color-by", "x", "--legend"}), picture({"-s", "191x400", "--color-by", "x"}));
+    EXPECT_EQ(sphereview({"render", "a.txt", "--legend"}).status, 2) << "of which colours?";
+}
+
+TEST_F(Look, ALegendHasTheSameBytesEverywhere) {
+    const Picture shown = picture({"-s", "300x300", "--fit", "--color-by", "radius", "--log", "--legend"});
+    EXPECT_EQ(sha256(shown.bytes), "37272950e7ccada866eac27111aa394714e62af97c1e54d6e03e5e85b653a5d9");
+}
+
+}  // namespace sphereview::test

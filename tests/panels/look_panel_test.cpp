@@ -1,0 +1,141 @@
+// The part of the side panel that colours and sizes spheres by a property: its edits, its range, and what the legend is told.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "look/sizes.hpp"
+#include "panels/harness.hpp"
+
+namespace sphereview {
+
+namespace {
+
+struct OpenLookPanel : OpenPartHarness {
+    OpenLookPanel() : OpenPartHarness("look", &add_properties, 1000.0F) {}
+
+    static void add_properties(Scene& scene) {
+        scene.properties.push_back({"charge", std::vector<double>{-1.0, 0.0, 3.0}});
+        scene.properties.push_back({"chain", Labels{{"B", "A"}, {0, 1, 0}}});
+    }
+
+    void choose(const std::string& field, const std::string& entry) {
+        click(field);
+        frames(3);
+        click(field + " " + entry);
+        frames(3);
+    }
+    std::vector<Color> colors() const {
+        std::vector<Color> found;
+        for (const Sphere& one : document.scene().spheres) found.push_back(one.color);
+        return found;
+    }
+    static std::vector<Color> expected(ColorMap map, const std::vector<double>& parts) {
+        std::vector<Color> found;
+        for (const double part : parts) found.push_back(color_of(map, part));
+        return found;
+    }
+    LookPanelState& look() { return state().look; }
+    std::string legend() {
+        const Coloring* shown = shown_coloring(document, look());
+        return shown == nullptr ? "" : in_words(*shown);
+    }
+};
+
+}  // namespace
+
+TEST(LookPanel, ColorsByNumbersInOneStep) {
+    OpenLookPanel panel;
+    const std::vector<Color> before = panel.colors();
+    EXPECT_EQ(panel.legend(), "");
+    panel.choose("colour by", "charge");
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, 0.25, 1.0}));
+    EXPECT_EQ(panel.document.undo_name(), "Colour by 'charge'");
+    EXPECT_EQ(panel.legend(), "colours by charge: viridis from -1 to 3");
+    panel.choose("map", "turbo");
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::turbo, {0.0, 0.25, 1.0}));
+    EXPECT_EQ(panel.legend(), "colours by charge: turbo from -1 to 3");
+    // The legend follows what is undone.
+    panel.undo();
+    EXPECT_EQ(panel.legend(), "colours by charge: viridis from -1 to 3");
+    panel.undo();
+    EXPECT_EQ(panel.colors(), before);
+    EXPECT_EQ(panel.legend(), "");
+}
+
+TEST(LookPanel, ADragOfTheRangeIsOneStep) {
+    OpenLookPanel panel;
+    panel.choose("colour by", "charge");
+    panel.take_actions();
+    panel.drag(panel.place("histogram", 0.99F), panel.place("histogram", 0.5F));
+    const auto edits = panel.taken<EditScene>();
+    ASSERT_GE(edits.size(), 2U);
+    for (const EditScene& edit : edits) EXPECT_TRUE(edit.gesture != 0 && edit.gesture == edits.front().gesture);
+    ASSERT_TRUE(panel.look().colors.range);
+    const ValueRange range = *panel.look().colors.range;
+    EXPECT_EQ(range.low, -1.0);
+    EXPECT_NEAR(range.high, 1.0, 0.1);
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, part_of(0.0, range, false), 1.0}));
+    panel.undo();
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, 0.25, 1.0}));
+    EXPECT_EQ(panel.legend(), "colours by charge: viridis from -1 to 3");
+    panel.undo();
+    EXPECT_FALSE(panel.document.can_undo());
+}
+
+TEST(LookPanel, TheRangeIsTypedOrOfTheDataOrOfWhatIsSeen) {
+    OpenLookPanel panel;
+    panel.choose("colour by", "charge");
+    panel.enter("to", "9");
+    EXPECT_EQ(panel.look().colors.range, (ValueRange{-1.0, 9.0}));
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, 0.1, 0.4}));
+    panel.click("range of data");
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, 0.25, 1.0}));
+    panel.click("range of seen");
+    ASSERT_TRUE(panel.look().asks_for_seen);
+    panel.look().seen = {0, 1};
+    panel.frames(2);
+    EXPECT_EQ(panel.look().colors.range, (ValueRange{-1.0, 0.0}));
+    EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, 1.0, 1.0}));
+    panel.click("logarithm");
+    EXPECT_EQ(panel.legend(), "colours by charge: viridis from 3 to 3, by the logarithm");
+}
+
+TEST(LookPanel, ColorsByWords) {
+    OpenLookPanel panel;
+    panel.choose("colour by", "chain");
+    EXPECT_EQ(panel.colors(), (std::vector<Color>{category_color(1), category_color(0), category_color(1)}));
+    EXPECT_FALSE(panel.has("map"));
+    ASSERT_NE(shown_coloring(panel.document, panel.look()), nullptr);
+    EXPECT_EQ(panel.look().shown->categories[1], (Category{"B", category_color(1), 2}));
+    // Hidden spheres are not counted.
+    Sphere hidden = panel.sphere(2);
+    hidden.hidden = true;
+    panel.document.apply(ChangeSpheres{{2}, {hidden}}, "Hide");
+    shown_coloring(panel.document, panel.look());
+    EXPECT_EQ(panel.look().shown->categories[1].count, 1U);
+    // Other colours of most of them are another scene's.
+    std::vector<Sphere> others = panel.document.scene().spheres;
+    for (Sphere& one : others) one.color = {1, 2, 3};
+    panel.document.apply(ChangeSpheres{{0, 1, 2}, others}, "Paint");
+    EXPECT_EQ(panel.legend(), "");
+}
+
+TEST(LookPanel, SizesByNumbers) {
+    OpenLookPanel panel;
+    const std::vector<Sphere> before = panel.document.scene().spheres;
+    panel.click("size by");
+    panel.frames(3);
+    EXPECT_FALSE(panel.has("size by chain"));
+    panel.click("size by charge");
+    panel.frames(3);
+    EXPECT_EQ(panel.document.undo_name(), "Size by 'charge'");
+    EXPECT_EQ(panel.sphere(2).radius, 3.0 * panel.look().scale);
+    EXPECT_EQ(panel.sphere(0).radius, 0.02 * panel.sphere(2).radius);
+    panel.enter("scale", "2");
+    EXPECT_EQ(panel.sphere(2).radius, 6.0);
+    panel.undo();
+    panel.undo();
+    EXPECT_EQ(panel.document.scene().spheres, before);
+}
+
+}  // namespace sphereview
