@@ -13,8 +13,9 @@
 
 namespace sphereview {
 
-// How many lights, the strengths of sky and key light, the direction to the sun and its strength.
-using LightNumbers = std::tuple<std::optional<int>, std::optional<double>, double, std::optional<std::array<double, 3>>, std::optional<double>>;
+// How many lights, the strengths of sky and key light, the direction to the sun and its strength; none where nothing is said.
+using LightNumbers =
+    std::tuple<std::optional<int>, std::optional<double>, double, std::optional<std::array<double, 3>>, std::optional<double>>;
 
 // The same in the order of LightNumbers, each instead of what is there; the sun as sun_syntax says.
 using LightArguments = std::tuple<std::optional<std::int64_t>, std::optional<double>, std::optional<double>,

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 _Camera = tuple[float, ...]
 
 # Of a light: lights, sky, key, sun and sun_strength.
-_Light = tuple[int | None, float, float, tuple[float, float, float] | None, float | None]
+_Light = tuple[int | None, float | None, float, tuple[float, float, float] | None, float | None]
 
 # The same, each instead of another light's; the sun as the command line spells it.
 _LightArguments = tuple[int | None, float | None, float | None, str | None, float | None]
