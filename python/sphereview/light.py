@@ -20,7 +20,7 @@ class Light:
     sky: strength of the sky and of the key light in it, 0 to 1; None: 1, and 0.4 beside a sun.
     key: how much brighter the sky is around the key light, 0 to 1.
     sun: the direction from the scene to a sun: (x, y, z), of any length but 0. None: there is none.
-    sun_strength: 0.001 to 4. None: 1, and 0.7 where nothing is said of the sky.
+    sun_strength: 0.001 to 4. None: 0.7, and 1 where the sky's is said.
     lights: directions of the sky's light, 16 to 1024; None: 256, and 64 with several samples a pixel or more than 300,000 spheres.
 
     The defaults are those of a native scene.

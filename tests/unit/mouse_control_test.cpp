@@ -200,7 +200,11 @@ TEST_F(Hand, TurnsAboutWhatIsUnderThePointerOrTheMiddleOfWhatIsSeen) {
         camera = with_projection(Camera{}, projection, 3.0);
         press_at({10, 10});
         drag_to({210, 10});
-        expect_shown({0, 0, 240}, {500, 500});
+        // In the middle of the side of the sphere that is seen.
+        const auto middle = control.turns_about();
+        ASSERT_TRUE(middle);
+        EXPECT_TRUE(middle->z >= 240.0 && middle->z < 300.0) << middle->z;
+        expect_shown(*middle, {500, 500});
         release();
     }
 }
