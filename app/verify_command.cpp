@@ -75,6 +75,7 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOpt
         RenderJob job;
         job.scene = entry.scene;
         job.label = entry.picture.value_or(entry.scene + ", " + std::to_string(entry.frame));
+        job.scene_label = entry.scene;
         job.name = name_in_patterns(entry.scene);
         job.sequence = sequence;
         job.shot = entry.place;
