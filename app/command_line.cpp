@@ -279,7 +279,7 @@ RenderOptions parse_render(const std::string& scene, const std::vector<std::stri
 }
 
 void declare(CLI::App& command, VerifyOptions& options) {
-    add_file(command, options.manifest, "MANIFEST", "", "What render --manifest has written")->required();
+    add_files(command, options.manifests, "MANIFEST", "What render --manifest has written; of several parts all at once");
     const char* size = "a part such as 1%, or a number of pictures";
     add_option(command, options.sample, {"--sample", "N", std::string("How many are rendered again: ") + size + " [100%]", size},
                [](const std::string& text) -> std::optional<SampleSize> {

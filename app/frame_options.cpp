@@ -56,6 +56,7 @@ void check_film_options(const CLI::App& command, const RenderOptions& options) {
         if (find_option(command, "--fps")->count() > 0) wrong("--fps", "no film", "--movie, or -o - with several frames");
         return;
     }
+    if (options.film.movie && is_streamed) wrong("--movie", "--output -", "one of the two films");
     const std::string option = options.film.movie ? "--movie" : "--output";
     if (!frames.several()) wrong(option, "one picture", "--frames or --turntable with it");
     if (options.scenes.size() != 1) wrong(option, std::to_string(options.scenes.size()) + " scenes", "one for a film");

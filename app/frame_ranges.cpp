@@ -73,7 +73,7 @@ std::vector<std::int64_t> frames_in(const std::vector<FrameRange>& ranges, const
     for (const FrameRange& range : ranges) {
         const std::int64_t first = range.first.value_or(0);
         if (range.is_single) {
-            const std::int64_t known = count(first < 0 || first == everything ? everything : first + 1);
+            const std::int64_t known = count(first < 0 || first >= everything ? everything : first + 1);
             if (first < -known || first >= known) require_frame(name, first, known);
             frames.push_back(first < 0 ? known + first : first);
             continue;

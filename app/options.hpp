@@ -98,7 +98,7 @@ struct SampleSize {
 };
 
 struct VerifyOptions {
-    std::string manifest;
+    std::vector<std::string> manifests;  // paths: those of parts together have all pictures
     SampleSize sample;
     std::optional<Backend> backend;  // instead of the one that the pictures are from
     // The options of `render` for a scene, of the words that a manifest has. Throws InputError.

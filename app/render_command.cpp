@@ -1,4 +1,4 @@
-// sphereview render: scenes in, PNG files out.
+// The jobs of sphereview render: scenes in, PNG files out.
 #include "app/render_command.hpp"
 
 #include <algorithm>
@@ -27,7 +27,6 @@
 #include "base/timings.hpp"
 #include "image/compare.hpp"
 #include "image/png.hpp"
-#include "image/whole_png.hpp"
 #include "tiles/build_lists.hpp"
 
 namespace sphereview {
@@ -55,7 +54,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
     Json timings;
     for (std::size_t i = 0; i < phase_names.size(); ++i) timings.set(phase_names[i], report.timings[static_cast<Phase>(i)]);
     Json json = {
-        {"scene", report.job.label},
+        {"scene", report.job.scene_label},
         {"status", static_cast<int>(report.status)},
         {"error", report.error.empty() ? Json(nullptr) : Json(report.error)},
         {"warnings", report.warnings},
@@ -80,6 +79,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
         {"timings_ms", timings},
     };
     if (options.look.any()) json.update(to_json(report.look));
+    if (report.job.sequence) json.set("frame", report.job.sequence->shots()[report.job.shot].number);
     if (report.comparison) {
         const Comparison& comparison = *report.comparison;
         const bool has_first = comparison.different_pixels > 0;
@@ -308,31 +308,6 @@ private:
     Progress& progress_;
 };
 
-// For each scene, where several pictures are asked for.
-std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& options, Progress& progress) {
-    std::vector<std::shared_ptr<FrameSequence>> sequences;
-    if (!options.frames.several()) return sequences;
-    for (const std::string& scene : options.scenes) {
-        sequences.push_back(std::make_shared<FrameSequence>(scene, options, progress));
-    }
-    return sequences;
-}
-
-// Leaves out what others render, and what is there. Of pictures whose manifest is wanted only those are there that it knows.
-void leave_out(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
-    if (const auto& part = options.frames.part) {
-        std::size_t place = 0;
-        std::erase_if(jobs, [&](const RenderJob&) { return !part->has(place++); });
-    }
-    if (!options.frames.skip_existing) return;
-    const std::size_t all = jobs.size();
-    std::erase_if(jobs, [&](const RenderJob& job) {
-        return job.output && is_whole_png(*job.output, options.size.width, options.size.height) &&
-               (manifest == nullptr || manifest->has(*job.output));
-    });
-    if (options.verbose) say(in_groups(all - jobs.size()) + " of " + in_groups(all) + " pictures are there already");
-}
-
 }  // namespace
 
 ExitCode run_jobs(const RenderOptions& options, std::span<const RenderJob> jobs, const RenderSinks& sinks, Progress& progress) {
@@ -352,26 +327,6 @@ ExitCode run_jobs(const RenderOptions& options, std::span<const RenderJob> jobs,
         say("sphereview: " + summary);
     }
     return batch.report_failed() ? std::max(worst, ExitCode::no_output) : worst;
-}
-
-ExitCode run_render(const RenderOptions& options) {
-    // Light needs megabytes of its own, when what was needed before it is given back.
-    if (options.shading == Shading::studio) return_large_blocks();
-    Progress progress;
-    const auto sequences = open_sequences(options, progress);
-    std::vector<RenderJob> jobs = plan_render(options, sequences);
-    std::optional<Manifest> manifest;
-    if (options.frames.manifest) manifest.emplace(options);
-    leave_out(jobs, options, manifest ? &*manifest : nullptr);
-    if (jobs.empty()) return ExitCode::done;
-    std::optional<Film> film;
-    const bool is_streamed = options.frames.several() && options.output == standard_stream;
-    if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
-    for (const auto& sequence : sequences) sequence->prepare(progress);
-    const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
-    const ExitCode status = run_jobs(options, jobs, sinks, progress);
-    if (film && status == ExitCode::done) film->finish();
-    return status;
 }
 
 }  // namespace sphereview

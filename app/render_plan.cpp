@@ -150,6 +150,7 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
         RenderJob job;
         job.scene = scene;
         job.label = scene == standard_stream ? "stdin" : scene;
+        job.scene_label = job.label;
         job.name = name_in_patterns(scene);
         if (sequences.empty()) {
             name_files(job, options.data.frame, options, output, diff);
@@ -157,10 +158,9 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
             continue;
         }
         job.sequence = sequences[i];
-        const std::string label = job.label;
         for (job.shot = 0; job.shot < job.sequence->shots().size(); ++job.shot) {
             const std::int64_t number = job.sequence->shots()[job.shot].number;
-            job.label = label + ", " + std::to_string(number);
+            job.label = job.scene_label + ", " + std::to_string(number);
             name_files(job, number, options, output, diff);
             jobs.push_back(job);
         }
@@ -169,7 +169,7 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
     FileUses uses;
     if (options.fit.camera) uses.read(*options.fit.camera, "the scene of the camera");
     for (const RenderJob& job : jobs) {
-        if (job.shot == 0) uses.read(job.scene, "the scene " + job.label);
+        if (job.shot == 0) uses.read(job.scene, "the scene " + job.scene_label);
         if (job.expect) uses.read(*job.expect, "the expected picture of " + job.label);
     }
     if (options.json) uses.write_stdout("the JSON report");

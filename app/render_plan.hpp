@@ -19,8 +19,9 @@ class FrameSequence;
 // The files of one picture. Paths may be "-".
 struct RenderJob {
     std::string scene;
-    std::string label;  // how messages call the scene: as given, or "stdin"
-    std::string name;   // the scene's file name without folder and last extension; "stdin" for "-"
+    std::string label;        // how messages call the picture: the scene as given, or "stdin"; of several ", 12" behind it
+    std::string scene_label;  // the scene alone
+    std::string name;         // the scene's file name without folder and last extension; "stdin" for "-"
     std::optional<std::string> output;
     std::optional<std::string> expect;
     std::optional<std::string> diff;

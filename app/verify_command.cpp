@@ -68,13 +68,14 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOpt
     std::vector<RenderJob> jobs;
     for (const ManifestEntry& entry : entries) {
         if (sequence && entry.place >= sequence->shots().size()) {
-            throw InputError(verify.manifest + ": found picture " + std::to_string(entry.place) + " of " + entry.scene +
-                             ", expected at most " + std::to_string(sequence->shots().size() - 1));
+            throw InputError(entry.scene + ": found picture " + std::to_string(entry.place) + " in a manifest, expected at most " +
+                             std::to_string(sequence->shots().size() - 1));
         }
         if (!is_file_unchanged(entry)) worst = ExitCode::differs;
         RenderJob job;
         job.scene = entry.scene;
         job.label = entry.picture.value_or(entry.scene + ", " + std::to_string(entry.frame));
+        job.scene_label = entry.scene;
         job.name = name_in_patterns(entry.scene);
         job.sequence = sequence;
         job.shot = entry.place;
@@ -87,15 +88,19 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOpt
 }  // namespace
 
 ExitCode run_verify(const VerifyOptions& options) {
-    std::vector<ManifestEntry> entries = read_manifest(options.manifest);
-    if (entries.empty()) throw InputError(options.manifest + ": found no whole line, expected one for each picture");
+    std::vector<ManifestEntry> entries;
+    for (const std::string& path : options.manifests) {
+        const std::vector<ManifestEntry> some = read_manifest(path);
+        if (some.empty()) throw InputError(path + ": found no whole line, expected one for each picture");
+        if (some.front().version != version) {
+            say(path + ": the pictures are by sphereview " + some.front().version + ", this is " + std::string(version));
+        }
+        entries.insert(entries.end(), some.begin(), some.end());
+    }
     const std::size_t all = entries.size();
     entries = sample_of(std::move(entries), options.sample);
     std::map<std::pair<std::string, std::vector<std::string>>, std::vector<ManifestEntry>> groups;
     for (const ManifestEntry& entry : entries) groups[{entry.scene, entry.options}].push_back(entry);
-    if (entries.front().version != version) {
-        say(options.manifest + ": the pictures are by sphereview " + entries.front().version + ", this is " + std::string(version));
-    }
     Progress progress;
     ExitCode worst = ExitCode::done;
     for (const auto& [made_of, alike] : groups) worst = std::max(worst, verify_alike(alike, options, progress));

@@ -91,7 +91,7 @@ bool FrameReader::find_next() {
     return true;
 }
 
-void FrameReader::read_whole_file() {
+void FrameReader::count_in_whole_file() {
     stream_.fill();
     if (frames_) return;
     DataOptions first = options_;
@@ -99,9 +99,25 @@ void FrameReader::read_whole_file() {
     frames_ = format_.has_frames ? format_.read(stream_.bytes(), name(), first).frames : 1;
 }
 
+// A frame behind the last one is looked for from there.
+SphereData FrameReader::read_of_whole_file(DataOptions options) {
+    const std::int64_t frame = options.frame;
+    if (!format_.has_frames) require_frame(name(), frame, 1);
+    stream_.fill();
+    options.part.stops = true;
+    if (behind_last_ > 0 && frame > last_frame_) {
+        options.part.frames = last_frame_ + 1;
+        options.part.begin = behind_last_;
+    }
+    SphereData data = format_.read(stream_.bytes(), name(), options);
+    last_frame_ = frame;
+    behind_last_ = data.next_frame;
+    return data;
+}
+
 std::int64_t FrameReader::count(std::int64_t enough) {
     if (format_.step_over == nullptr) {
-        read_whole_file();
+        count_in_whole_file();
         return std::min(*frames_, enough);
     }
     while (static_cast<std::int64_t>(places_.size()) < enough && find_next()) {
@@ -114,9 +130,7 @@ SphereData FrameReader::read(std::int64_t frame) {
     DataOptions options = options_;
     options.frame = frame;
     if (format_.step_over == nullptr) {
-        if (!format_.has_frames) require_frame(name(), frame, 1);
-        stream_.fill();
-        return format_.read(stream_.bytes(), name(), options);
+        return read_of_whole_file(options);
     }
     while (static_cast<std::int64_t>(places_.size()) <= frame && find_next()) {
     }

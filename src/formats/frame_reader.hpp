@@ -54,7 +54,8 @@ private:
     void go_to(std::uint64_t offset);
     std::string_view text_from(std::uint64_t offset) const;
     bool holds_all() const { return format_.step_over == nullptr || !stream_.is_regular(); }
-    void read_whole_file();
+    void count_in_whole_file();
+    SphereData read_of_whole_file(DataOptions options);
 
     std::string path_;
     DataOptions options_;
@@ -69,7 +70,10 @@ private:
     bool is_whole_ = false;  // the one frame is the whole text, and no part of it
     bool found_all_ = false;
     std::string fault_{};
-    std::optional<std::int64_t> frames_{};  // of a format that is only read whole
+    // Of a format that is only read whole: how many there are, and the last that was read, with the place behind it.
+    std::optional<std::int64_t> frames_{};
+    std::int64_t last_frame_ = 0;
+    std::size_t behind_last_ = 0;
 };
 
 }  // namespace sphereview

@@ -148,7 +148,7 @@ private:
 
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, content};
-    const PdbFrame frame = find_pdb_frame(content, options.frame);
+    const PdbFrame frame = find_pdb_frame(content, options.frame, options.part);
     if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
     require_frame(name, options.frame, frame.frames);
     require_memory(frame.count * sizeof(Sphere), name + ": " + in_groups(frame.count) + " spheres need");
@@ -162,6 +162,7 @@ SphereData read_pdb(std::string_view content, const std::string& name, const Dat
     }
     SphereData data = scene.take();
     data.frames = frame.frames;
+    data.next_frame = frame.next;
     return data;
 }
 

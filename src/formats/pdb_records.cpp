@@ -11,10 +11,12 @@ bool is_record(std::string_view line, std::string_view record) { return trimmed(
 
 }  // namespace
 
-PdbFrame find_pdb_frame(std::string_view text, std::int64_t wanted) {
+PdbFrame find_pdb_frame(std::string_view text, std::int64_t wanted, const PartOfFile& part) {
     PdbFrame found;
+    found.frames = part.frames;
+    found.has_atoms = part.frames > 0;
     bool open = false;  // more atoms are of the same frame
-    for (LineWalker lines(text, line_end_of(text)); !lines.at_end();) {
+    for (LineWalker lines(text, line_end_of(text), part.begin); !lines.at_end();) {
         const std::size_t begin = lines.offset();
         const std::string_view line = text.substr(begin, lines.step() - begin);
         if (is_pdb_atom(line)) {
@@ -28,6 +30,10 @@ PdbFrame find_pdb_frame(std::string_view text, std::int64_t wanted) {
             open = true;
         } else if (is_record(line, "ENDMDL") || is_record(line, "END")) {
             open = false;
+        }
+        if (found.frames - 1 > wanted && found.next == 0) {
+            found.next = begin;
+            if (part.stops) break;
         }
     }
     return found;

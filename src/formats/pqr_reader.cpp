@@ -119,7 +119,7 @@ bool shows_pqr(std::string_view head) {
 
 SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content)};
-    const PdbFrame frame = find_pdb_frame(source.text, options.frame);
+    const PdbFrame frame = find_pdb_frame(source.text, options.frame, options.part);
     if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
     require_frame(name, options.frame, frame.frames);
     require_memory(frame.count * sizeof(Sphere), name + ": " + in_groups(frame.count) + " spheres need");
@@ -133,6 +133,7 @@ SphereData read_pqr(std::string_view content, const std::string& name, const Dat
     }
     SphereData data = scene.take();
     data.frames = frame.frames;
+    data.next_frame = frame.next;
     return data;
 }
 

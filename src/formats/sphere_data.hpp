@@ -29,6 +29,9 @@ struct PartOfFile {
     bool is_a_frame = false;  // and no more than one
     // XYZ: how many numbers stand behind the first frame's number of atoms.
     std::size_t numbers_behind_first = 0;
+    // Of a text that is whole, as PDB is read: where frame `frames` is looked for, and whether those behind the wanted one are not.
+    std::size_t begin = 0;
+    bool stops = false;
 };
 
 struct DataOptions {
@@ -46,6 +49,7 @@ struct DataOptions {
 struct SphereData {
     Scene scene{};                             // of data: spheres and names, with the default camera and background
     std::int64_t frames = 1;                   // in the file
+    std::size_t next_frame = 0;                // where PartOfFile::begin may be for the one behind it; 0: that is not known
     std::optional<double> radius_of_points{};  // that all got, because the file says none (point_radius.hpp)
 
     // What a person should know of a file that was read all the same, a line each, which begins with the file's name:

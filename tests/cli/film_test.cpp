@@ -126,6 +126,7 @@ TEST_F(FilmCommand, IsNamedByWhatItBecomes) {
     write_encoder("cat >\"$film\"");
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"--movie", "out.avi"},
+                                               {"--movie", "out.mp4", "-o", "-"},
                                                {"--movie", "out.gif", "--quality", "50"},
                                                {"--movie", "out.mp4", "--part", "1/2"},
                                                {"--fps", "30"},

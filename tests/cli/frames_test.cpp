@@ -84,7 +84,8 @@ TEST_F(Frames, AreNamedByNumber) {
     expect_done({"a.xyz", "--frames", "-2", "-s", "9x9"});
     EXPECT_TRUE(folder_.has("a-00003.png"));
     const Outcome json = render({"a.xyz", "--frames", ":2", "-s", "9x9", "--json"});
-    EXPECT_TRUE(contains(json.output, "\"scene\":\"a.xyz, 1\"")) << json;
+    EXPECT_TRUE(contains(json.output, "{\"scene\":\"a.xyz\",")) << json;
+    EXPECT_TRUE(contains(json.output, "\"frame\":1")) << json;
 
     const auto expect_fault = [&](const std::vector<std::string>& arguments, const std::string& fault) {
         const Outcome outcome = render(arguments);

@@ -41,6 +41,8 @@ TEST(FrameRanges, OnlyWhatIsThere) {
     EXPECT_EQ(message_of<InputError>([] { frames("10"); }), "a.xyz: found 10 frames, 0 to 9, expected frame 10");
     EXPECT_EQ(message_of<InputError>([] { frames("-11"); }), "a.xyz: found 10 frames, 0 to 9, expected frame -11");
     EXPECT_EQ(message_of<InputError>([] { frames("5:5"); }), "a.xyz: found no frame where --frames looks, expected one at least");
+    EXPECT_EQ(message_of<InputError>([] { frames("9223372036854775807"); }),
+              "a.xyz: found 10 frames, 0 to 9, expected frame 9223372036854775807");
     for (const char* wrong : {"", "a", "1:2:0", "1:2:-1", "1:2:3:4", "1,", "1.5", "all:", "+1", " 1", "99999999999999999999"}) {
         EXPECT_FALSE(parse_frames(wrong)) << wrong;
     }

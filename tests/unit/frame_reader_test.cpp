@@ -129,7 +129,10 @@ TEST_F(FrameReading, OtherFilesAreReadWhole) {
                       "MODEL        2\nATOM      1  N   ALA A   1       2.000   0.000   0.000  1.00  0.00           N\nENDMDL\n");
     FrameReader pdb(models, {});
     EXPECT_EQ(pdb.count(), 2);
-    EXPECT_EQ(pdb.read(1).scene.spheres.at(0).center.x, 2.0);
+    for (const std::int64_t frame : {1, 0, 0, 1}) {
+        EXPECT_EQ(pdb.read(frame).scene.spheres.at(0).center.x, static_cast<double>(frame) + 1.0);
+    }
+    EXPECT_EQ(message_of<InputError>([&] { pdb.read(2); }), models + ": found 2 frames, 0 to 1, expected frame 2");
 
     FrameReader text(folder_.write("a.txt", "1\n255 0 0\n0 0 200\n20\n"), {});
     EXPECT_EQ(text.count(), 1);

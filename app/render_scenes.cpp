@@ -1,0 +1,71 @@
+// sphereview render: which pictures, and where they go.
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/film.hpp"
+#include "app/frame_sequence.hpp"
+#include "app/manifest.hpp"
+#include "app/options.hpp"
+#include "app/render_command.hpp"
+#include "app/render_plan.hpp"
+#include "base/input_file.hpp"
+#include "base/memory.hpp"
+#include "base/progress.hpp"
+#include "base/standard_streams.hpp"
+#include "base/text.hpp"
+#include "image/whole_png.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// For each scene, where several pictures are asked for.
+std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& options, Progress& progress) {
+    std::vector<std::shared_ptr<FrameSequence>> sequences;
+    if (!options.frames.several()) return sequences;
+    for (const std::string& scene : options.scenes) {
+        sequences.push_back(std::make_shared<FrameSequence>(scene, options, progress));
+    }
+    return sequences;
+}
+
+// Leaves out what others render, and what is there. Of pictures whose manifest is wanted only those are there that it knows.
+void leave_out(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
+    if (const auto& part = options.frames.part) {
+        std::size_t place = 0;
+        std::erase_if(jobs, [&](const RenderJob&) { return !part->has(place++); });
+    }
+    if (!options.frames.skip_existing) return;
+    const std::size_t all = jobs.size();
+    std::erase_if(jobs, [&](const RenderJob& job) {
+        return job.output && is_whole_png(*job.output, options.size.width, options.size.height) &&
+               (manifest == nullptr || manifest->has(*job.output));
+    });
+    if (options.verbose) say(in_groups(all - jobs.size()) + " of " + in_groups(all) + " pictures are there already");
+}
+
+}  // namespace
+
+ExitCode run_render(const RenderOptions& options) {
+    // Light needs megabytes of its own, when what was needed before it is given back.
+    if (options.shading == Shading::studio) return_large_blocks();
+    Progress progress;
+    const auto sequences = open_sequences(options, progress);
+    std::vector<RenderJob> jobs = plan_render(options, sequences);
+    std::optional<Manifest> manifest;
+    if (options.frames.manifest) manifest.emplace(options);
+    leave_out(jobs, options, manifest ? &*manifest : nullptr);
+    if (jobs.empty()) return ExitCode::done;
+    std::optional<Film> film;
+    const bool is_streamed = options.frames.several() && options.output == standard_stream;
+    if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
+    for (const auto& sequence : sequences) sequence->prepare(progress);
+    const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
+    const ExitCode status = run_jobs(options, jobs, sinks, progress);
+    if (film && status == ExitCode::done) film->finish();
+    return status;
+}
+
+}  // namespace sphereview
