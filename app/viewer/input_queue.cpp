@@ -12,12 +12,12 @@ bool is_modifier(const std::string& key) { return key == "shift" || key == "cont
 // A letter, digit or sign that is typed: ImGui gets the character and does not ask whether the key is down.
 bool is_plain(const KeyChanged& key) { return key.name.size() == 1 && !key.modifiers.control && !key.modifiers.alt; }
 
-// What a frame has taken so far.
+// What a redraw has taken so far.
 struct Taken {
     bool moved = false;
     bool button = false;
     bool wheel = false;
-    bool key_that_edits = false;  // "backspace" and the like: a text field takes the frame's characters before its keys
+    bool key_that_edits = false;  // "backspace" and the like: a text field takes the redraw's characters before its keys
     bool characters = false;
     std::vector<std::string> keys;
     Modifiers modifiers;
@@ -48,7 +48,7 @@ private:
         const bool other_modifiers = !keys.empty() && event.modifiers != modifiers;
         // What the mouse did before a modifier changed was done without that change.
         const bool for_mouse = (moved || button || wheel) && is_modifier(event.name);
-        // A key is no shortcut during a drag, and what a button does is done at the end of its frame.
+        // A key is no shortcut during a drag, and what a button does is done at the end of its redraw.
         const bool after_button = event.pressed && button;
         // What another key opens, such as a text box, must be there before a letter comes.
         if (is_plain(event)) return other_modifiers || after_button || (event.pressed && key_that_edits);
@@ -65,12 +65,12 @@ private:
     bool hidden_by(const auto&) const { return false; }
 };
 
-// A held key's repeat in the frame that has the key already. The person holds a key until enough has happened; what slow frames
+// A held key's repeat in the redraw that has the key already. The person holds a key until enough has happened; what slow redraws
 // have not shown yet would come on top of that.
-bool is_repeat_of(const std::vector<InputEvent>& frame, const InputEvent& event) {
+bool is_repeat_of(const std::vector<InputEvent>& portion, const InputEvent& event) {
     const auto* key = std::get_if<KeyChanged>(&event);
     if (key == nullptr || !key->pressed || !key->repeated || is_plain(*key)) return false;
-    for (auto earlier = frame.rbegin(); earlier != frame.rend(); ++earlier) {
+    for (auto earlier = portion.rbegin(); earlier != portion.rend(); ++earlier) {
         const auto* other = std::get_if<KeyChanged>(&*earlier);
         if (other != nullptr && other->name == key->name) return other->pressed && other->modifiers == key->modifiers;
     }
@@ -89,14 +89,14 @@ std::vector<InputEvent> InputQueue::take_frame(bool keys_wait) {
         const auto* key = std::get_if<KeyChanged>(&event);
         return (key != nullptr && key->pressed) || std::holds_alternative<CharacterTyped>(event);
     };
-    std::vector<InputEvent> frame;
+    std::vector<InputEvent> portion;
     while (!events_.empty() && !(keys_wait && is_typed(events_.front()))) {
-        const bool repeats = is_repeat_of(frame, events_.front());
+        const bool repeats = is_repeat_of(portion, events_.front());
         if (!repeats && taken.hides(events_.front())) break;
-        if (!repeats) frame.push_back(std::move(events_.front()));
+        if (!repeats) portion.push_back(std::move(events_.front()));
         events_.pop_front();
     }
-    return frame;
+    return portion;
 }
 
 }  // namespace sphereview

@@ -1,4 +1,4 @@
-// Input in portions that one frame can take.
+// Input in portions that one redraw can take.
 #pragma once
 
 #include <deque>

@@ -40,7 +40,7 @@ float draw_splitter(const PanelContext& context, const char* name, const Rectang
     ImGui::InvisibleButton("##edge", ImVec2(area.width, std::max(area.height, 1.0F)));
     note_widget(context, name);
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
-    // A frame's movement comes before its release, and before its press: that was not yet the edge's.
+    // A redraw's movement comes before its release, and before its press: that was not yet the edge's.
     const bool dragged = (ImGui::IsItemActive() && !ImGui::IsItemActivated()) || ImGui::IsItemDeactivated();
     ImGui::End();
     ImGui::PopStyleVar(2);

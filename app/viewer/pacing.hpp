@@ -11,8 +11,8 @@ namespace sphereview {
 // The picture is traced for every step-th pixel of each row and column.
 class Pacing {
 public:
-    // What a traced frame took, in seconds, and what of it was drawing: the rest, lists mostly, shrinks less with the pixels. A
-    // frame that takes too long makes the next one coarser at once. A coarse drawing has costs, too, that do not shrink with its
+    // What a traced redraw took, in seconds, and what of it was drawing: the rest, lists mostly, shrinks less with the pixels. A
+    // redraw that takes too long makes the next one coarser at once. A coarse drawing has costs, too, that do not shrink with its
     // pixels, so what a finer one would take is found out by trying, ever less often where that fails.
     void traced(int step, double seconds, double drawing) {
         const int level = std::countr_zero(static_cast<unsigned>(step));
@@ -48,14 +48,14 @@ public:
     // coarser than saves time.
     int moving_step() const { return 1 << level_; }
 
-    // Something happened: some frames must be drawn, until the panels have settled.
+    // Something happened: some redraws must be drawn, until the panels have settled.
     void touch() {
         frames_ = settling_frames;
         goes_on_ = false;
     }
     // There is another picture to show, which changes nothing of the panels.
     void show_once() { frames_ = frames_ > 0 ? frames_ : 1; }
-    // A frame was drawn.
+    // A redraw was drawn.
     void drew(int step) {
         if (frames_ > 0) --frames_;
         coarse_ = step > 1;
@@ -66,7 +66,7 @@ public:
 
     // Nothing is to be drawn before the next event.
     bool rests() const { return frames_ == 0 && !coarse_; }
-    // How long to wait for events before the next frame; nothing: until one comes.
+    // How long to wait for events before the next redraw; nothing: until one comes.
     std::optional<double> patience() const {
         if (frames_ > 0) return 0.0;
         if (!coarse_) return std::nullopt;
@@ -75,7 +75,7 @@ public:
     // Whether nothing moves, and the picture is coarse: time to make it fine.
     bool refines() const { return frames_ == 0 && coarse_; }
 
-    // Seconds for the trace of a moving picture; with what shows it, about 30 ms a frame.
+    // Seconds for the trace of a moving picture; with what shows it, about 30 ms a redraw.
     static constexpr double frame_budget = 0.024;
     static constexpr double refine_after = 0.08;  // seconds without an event
     // Seconds for what is drawn of a fine picture before the next look for events.
@@ -85,10 +85,10 @@ public:
 private:
     static constexpr int coarsest = 3;  // the step is 2^3
     static constexpr double worth_it = 0.9;
-    static constexpr int short_pause = 60;  // frames
+    static constexpr int short_pause = 60;  // redraws
     static constexpr int long_pause = 480;
 
-    // After a finer frame that was tried and took too long.
+    // After a finer redraw that was tried and took too long.
     void pause() { wait_ = pause_ = std::clamp(2 * pause_, short_pause, long_pause); }
 
     void become_coarser(double seconds, double drawing) {
@@ -103,17 +103,17 @@ private:
         } while (level_ < coarsest && lists + drawing > frame_budget);
     }
 
-    // ImGui shows what a click did in the next frame, and places what is new in the one after that.
+    // ImGui shows what a click did in the next redraw, and places what is new in the one after that.
     static constexpr int settling_frames = 3;
 
     int frames_ = settling_frames;
     bool coarse_ = false;
     bool goes_on_ = false;       // a part of the fine picture is drawn
     int level_ = 0;              // the step of what moves is 2^this
-    bool tries_ = false;         // the last frame was made finer
+    bool tries_ = false;         // the last redraw was made finer
     int wait_ = 0;               // so many frames before the next try,
     int pause_ = 0;              // and as many as that were after the last that failed
-    int left_level_ = 0;         // from which the last frame was made coarser,
+    int left_level_ = 0;         // from which the last redraw was made coarser,
     double left_seconds_ = 0.0;  // where one took so long; 0: it was not
     int stays_ = 0;              // so many frames that are not made coarser
 };

@@ -334,7 +334,7 @@ void Viewer::note_facts() {
     const std::optional<Pixel> pixel = pointer_in_picture_ ? pixel_under_pointer() : std::nullopt;
     std::optional<std::uint32_t> sphere;
     // While the view moves nothing is looked for under the pointer: in a coarse picture of a million spheres that takes as long as
-    // a fifth of a frame.
+    // a fifth of a redraw.
     if (mouse_.moves_camera()) {
         state_.hovered.reset();
     } else if (pixel) {

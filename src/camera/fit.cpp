@@ -50,8 +50,8 @@ void include(Planes& planes, const Planes& others) {
 }
 
 // Lengths relative to a place near the spheres, in a unit near their size: a power of two, so nothing is rounded.
-struct Frame {
-    explicit Frame(const SceneBounds& bounds) : origin(bounds.middle()) {
+struct Vicinity {
+    explicit Vicinity(const SceneBounds& bounds) : origin(bounds.middle()) {
         smallest = std::max(smallest_part * largest_of(origin), smallest_radius);
         exponent = std::ilogb(std::max(bounds.extent(), smallest));
         scale = std::ldexp(1.0, -exponent);
@@ -68,24 +68,24 @@ struct Frame {
     double scale = 1.0;
 };
 
-Planes planes_of(const Sphere& sphere, const ViewAxes& axes, const Frame& frame, double steepness) {
+Planes planes_of(const Sphere& sphere, const ViewAxes& axes, const Vicinity& vicinity, double steepness) {
     // A plane at a sphere's side is this much of its radius beyond its centre.
     const double reach = square_root(1.0 + steepness * steepness);
-    const glm::dvec3 place = frame.place(sphere.center);
+    const glm::dvec3 place = vicinity.place(sphere.center);
     const double x = dot(place, axes.right);
     const double y = dot(place, axes.up);
-    const double size = reach * (std::max(sphere.radius, frame.smallest) * frame.scale) - steepness * dot(place, axes.ahead);
+    const double size = reach * (std::max(sphere.radius, vicinity.smallest) * vicinity.scale) - steepness * dot(place, axes.ahead);
     return {size + x, size - x, size + y, size - y};
 }
 
-Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& frame, double steepness) {
+Planes planes_around(const Scene& scene, const ViewAxes& axes, const Vicinity& vicinity, double steepness) {
     Planes all{least, least, least, least};
     std::mutex mutex;
     parallel_pieces(scene.spheres.size(), centers_at_once, [&](std::size_t begin, std::size_t end) {
         Planes part{least, least, least, least};
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[i];
-            if (!sphere.hidden) include(part, planes_of(sphere, axes, frame, steepness));
+            if (!sphere.hidden) include(part, planes_of(sphere, axes, vicinity, steepness));
         }
         const std::lock_guard lock(mutex);
         include(all, part);
@@ -95,19 +95,19 @@ Planes planes_around(const Scene& scene, const ViewAxes& axes, const Frame& fram
 
 // The screen's half is as large as what it shows. The eye is so far from the middle of everything that no turn about the middle
 // brings a sphere into the plane that rays begin in.
-Camera fitted_orthographic(const Scene& scene, const ViewAxes& axes, const Frame& frame, const SceneBounds& bounds) {
-    const auto [right, left, up, down] = planes_around(scene, axes, frame, 0.0);
+Camera fitted_orthographic(const Scene& scene, const ViewAxes& axes, const Vicinity& vicinity, const SceneBounds& bounds) {
+    const auto [right, left, up, down] = planes_around(scene, axes, vicinity, 0.0);
     const double x = 0.5 * (right - left);
     const double y = 0.5 * (up - down);
     const double half = std::max(0.5 * (right + left), 0.5 * (up + down)) * (32.0 / 31.0);
-    const glm::dvec3 corner = frame.place(bounds.high);
+    const glm::dvec3 corner = vicinity.place(bounds.high);
     const double z = -(square_root(dot(corner, corner)) + half);
     glm::dvec3 eye{0.0};
     for (int i = 0; i < 3; ++i) {
-        const double scaled = frame.origin[i] * frame.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
-        eye[i] = std::clamp(std::ldexp(scaled, frame.exponent), -farthest, farthest);
+        const double scaled = vicinity.origin[i] * vicinity.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
+        eye[i] = std::clamp(std::ldexp(scaled, vicinity.exponent), -farthest, farthest);
     }
-    const double edge = std::min(std::ldexp(half, frame.exponent), 0.25 * farthest);
+    const double edge = std::min(std::ldexp(half, vicinity.exponent), 0.25 * farthest);
     return camera_with(without_negative_zero(eye), distance / half_side * edge * axes.ahead, edge * axes.right, edge * axes.up,
                        Projection::orthographic);
 }
@@ -116,7 +116,7 @@ Camera fitted_orthographic(const Scene& scene, const ViewAxes& axes, const Frame
 
 std::vector<Sphere> outermost(const Scene& scene, const ViewAxes& axes, Projection projection) {
     if (std::ranges::all_of(scene.spheres, &Sphere::hidden)) return {};
-    const Frame frame(bounds_of(scene));
+    const Vicinity vicinity(bounds_of(scene));
     const double steepness = projection == Projection::orthographic ? 0.0 : slope;
     // Of planes, then of the box around everything, then the largest sphere.
     constexpr std::size_t ends = 11;
@@ -133,7 +133,7 @@ std::vector<Sphere> outermost(const Scene& scene, const ViewAxes& axes, Projecti
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[i];
             if (sphere.hidden) continue;
-            const Planes planes = planes_of(sphere, axes, frame, steepness);
+            const Planes planes = planes_of(sphere, axes, vicinity, steepness);
             const glm::dvec3& c = sphere.center;
             const double r = sphere.radius;
             const std::array<double, ends> places{planes[0], planes[1], planes[2], planes[3], c.x + r, r - c.x,
@@ -204,9 +204,9 @@ std::optional<ViewAxes> parse_view(std::string_view text) {
 std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes, Projection projection) {
     if (std::ranges::all_of(scene.spheres, &Sphere::hidden)) return std::nullopt;
     const SceneBounds bounds = bounds_of(scene);
-    const Frame frame(bounds);
-    if (projection == Projection::orthographic) return fitted_orthographic(scene, axes, frame, bounds);
-    const auto [right, left, up, down] = planes_around(scene, axes, frame, slope);
+    const Vicinity vicinity(bounds);
+    if (projection == Projection::orthographic) return fitted_orthographic(scene, axes, vicinity, bounds);
+    const auto [right, left, up, down] = planes_around(scene, axes, vicinity, slope);
     // Everything is before an eye at (X, Y, Z) if its own planes lie outside: X - slope Z >= right, -X - slope Z >= left, and so
     // for Y. So Z is at most what the two sums leave; X and Y then leave the same margin on either side.
     const double x = 0.5 * (right - left);
@@ -214,8 +214,8 @@ std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes, Projectio
     const double z = std::min(-0.5 * (right + left), -0.5 * (up + down)) / slope;
     glm::dvec3 eye{0.0};
     for (int i = 0; i < 3; ++i) {
-        const double scaled = frame.origin[i] * frame.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
-        eye[i] = std::clamp(std::ldexp(scaled, frame.exponent), -farthest, farthest);
+        const double scaled = vicinity.origin[i] * vicinity.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
+        eye[i] = std::clamp(std::ldexp(scaled, vicinity.exponent), -farthest, farthest);
     }
     return camera_with(without_negative_zero(eye), distance * axes.ahead, half_side * axes.right, half_side * axes.up);
 }

@@ -50,17 +50,17 @@ glm::vec3 from_origin(const Rays& rays, int i, const glm::vec4& sphere) {
 }
 
 // Beyond the picture's edge the last pixel's ray is repeated.
-void aim(Rays& rays, const RayBasis<float>& frame, PictureSize size, Pixel cell) {
+void aim(Rays& rays, const RayBasis<float>& basis, PictureSize size, Pixel cell) {
     const RayCoefficients first = ray_coefficients(size, cell);
     const int last_x = std::min(cell_side, size.width - cell.x) - 1;
     const int last_y = std::min(cell_side, size.height - cell.y) - 1;
-    rays.orthographic = frame.orthographic;
+    rays.orthographic = basis.orthographic;
     if (rays.orthographic) {
-        const glm::vec3 ray = unit_ray(frame, size, cell);
+        const glm::vec3 ray = unit_ray(basis, size, cell);
         for (int i = 0; i < cell_size; ++i) {
             const int column = std::min(i % cell_side, last_x);
             const int row = std::min(i / cell_side, last_y);
-            const glm::vec3 origin = ray_origin(frame, size, {cell.x + column, cell.y + row});
+            const glm::vec3 origin = ray_origin(basis, size, {cell.x + column, cell.y + row});
             rays.x[i] = ray.x;
             rays.y[i] = ray.y;
             rays.z[i] = ray.z;
@@ -72,12 +72,12 @@ void aim(Rays& rays, const RayBasis<float>& frame, PictureSize size, Pixel cell)
     }
     for (int row = 0; row < cell_side; ++row) {
         const auto upward = static_cast<float>(static_cast<std::int32_t>(first.upward) - 2 * std::min(row, last_y));
-        const glm::vec3 middle = frame.forward + upward * frame.up;
+        const glm::vec3 middle = basis.forward + upward * basis.up;
         for (int column = 0; column < cell_side; ++column) {
             const auto across = static_cast<float>(static_cast<std::int32_t>(first.across) + 2 * std::min(column, last_x));
-            const float x = middle.x + across * frame.right.x;
-            const float y = middle.y + across * frame.right.y;
-            const float z = middle.z + across * frame.right.z;
+            const float x = middle.x + across * basis.right.x;
+            const float y = middle.y + across * basis.right.y;
+            const float z = middle.z + across * basis.right.z;
             const float scale = 1.0F / square_root(x * x + y * y + z * z);
             const int i = row * cell_side + column;
             rays.x[i] = x * scale;

@@ -71,18 +71,18 @@ class DoubleFilter {
 public:
     DoubleFilter(const Camera& camera, PictureSize size, Pixel pixel)
         : eye_(camera.eye),
-          frame_(ray_basis<double>(camera, size)),
+          basis_(ray_basis<double>(camera, size)),
           error_scale_(error_scale(filter_condition(camera), double_unit)) {
-        if (!frame_.in_range) return;
-        ray_ = unit_ray(frame_, size, pixel);
-        origin_ = ray_origin(frame_, size, pixel);
+        if (!basis_.in_range) return;
+        ray_ = unit_ray(basis_, size, pixel);
+        origin_ = ray_origin(basis_, size, pixel);
     }
 
     // The discriminant is below 0: the ray passes the centre at a distance above the radius, as hit_bounds() has it.
     bool surely_missed(const Sphere& sphere) const {
         const glm::dvec3 from_eye = sphere.center - eye_;
-        const double size = std::fabs(from_eye.x) + std::fabs(from_eye.y) + std::fabs(from_eye.z) + sphere.radius + frame_.reach;
-        if (!frame_.in_range || !std::isfinite(error_scale_) || !(size > smallest_double_size && size < largest_double_size)) {
+        const double size = std::fabs(from_eye.x) + std::fabs(from_eye.y) + std::fabs(from_eye.z) + sphere.radius + basis_.reach;
+        if (!basis_.in_range || !std::isfinite(error_scale_) || !(size > smallest_double_size && size < largest_double_size)) {
             return false;
         }
         const glm::dvec3 c = from_eye - origin_;
@@ -91,7 +91,7 @@ public:
         return square_root(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius > error_scale_ * size;
     }
 
-    bool in_range() const { return frame_.in_range; }
+    bool in_range() const { return basis_.in_range; }
 
     // How the ray's line passes a sphere, roughly.
     struct Pass {
@@ -104,12 +104,12 @@ public:
         const double along = c.x * ray_.x + c.y * ray_.y + c.z * ray_.z;
         const glm::dvec3 p = c - along * ray_;
         const double gap = square_root(p.x * p.x + p.y * p.y + p.z * p.z) - sphere.radius;
-        return {along, gap, frame_.orthographic ? gap : gap / along};
+        return {along, gap, basis_.orthographic ? gap : gap / along};
     }
 
 private:
     glm::dvec3 eye_;
-    RayBasis<double> frame_;
+    RayBasis<double> basis_;
     double error_scale_;
     glm::dvec3 ray_{0.0};
     glm::dvec3 origin_{0.0};  // relative to the eye

@@ -18,7 +18,7 @@ int exponent_of(double value) {
 
 // Where rays begin: the edges divided by the side.
 template <typename Real>
-void set_origins(RayBasis<Real>& frame, const Camera& camera, PictureSize size, int scale) {
+void set_origins(RayBasis<Real>& basis, const Camera& camera, PictureSize size, int scale) {
     const double side = size.shorter_side();
     const glm::dvec3 right = times_two_to(camera.right, scale) / side;
     const glm::dvec3 up = times_two_to(camera.up, scale) / side;
@@ -26,11 +26,11 @@ void set_origins(RayBasis<Real>& frame, const Camera& camera, PictureSize size, 
     const double reach = 1.01 * (taxicab_length(right) * size.width + taxicab_length(up) * size.height);
     constexpr double most = sizeof(Real) == sizeof(float) ? 0x1p55 : 0x1p900;
     const bool fits = reach < most && std::min(largest_of(right), largest_of(up)) > 0x1p-900;
-    frame.orthographic = true;
-    frame.in_range = frame.in_range && fits;
-    frame.right = fits ? glm::vec<3, Real>(right) : glm::vec<3, Real>(Real(0));
-    frame.up = fits ? glm::vec<3, Real>(up) : glm::vec<3, Real>(Real(0));
-    frame.reach = fits ? static_cast<Real>(reach) : Real(0);
+    basis.orthographic = true;
+    basis.in_range = basis.in_range && fits;
+    basis.right = fits ? glm::vec<3, Real>(right) : glm::vec<3, Real>(Real(0));
+    basis.up = fits ? glm::vec<3, Real>(up) : glm::vec<3, Real>(Real(0));
+    basis.reach = fits ? static_cast<Real>(reach) : Real(0);
 }
 
 }  // namespace
@@ -49,19 +49,19 @@ RayBasis<Real> ray_basis(const Camera& camera, PictureSize size, int scale) {
     // |across| and |upward| stay below 2^32; rays below 2^limit keep their squares finite.
     constexpr int limit = sizeof(Real) == sizeof(float) ? 60 : 500;
     const int longest_edge = exponent_of(std::max(largest_of(camera.right), largest_of(camera.up))) + edge_exponent + 32;
-    RayBasis<Real> frame;
-    frame.forward = glm::vec<3, Real>(times_two_to(axis, -exponent));
+    RayBasis<Real> basis;
+    basis.forward = glm::vec<3, Real>(times_two_to(axis, -exponent));
     if (camera.orthographic()) {
-        frame.in_range = longest_axis > 0x1p-900;
-        set_origins(frame, camera, size, scale);
-        return frame;
+        basis.in_range = longest_axis > 0x1p-900;
+        set_origins(basis, camera, size, scale);
+        return basis;
     }
     // Below 2^-900 a quarter may have lost bits, or everything.
-    frame.in_range = longest_edge < limit && longest_axis > 0x1p-900;
+    basis.in_range = longest_edge < limit && longest_axis > 0x1p-900;
     const int edges = std::min(edge_exponent, edge_exponent - (longest_edge - limit));
-    frame.right = glm::vec<3, Real>(times_two_to(camera.right, edges));
-    frame.up = glm::vec<3, Real>(times_two_to(camera.up, edges));
-    return frame;
+    basis.right = glm::vec<3, Real>(times_two_to(camera.right, edges));
+    basis.up = glm::vec<3, Real>(times_two_to(camera.up, edges));
+    return basis;
 }
 
 template RayBasis<float> ray_basis<float>(const Camera&, PictureSize, int);

@@ -31,20 +31,20 @@ RayBasis<Real> ray_basis(const Camera& camera, PictureSize size, int scale = 0);
 
 // The direction of the ray through a pixel's centre, of length 1.
 template <typename Real>
-glm::vec<3, Real> unit_ray(const RayBasis<Real>& frame, PictureSize size, Pixel pixel) {
+glm::vec<3, Real> unit_ray(const RayBasis<Real>& basis, PictureSize size, Pixel pixel) {
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
-    const glm::vec<3, Real> d = frame.orthographic ? frame.forward
-                                                   : (frame.forward + static_cast<Real>(coefficients.upward) * frame.up) +
-                                                         static_cast<Real>(coefficients.across) * frame.right;
+    const glm::vec<3, Real> d = basis.orthographic ? basis.forward
+                                                   : (basis.forward + static_cast<Real>(coefficients.upward) * basis.up) +
+                                                         static_cast<Real>(coefficients.across) * basis.right;
     return d * (Real(1) / square_root(d.x * d.x + d.y * d.y + d.z * d.z));
 }
 
 // Where that ray begins, relative to the eye.
 template <typename Real>
-glm::vec<3, Real> ray_origin(const RayBasis<Real>& frame, PictureSize size, Pixel pixel) {
-    if (!frame.orthographic) return glm::vec<3, Real>(Real(0));
+glm::vec<3, Real> ray_origin(const RayBasis<Real>& basis, PictureSize size, Pixel pixel) {
+    if (!basis.orthographic) return glm::vec<3, Real>(Real(0));
     const RayCoefficients coefficients = ray_coefficients(size, pixel);
-    return static_cast<Real>(coefficients.upward) * frame.up + static_cast<Real>(coefficients.across) * frame.right;
+    return static_cast<Real>(coefficients.upward) * basis.up + static_cast<Real>(coefficients.across) * basis.right;
 }
 
 // kappa of docs/exactness.md: no pixel's |forward| + |across right| + |upward up| exceeds kappa |ray|. At least sqrt(3);

@@ -106,24 +106,24 @@ Resolver::Resolver(const Scene& scene, const DrawnSpheres& drawn, const Camera& 
       camera_(camera),
       lists_(lists),
       size_(size),
-      frame_(ray_basis<double>(camera, size)),
+      basis_(ray_basis<double>(camera, size)),
       error_scale_(error_scale(filter_condition(camera), double_unit)),
       exact_basis_(camera),
       cell_shift_(largest_cell_shift) {
     // What that basis cannot hold, aim() takes from the exact one: then the rays are only rounded.
-    frame_.in_range = frame_.in_range && std::isfinite(error_scale_);
-    if (!frame_.in_range) error_scale_ = error_scale(condition_of_rounded_rays, double_unit);
+    basis_.in_range = basis_.in_range && std::isfinite(error_scale_);
+    if (!basis_.in_range) error_scale_ = error_scale(condition_of_rounded_rays, double_unit);
     if (lists != nullptr) {
         for (const TileLevel& level : lists->levels) cell_shift_ = std::min(cell_shift_, level.shift);
     }
 }
 
 bool Resolver::aim(std::span<const Pixel> pixels, std::span<glm::dvec3> rays, std::span<glm::dvec3> origins) const {
-    if (frame_.orthographic && !frame_.in_range) return false;
+    if (basis_.orthographic && !basis_.in_range) return false;
     for (std::size_t i = 0; i < pixels.size(); ++i) {
-        if (frame_.in_range) {
-            rays[i] = unit_ray(frame_, size_, pixels[i]);
-            origins[i] = ray_origin(frame_, size_, pixels[i]);
+        if (basis_.in_range) {
+            rays[i] = unit_ray(basis_, size_, pixels[i]);
+            origins[i] = ray_origin(basis_, size_, pixels[i]);
             continue;
         }
         const auto [x, y, z] = exact_basis_.ray(size_, pixels[i]);
@@ -149,12 +149,12 @@ DecisionCounts Resolver::resolve(std::span<const Pixel> pixels, std::span<std::i
     const bool aimed = aim(pixels, rays, origins);
     const double bound_scale = aimed ? error_scale_ : NearestHits<double>::never;  // else every sphere may be anywhere
     BoundLanes lanes(std::span<const glm::dvec3>(rays).first(pixels.size()),
-                     std::span<const glm::dvec3>(origins).first(frame_.orthographic ? pixels.size() : 0));
+                     std::span<const glm::dvec3>(origins).first(basis_.orthographic ? pixels.size() : 0));
     double sure_hit = NearestHits<double>::never;  // in the units of the lists
     std::size_t tried = 0;
     for_each_candidate(drawn_, lists_, pixels.front(), [&](std::uint32_t i) {
         if (++tried % tried_between_checks == 0) check_cancelled();
-        const BoundedSphere bounded(sphere(i), camera_.eye, bound_scale, frame_.reach);
+        const BoundedSphere bounded(sphere(i), camera_.eye, bound_scale, basis_.reach);
         const LaneSet contending = lanes.add(i, bounded, drawn_.side(i));
         if (contending != 0) {
             contests.push_back({i, contending});

@@ -64,7 +64,7 @@ private:
     const Camera& camera_;
     const CandidateLists* lists_;
     PictureSize size_;
-    RayBasis<double> frame_;
+    RayBasis<double> basis_;
     double error_scale_;
     ExactBasis exact_basis_;
     int cell_shift_;  // a cell is a square of pixels that try the same spheres; its side is 2^this

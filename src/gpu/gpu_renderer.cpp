@@ -44,7 +44,7 @@ void GpuRenderer::upload(const DrawnSpheres& spheres, const CandidateLists& list
         trace_ = make_program("trace.frag", defines);
         defines_ = std::move(defines);
     }
-    frame_ = draw_block_of(lists, camera, size, spheres.scale);
+    draw_block_ = draw_block_of(lists, camera, size, spheres.scale);
     covered_ = lists.covered;
     tables_.upload(spheres, lists);
 }
@@ -55,14 +55,14 @@ void GpuRenderer::trace(const Block& block, std::span<std::int32_t> visible, Tim
     {
         const PhaseTimer timer(timings, Phase::trace);
         visible_.require(block.width, block.height);
-        frame_.block_origin = {block.x, block.y};
-        upload_draw_block(draw_buffer_, frame_);
+        draw_block_.block_origin = {block.x, block.y};
+        upload_draw_block(draw_buffer_, draw_block_);
         tables_.bind();
         glUseProgram(trace_.name());
         // Elsewhere the background is known.
         const Block covered = common(block, covered_);
         if (covered.width < block.width || covered.height < block.height) {
-            visible_.fill(frame_.all_doubtful != 0 ? doubtful_background : visible_background);
+            visible_.fill(draw_block_.all_doubtful != 0 ? doubtful_background : visible_background);
         }
         if (covered.width > 0 && covered.height > 0) {
             visible_.draw(no_vertices_, {covered.x - block.x, covered.y - block.y, covered.width, covered.height});

@@ -46,7 +46,7 @@ private:
     VertexArray no_vertices_;
     Buffer draw_buffer_;
     NumberTarget visible_;
-    DrawBlock frame_;
+    DrawBlock draw_block_;
     PixelRange covered_;  // of the picture; the rest shows no sphere
 };
 

@@ -31,9 +31,9 @@ double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-void set_grid(DrawBlock& frame, int step) {
-    frame.grid_shift = PixelGrid({}, step).shift();
-    frame.block_origin = {step / 2, step / 2};
+void set_grid(DrawBlock& block, int step) {
+    block.grid_shift = PixelGrid({}, step).shift();
+    block.block_origin = {step / 2, step / 2};
 }
 
 // The framebuffers that are bound, until its end.
@@ -149,8 +149,8 @@ void LivePicture::rebuild(const Document& document, const View& view, bool geome
         forget_picture();
     }
     tables_.upload(spheres, lists.lists());
-    frame_ = draw_block_of(lists.lists(), view.camera, view.size, spheres.scale);
-    if (keeps_picture) set_grid(frame_, step_);
+    draw_block_ = draw_block_of(lists.lists(), view.camera, view.size, spheres.scale);
+    if (keeps_picture) set_grid(draw_block_, step_);
     lists_step_ = grid.step;
     view_ = view;
     if (drawn) {
@@ -166,7 +166,7 @@ bool LivePicture::follow(const Document& document, const ChangesSince& changes) 
     if (!scene_.follow(document.scene(), changes)) return false;
     forget_picture();
     tables_.update(scene_.drawn(), scene_.lists(), scene_.take_changed());
-    frame_ = draw_block_of(scene_.lists(), view_.camera, view_.size, scene_.drawn().scale);
+    draw_block_ = draw_block_of(scene_.lists(), view_.camera, view_.size, scene_.drawn().scale);
     colors_.follow(document.scene(), scene_.drawn(), shading_, changes.spheres, changes.order);
     return true;
 }
@@ -190,7 +190,7 @@ void LivePicture::begin_trace(int step) {
     }
     // Elsewhere the background is known.
     if (!(covered == PixelRange{0, 0, width - 1, height - 1})) {
-        next_visible_.fill(frame_.all_doubtful != 0 ? doubtful_background : visible_background);
+        next_visible_.fill(draw_block_.all_doubtful != 0 ? doubtful_background : visible_background);
     }
     next_parts_ = PictureParts(scene_.lists(), grid, covered);
     next_step_ = step;
@@ -201,9 +201,9 @@ void LivePicture::begin_trace(int step) {
 // take too long and there is none.
 bool LivePicture::trace(int step, double patience) {
     if (next_step_ != step) begin_trace(step);
-    DrawBlock frame = frame_;
-    set_grid(frame, step);
-    upload_draw_block(draw_buffer_, frame);
+    DrawBlock block = draw_block_;
+    set_grid(block, step);
+    upload_draw_block(draw_buffer_, block);
     tables_.bind();
     glUseProgram(programs_.trace.name());
     double drawing = 0.0;  // seconds, in this call
@@ -230,7 +230,7 @@ bool LivePicture::trace(int step, double patience) {
     }
     check_gl("tracing");
     std::swap(visible_, next_visible_);
-    set_grid(frame_, step);
+    set_grid(draw_block_, step);
     traced_ = true;
     step_ = step;
     next_step_ = 0;
@@ -253,15 +253,15 @@ void LivePicture::prepare_shading(const Document& document, Shading shading, con
     const auto scaled = [&](double distance) { return std::ldexp(distance / shading_scale, scene_.drawn().scale); };
     const double range = std::max(scaled(range_->farthest - range_->nearest), 0x1p-100);
     const CameraAxes axes = camera_axes(view_.camera);
-    frame_.shading = static_cast<std::int32_t>(shading);
-    frame_.nearest_depth = static_cast<float>(std::min(scaled(range_->nearest), 0x1p100));
-    frame_.inverse_depth_range = static_cast<float>(1.0 / std::min(range, 0x1p120));
-    frame_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
-    frame_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
-    frame_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
-    frame_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(sky_of(light)));
+    draw_block_.shading = static_cast<std::int32_t>(shading);
+    draw_block_.nearest_depth = static_cast<float>(std::min(scaled(range_->nearest), 0x1p100));
+    draw_block_.inverse_depth_range = static_cast<float>(1.0 / std::min(range, 0x1p120));
+    draw_block_.axis_right = glm::vec4(glm::vec3(axes.right), 0.0F);
+    draw_block_.axis_up = glm::vec4(glm::vec3(axes.up), 0.0F);
+    draw_block_.axis_toward = glm::vec4(glm::vec3(-axes.ahead), 0.0F);
+    draw_block_.key_light = glm::vec4(glm::vec3(key_direction(axes)), static_cast<float>(sky_of(light)));
     const glm::dvec3 sun = light.sun ? sun_strength_of(light) * unit(light.sun->direction) : glm::dvec3(0.0);
-    frame_.sun_light = glm::vec4(glm::vec3(sun), static_cast<float>(light.key));
+    draw_block_.sun_light = glm::vec4(glm::vec3(sun), static_cast<float>(light.key));
 }
 
 bool LivePicture::update(const Document& document, const View& view, int step, Shading shading, const std::optional<Light>& light,
@@ -342,17 +342,17 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     }
     mark_selected(highlights.selection);
     PixelRange outlined = selected_range_;
-    DrawBlock frame = frame_;
+    DrawBlock block = draw_block_;
     if (const auto index = highlights.hovered ? scene_.drawn().index_of(*highlights.hovered) : std::nullopt) {
-        frame.hovered = static_cast<std::int32_t>(*index);
+        block.hovered = static_cast<std::int32_t>(*index);
         const PixelPlanes planes(view_.camera, view_.size, scene_.drawn().scale);
         outlined = united(outlined, planes.range(scene_.drawn().center_radius[*index]));
     }
-    frame.background = shown_background(background);
-    frame.checkerboard = checkerboard_shift;
-    frame.window_corner = {area.x, area.y + area.height - 1};
-    frame.outline = std::max(highlights.thickness, 1.0F);
-    upload_draw_block(draw_buffer_, frame);
+    block.background = shown_background(background);
+    block.checkerboard = checkerboard_shift;
+    block.window_corner = {area.x, area.y + area.height - 1};
+    block.outline = std::max(highlights.thickness, 1.0F);
+    upload_draw_block(draw_buffer_, block);
     tables_.bind();
     const Block whole{area.x, area.y, area.width, area.height};
     if (finished) {
@@ -368,7 +368,7 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
         glUseProgram(depends_on_hit(shading_) ? surface.name() : shade.name());
     }
     draw_block(no_vertices_, whole);
-    outlines_.draw(programs_.outlines, no_vertices_, visible_, frame, outlined, area, kept.draw());
+    outlines_.draw(programs_.outlines, no_vertices_, visible_, block, outlined, area, kept.draw());
     check_gl("showing the picture");
 }
 

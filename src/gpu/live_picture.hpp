@@ -169,7 +169,7 @@ private:
     LiveLists scene_;  // the drawn spheres and their lists
     std::uint64_t builds_ = 0;
     int lists_step_ = 1;  // they are for the pixels of the grid with this step alone; 1: for all
-    DrawBlock frame_;
+    DrawBlock draw_block_;
 
     Shading shading_ = Shading::flat;
     std::optional<DepthRange> range_;  // of this scene and eye, once it was needed

@@ -28,9 +28,9 @@ struct OutlinePrograms {
 // are looked for only in the cells near a marked sphere.
 class Outlines {
 public:
-    // Draws into framebuffer `window` what `frame`, which is uploaded, says of the picture in `visible`. The marked spheres are in
+    // Draws into framebuffer `window` what `block`, which is uploaded, says of the picture in `visible`. The marked spheres are in
     // `range` of it.
-    void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible, const DrawBlock& frame,
+    void draw(const OutlinePrograms& programs, const VertexArray& no_vertices, const NumberTarget& visible, const DrawBlock& block,
               const PixelRange& range, const WindowArea& area, GLuint window);
 
 private:

@@ -94,7 +94,7 @@ void check_draw_layout(GLuint program, std::string_view file) {
         GLint offset = -1;
         if (index != GL_INVALID_INDEX) glGetActiveUniformsiv(program, 1, &index, GL_UNIFORM_OFFSET, &offset);
         if (offset != static_cast<GLint>(member.offset)) {
-            throw RenderError(std::string(file) + ": GL has Frame." + member.name + " at byte " + std::to_string(offset) +
+            throw RenderError(std::string(file) + ": GL has Draw." + member.name + " at byte " + std::to_string(offset) +
                               ", the program at " + std::to_string(member.offset));
         }
     }

@@ -67,26 +67,26 @@ glm::vec4 shown_background(const Background& background) {
 }
 
 DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size, int scale) {
-    DrawBlock frame;
+    DrawBlock block;
     const FloatView view = float_view(camera, size, scale, gpu_unit);
-    frame.forward = glm::vec4(view.rays.forward, view.rays.reach);
-    frame.right = glm::vec4(view.rays.right, 0.0F);
-    frame.up = glm::vec4(view.rays.up, 0.0F);
-    frame.error_scale = view.error_scale;
-    frame.all_doubtful = view.all_doubtful ? 1 : 0;
-    frame.picture_size = {size.width, size.height};
+    block.forward = glm::vec4(view.rays.forward, view.rays.reach);
+    block.right = glm::vec4(view.rays.right, 0.0F);
+    block.up = glm::vec4(view.rays.up, 0.0F);
+    block.error_scale = view.error_scale;
+    block.all_doubtful = view.all_doubtful ? 1 : 0;
+    block.picture_size = {size.width, size.height};
     // At least one: of a picture without spheres, a single tile with an empty list.
-    frame.level_count = std::max(1, static_cast<std::int32_t>(lists.levels.size()));
-    frame.levels[0] = {30, 0, 0, 0};
+    block.level_count = std::max(1, static_cast<std::int32_t>(lists.levels.size()));
+    block.levels[0] = {30, 0, 0, 0};
     for (std::size_t i = 0; i < lists.levels.size(); ++i) {
         const TileLevel& level = lists.levels[i];
-        frame.levels[i] = {level.shift, level.across, static_cast<std::int32_t>(level.first), 0};
+        block.levels[i] = {level.shift, level.across, static_cast<std::int32_t>(level.first), 0};
     }
-    return frame;
+    return block;
 }
 
-void upload_draw_block(const Buffer& buffer, const DrawBlock& frame) {
-    put_into(buffer, &frame, sizeof frame, sizeof frame);
+void upload_draw_block(const Buffer& buffer, const DrawBlock& block) {
+    put_into(buffer, &block, sizeof block, sizeof block);
     bind_block(buffer, BlockBinding::draw);
 }
 

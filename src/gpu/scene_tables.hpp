@@ -43,7 +43,7 @@ glm::vec4 shown_background(const Background& background);
 DrawBlock draw_block_of(const CandidateLists& lists, const Camera& camera, PictureSize size, int scale);
 
 // Uploads it and binds it for the next draw.
-void upload_draw_block(const Buffer& buffer, const DrawBlock& frame);
+void upload_draw_block(const Buffer& buffer, const DrawBlock& block);
 
 class SceneTables {
 public:

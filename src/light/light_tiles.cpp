@@ -36,10 +36,10 @@ SPHEREVIEW_FOR_EACH_SIMD void dots(const float* x, const float* y, const float* 
     for (int i = 0; i < count; ++i) out[static_cast<std::size_t>(i)] = x[i] * axis[0] + y[i] * axis[1] + z[i] * axis[2];
 }
 
-void project(const float* x, const float* y, const float* z, int count, const LightFrame& frame, Projected& out) {
-    dots(x, y, z, count, frame.across, out.x);
-    dots(x, y, z, count, frame.upward, out.y);
-    dots(x, y, z, count, frame.height, out.height);
+void project(const float* x, const float* y, const float* z, int count, const LightAxes& axes, Projected& out) {
+    dots(x, y, z, count, axes.across, out.x);
+    dots(x, y, z, count, axes.upward, out.y);
+    dots(x, y, z, count, axes.height, out.height);
 }
 
 SPHEREVIEW_FOR_EACH_SIMD void whole_dots(const std::int16_t* x, const std::int16_t* y, const std::int16_t* z, int count,
@@ -85,7 +85,7 @@ std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::s
                                                const glm::dvec3& direction) {
     const glm::dvec3 l = unit(direction);
     const glm::dvec3 across = perpendicular(l);
-    frame_ = {to_float(across), to_float(cross(l, across)), to_float(l)};
+    axes_ = {to_float(across), to_float(cross(l, across)), to_float(l)};
     const Points points{begin, end};
     if (find_far(lit_scene, direction)) {
         light_known(lit_scene, points, direction);
@@ -145,7 +145,7 @@ std::size_t LightTiles::tile(float coordinate) const {
 // Which points face the light, and the lowest of them in each tile.
 void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
     const LitPoints& all = lit_scene.points;
-    std::array<float, 3> of_normal = frame_.height;
+    std::array<float, 3> of_normal = axes_.height;
     for (float& component : of_normal) component /= LitPoints::normal_unit;
     const auto faces = [&](std::size_t point) {
         if (std::ranges::binary_search(all.unknown, point)) return false;  // decide() asks about them
@@ -159,7 +159,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
     left_.assign((points.end - points.begin + in_word - 1) / in_word, 0);
     for (std::size_t from = points.begin; from < points.end; from += at_once) {
         const std::size_t count = std::min(at_once, points.end - from);
-        project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(count), frame_, projected);
+        project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(count), axes_, projected);
         whole_dots(&all.normal_x[from], &all.normal_y[from], &all.normal_z[from], static_cast<int>(count), of_normal, facing);
         for (std::size_t first = 0; first < count; first += in_word) {
             std::uint64_t word = 0;
@@ -192,8 +192,7 @@ void LightTiles::sift(const LitScene& lit_scene, Points points, const Keeps& kee
         if (std::ranges::all_of(words, [](std::uint64_t word) { return word == 0; })) continue;
         // The points are projected again: that takes less time than to read kept projections, and no memory.
         const std::size_t from = points.begin + first * in_word;
-        project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(std::min(at_once, points.end - from)), frame_,
-                projected);
+        project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(std::min(at_once, points.end - from)), axes_, projected);
         for (std::size_t w = 0; w < words.size(); ++w) {
             std::uint64_t kept = words[w];
             for (std::uint64_t rest = kept; rest != 0; rest &= rest - 1) {
@@ -215,7 +214,7 @@ void LightTiles::find_discs(const LitScene& lit_scene) {
     discs_.reserve(blockers.size());  // what is not used takes no memory
     for (std::size_t from = 0; from < blockers.size(); from += at_once) {
         const std::size_t count = std::min(at_once, blockers.size() - from);
-        project(&blockers.x[from], &blockers.y[from], &blockers.z[from], static_cast<int>(count), frame_, projected);
+        project(&blockers.x[from], &blockers.y[from], &blockers.z[from], static_cast<int>(count), axes_, projected);
         sizes(&blockers.x[from], &blockers.y[from], &blockers.z[from], &blockers.radius[from], static_cast<int>(count), size);
         for (std::size_t i = 0; i < count; ++i) {
             const float radius = blockers.radius[from + i];

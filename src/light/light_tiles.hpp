@@ -46,7 +46,7 @@ struct LightCounts {
 };
 
 // The directions of the plane that is perpendicular to a light, and to the light; of length 1.
-struct LightFrame {
+struct LightAxes {
     std::array<float, 3> across;
     std::array<float, 3> upward;
     std::array<float, 3> height;
@@ -127,7 +127,7 @@ private:
     void for_each_row(const Disc& disc, const Each& each) const;
 
     LightTileLimits limits_;
-    LightFrame frame_{};
+    LightAxes axes_{};
     std::size_t side_ = 0;         // tiles across
     std::size_t most_side_ = 768;  // fewer, once the lists came out too long
     float half_ = 1.0F;            // of the plane's square

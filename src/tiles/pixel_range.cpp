@@ -181,15 +181,15 @@ void guess_ranges(const PixelAxis& columns, const PixelAxis& rows, const glm::dv
 }  // namespace
 
 PixelPlanes::PixelPlanes(const Camera& camera, PictureSize size, int scale) {
-    const RayBasis<double> frame = ray_basis<double>(camera, size, scale);
-    orthographic_ = frame.orthographic;
-    reach_ = frame.reach;
+    const RayBasis<double> basis = ray_basis<double>(camera, size, scale);
+    orthographic_ = basis.orthographic;
+    reach_ = basis.reach;
     const auto axis_of = orthographic_ ? make_orthographic_axis : make_axis;
-    columns_ = axis_of(frame.forward, frame.right, frame.up, size.width);
-    rows_ = axis_of(frame.forward, -frame.up, frame.right, size.height);
-    const glm::dvec3 normal = glm::cross(frame.right, frame.up);
+    columns_ = axis_of(basis.forward, basis.right, basis.up, size.width);
+    rows_ = axis_of(basis.forward, -basis.up, basis.right, size.height);
+    const glm::dvec3 normal = glm::cross(basis.right, basis.up);
     const double length = glm::length(normal);
-    view_ = normal * ((glm::dot(normal, frame.forward) < 0.0 ? -1.0 : 1.0) / length);
+    view_ = normal * ((glm::dot(normal, basis.forward) < 0.0 ? -1.0 : 1.0) / length);
 
     // Far from where products of four could over- or underflow. The float filter proves nothing beyond either.
     constexpr double most = 0x1p300;
@@ -197,7 +197,7 @@ PixelPlanes::PixelPlanes(const Camera& camera, PictureSize size, int scale) {
     const auto of_axis = [&](const PixelAxis& axis) {
         return comfortable(axis.base_base) && comfortable(orthographic_ ? -axis.shift : axis.step_step);
     };
-    usable_ = frame.in_range && comfortable(length) && of_axis(columns_) && of_axis(rows_) &&
+    usable_ = basis.in_range && comfortable(length) && of_axis(columns_) && of_axis(rows_) &&
               ray_condition(camera) <= largest_float_condition;
 }
 

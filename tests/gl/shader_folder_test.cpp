@@ -54,12 +54,12 @@ TEST_P(ShaderFolderTest, WithAFrameThatTheProgramDoesNotShareIsRefused) {
     replace("draw.glsl", "vec4 right;", "vec4 other;");
     replace("draw.glsl", "vec4 up;", "vec4 right;");
     replace("draw.glsl", "vec4 other;", "vec4 up;");
-    EXPECT_EQ(fault(), "trace.frag: GL has Frame.right at byte 32, the program at 16");
+    EXPECT_EQ(fault(), "trace.frag: GL has Draw.right at byte 32, the program at 16");
 }
 
 TEST_P(ShaderFolderTest, WithAFrameThatLacksAMemberIsRefused) {
     replace("draw.glsl", "vec4 background;", "vec4 backdrop;");
-    EXPECT_EQ(fault(), "trace.frag: GL has Frame.background at byte -1, the program at 48");
+    EXPECT_EQ(fault(), "trace.frag: GL has Draw.background at byte -1, the program at 48");
 }
 
 TEST_P(ShaderFolderTest, ErrorsNameTheFileAndLineAsWritten) {
