@@ -55,7 +55,7 @@ struct ViewerState {
     std::optional<std::uint32_t> hovered;
     std::uint64_t gesture = 0;
     std::uint64_t look_revision = 0;  // of the document that differs from its file in colours and sizes by properties alone
-    SceneBounds bounds;  // of the document at bounds_revision
+    SceneBounds bounds;               // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
 
     // The file that the document is of.

@@ -32,7 +32,9 @@ struct MeasuringHarness {
     }
 
     Measuring measuring{.on = true};
-    PanelHarness panels{[this](const PanelContext& context) { draw_measuring(context, measuring, {100.0F, 50.0F, 600.0F, 500.0F}); },
+    PanelHarness panels{[this](const PanelContext& context) {
+                            draw_measuring(context, measuring, {100.0F, 50.0F, 600.0F, 500.0F});
+                        },
                         {},
                         800.0F,
                         600.0F};

@@ -151,7 +151,8 @@ protected:
     std::vector<std::string> recent;
     float height = 0.0F;
     MenuKeys keys;
-    PanelHarness harness{[this](const PanelContext& context) { height = draw_menu_bar(context, recent, keys); }, {}, 800.0F, 700.0F};
+    PanelHarness harness{
+        [this](const PanelContext& context) { height = draw_menu_bar(context, recent, keys); }, {}, 800.0F, 700.0F};
 
     // The commands that clicking through the menu asks for.
     std::vector<CommandId> choose(const std::string& menu, const std::string& item) {

@@ -38,9 +38,9 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     window.step("F12 shows what the window shows");
     window.key("F12");
     announced(window, "scene.png (100 x 100, 16 samples a pixel)");
-    EXPECT_EQ(
-        folder.read("scene.png"),
-        render_bytes(folder, scene, {"-s", "100x100", "--shade", "studio", "--samples", "16", "--sun", "1,2,-3", "--sky", "0.5", "--lights", "64"}));
+    EXPECT_EQ(folder.read("scene.png"), render_bytes(folder, scene,
+                                                     {"-s", "100x100", "--shade", "studio", "--samples", "16", "--sun", "1,2,-3",
+                                                      "--sky", "0.5", "--lights", "64"}));
     window.step("the sun's ray in the inspector");
     window.key("i");
     window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });

@@ -35,7 +35,8 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
                            const std::string& input)
     : folder_(folder), server_(screen) {
     std::filesystem::create_directories(folder.path("home"));
-    // Colours that tests can name, pictures that are soon finished and nothing drawn over them, unless a test, or a window before, has settings there.
+    // Colours that tests can name, pictures that are soon finished and nothing drawn over them, unless a test, or a window before,
+    // has settings there.
     if (!folder.has(settings_file)) folder.write(settings_file, R"({"shading": "flat", "samples": 1, "axes": false})");
     std::filesystem::remove(folder.path(log_name));
     Command command{.arguments = arguments,

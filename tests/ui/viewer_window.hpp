@@ -27,9 +27,8 @@ struct Place {
 class ViewerWindow {
 public:
     // In `folder` lie the log of redraws, the home folder and what a test puts there. Returns when the first picture is drawn and
-    // the window rests, or shows that it reads. Without settings in the home folder, the shading is flat, with a sample a pixel, and no axes
-    // are shown.
-    // `input` is its standard input.
+    // the window rests, or shows that it reads. Without settings in the home folder, the shading is flat, with a sample a pixel,
+    // and no axes are shown. `input` is its standard input.
     ViewerWindow(const TemporaryFolder& folder, const std::vector<std::string>& arguments, const ScreenOptions& screen = {},
                  const std::string& input = "");
 
