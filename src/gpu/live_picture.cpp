@@ -201,9 +201,9 @@ void LivePicture::begin_trace(int step) {
 // take too long and there is none.
 bool LivePicture::trace(int step, double patience) {
     if (next_step_ != step) begin_trace(step);
-    DrawBlock block = draw_block_;
-    set_grid(block, step);
-    upload_draw_block(draw_buffer_, block);
+    DrawBlock of_grid = draw_block_;
+    set_grid(of_grid, step);
+    upload_draw_block(draw_buffer_, of_grid);
     tables_.bind();
     glUseProgram(programs_.trace.name());
     double drawing = 0.0;  // seconds, in this call
