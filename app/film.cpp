@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/interrupt.hpp"
+#include "base/path.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
 
@@ -128,7 +129,9 @@ void Film::start(const Image& first) {
                    "-an",
                    "-bitexact"};
     append(words, encoding(film_kind(*options_.movie)->ending, options_.quality.value_or(usual_film_quality), alpha));
-    append(words, {"-y", place_->temporary()});
+    // As a path: ffmpeg takes what stands before a colon for a protocol.
+    const std::string file = place_->temporary();
+    append(words, {"-y", path_from(file).is_absolute() ? file : "./" + file});
     auto encoder = std::make_unique<PipedProgram>(program_, words);
     const std::lock_guard lock(current_mutex);
     encoder_ = std::move(encoder);

@@ -73,7 +73,7 @@ void check_film_options(const CLI::App& command, const RenderOptions& options) {
 
 void add_frame_options(CLI::App& command, RenderOptions& options) {
     FrameOptions& frames = options.frames;
-    add_option(
+    CLI::Option* list = add_option(
         command, frames.ranges,
         {"--frames", "LIST",
          "Pictures of several frames, named by {frame}: " + std::string(frames_syntax) +
@@ -81,16 +81,20 @@ void add_frame_options(CLI::App& command, RenderOptions& options) {
              "first of them",
          frames_syntax},
         [](const std::string& text) { return parse_frames(text); });
+    list->excludes(find_option(command, "--frame"));
     add_file(command, options.fit.camera, "--camera", "SCENE",
              "See everything by the camera of this TOML scene, or by the view of it that --view names");
     CLI::Option* first = add_flag(command, frames.fit_first, fit_first, "");
     first->group("");  // written as --fit first
-    first->excludes(find_option(command, "--no-fit"));
     CLI::Option* turntable =
         add_option(command, frames.turntable,
                    {"--turntable", "N", "N pictures once around; with --frames the view turns 1/N of that from frame to frame",
-                    "the number of pictures of a turn, from 1"},
-                   [](const std::string& text) { return whole_number<std::int64_t>(text, 1); });
+                    "the number of pictures of a turn, from 1 to 1000000"},
+                   [](const std::string& text) -> std::optional<std::int64_t> {
+                       constexpr std::int64_t most = 1'000'000;  // each takes memory
+                       const auto number = whole_number<std::int64_t>(text, 1);
+                       return number && *number <= most ? number : std::nullopt;
+                   });
     const std::string axes = listed(std::vector<std::string>(turn_axis_names.begin(), turn_axis_names.end()), "or");
     add_option(command, frames.axis,
                {"--axis", "AXIS", "What --turntable turns about: " + axes + " [up, the view's own upward direction]", axes},
@@ -119,6 +123,7 @@ std::vector<std::string> picture_words(const CLI::App& command) {
 void check_frame_options(const CLI::App& command, const RenderOptions& options) {
     check_film_options(command, options);
     const FrameOptions& frames = options.frames;
+    if (frames.fit_first && command.get_option("--no-fit")->count() > 0) wrong("--fit", "'first'", "no --no-fit beside it");
     if (frames.fit_first && frames.ranges.empty()) wrong("--fit", "'first'", "--frames, of which that is the first");
     if (options.fit.camera && (options.fit.wanted.value_or(false) || frames.fit_first)) {
         wrong("--camera", in_quotes(*options.fit.camera), "no --fit and no --view from a side beside it: they move the camera");

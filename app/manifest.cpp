@@ -25,13 +25,19 @@ std::string required_text(const Json& json, std::string_view key, const std::str
     throw InputError(place + "found no " + in_quotes(key) + ", expected a line of a manifest");
 }
 
+std::int64_t required_number(const Json& json, std::string_view key, const std::string& place) {
+    const auto number = json[key].whole();
+    if (number && *number >= 0) return *number;
+    throw InputError(place + "found no " + in_quotes(key) + " from 0, expected a line of a manifest");
+}
+
 ManifestEntry entry_of(std::string_view line, const std::string& name, std::size_t number) {
     const std::string place = place_in(name, {number, 1});
     const Json json = Json::parse(line, name);
     ManifestEntry entry;
     entry.picture = json["picture"].text();
-    entry.frame = json["frame"].whole().value_or(0);
-    entry.place = static_cast<std::size_t>(std::max<std::int64_t>(json["place"].whole().value_or(0), 0));
+    entry.frame = required_number(json, "frame", place);
+    entry.place = static_cast<std::size_t>(required_number(json, "place", place));
     entry.scene = required_text(json, "scene", place);
     entry.scene_sum = required_text(json, "scene_sha256", place);
     entry.camera_sum = json["camera_sha256"].text();
@@ -90,7 +96,7 @@ Manifest::Manifest(const RenderOptions& options) : options_(options), file_(null
             for (const ManifestEntry& entry : entries_of(kept, path)) known_.insert(entry.picture.value_or(""));
         }
     }
-    write_output(path, kept);
+    write_output(path, kept, Durability::on_disk, MissingFolder::made);
     file_.reset(open_file(path, "ab"));
     if (!file_) throw OutputError(path, std::strerror(errno), errno);
     std::setvbuf(file_.get(), nullptr, _IOFBF, longest_line);

@@ -64,6 +64,7 @@ public:
 
     void draw() {
         take_seen();
+        shown_coloring(context_.document, state_);  // an undo may have brought others back
         if (choose("colour by", state_.colors.property, false)) {
             state_.colors.range.reset();
             state_.colors.log = false;
@@ -400,19 +401,25 @@ private:
 
 const Coloring* shown_coloring(const Document& document, LookPanelState& state) {
     if (state.shown_revision != document.revision()) {
+        // Else the panel has just chosen others, which the spheres are about to get.
+        const bool others_changed_it = state.shown_revision != 0;
         state.shown_revision = document.revision();
         state.shown.reset();
         double best = 0.5;  // most of them
+        const ColorBy* by = nullptr;
         for (const UsedColors& used : state.used) {
             Property own;
             const Property* values = find_values(document.scene(), used.coloring.property, own);
             const double part = values == nullptr ? 0.0 : part_with_colors(document.scene(), *values, used.coloring);
             if (!(part > best)) continue;
             best = part;
+            by = &used.by;
             state.shown = used.coloring;
             // Spheres may have been hidden or removed.
             if (used.coloring.is_category()) state.shown = coloring_of(document.scene(), *values, used.by);
         }
+        // What an undo has brought back is what the panel shows.
+        if (by != nullptr && others_changed_it && !state.handle && !state.recolors) state.colors = *by;
     }
     return state.shown ? &*state.shown : nullptr;
 }

@@ -117,6 +117,17 @@ TEST_F(Farm, AManifestSaysWhatPicturesAreMadeOf) {
     EXPECT_EQ(verify().status, 2);
 }
 
+// It may lie where the pictures will be. Of a line that lacks its place nobody is accused.
+TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
+    expect_done({"--manifest", "out/made.jsonl"});
+    std::string text = folder_.read("out/made.jsonl");
+    const std::string place = "\"place\":3,";
+    ASSERT_NE(text.find(place), std::string::npos);
+    text.replace(text.find(place), place.size(), "");
+    folder_.write("made.jsonl", text);
+    EXPECT_TRUE(fails(verify(), 2, "made.jsonl:4:1: found no 'place' from 0, expected a line of a manifest"));
+}
+
 TEST_F(Farm, AManifestGoesOnWhereItWasCutOff) {
     expect_done({"--manifest", "made.jsonl", "--turntable", "12"});
     const std::string text = folder_.read("made.jsonl");

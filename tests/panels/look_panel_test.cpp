@@ -54,9 +54,15 @@ TEST(LookPanel, ColorsByNumbersInOneStep) {
     panel.choose("map", "turbo");
     EXPECT_EQ(panel.colors(), panel.expected(ColorMap::turbo, {0.0, 0.25, 1.0}));
     EXPECT_EQ(panel.legend(), "colours by charge: turbo from -1 to 3");
-    // The legend follows what is undone.
+    // The legend and the panel follow what is undone.
     panel.undo();
     EXPECT_EQ(panel.legend(), "colours by charge: viridis from -1 to 3");
+    EXPECT_NE(panel.look().colors.map, ColorMap::turbo);
+    panel.document.redo();
+    panel.frames(2);
+    EXPECT_EQ(panel.legend(), "colours by charge: turbo from -1 to 3");
+    EXPECT_EQ(panel.look().colors.map, ColorMap::turbo);
+    panel.undo();
     panel.undo();
     EXPECT_EQ(panel.colors(), before);
     EXPECT_EQ(panel.legend(), "");
@@ -78,6 +84,7 @@ TEST(LookPanel, ADragOfTheRangeIsOneStep) {
     panel.undo();
     EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, 0.25, 1.0}));
     EXPECT_EQ(panel.legend(), "colours by charge: viridis from -1 to 3");
+    EXPECT_FALSE(panel.look().colors.range);
     panel.undo();
     EXPECT_FALSE(panel.document.can_undo());
 }
