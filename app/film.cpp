@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <string_view>
 #include <vector>
@@ -158,7 +159,9 @@ void Film::add(const Image& picture) {
 
 void Film::finish() {
     if (encoder_) {
-        if (!encoder_->finish()) fail();
+        std::error_code unknown;
+        const bool ended_well = encoder_->finish();
+        if (!ended_well || std::filesystem::file_size(path_from(place_->temporary()), unknown) == 0) fail();
         const std::lock_guard lock(current_mutex);
         place_->take(durability_);
     }

@@ -66,6 +66,7 @@ std::string sum_of_pixels(const Image& picture) {
 
 std::string sum_of_file(const std::string& path) {
     InputStream stream(path, Content::binary);
+    if (!stream.is_regular()) throw InputError(stream.name() + ": found no regular file, expected one: a device may have no end");
     return sha256([&] {
         stream.drop_first(stream.bytes().size());
         stream.fill(read_at_once);

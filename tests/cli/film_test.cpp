@@ -93,6 +93,12 @@ TEST_F(FilmCommand, IsWholeOrNotAtAll) {
     EXPECT_EQ(folder_.read("out.mp4"), "old");
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin", "out.mp4"}));
 
+    // An encoder that says that all is well, and has written nothing.
+    write_encoder("cat >/dev/null");
+    const Outcome empty = run(film({"--movie", "out.mp4"}));
+    EXPECT_EQ(empty.status, 4) << empty;
+    EXPECT_EQ(folder_.read("out.mp4"), "old");
+
     const Outcome missing = run(film({"--movie", "out.mp4"}, "/nowhere"));
     EXPECT_EQ(missing.status, 3) << missing;
     EXPECT_TRUE(contains(missing.errors, "found no program ffmpeg")) << missing;
