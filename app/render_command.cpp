@@ -43,8 +43,9 @@ struct RenderReport {
     Timings timings;
     PictureFacts facts;
     std::optional<Comparison> comparison;
-    std::vector<std::string> warnings;  // of the scene's file, and of the picture
-    std::vector<std::string> notes;     // of the file
+    std::vector<std::string> warnings;    // of the scene's file, and of the picture
+    std::vector<std::string> notes;       // of the file
+    std::vector<std::string> properties;  // that the file has of its spheres: their names
     AppliedLook look;
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
@@ -64,6 +65,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
         {"samples", options.samples},
         {"shade", name_of(options.shading)},
         {"spheres", report.spheres},
+        {"properties", report.properties},
         {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
         {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
         {"passed_over", report.passed_over},
@@ -252,6 +254,7 @@ private:
         }
         report.warnings = loaded.warnings;
         report.notes = loaded.notes;
+        report.properties = loaded.property_names;
         report.look = loaded.look;
         return loaded;
     }
