@@ -108,7 +108,7 @@ std::vector<std::string> picture_words(const CLI::App& command) {
     // What says how pictures are made, where they go, or what is said of them.
     constexpr auto others = std::to_array<std::string_view>({"--output", "--backend", "--device", "--expect", "--diff", "--no-sync",
                                                              "--timings", "--json", "--verbose", "--skip-existing", "--part",
-                                                             "--manifest", "--movie", "--fps", "--quality"});
+                                                             "--manifest", "--movie", "--fps", "--quality", "--no-index"});
     std::vector<std::string> words;
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0 || option->get_lnames().empty()) continue;
