@@ -128,6 +128,8 @@ void check_frame_options(const CLI::App& command, const RenderOptions& options) 
     if (options.fit.camera && (options.fit.wanted.value_or(false) || frames.fit_first)) {
         wrong("--camera", in_quotes(*options.fit.camera), "no --fit and no --view from a side beside it: they move the camera");
     }
+    if (frames.manifest == std::string(standard_stream))
+        wrong("--manifest", "'-'", "a file: --json writes lines to standard output");
     if (frames.skip_existing && options.expect)
         wrong("--skip-existing", "--expect", "one of the two: what is skipped is not compared");
 }

@@ -104,6 +104,8 @@ TEST_F(Frames, AreNamedByNumber) {
     expect_fault(
         {"a.xyz", "--frames", "all", "-o", "a.png"},
         "a.png: cannot be both the picture of a.xyz, 1 and the picture of a.xyz, 0; use {frame} for each picture's number");
+    expect_fault({"a.xyz", "--frames", "all", "-o", "{frame:5}"},
+                 "sphereview: --output: found '{frame:5}', expected {frame}, or {frame:0N} with N from 1 to 18 for so many digits");
     EXPECT_EQ(render({"a.xyz", "--fit", "first"}).status, 2);
 }
 
