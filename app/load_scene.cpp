@@ -7,6 +7,7 @@
 #include "base/memory.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
+#include "formats/frame_reader.hpp"
 
 namespace sphereview {
 
@@ -14,6 +15,31 @@ namespace {
 
 // Enough to tell the format by, and what a format that is read as a stream begins with.
 constexpr std::size_t first_bytes = std::size_t{1} << 22;
+
+// Whether a later frame of a long text is wanted, or a text that does not fit in memory may have several.
+bool is_read_by_frames(const InputStream& stream, const SceneFormat& format, const DataOptions& wanted) {
+    if (format.step_over == nullptr || !stream.is_regular()) return false;
+    if (wanted.frame > 0) return !stream.size() || *stream.size() >= usual_index_from;
+    const auto memory = available_memory();
+    return stream.size() && memory && *stream.size() > *memory / 2;
+}
+
+// As SceneFormat::read, with only a part of the text in memory.
+SphereData read_frame(const std::string& path, const DataOptions& wanted, const LoadOptions& options) {
+    FrameReader reader(path, wanted);
+    reader.watch([&options](double done) {
+        if (options.progress != nullptr) options.progress->update(done);
+        if (options.control == nullptr) return;
+        options.control->done = static_cast<std::uint64_t>(done * static_cast<double>(options.control->total));
+        options.control->check();
+    });
+    SphereData data = reader.read(wanted.frame);
+    data.frames = reader.count();
+    if (!reader.fault().empty()) {
+        data.warnings.push_back(reader.fault() + "; what follows frame " + std::to_string(data.frames - 1) + " is passed over");
+    }
+    return data;
+}
 
 LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     InputStream stream(path);
@@ -38,11 +64,16 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
         return loaded;
     }
-    stream.fill();
-    if (options.control != nullptr) options.control->check();
     DataOptions wanted = options.data;
     for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
-    SphereData data = loaded.format.read(stream.bytes(), loaded.name, wanted);
+    SphereData data;
+    if (is_read_by_frames(stream, loaded.format, wanted)) {
+        data = read_frame(path, wanted, options);
+    } else {
+        stream.fill();
+        if (options.control != nullptr) options.control->check();
+        data = loaded.format.read(stream.bytes(), loaded.name, wanted);
+    }
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     loaded.scene = std::move(data.scene);
