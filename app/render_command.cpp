@@ -302,8 +302,18 @@ private:
             static_cast<std::uint64_t>(options_.size.width) * static_cast<std::uint64_t>(options_.size.height) * 4;
         // Never closed: the process ends soon, and taking a driver down in good order takes milliseconds.
         static OpenBackend& opened =
-            *new OpenBackend(open_backend(options_.backend, options_.device, report.timings, picture_bytes));
+            *new OpenBackend(best_for_these(open_backend(options_.backend, options_.device, report.timings, picture_bytes)));
         return opened;
+    }
+
+    // A processor that stands for a GPU does so with all cores for one frame, which takes longer than a frame on each.
+    OpenBackend best_for_these(OpenBackend opened) const {
+        const bool is_chosen = errands_ != nullptr && options_.backend == Backend::automatic;
+        if (!is_chosen || !opened.context || !opened.context->is_software()) return opened;
+        OpenBackend cpu;
+        cpu.passed_over = opened.passed_over;
+        cpu.passed_over.push_back(opened.description + ": it draws one frame at a time, where each core can trace one");
+        return cpu;
     }
 
     static void check_sum(const Image& picture, const RenderJob& job, RenderReport& report) {

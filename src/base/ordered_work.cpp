@@ -18,12 +18,12 @@
 namespace sphereview {
 
 void Errands::ask(const std::function<void()>& errand) {
-    const auto task = std::make_shared<std::packaged_task<void()>>(errand);
+    auto task = std::make_shared<std::packaged_task<void()>>(errand);
     std::future<void> end = task->get_future();
     {
         const std::lock_guard lock(mutex_);
         if (closed_) throw Cancelled();
-        asked_for_.emplace_back([task] { (*task)(); });
+        asked_for_.emplace_back([task = std::move(task)] { (*task)(); });  // there alone: dropped, it ends the wait
     }
     changed_.notify_all();
     try {

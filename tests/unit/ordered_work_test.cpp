@@ -110,6 +110,31 @@ TEST(OrderedWork, ErrandsAreDoneByWhoWaits) {
     EXPECT_THROW(errands.ask([] {}), Cancelled);
 }
 
+// Who waits for an errand that is never done waits no longer when the work ends.
+TEST(OrderedWork, EndsWhileErrandsWait) {
+    for (int run = 0; run < 200; ++run) {
+        Noted noted;
+        noted.last = 0;
+        std::atomic<int> asked = 0;
+        std::atomic<bool> ends = false;
+        Errands errands;
+        OrderedWork work = noted.work(8, 8);
+        work.make = [&](std::size_t place) {
+            if (place == 0) return;
+            ++asked;
+            errands.ask([&] {
+                while (!ends) std::this_thread::yield();
+            });
+        };
+        work.deliver = [&](std::size_t) {
+            while (asked < 3) std::this_thread::yield();
+            ends = true;
+            return false;
+        };
+        EXPECT_TRUE(do_in_order(work, 4, errands));
+    }
+}
+
 TEST(OrderedWork, IsNotBegunWithoutThreads) {
     if (!test::NoThreads::possible) GTEST_SKIP() << "threads can always begin here";
     const test::NoThreads none;
