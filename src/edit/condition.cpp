@@ -75,7 +75,9 @@ std::string names_of(const Scene& scene) {
     if (scene.properties.size() > names.size()) {
         names.push_back(std::to_string(scene.properties.size() - names.size()) + " more");
     }
-    names.insert(names.end(), every_sphere_has.begin(), every_sphere_has.end());
+    for (const std::string_view own : every_sphere_has) {
+        if (find_property(scene.properties, own) == nullptr) names.emplace_back(own);
+    }
     return "the name of a property: " + listed(names, "or");
 }
 

@@ -107,6 +107,9 @@ TEST(Condition, FindsAPropertyWithoutItsUnit) {
               std::string::npos);
     scene.properties[5].name = "charge";
     EXPECT_EQ(spheres_where(Condition("charge > 4"), scene), (Numbers{4}));
+    scene.properties[3].name = "radius";
+    const std::string named = message_of<InputError>([&] { spheres_where(Condition("mass > 0"), scene); });
+    EXPECT_NE(named.find("y, z, number or name"), std::string::npos) << named << ": each once";
     scene.properties[4].name = "x (velocity)";
     EXPECT_EQ(spheres_where(Condition("x > 3"), scene), (Numbers{4}));
 }
