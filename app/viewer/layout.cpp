@@ -25,6 +25,9 @@ constexpr float narrowest_inspector = 120.0F;
 constexpr float lowest_picture = 100.0F;  // above the status bar
 // Where a tool's words lie over the picture, it has to be wide enough for them and for what they are about.
 constexpr float narrowest_under_tool = 280.0F;
+// Of the axes in the picture's corner, with their margin; and of the rays' panel, that it can be read.
+constexpr float axes_height = 116.0F;
+constexpr float lowest_rays = 270.0F;
 // With the inspector open, the picture keeps this part of the window, and the inspector so much, as far as the side panel can
 // yield.
 constexpr float least_picture_share = 0.32F;
@@ -85,7 +88,11 @@ void draw_rays_over(ViewerState& state, const PanelContext& context, const Redra
     RaysInSpace& rays = state.rays;
     RaysFacts shown = facts_of_rays(state, facts.inspection.first);
     shown.picture = facts.seen_by_eye;
-    const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, picture);
+    // Above the axes in the corner, where there is room for both.
+    Rectangle place = picture;
+    const float axes = axes_height * context.scale;
+    if (state.settings.axes_shown && place.height - axes >= lowest_rays * context.scale) place.height -= axes;
+    const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, place);
     const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
     fly_beside(state, {pixels * static_cast<double>(answer.size.x), pixels * static_cast<double>(answer.size.y)});
     rays.pointed.reset();

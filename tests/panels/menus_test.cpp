@@ -92,6 +92,21 @@ TEST(Layout, TheSidePanelYieldsToToolsThatAreOpen) {
     EXPECT_EQ(state.settings.panel_width, ViewerSettings{}.panel_width) << "what the person chose is kept";
 }
 
+TEST(Layout, TheRaysPanelLeavesTheAxesFreeWhereThereIsRoomForBoth) {
+    ViewerState state({}, {});
+    state.picture_size = {700, 800};
+    state.rays.on = true;
+    state.rays.size = {700, 800};
+    Rectangle picture;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
+    state.rays.choice.shown = RaysShown::all;
+    window.frames(3);
+    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 116.0F);
+    window.scale = 2.0F;
+    window.frames(3);
+    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 232.0F);
+}
+
 TEST(Commands, AreEachDescribedOnce) {
     std::set<CommandId> seen;
     std::set<std::string_view> menus;

@@ -289,6 +289,33 @@ TEST_F(DataInViewer, HasPropertiesOfSmallFilesAtOnce) {
     EXPECT_FALSE(state.loading);
 }
 
+// What is read with colours by a property knows the file's own, and other frames are read without where these were chosen.
+TEST_F(DataInViewer, OtherFramesHaveTheirOwnColoursAndSizesWhereTheseWereChosen) {
+    const Scene plain = state.scene();
+    state.options.scene = path;
+    state.options.look.color_by = "x";
+    state.options.look.radius_scale = 3.0;
+    open_scene(state, path);
+    finish_reading();
+    ASSERT_NE(state.scene().spheres[0].color, plain.spheres[0].color);
+    LookPanelState& look = state.side_panel.look;
+    EXPECT_EQ(look.own.colors, std::vector<Color>{plain.spheres[0].color});
+    EXPECT_EQ(look.own.radii, std::vector<double>{plain.spheres[0].radius});
+    look.colors.property.clear();
+    look.own.colors_chosen = true;
+    look.own.sizes_chosen = true;
+    std::vector<Sphere> own = state.scene().spheres;
+    own[0].color = look.own.colors[0];
+    own[0].radius = look.own.radii[0];
+    perform(state, {EditScene{ChangeSpheres{{0}, own}, "Own colours", 0, true}});
+    shown_coloring(state.document, look);
+    run_command(state, CommandId::next_frame);
+    finish_reading();
+    ASSERT_EQ(state.frame, 1);
+    EXPECT_EQ(state.scene().spheres[0].color, plain.spheres[0].color) << "oxygen's";
+    EXPECT_EQ(state.scene().spheres[0].radius, plain.spheres[0].radius);
+}
+
 struct LargeFileInViewer : DataInViewer {
     LargeFileInViewer() {
         std::string table = "x,y,z,q,kind\n";
