@@ -22,6 +22,10 @@ constexpr double zoom_per_click = 0.85;    // of the wheel; the distance is time
 constexpr double radius_per_click = 1.06;  // of the wheel
 constexpr double smallest_scene = 0.25;    // of the picture's shorter side, where zooming out ends
 
+constexpr int radius_digits = 5;  // that a turn of the wheel leaves
+// Spheres whose numbers are rounded in decimal: of more, that would not keep up with the hand.
+constexpr std::size_t most_rounded = 20'000;
+
 // Where the ray through a place first meets the sphere; its centre where, for rounding, it does not.
 glm::dvec3 hit_point(const Camera& camera, PictureSize size, const glm::dvec2& place, const Sphere& sphere) {
     const glm::dvec3 origin = point_at(camera, size, place, 0.0);
@@ -249,8 +253,6 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
     ChangeSpheres change{numbers, {}};
     change.spheres.reserve(numbers.size());
     bool changes = false;
-    // Of very many, rounding in decimal would not keep up with the hand.
-    constexpr std::size_t most_rounded = 20'000;
     const bool rounds = numbers.size() <= most_rounded;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const Sphere& before = state.scene.spheres[numbers[i]];
@@ -277,6 +279,8 @@ void MouseControl::change_radius(const PictureMouse& mouse, const PictureState& 
     for (const std::uint32_t number : change.numbers) {
         Sphere sphere = state.scene.spheres[number];
         sphere.radius *= std::pow(radius_per_click, mouse.wheel);
+        if (change.numbers.size() <= most_rounded)
+            sphere.radius = rounded_to(sphere.radius, last_digit(sphere.radius, radius_digits));
         if (!std::isfinite(sphere.radius) || !(sphere.radius > 0.0)) return;
         change.spheres.push_back(sphere);
     }
