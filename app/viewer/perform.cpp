@@ -30,13 +30,17 @@ void show_scene_camera(ViewerState& state) {
 
 void undo(ViewerState& state) {
     const bool follows = state.document.undo_moves_view() && state.inspected_camera() == state.scene().camera;
-    select_touched(state, state.document.undo());
+    const bool is_look = state.look_steps.contains(state.document.undo_name());
+    const Touched touched = state.document.undo();
+    if (!is_look) select_touched(state, touched);
     if (follows) show_scene_camera(state);
 }
 
 void redo(ViewerState& state) {
     const bool follows = state.document.redo_moves_view() && state.inspected_camera() == state.scene().camera;
-    select_touched(state, state.document.redo());
+    const bool is_look = state.look_steps.contains(state.document.redo_name());
+    const Touched touched = state.document.redo();
+    if (!is_look) select_touched(state, touched);
     if (follows) show_scene_camera(state);
 }
 
@@ -49,6 +53,7 @@ void apply(ViewerState& state, EditScene action) {
     const auto* camera = std::get_if<ChangeCamera>(&action.edit);
     const bool moves_view = camera != nullptr && camera->moves_view;
     const bool only_looks = !state.document.is_changed() || state.document.revision() == state.look_revision;
+    if (action.is_look) state.look_steps.insert(action.name);
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
     if (action.is_look && only_looks) state.look_revision = state.document.revision();
     if (moves_view) show_scene_camera(state);

@@ -66,6 +66,11 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
         options.range =
             by_category || look.shown->range.low == look.shown->range.high ? std::nullopt : std::optional(look.shown->range);
         options.log = look.shown->log;
+    } else if (look.own.colors_chosen) {
+        options.color_by.reset();
+        options.map.reset();
+        options.range.reset();
+        options.log = false;
     }
     Property own;
     const Property* sizes = look.size_by.empty() ? nullptr : find_values(state.scene(), look.size_by, own);
@@ -73,12 +78,25 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
         options.size_by = look.size_by;
         options.scale = look.scale;
         options.radii.reset();
+    } else if (const auto radii = chosen_radii(look); radii && look.has_sized) {
+        options.size_by.reset();
+        options.scale.reset();
+        options.radii = radii;
+    } else if (look.own.sizes_chosen) {
+        options.size_by.reset();
+        options.scale.reset();
+        options.radii.reset();
+        options.radius_scale.reset();
     }
 }
 
 // What the command line, or the window before another frame, has asked for.
 void note_look(ViewerState& state, const LoadedScene& loaded) {
     LookPanelState& look = state.side_panel.look;
+    look.own.order = state.document.order_revision();
+    look.own.colors = loaded.look.own_colors;
+    look.own.radii = loaded.look.own_radii;
+    look.has_sized = !loaded.look.own_radii.empty();
     if (loaded.look.coloring) {
         look.colors = loaded.look.colored_by;
         note_colors(look, {look.colors, *loaded.look.coloring});

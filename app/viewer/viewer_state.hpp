@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,8 @@ struct ViewerState {
     Selection selection;
     std::optional<std::uint32_t> hovered;
     std::uint64_t gesture = 0;
+    // The names of steps that gave spheres colours or sizes by a property: nearly all spheres. Undoing one selects none of them.
+    std::set<std::string> look_steps{};
     std::uint64_t look_revision = 0;  // of the document that differs from its file in colours and sizes by properties alone
     SceneBounds bounds;               // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
