@@ -163,7 +163,7 @@ private:
             ChangeSpheres edit = changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.color = colors[i]; });
             note_colors(state_, {state_.colors, coloring, gesture});
             if (!edit.numbers.empty()) {
-                context_.actions.emplace_back(EditScene{std::move(edit), "Colour by " + in_quotes(values->name), gesture, true});
+                context_.actions.emplace_back(EditScene{std::move(edit), "Colour by " + in_quotes(values->name), gesture});
             }
         } catch (const InputError& error) {
             state_.fault = shown_text(error.what());
@@ -387,7 +387,7 @@ private:
         size_by(sized, values, state_.scale);
         ChangeSpheres edit = changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.radius = sized[i].radius; });
         if (!edit.numbers.empty()) {
-            context_.actions.emplace_back(EditScene{std::move(edit), "Size by " + in_quotes(values.name), gesture, true});
+            context_.actions.emplace_back(EditScene{std::move(edit), "Size by " + in_quotes(values.name), gesture});
         }
     }
 

@@ -64,6 +64,8 @@ public:
     // A part of a fine picture was drawn; there are others.
     void refined_a_part() { goes_on_ = true; }
 
+    // Whatever has happened is shown.
+    bool is_settled() const { return frames_ == 0; }
     // Nothing is to be drawn before the next event.
     bool rests() const { return frames_ == 0 && !coarse_; }
     // How long to wait for events before the next redraw; nothing: until one comes.
