@@ -239,11 +239,12 @@ void Viewer::draw_rays_in_space() {
     draw_rays(state_, facts_.inspection, facts_.seen_by_eye, {seen, area_, pixels_, imgui_.scale()});
 }
 
-void Viewer::update_picture(int step, double patience) {
+bool Viewer::update_picture(int step, double patience) {
     if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading, state_.shown_light(),
                          patience))
-        return;
+        return false;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
+    return true;
 }
 
 bool Viewer::refine_picture() {
@@ -322,7 +323,7 @@ void Viewer::redraw() {
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);
-    update_picture(pacing_.moving_step(), Pacing::frame_budget);
+    const bool traced = update_picture(pacing_.moving_step(), pacing_.budget());
     note_facts();
     follow_rays(state_);
     draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them
@@ -333,6 +334,11 @@ void Viewer::redraw() {
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
+    if (!plays()) {
+        pacing_.end_play();
+    } else if (traced) {
+        pacing_.play(seconds_between(begin, Clock::now()) - picture_.last_seconds());
+    }
     const bool rests = pacing_.rests() && input_.empty() && !plays();
     if (lost_hint_.update(state_, picture_, rests)) pacing_.touch();
     rest_.end_redraw(state_, picture_, rests);

@@ -38,8 +38,8 @@ private:
     // Whether the next frame of a film comes before anything else is worth drawing.
     bool is_between_frames() const;
     void redraw();
-    // Brings the picture up to date with the state, as LivePicture::update() does.
-    void update_picture(int step, double patience);
+    // Brings the picture up to date with the state, as LivePicture::update() does. Returns whether there is another one.
+    bool update_picture(int step, double patience);
     // Draws a part of a finer picture of what nothing moves in. Returns whether all of it is there.
     bool refine_picture();
     void use_mouse(const PanelContext& context, bool cancelled);

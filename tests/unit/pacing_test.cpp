@@ -172,4 +172,22 @@ TEST(Pacing, FollowsAViewThatBecomesFasterToDraw) {
     EXPECT_EQ(steps_of(pacing, {.pixels = 0.5 * budget}, 50)[1], 50);
 }
 
+// What else a redraw does is no trace, and takes its time from it.
+TEST(Pacing, AFilmLeavesTimeForItsRedraws) {
+    Pacing pacing;
+    pacing.traced(1, 0.020, 0.018);
+    EXPECT_EQ(pacing.moving_step(), 1) << "of a view that moves";
+    pacing.play(0.002);
+    EXPECT_EQ(pacing.budget(), Pacing::frame_budget) << "there is time enough";
+    pacing.end_play();
+    pacing.play(0.025);
+    EXPECT_LT(pacing.budget() + 0.025, 1.0 / Pacing::film_rate);
+    pacing.traced(1, 0.020, 0.018);
+    EXPECT_EQ(pacing.moving_step(), 2);
+    for (int i = 0; i < 100; ++i) pacing.play(1.0);
+    EXPECT_GT(pacing.budget(), 0.0) << "however slow the rest is";
+    pacing.end_play();
+    EXPECT_EQ(pacing.budget(), Pacing::frame_budget);
+}
+
 }  // namespace sphereview
