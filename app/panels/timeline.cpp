@@ -222,6 +222,8 @@ private:
         if (hovered || held) {
             std::string text = "frame " + in_groups(static_cast<std::uint64_t>(held ? present : frame_at(mouse)));
             if (facts_.wanted) text += ", being read";
+            // Above the line, where it covers no number.
+            ImGui::SetNextWindowPos({std::clamp(mouse, begin, end), left_.y - 0.5F * gap()}, ImGuiCond_Always, {0.5F, 1.0F});
             ImGui::SetTooltip("%s", text.c_str());
         }
         left_.x += line_width_ + gap();
