@@ -51,18 +51,21 @@ public:
     // Seconds for the trace of a moving picture.
     double budget() const { return budget_; }
     // While a film plays: a whole redraw, of which so many seconds are not the trace, is to leave time for film_rate of them.
-    void play(double besides) {
+    // `settles`: the next frames come soon enough for the panels to settle in their redraws.
+    void play(double besides, bool settles) {
+        settles_ = settles;
         besides_ += (besides - besides_) * (besides_ == 0.0 ? 1.0 : 0.1);
         budget_ = std::clamp(film_part / film_rate - besides_, least_budget, frame_budget);
     }
     void end_play() {
+        settles_ = false;
         besides_ = 0.0;
         budget_ = frame_budget;
     }
 
     // Something happened: some redraws must be drawn, until the panels have settled.
     void touch() {
-        frames_ = settling_frames;
+        frames_ = settles_ ? 1 : settling_frames;
         goes_on_ = false;
     }
     // There is another picture to show, which changes nothing of the panels.
@@ -133,6 +136,7 @@ private:
     int left_level_ = 0;         // from which the last redraw was made coarser,
     double left_seconds_ = 0.0;  // where one took so long; 0: it was not
     int stays_ = 0;              // so many frames that are not made coarser
+    bool settles_ = false;       // in the redraws of a film
     double budget_ = frame_budget;
     double besides_ = 0.0;  // seconds of a redraw of a film besides the trace, of late; 0: none was drawn
 };
