@@ -56,8 +56,8 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
 }  // namespace
 
 std::optional<FitOptions> fit_from(const std::string& view) {
-    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}};
-    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view, {}}) : std::nullopt;
+    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}, {}};
+    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view, {}, {}}) : std::nullopt;
 }
 
 Camera saved_view(const LoadedScene& loaded, const std::string& name) {
@@ -79,6 +79,7 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name) {
 }
 
 Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit) {
+    if (fit.given) return *fit.given;
     Camera camera = loaded.scene.camera;
     if (fit.camera) {
         const LoadedScene other = load_scene(*fit.camera);
@@ -95,7 +96,7 @@ Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit) {
 }
 
 bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit) {
-    if (fit.saved_view || fit.camera) return false;
+    if (fit.saved_view || fit.camera || fit.given) return false;
     return fit.wanted.value_or(!loaded.has_camera());
 }
 

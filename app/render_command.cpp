@@ -16,6 +16,7 @@
 #include "app/load_scene.hpp"
 #include "app/manifest.hpp"
 #include "app/options.hpp"
+#include "app/picture_of_scene.hpp"
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "base/error.hpp"
@@ -201,16 +202,7 @@ private:
         progress_.start(job.name + order, 1e-6 * options_.size.width * options_.size.height, "Mpixel");
         const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
         const bool shows_any = std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden));
-        const PictureOptions options{
-            scene.camera,
-            options_.size,
-            options_.background.value_or(scene.background),
-            options_.certify,
-            options_.samples,
-            options_.shading,
-            with_options(scene, options_.light),
-            {options_.axes, options_.scale_bar && shows_any, middle_for_scale(loaded),
-             options_.legend ? loaded.look.coloring : std::nullopt, is_light(options_.background.value_or(scene.background))}};
+        const PictureOptions options = picture_options(loaded, options_);
         const Image picture = render(scene, drawn, options, report);
         if (loaded.fitted && !report.facts.shows_sphere && shows_any) {
             report.warnings.push_back(job.label +
@@ -233,12 +225,6 @@ private:
         if (job.diff) write_output(*job.diff, encode_png(difference), options_.durability, missing_folder(*options_.diff));
     }
 
-    // Where in depth the bar holds. It is not looked for without need: that takes time for millions of spheres.
-    glm::dvec3 middle_for_scale(const LoadedScene& loaded) const {
-        if (!options_.scale_bar) return glm::dvec3(0.0);
-        return loaded.middle ? *loaded.middle : bounds_of(loaded.scene).middle();
-    }
-
     LoadedScene read_scene(const RenderJob& job, RenderReport& report) {
         const PhaseTimer timer(report.timings, Phase::read);
         LoadedScene loaded =
@@ -246,7 +232,8 @@ private:
                          : load_scene(job.scene, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.look, options_.fit});
         progress_.clear();
         if (job.sequence) {
-            job.sequence->say_warnings(loaded);
+            for (const std::string& line : job.sequence->not_said(loaded.warnings)) say(line);
+            for (const std::string& line : job.sequence->not_said(loaded.look.lines)) say(line);
         } else {
             say_warnings(loaded);
         }

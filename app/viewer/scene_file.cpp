@@ -389,6 +389,26 @@ void save_scene(ViewerState& state, const std::function<void()>& then) {
 
 void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }
 
+namespace {
+
+// It may take hours.
+void ask_about_film(ViewerState& state) {
+    ask(state, {.id = "film-is-made",
+                .title = "Quit without the film?",
+                .text = in_quotes(text_from(path_from(state.filming->path).filename())) + " is not made yet.",
+                .answers = {"Quit when it is done", "Quit without it", "Cancel"},
+                .cancel = 2,
+                .answer = [&state](int answer) {
+                    if (answer == 1 || !state.filming) with_edits_safe(state, [&state] { state.quits = true; });
+                    if (answer != 0 || !state.filming) return;
+                    state.filming->then_quit = true;
+                    announce(state, "Closes when the film is made; close again to close without it");
+                    after(*state.filming, [&state] { quit(state); });
+                }});
+}
+
+}  // namespace
+
 bool has_frame(const ViewerState& state, std::int64_t frame) { return !state.path.empty() && frame >= 0 && frame < state.frames; }
 
 void show_frame(ViewerState& state, std::int64_t frame) {
@@ -406,6 +426,7 @@ void quit(ViewerState& state) {
         announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
         return after(*state.exporting, [&state] { quit(state); });
     }
+    if (state.filming && !state.filming->then_quit) return ask_about_film(state);
     with_edits_safe(state, [&state] { state.quits = true; });
 }
 

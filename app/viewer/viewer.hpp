@@ -83,6 +83,8 @@ private:
     WidgetRectangles widgets_;
     Clock::time_point work_shown_;
     static constexpr auto work_shown_every = std::chrono::milliseconds(100);
+    Clock::time_point film_shown_;
+    static constexpr double film_shown_every = 0.1;  // seconds
 };
 
 }  // namespace sphereview
