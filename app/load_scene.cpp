@@ -129,8 +129,8 @@ LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFor
 }
 
 std::optional<FitOptions> fit_from(const std::string& view) {
-    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}};
-    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view, {}}) : std::nullopt;
+    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}, {}};
+    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view, {}, {}}) : std::nullopt;
 }
 
 Camera saved_view(const LoadedScene& loaded, const std::string& name) {
@@ -152,6 +152,7 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name) {
 }
 
 Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit) {
+    if (fit.given) return *fit.given;
     Camera camera = loaded.scene.camera;
     if (fit.camera) {
         const LoadedScene other = load_scene(*fit.camera);
@@ -168,7 +169,7 @@ Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit) {
 }
 
 bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit) {
-    if (fit.saved_view || fit.camera) return false;
+    if (fit.saved_view || fit.camera || fit.given) return false;
     return fit.wanted.value_or(!loaded.has_camera());
 }
 

@@ -12,6 +12,7 @@
 #include "panels/status.hpp"
 #include "panels/timeline.hpp"
 #include "panels/widgets.hpp"
+#include "viewer/film_export.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/pointer_marks.hpp"
 
@@ -183,7 +184,9 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
     ImGui::PopStyleVar(2);
 
-    if (draw_messages(context, state.messages, picture)) cancel_work(state);
+    const CancelledWork cancelled = draw_messages(context, state.messages, picture);
+    if (cancelled.work) cancel_work(state);
+    if (cancelled.film) cancel_film(state);
     if (state.is_at_start()) {
         const bool has_keys = state.dialogs.empty() && !state.help_shown && !state.about.shown && !ImGui::GetIO().WantTextInput &&
                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);

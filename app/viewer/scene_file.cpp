@@ -417,12 +417,33 @@ void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, con
     announce_reading(state, "", loaded);
 }
 
+namespace {
+
+// It may take hours.
+void ask_about_film(ViewerState& state) {
+    ask(state, {.id = "film-is-made",
+                .title = "Quit without the film?",
+                .text = in_quotes(text_from(path_from(state.filming->path).filename())) + " is not made yet.",
+                .answers = {"Quit when it is done", "Quit without it", "Cancel"},
+                .cancel = 2,
+                .answer = [&state](int answer) {
+                    if (answer == 1 || !state.filming) with_edits_safe(state, [&state] { state.quits = true; });
+                    if (answer != 0 || !state.filming) return;
+                    state.filming->then_quit = true;
+                    announce(state, "Closes when the film is made; close again to close without it");
+                    after(*state.filming, [&state] { quit(state); });
+                }});
+}
+
+}  // namespace
+
 void quit(ViewerState& state) {
     if (state.exporting && !state.exporting->then_quit) {
         state.exporting->then_quit = true;
         announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
         return after(*state.exporting, [&state] { quit(state); });
     }
+    if (state.filming && !state.filming->then_quit) return ask_about_film(state);
     with_edits_safe(state, [&state] { state.quits = true; });
 }
 

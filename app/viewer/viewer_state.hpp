@@ -76,6 +76,8 @@ struct ViewerState {
     std::optional<Work> loading;
     std::optional<Work> saving;
     std::optional<Work> exporting;
+    std::optional<Work> filming;
+    std::optional<FilmChoices> film_choices;  // the latest
     std::optional<Work> comparing;
     std::optional<Work> copying;                // what explains a pixel, to the clipboard
     std::optional<ShownComparison> comparison;  // the latest
