@@ -218,6 +218,9 @@ TEST(SphereList, AConditionSaysWhatIsWrongAndAsksForWhatIsNotRead) {
     EXPECT_NE(panel.text().find("column 4: the text ends, expected a number or a word"), std::string::npos) << panel.text();
     EXPECT_TRUE(panel.taken<RequestProperties>().empty());
     panel.click("clear filter");
+    panel.type_into("filter", "speed > 1");
+    EXPECT_NE(panel.text().find("the file has Mass"), std::string::npos) << panel.text();
+    panel.click("clear filter");
     panel.type_into("filter", "mass > 1");
     EXPECT_FALSE(panel.taken<RequestProperties>().empty());
     EXPECT_FALSE(panel.has("filter fault"));

@@ -1,5 +1,7 @@
 // The part of the side panel that colours and sizes spheres by a property: its edits, its range, and what the legend is told.
 #include <gtest/gtest.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cmath>
 
@@ -237,6 +239,22 @@ TEST(LookPanel, TheRangesHandlesAreAsLargeAsItsWords) {
         EXPECT_LE(handle.right, histogram.right + 0.5F) << name;
         EXPECT_LE(handle.bottom, histogram.bottom) << name;
     }
+    const ImVec2 begin = panel.place("handle from");
+    panel.move(begin);
+    panel.press();
+    panel.move({begin.x + 60.0F, begin.y});
+    panel.frames(2);
+    const auto lowest = [] {
+        float bottom = 0.0F;
+        for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
+            if (window->Active && (window->Flags & ImGuiWindowFlags_Tooltip) != 0) bottom = window->Pos.y + window->Size.y;
+        }
+        return bottom;
+    };
+    EXPECT_GT(lowest(), 0.0F) << "a tooltip tells the value";
+    EXPECT_LE(lowest(), histogram.top + 1.0F) << "and covers neither the handles nor the fields";
+    panel.release();
+    panel.frames(2);
     panel.drag(panel.place("handle from", 0.2F), {histogram.left + 100.0F, histogram.bottom - 2.0F});
     ASSERT_TRUE(panel.look().colors.range);
     EXPECT_GT(panel.look().colors.range->low, -1.0);

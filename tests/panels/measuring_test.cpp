@@ -104,7 +104,7 @@ TEST(MeasuringPanel, IsMovedAsideAndStaysWithinThePicture) {
 }
 
 TEST(MeasuringPanel, FitsANarrowPicture) {
-    MeasuringHarness harness({100.0F, 50.0F, 200.0F, 500.0F});
+    MeasuringHarness harness({100.0F, 50.0F, 150.0F, 500.0F});
     harness.measure_all({1, 2, 3});
     const WidgetRectangle window = harness.panels.rectangles.at("measuring");
     for (const char* widget : {"measure copy", "measure again", "measure end"}) {

@@ -103,8 +103,13 @@ TEST(Layout, TheRaysPanelLeavesTheAxesFreeWhereThereIsRoomForBoth) {
     window.frames(3);
     EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 116.0F);
     window.scale = 2.0F;
-    window.frames(3);
-    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 232.0F);
+    ImGui::GetIO().FontGlobalScale = 2.0F;
+    for (float height = 700.0F; height <= 900.0F; height += 20.0F) {
+        ImGui::GetIO().DisplaySize.y = height;
+        window.frames(3);
+        if (picture.height - 232.0F < 540.0F) continue;
+        EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 232.0F) << height;
+    }
 }
 
 TEST(Commands, AreEachDescribedOnce) {

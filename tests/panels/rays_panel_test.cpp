@@ -85,6 +85,11 @@ TEST(RaysPanel, ShowsItsChoicesAlsoInALowWindow) {
         EXPECT_LT(harness.panels.rectangles.at(widget).right, window.right) << widget;
     }
     EXPECT_LE(window.bottom, 240.0F);
+    // And some words.
+    harness.area.height = 270.0F;
+    harness.panels.frames(3);
+    const float controls = harness.panels.rectangles.at("rays coarser").bottom;
+    EXPECT_LT(controls + 3.0F * ImGui::GetTextLineHeight(), harness.panels.rectangles.at("rays").bottom);
 }
 
 TEST(RaysPanel, EndsByItsCloseButton) {
