@@ -17,6 +17,7 @@
 #include "app/load_scene.hpp"
 #include "app/manifest.hpp"
 #include "app/options.hpp"
+#include "app/picture_of_scene.hpp"
 #include "app/render_picture.hpp"
 #include "app/render_plan.hpp"
 #include "app/render_report.hpp"
@@ -190,7 +191,8 @@ private:
         RenderReport& report = work.report;
         const RenderJob& job = report.job;
         if (job.sequence) {
-            job.sequence->say_warnings(work.loaded);
+            for (const std::string& line : job.sequence->not_said(work.loaded.warnings)) say(line);
+            for (const std::string& line : job.sequence->not_said(work.loaded.look.lines)) say(line);
         } else {
             say_warnings(work.loaded);
         }
@@ -229,31 +231,16 @@ private:
     // The scene is given back then.
     void draw(Work& work, const Watcher& watcher) {
         RenderReport& report = work.report;
+        const PictureOptions options = picture_options(work.loaded, options_);
         const Scene scene = std::exchange(work.loaded.scene, {});
         const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
         const bool shows_any = std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden));
-        const PictureOptions options{
-            scene.camera,
-            options_.size,
-            options_.background.value_or(scene.background),
-            options_.certify,
-            options_.samples,
-            options_.shading,
-            with_options(scene, options_.light),
-            {options_.axes, options_.scale_bar && shows_any, middle_for_scale(scene, work.loaded),
-             options_.legend ? work.loaded.look.coloring : std::nullopt, is_light(options_.background.value_or(scene.background))}};
         work.picture = render(scene, drawn, options, report, watcher);
         if (work.loaded.fitted && !report.facts.shows_sphere && shows_any) {
             work.warnings.push_back(report.job.label +
                                     ": no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
                                     "a larger --size, or --radius where the file says none, shows them");
         }
-    }
-
-    // Where in depth the bar holds. It is not looked for without need: that takes time for millions of spheres.
-    glm::dvec3 middle_for_scale(const Scene& scene, const LoadedScene& loaded) const {
-        if (!options_.scale_bar) return glm::dvec3(0.0);
-        return loaded.middle ? *loaded.middle : bounds_of(scene).middle();
     }
 
     LoadedScene read_scene(const RenderJob& job, RenderReport& report) {
@@ -263,6 +250,7 @@ private:
                          : load_scene(job.scene, {&progress_, bytes_to_draw_a_sphere, options_.data, options_.look, options_.fit});
         report.warnings = loaded.warnings;
         report.notes = loaded.notes;
+        report.properties = loaded.property_names;
         report.look = loaded.look;
         return loaded;
     }

@@ -29,6 +29,7 @@ Json to_json(const RenderReport& report, const RenderOptions& options) {
         {"samples", options.samples},
         {"shade", name_of(options.shading)},
         {"spheres", report.spheres},
+        {"properties", report.properties},
         {"backend", report.backend.empty() ? Json(nullptr) : Json(report.backend)},
         {"renderer", report.renderer.empty() ? Json(nullptr) : Json(report.renderer)},
         {"passed_over", report.passed_over},

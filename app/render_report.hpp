@@ -26,8 +26,9 @@ struct RenderReport {
     Timings timings;
     PictureFacts facts;
     std::optional<Comparison> comparison;
-    std::vector<std::string> warnings;  // of the scene's file, and of the picture
-    std::vector<std::string> notes;     // of the file
+    std::vector<std::string> warnings;    // of the scene's file, and of the picture
+    std::vector<std::string> notes;       // of the file
+    std::vector<std::string> properties;  // that the file has of its spheres: their names
     AppliedLook look;
     ExitCode status = ExitCode::done;
     std::string error;  // "" when done
