@@ -22,6 +22,7 @@ from harness import (MILLION, NOTHING_COULD_RENDER, ROOT, Bench, CannotRun, Case
 from large import large
 from peers import COUNTS, SETS, light_peers, peers
 from plot import draw_large, draw_peers
+from trajectory import trajectory
 from window import window
 
 
@@ -297,7 +298,8 @@ def arrays(bench: Bench) -> tuple[list[Row], dict]:
 
 
 SECTIONS = {"whole": whole_process, "reading": reading, "certificate": certificate, "stress": stress, "frames": frames, "live": live,
-            "samples": samples, "arrays": arrays, "lights": lights, "window": window, "large": large, "micro": micro}
+            "samples": samples, "arrays": arrays, "lights": lights, "window": window, "large": large, "trajectory": trajectory,
+            "micro": micro}
 PEER_SECTIONS = {"peers": peers, "light-peers": light_peers}
 
 
