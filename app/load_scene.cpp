@@ -20,6 +20,31 @@ namespace {
 // Enough to tell the format by, and what a format that is read as a stream begins with.
 constexpr std::size_t first_bytes = std::size_t{1} << 22;
 
+// Whether a later frame of a long text is wanted, or a text that does not fit in memory may have several.
+bool is_read_by_frames(const InputStream& stream, const SceneFormat& format, const DataOptions& wanted) {
+    if (format.step_over == nullptr || !stream.is_regular()) return false;
+    if (wanted.frame > 0) return !stream.size() || *stream.size() >= usual_index_from;
+    const auto memory = available_memory();
+    return stream.size() && memory && *stream.size() > *memory / 2;
+}
+
+// As SceneFormat::read, with only a part of the text in memory.
+SphereData read_frame(const std::string& path, const DataOptions& wanted, const LoadOptions& options) {
+    FrameReader reader(path, wanted);
+    reader.watch([&options](double done) {
+        if (options.progress != nullptr) options.progress->update(done);
+        if (options.control == nullptr) return;
+        options.control->done = static_cast<std::uint64_t>(done * static_cast<double>(options.control->total));
+        options.control->check();
+    });
+    SphereData data = reader.read(wanted.frame);
+    data.frames = reader.count();
+    if (!reader.fault().empty()) {
+        data.warnings.push_back(reader.fault() + "; what follows frame " + std::to_string(data.frames - 1) + " is passed over");
+    }
+    return data;
+}
+
 LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     InputStream stream(path);
     if (WorkControl* control = options.control) {
@@ -43,11 +68,16 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
         return loaded;
     }
-    stream.fill();
-    if (options.control != nullptr) options.control->check();
     DataOptions wanted = options.data;
     for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
-    SphereData data = loaded.format.read(stream.bytes(), loaded.name, wanted);
+    SphereData data;
+    if (is_read_by_frames(stream, loaded.format, wanted)) {
+        data = read_frame(path, wanted, options);
+    } else {
+        stream.fill();
+        if (options.control != nullptr) options.control->check();
+        data = loaded.format.read(stream.bytes(), loaded.name, wanted);
+    }
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
     return loaded_from(std::move(data), loaded.name, loaded.format);
@@ -99,8 +129,8 @@ LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFor
 }
 
 std::optional<FitOptions> fit_from(const std::string& view) {
-    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}};
-    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view, {}}) : std::nullopt;
+    if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}, {}};
+    return view_name_fault(view).empty() ? std::optional(FitOptions{{}, {}, {}, view, {}, {}}) : std::nullopt;
 }
 
 Camera saved_view(const LoadedScene& loaded, const std::string& name) {
@@ -122,6 +152,7 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name) {
 }
 
 Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit) {
+    if (fit.given) return *fit.given;
     Camera camera = loaded.scene.camera;
     if (fit.camera) {
         const LoadedScene other = load_scene(*fit.camera);
@@ -138,7 +169,7 @@ Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit) {
 }
 
 bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit) {
-    if (fit.saved_view || fit.camera) return false;
+    if (fit.saved_view || fit.camera || fit.given) return false;
     return fit.wanted.value_or(!loaded.has_camera());
 }
 

@@ -43,6 +43,7 @@ struct FitOptions {
     std::optional<Projection> projection{};   // instead of the camera's
     std::optional<std::string> saved_view{};  // by the camera of the scene's view of that name, not fitted
     std::optional<std::string> camera{};      // by the camera of this scene, or its view of that name; not fitted
+    std::optional<Camera> given{};            // by this camera alone; not fitted
 };
 
 // What `--view TEXT` asks for: a side, an azimuth and an elevation, or else a saved view; nothing for what none can be called.

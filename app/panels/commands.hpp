@@ -17,6 +17,7 @@ enum class CommandId {
     file_save,
     file_save_as,
     export_picture,   // asks for name and size
+    export_film,      // likewise
     export_now,       // F12: the next free name
     compare_picture,  // of another ray tracer
     quit,

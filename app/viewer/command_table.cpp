@@ -6,6 +6,7 @@
 
 #include "edit/selection.hpp"
 #include "viewer/clipboard.hpp"
+#include "viewer/film_export.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
@@ -175,6 +176,10 @@ std::vector<Command> make_commands() {
         {{Id::export_picture, "File", "Export picture...", "Ctrl+E", "Asks for a file and a size and writes the view as a PNG.",
           true},
          ask_for_export},
+        {{Id::export_film, "File", "Export film...", "Shift+F12",
+          "Asks for a file and writes a film of the frames, or around the scene: mp4, webm, gif, png, mkv, or pictures."},
+         ask_for_film,
+         [](const ViewerState& s) { return !s.filming && !s.is_at_start(); }},
         {{Id::export_now, "File", "Export now", "F12",
           "Writes the view as a PNG at once, under the next free name beside the scene."},
          export_now},

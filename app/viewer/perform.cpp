@@ -32,14 +32,18 @@ void show_scene_camera(ViewerState& state) {
 void undo(ViewerState& state) {
     note_frame_before_edit(state, false);
     const bool follows = state.document.undo_moves_view() && state.inspected_camera() == state.scene().camera;
-    select_touched(state, state.document.undo());
+    const bool is_look = state.look_steps.contains(state.document.undo_name());
+    const Touched touched = state.document.undo();
+    if (!is_look) select_touched(state, touched);
     if (follows) show_scene_camera(state);
 }
 
 void redo(ViewerState& state) {
     note_frame_before_edit(state, false);
     const bool follows = state.document.redo_moves_view() && state.inspected_camera() == state.scene().camera;
-    select_touched(state, state.document.redo());
+    const bool is_look = state.look_steps.contains(state.document.redo_name());
+    const Touched touched = state.document.redo();
+    if (!is_look) select_touched(state, touched);
     if (follows) show_scene_camera(state);
 }
 
@@ -51,6 +55,7 @@ void apply(ViewerState& state, EditScene action) {
     if (std::holds_alternative<ChangeLight>(action.edit)) state.light = {};
     const auto* camera = std::get_if<ChangeCamera>(&action.edit);
     const bool moves_view = camera != nullptr && camera->moves_view;
+    if (action.is_look) state.look_steps.insert(action.name);
     note_frame_before_edit(state, adds_or_removes || reorders);
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
     if (moves_view) show_scene_camera(state);

@@ -118,6 +118,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"loading", state.messages.work && state.loading ? Json(state.messages.work->fraction.value_or(0.0)) : Json(nullptr)},
         {"saving", state.saving.has_value()},
         {"exporting", state.exporting ? Json(state.exporting->shown_path()) : Json(nullptr)},
+        {"filming", state.filming ? Json(state.filming->path) : Json(nullptr)},
         {"announcement", state.messages.announcement},
         {"scene_error", state.messages.scene_error},
         {"shader_error", state.messages.shader_error},

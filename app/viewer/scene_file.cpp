@@ -67,6 +67,11 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
         options.range =
             by_category || look.shown->range.low == look.shown->range.high ? std::nullopt : std::optional(look.shown->range);
         options.log = look.shown->log;
+    } else if (look.own.colors_chosen) {
+        options.color_by.reset();
+        options.map.reset();
+        options.range.reset();
+        options.log = false;
     }
     Property own;
     const Property* sizes = look.size_by.empty() ? nullptr : find_values(state.scene(), look.size_by, own);
@@ -74,12 +79,25 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
         options.size_by = look.size_by;
         options.scale = look.scale;
         options.radii.reset();
+    } else if (const auto radii = chosen_radii(look); radii && look.has_sized) {
+        options.size_by.reset();
+        options.scale.reset();
+        options.radii = radii;
+    } else if (look.own.sizes_chosen) {
+        options.size_by.reset();
+        options.scale.reset();
+        options.radii.reset();
+        options.radius_scale.reset();
     }
 }
 
 // What the command line, or the window before another frame, has asked for.
 void note_look(ViewerState& state, const LoadedScene& loaded) {
     LookPanelState& look = state.side_panel.look;
+    look.own.order = state.document.order_revision();
+    look.own.colors = loaded.look.own_colors;
+    look.own.radii = loaded.look.own_radii;
+    look.has_sized = !loaded.look.own_radii.empty();
     if (loaded.look.coloring) {
         look.colors = loaded.look.colored_by;
         note_colors(look, {look.colors, *loaded.look.coloring});
@@ -399,12 +417,33 @@ void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, con
     announce_reading(state, "", loaded);
 }
 
+namespace {
+
+// It may take hours.
+void ask_about_film(ViewerState& state) {
+    ask(state, {.id = "film-is-made",
+                .title = "Quit without the film?",
+                .text = in_quotes(text_from(path_from(state.filming->path).filename())) + " is not made yet.",
+                .answers = {"Quit when it is done", "Quit without it", "Cancel"},
+                .cancel = 2,
+                .answer = [&state](int answer) {
+                    if (answer == 1 || !state.filming) with_edits_safe(state, [&state] { state.quits = true; });
+                    if (answer != 0 || !state.filming) return;
+                    state.filming->then_quit = true;
+                    announce(state, "Closes when the film is made; close again to close without it");
+                    after(*state.filming, [&state] { quit(state); });
+                }});
+}
+
+}  // namespace
+
 void quit(ViewerState& state) {
     if (state.exporting && !state.exporting->then_quit) {
         state.exporting->then_quit = true;
         announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
         return after(*state.exporting, [&state] { quit(state); });
     }
+    if (state.filming && !state.filming->then_quit) return ask_about_film(state);
     with_edits_safe(state, [&state] { state.quits = true; });
 }
 

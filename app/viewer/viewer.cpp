@@ -98,6 +98,7 @@ void Viewer::wait_for_work() {
     const bool looks_again = is_working(state_) || reads_frames(state_) || rest_.works() || makes_rays(state_) ||
                              explains_beside(state_) || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
+    if (state_.filming) patience = std::min(patience.value_or(film_shown_every), film_shown_every);
     std::vector<InputEvent> events = window_.wait_events(patience);
     if (!events.empty()) pacing_.touch();
     input_.add(std::move(events));
@@ -155,6 +156,13 @@ void Viewer::follow_work() {
     if (take_rays(state_)) pacing_.touch();
     if (take_explained(state_)) pacing_.touch();
     state_.messages.work = work_of(state_);
+    if (state_.filming.has_value() != state_.messages.film.has_value()) pacing_.touch();
+    if (state_.filming && seconds_between(film_shown_, Clock::now()) >= film_shown_every) {
+        film_shown_ = Clock::now();
+        state_.messages.film = state_.filming->words();
+        pacing_.show_once();
+    }
+    if (!state_.filming) state_.messages.film.reset();
 }
 
 void Viewer::end_announcement() {

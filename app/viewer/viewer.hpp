@@ -88,6 +88,8 @@ private:
     Clock::time_point work_shown_;
     static constexpr auto work_shown_every = std::chrono::milliseconds(100);
     bool in_hand_ = false;  // something is dragged or typed
+    Clock::time_point film_shown_;
+    static constexpr double film_shown_every = 0.1;  // seconds
 };
 
 }  // namespace sphereview

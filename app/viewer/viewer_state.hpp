@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ struct ViewerState {
     Selection selection;
     std::optional<std::uint32_t> hovered;
     std::uint64_t gesture = 0;
+    // The names of steps that gave spheres colours or sizes by a property: nearly all spheres. Undoing one selects none of them.
+    std::set<std::string> look_steps{};
     SceneBounds bounds;  // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
 
@@ -73,6 +76,8 @@ struct ViewerState {
     std::optional<Work> loading;
     std::optional<Work> saving;
     std::optional<Work> exporting;
+    std::optional<Work> filming;
+    std::optional<FilmChoices> film_choices;  // the latest
     std::optional<Work> comparing;
     std::optional<Work> copying;                // what explains a pixel, to the clipboard
     std::optional<ShownComparison> comparison;  // the latest

@@ -62,6 +62,51 @@ TEST(Layout, PanelsYieldToThePictureInASmallWindow) {
     EXPECT_TRUE(window.has("splitter") && window.has("inspector splitter"));
 }
 
+TEST(Layout, TheSidePanelYieldsToToolsThatAreOpen) {
+    ViewerState state({}, {});
+    Rectangle picture;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
+    const auto resized = [&](float width, float height, float scale) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        window.scale = scale;
+        window.frames(2);
+    };
+    state.inspector_shown = true;
+    resized(800.0F, 600.0F, 1.0F);
+    EXPECT_TRUE(state.panel_drawn);
+    EXPECT_GE(window.rectangles.at("inspector splitter").left, 260.0F);
+    EXPECT_GE(picture.width, 220.0F);
+    resized(1400.0F, 900.0F, 2.0F);
+    EXPECT_TRUE(state.panel_drawn);
+    EXPECT_GE(window.rectangles.at("inspector splitter").left, 500.0F);
+    EXPECT_GE(picture.width, 400.0F);
+    resized(800.0F, 600.0F, 2.0F);
+    EXPECT_FALSE(state.panel_drawn) << "no room for all three";
+    EXPECT_GE(window.rectangles.at("inspector splitter").left, 400.0F);
+    state.inspector_shown = false;
+    window.frames(2);
+    EXPECT_TRUE(state.panel_drawn);
+    state.measuring.on = true;
+    window.frames(2);
+    EXPECT_GT(picture.width, 700.0F);
+    EXPECT_EQ(state.settings.panel_width, ViewerSettings{}.panel_width) << "what the person chose is kept";
+}
+
+TEST(Layout, TheRaysPanelLeavesTheAxesFreeWhereThereIsRoomForBoth) {
+    ViewerState state({}, {});
+    state.picture_size = {700, 800};
+    state.rays.on = true;
+    state.rays.size = {700, 800};
+    Rectangle picture;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
+    state.rays.choice.shown = RaysShown::all;
+    window.frames(3);
+    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 116.0F);
+    window.scale = 2.0F;
+    window.frames(3);
+    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 232.0F);
+}
+
 TEST(Commands, AreEachDescribedOnce) {
     std::set<CommandId> seen;
     std::set<std::string_view> menus;

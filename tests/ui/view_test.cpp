@@ -130,12 +130,12 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
 TEST_F(View, NumbersOfTheCameraAndSavedViewsAreTheScenes) {
     const auto open_camera = [&] {
         window_.click_widget("camera");
-        window_.wait_until("the camera's numbers", [](const Json& f) { return f.at("widgets").contains("slider view angle"); });
+        window_.wait_until("the camera's numbers", [](const Json& f) { return f.at("widgets").contains("slider field of view"); });
     };
     open_camera();
     window_.step("a field of view is typed");
-    window_.click_widget("slider view angle");
-    window_.widget("typed view angle");
+    window_.click_widget("slider field of view");
+    window_.widget("typed field of view");
     window_.type("2*(30+10)");
     window_.key("Return");
     window_.wait_for("undo", "Change the field of view");
