@@ -50,7 +50,7 @@ void draw_bar(const IconPlace& icon, float left, float right) {
 }
 
 void draw_arrow_head(const IconPlace& icon, ImVec2 tip, ImVec2 along) {
-    constexpr float length = 0.3F;
+    constexpr float length = 0.4F;
     const ImVec2 back{tip.x - length * along.x, tip.y - length * along.y};
     const ImVec2 side{-length * 0.75F * along.y, length * 0.75F * along.x};
     ImGui::GetWindowDrawList()->AddTriangleFilled(icon.at(tip.x, tip.y), icon.at(back.x + side.x, back.y + side.y),
@@ -283,7 +283,7 @@ private:
                                                     : "Plays back and forth";
         const bool pressed = draw_button("repeat", true, help, [&](const IconPlace& icon) {
             const bool on = repeat != Repeat::once;
-            draw_repeat({icon.middle, icon.size, on ? ImGui::GetColorU32(ImGuiCol_CheckMark) : icon.color}, repeat);
+            draw_repeat({icon.middle, 1.2F * icon.size, on ? ImGui::GetColorU32(ImGuiCol_CheckMark) : icon.color}, repeat);
         });
         left_.x += gap();
         if (!pressed) return;
