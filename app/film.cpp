@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/background_job.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/interrupt.hpp"
@@ -74,34 +75,23 @@ Film::Film(const FilmOptions& options, Durability durability, std::size_t pictur
             "--movie: found no program ffmpeg in the folders of PATH, which makes films; expected it, or -o - for another encoder");
     }
     place_ = std::make_unique<OutputPlace>(*options.movie);
-    const std::lock_guard lock(current_mutex);
-    current = this;
-    static std::once_flag passed;
-    std::call_once(passed, [] { pass_interrupts_to(&Film::interrupt); });
 }
 
 Film::~Film() {
-    if (!options_.movie) return;
-    const std::lock_guard lock(current_mutex);
-    current = nullptr;
-    encoder_.reset();
+    const std::lock_guard lock(mutex_);
+    encoder_.reset();  // before its file goes
     place_.reset();
-    if (!finished_) say(how_far());
 }
 
 std::string Film::how_far() const {
     return *options_.movie + ": not written; " + in_groups(added_) + " of " + in_groups(pictures_) + " pictures were done";
 }
 
-void Film::interrupt(int signal_number) {
-    const std::lock_guard lock(current_mutex);
-    if (current != nullptr) {
-        if (current->encoder_) current->encoder_->kill();
-        current->place_.reset();
-        if (stderr_is_terminal()) say("");  // behind the progress bar
-        say(current->how_far());
-    }
-    std::_Exit(128 + signal_number);
+std::unique_lock<std::mutex> Film::give_up() {
+    std::unique_lock lock(mutex_);
+    if (encoder_) encoder_->kill();
+    place_.reset();
+    return lock;
 }
 
 void Film::start(const Image& first) {
@@ -131,15 +121,20 @@ void Film::start(const Image& first) {
                    "-bitexact"};
     append(words, encoding(film_kind(*options_.movie)->ending, options_.quality.value_or(usual_film_quality), alpha));
     // As a path: ffmpeg takes what stands before a colon for a protocol.
-    const std::string file = place_->temporary();
+    const std::string file = [this] {
+        const std::lock_guard lock(mutex_);
+        if (!place_) throw Cancelled();
+        return place_->temporary();
+    }();
     append(words, {"-y", path_from(file).is_absolute() ? file : "./" + file});
     auto encoder = std::make_unique<PipedProgram>(program_, words);
-    const std::lock_guard lock(current_mutex);
+    const std::lock_guard lock(mutex_);
+    if (!place_) throw Cancelled();
     encoder_ = std::move(encoder);
 }
 
 void Film::fail() {
-    { const std::lock_guard lock(current_mutex); }  // an interruption that has ended the encoder ends this process as well
+    { const std::lock_guard lock(mutex_); }  // an interruption that has ended the encoder ends this process as well
     encoder_->finish();
     const std::string why = on_one_line(trimmed(encoder_->errors()));
     throw OutputError(*options_.movie, "ffmpeg has failed" + (why.empty() ? "" : ": " + why), EIO);
@@ -153,19 +148,47 @@ void Film::add(const Image& picture) {
     } else {
         write_output(std::string(standard_stream), y4m_frame(picture));
     }
-    const std::lock_guard lock(current_mutex);
+    const std::lock_guard lock(mutex_);
     ++added_;
 }
 
 void Film::finish() {
     if (encoder_) {
         std::error_code unknown;
-        const bool ended_well = encoder_->finish();
-        if (!ended_well || std::filesystem::file_size(path_from(place_->temporary()), unknown) == 0) fail();
-        const std::lock_guard lock(current_mutex);
-        place_->take(durability_);
+        bool is_film = encoder_->finish();
+        {
+            const std::lock_guard lock(mutex_);
+            if (!place_) throw Cancelled();
+            is_film = is_film && std::filesystem::file_size(path_from(place_->temporary()), unknown) > 0;
+            if (is_film) place_->take(durability_);
+        }
+        if (!is_film) fail();
     }
     finished_ = true;
+}
+
+InterruptibleFilm::InterruptibleFilm(Film& film) {
+    const std::lock_guard lock(current_mutex);
+    current = &film;
+    static std::once_flag passed;
+    std::call_once(passed, [] { pass_interrupts_to(&InterruptibleFilm::interrupt); });
+}
+
+InterruptibleFilm::~InterruptibleFilm() {
+    const std::lock_guard lock(current_mutex);
+    if (!current->is_finished()) say(current->how_far());
+    current = nullptr;
+}
+
+void InterruptibleFilm::interrupt(int signal_number) {
+    const std::lock_guard lock(current_mutex);
+    std::unique_lock<std::mutex> given_up;
+    if (current != nullptr) {
+        given_up = current->give_up();
+        if (stderr_is_terminal()) say("");  // behind the progress bar
+        say(current->how_far());
+    }
+    std::_Exit(128 + signal_number);
 }
 
 }  // namespace sphereview

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -20,24 +21,27 @@ std::string find_film_encoder();
 class Film {
 public:
     // On standard output, uncompressed (image/y4m.hpp), or, where the options name a file, by ffmpeg, beside the file until
-    // finish(). `pictures`: how many there will be, for messages. An interruption from now on says how many were done. Throws
-    // RenderError where there is no ffmpeg, and OutputError.
+    // finish(). `pictures`: how many there will be, for messages. Throws RenderError where there is no ffmpeg, and OutputError.
     Film(const FilmOptions& options, Durability durability, std::size_t pictures);
-    // Leaves nothing of a film that is not finished, and says how many pictures it had.
+    // Leaves nothing of a film that is not finished.
     ~Film();
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;
 
-    // Throws OutputError.
+    // Each throws OutputError, and Cancelled where the film was given up.
     void add(const Image& picture);
     void finish();
+
+    bool is_finished() const { return finished_; }
+    // "out.mp4: not written; 3 of 10 pictures were done". For the thread that adds pictures, or who has given up the film.
+    std::string how_far() const;
+    // From another thread: ends the encoder and leaves nothing of the film. The thread that adds pictures
+    // waits for as long as what is returned lives.
+    [[nodiscard]] std::unique_lock<std::mutex> give_up();
 
 private:
     void start(const Image& first);
     [[noreturn]] void fail();
-    std::string how_far() const;
-
-    static void interrupt(int signal_number);
 
     FilmOptions options_;
     Durability durability_;
@@ -47,6 +51,20 @@ private:
     std::unique_ptr<OutputPlace> place_{};
     std::unique_ptr<PipedProgram> encoder_{};
     bool finished_ = false;
+    std::mutex mutex_{};  // held where another thread may give up
+};
+
+// A film that a command makes, while this lives: an interruption leaves nothing of it, and says how many pictures were done, as
+// does the end of this where the film is not finished. One at a time.
+class InterruptibleFilm {
+public:
+    explicit InterruptibleFilm(Film& film);
+    ~InterruptibleFilm();
+    InterruptibleFilm(const InterruptibleFilm&) = delete;
+    InterruptibleFilm& operator=(const InterruptibleFilm&) = delete;
+
+private:
+    static void interrupt(int signal_number);
 };
 
 }  // namespace sphereview

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/memory.hpp"
-#include "base/standard_streams.hpp"
 #include "base/text.hpp"
 #include "camera/fit.hpp"
 #include "light/light_set.hpp"
@@ -12,17 +11,6 @@
 namespace sphereview {
 
 namespace {
-
-std::vector<Shot> shots_of(const std::vector<std::int64_t>& frames, std::int64_t turntable) {
-    std::vector<Shot> shots;
-    const bool one_frame = frames.size() == 1 && turntable > 0;
-    const auto count = one_frame ? turntable : static_cast<std::int64_t>(frames.size());
-    for (std::int64_t i = 0; i < count; ++i) {
-        const std::int64_t frame = one_frame ? frames[0] : frames[static_cast<std::size_t>(i)];
-        shots.push_back({one_frame ? i : frame, frame, turntable > 0 ? degrees_of(i, turntable) : 0.0});
-    }
-    return shots;
-}
 
 DataOptions with_properties(DataOptions data, const LookOptions& look) {
     for (std::string& property : properties_for(look)) data.properties.push_back(std::move(property));
@@ -37,43 +25,58 @@ struct SeenSpheres {
 
 }  // namespace
 
+std::vector<Shot> shots_of(const std::vector<std::int64_t>& frames, std::int64_t turntable) {
+    std::vector<Shot> shots;
+    const bool one_frame = frames.size() == 1 && turntable > 0;
+    const auto count = one_frame ? turntable : static_cast<std::int64_t>(frames.size());
+    for (std::int64_t i = 0; i < count; ++i) {
+        const std::int64_t frame = one_frame ? frames[0] : frames[static_cast<std::size_t>(i)];
+        shots.push_back({one_frame ? i : frame, frame, turntable > 0 ? degrees_of(i, turntable) : 0.0});
+    }
+    return shots;
+}
+
 FrameSequence::FrameSequence(const std::string& path, const RenderOptions& options, Progress& progress)
-    : options_(options), look_(options.look), reader_(path, with_properties(options.data, options.look)) {
-    progress.start(reader_.name() + ": looking for frames");
-    reader_.watch([&progress](double done) { progress.update(done); });
+    : options_(options), look_(options.look) {
+    reader_.emplace(path, with_properties(options.data, options.look));
+    progress.start(reader_->name() + ": looking for frames");
+    reader_->watch([&progress](double done) { progress.update(done); });
     std::vector<FrameRange> ranges = options.frames.ranges;
     if (ranges.empty()) ranges = {{options.data.frame, {}, 1, true}};
-    const auto frames = frames_in(ranges, reader_.name(), [this](std::int64_t enough) { return reader_.count(enough); });
-    reader_.watch({});
+    const auto frames = frames_in(ranges, reader_->name(), [this](std::int64_t enough) { return reader_->count(enough); });
+    reader_->watch({});
     progress.clear();
-    if (!reader_.fault().empty()) {
-        say(reader_.fault() + "; what follows frame " + std::to_string(reader_.count() - 1) + " is passed over");
+    if (!reader_->fault().empty()) {
+        early_end_ = reader_->fault() + "; what follows frame " + std::to_string(reader_->count() - 1) + " is passed over";
     }
     shots_ = shots_of(frames, options.frames.turntable);
 }
+
+FrameSequence::FrameSequence(LoadedScene scene, const RenderOptions& options)
+    : options_(options),
+      look_(options.look),
+      shots_(shots_of({0}, options.frames.turntable)),
+      present_(std::move(scene)),
+      present_frame_(0) {}
 
 const LoadedScene& FrameSequence::read(std::int64_t frame) {
     if (frame == present_frame_) return present_;
     present_frame_ = -1;
     present_ = {};
-    SphereData data = reader_.read(frame);
+    SphereData data = reader_->read(frame);
     // One radius for all: made of each frame's own distances it would come and go.
-    if (data.radius_of_points) reader_.set_radius(*data.radius_of_points);
+    if (data.radius_of_points) reader_->set_radius(*data.radius_of_points);
     const std::size_t count = data.scene.spheres.size();
-    require_memory(count * bytes_to_draw_a_sphere, reader_.name() + ": " + in_groups(count) + " spheres need");
-    present_.scene = std::move(data.scene);
-    present_.name = reader_.name();
-    present_.format = reader_.format();
-    present_.frames = data.frames;
-    present_.warnings = std::move(data.warnings);
-    present_.notes = std::move(data.notes);
-    present_.property_names = std::move(data.property_names);
+    require_memory(count * bytes_to_draw_a_sphere, reader_->name() + ": " + in_groups(count) + " spheres need");
+    present_ = loaded_from(std::move(data), reader_->name(), reader_->format());
+    hide_and_light(present_.scene, changes_);  // what is hidden counts for no range
     if (look_.any()) {
         present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
         // The first frame's range and scale are those of all: made of each frame's own values, colours and sizes would come and go.
         if (present_.look.coloring && !present_.look.coloring->is_category()) look_.range = present_.look.coloring->range;
         if (present_.look.sizing) look_.scale = present_.look.sizing->scale;
     }
+    color_and_size(present_.scene, changes_);
     present_frame_ = frame;
     return present_;
 }
@@ -134,13 +137,12 @@ LoadedScene FrameSequence::load(const Shot& shot) {
     return loaded;
 }
 
-void FrameSequence::say_warnings(const LoadedScene& loaded) {
-    for (const std::string& warning : loaded.warnings) {
-        if (said_.insert(warning).second) say(warning);
+std::vector<std::string> FrameSequence::not_said(const std::vector<std::string>& lines) {
+    std::vector<std::string> others;
+    for (const std::string& line : lines) {
+        if (said_.insert(line).second) others.push_back(line);
     }
-    for (const std::string& line : loaded.look.lines) {
-        if (said_.insert(line).second) say(line);
-    }
+    return others;
 }
 
 }  // namespace sphereview

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/frame_changes.hpp"
 #include "app/load_scene.hpp"
 #include "app/options.hpp"
 #include "base/progress.hpp"
@@ -24,10 +25,21 @@ struct Shot {
     double degrees = 0.0;  // that the camera has turned
 };
 
+// Of these frames, one after the other or, where there is one and a turntable, around it. `turntable`: pictures of a whole turn; 0:
+// none.
+std::vector<Shot> shots_of(const std::vector<std::int64_t>& frames, std::int64_t turntable);
+
 class FrameSequence {
 public:
     // Opens the file and finds the frames that `options` ask for, which must outlive this. Throws InputError.
     FrameSequence(const std::string& path, const RenderOptions& options, Progress& progress);
+    // Of a scene that is there, around which `options` ask for a turntable; they must outlive this.
+    FrameSequence(LoadedScene scene, const RenderOptions& options);
+
+    // From now on made in every frame. Before prepare().
+    void set_changes(FrameChanges changes) { changes_ = std::move(changes); }
+    // Where the file is cut off or wrong behind a frame, what is passed over, in words; "" where nothing is.
+    const std::string& early_end() const { return early_end_; }
 
     const std::vector<Shot>& shots() const { return shots_; }
 
@@ -37,8 +49,8 @@ public:
     // The scene of a shot as the camera sees it then. Its light stays where it is in the scene while the camera turns.
     LoadedScene load(const Shot& shot);
 
-    // Says those warnings on stderr that no frame had before.
-    void say_warnings(const LoadedScene& loaded);
+    // Those of the lines that are not said of another frame already.
+    std::vector<std::string> not_said(const std::vector<std::string>& lines);
 
 private:
     // A frame as the file has it.
@@ -46,8 +58,10 @@ private:
     Camera fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress);
 
     const RenderOptions& options_;
-    LookOptions look_;  // with what the first frame's values gave
-    FrameReader reader_;
+    LookOptions look_;                     // with what the first frame's values gave
+    std::optional<FrameReader> reader_{};  // none: of the one frame that is there
+    FrameChanges changes_{};
+    std::string early_end_{};
     std::vector<Shot> shots_{};
     LoadedScene present_{};  // the frame that was read last
     std::int64_t present_frame_ = -1;

@@ -27,6 +27,7 @@ std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& 
     if (!options.frames.several()) return sequences;
     for (const std::string& scene : options.scenes) {
         sequences.push_back(std::make_shared<FrameSequence>(scene, options, progress));
+        if (const std::string& end = sequences.back()->early_end(); !end.empty()) say(end);
     }
     return sequences;
 }
@@ -61,6 +62,8 @@ ExitCode run_render(const RenderOptions& options) {
     std::optional<Film> film;
     const bool is_streamed = options.frames.several() && options.output == standard_stream;
     if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
+    std::optional<InterruptibleFilm> interruptible;
+    if (options.film.movie) interruptible.emplace(*film);
     for (const auto& sequence : sequences) sequence->prepare(progress);
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);

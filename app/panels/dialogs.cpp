@@ -54,8 +54,9 @@ void place_next_window(const PanelContext& context, const Dialog& dialog) {
     const ImGuiViewport* viewport = ImGui::GetMainViewport();
     ImGui::SetNextWindowPos(viewport->GetCenter(), ImGuiCond_Appearing, ImVec2(0.5F, 0.5F));
     if (resizes_itself(dialog)) return;
+    const float height = std::get<FileBrowser>(dialog).film ? 640.0F : 520.0F;
     ImGui::SetNextWindowSize(
-        {std::min(720.0F * context.scale, 0.95F * viewport->Size.x), std::min(520.0F * context.scale, 0.95F * viewport->Size.y)},
+        {std::min(720.0F * context.scale, 0.95F * viewport->Size.x), std::min(height * context.scale, 0.95F * viewport->Size.y)},
         ImGuiCond_Appearing);
 }
 
@@ -142,7 +143,7 @@ std::string size_fault(const FileBrowser& browser) {
 void draw_size(const PanelContext& context, FileBrowser& browser) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Size in pixels");
-    ImGui::SameLine();
+    ImGui::SameLine(browser.film ? left_of_film_fields() : 0.0F);
     draw_side(context, "width", browser.size->width);
     ImGui::SameLine();
     ImGui::TextUnformatted("x");
@@ -159,7 +160,8 @@ void draw_size(const PanelContext& context, FileBrowser& browser) {
 
 std::string id_of(const Dialog& dialog) {
     if (const auto* question = std::get_if<Question>(&dialog)) return question->id;
-    return std::get<FileBrowser>(dialog).size ? "export" : "browser";
+    const auto& browser = std::get<FileBrowser>(dialog);
+    return browser.film ? "film" : browser.size ? "export" : "browser";
 }
 
 void draw_dialogs(const PanelContext& context, Dialogs& dialogs, const DialogKeys& keys) {

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "panels/film_form.hpp"
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
@@ -46,10 +48,13 @@ struct FileOrder {
 struct FileKind {
     std::string name;
     std::vector<std::string> endings;  // none: all files
+    std::string part{};                // a name of this kind has this in it, too
+    std::string usual{};               // the name that a file of this kind gets instead of one of a kind with another part
 };
 
 // The file dialog. `accept` gets an absolute path; a new one only when `saving`, an existing one then only when the person agrees
-// to replace it. With a `size` the file is a picture, whose size is chosen, too: at first that one. Widgets: "browser path",
+// to replace it. With a `size` the file is a picture, whose size is chosen, too: at first that one; with a `film` as well it is a
+// film, or several pictures. Widgets: those of panels/film_form.hpp, "browser path",
 // "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0", "browser hidden", "browser kind", "kind
 // TOML", "browser sort name" ("size", "date"), "entry NAME", "export width", "export height", "export 1920 x 1080", "export view".
 struct FileBrowser {
@@ -64,6 +69,7 @@ struct FileBrowser {
     bool only_kinds = false;          // so does the name of a file that is there, before anyone is asked whether to replace it
     std::vector<std::string> places;  // folders to go to by a click
     std::optional<PictureSize> size;
+    std::shared_ptr<FilmForm> film{};        // with a size
     PictureSize view;                        // of the picture in the window, for a button
     std::int64_t most_pixels = 429'496'729;  // as image/image.hpp has it
     std::string error;                       // what is wrong, or why the last try did not work
@@ -86,7 +92,7 @@ std::string size_fault(const FileBrowser& browser);
 
 using Dialog = std::variant<Question, FileBrowser>;
 
-// Of the dialog, for tests: a question's id, "export", "browser".
+// Of the dialog, for tests: a question's id, "export", "film", "browser".
 std::string id_of(const Dialog& dialog);
 
 // Dialogs that wait for an answer. Only the last can be answered; the others lie dimmed below.

@@ -20,7 +20,8 @@ namespace {
 constexpr const char* hidden_files_label = "Hidden files";
 
 bool fits(const FileKind& kind, std::string_view name) {
-    return std::ranges::any_of(kind.endings, [&](const std::string& ending) { return has_ending(name, ending); });
+    return name.find(kind.part) != std::string_view::npos &&
+           std::ranges::any_of(kind.endings, [&](const std::string& ending) { return has_ending(name, ending); });
 }
 
 std::vector<std::string> listed_endings(const FileBrowser& browser) {
@@ -130,6 +131,12 @@ Decision confirm(FileBrowser& browser, Dialogs& dialogs) {
         if (give) give(text, size);
     };
     return accept_file(dialogs, text_from(path), browser.saving && exists, std::move(accept));
+}
+
+// What of the choices below the list cannot be.
+std::string fault_of_choice(const FileBrowser& browser) {
+    const std::string fault = size_fault(browser);
+    return fault.empty() && browser.film ? browser.film->judged.fault : fault;
 }
 
 // A text box that is typed into does not see that its text was replaced. So each folder has a box of its own.
@@ -279,6 +286,10 @@ void choose_kind(FileBrowser& browser, std::size_t kind) {
     const auto old = std::ranges::find_if(browser.kinds, [&](const FileKind& one) { return fits(one, browser.name); });
     browser.kind = kind;
     if (!browser.saving || old == browser.kinds.end() || browser.kinds[kind].endings.empty()) return;
+    if (old->part != browser.kinds[kind].part) {
+        browser.name = browser.kinds[kind].usual;
+        return;
+    }
     const auto ending = std::ranges::find_if(old->endings, [&](const std::string& one) { return has_ending(browser.name, one); });
     browser.name.resize(browser.name.size() - ending->size());
     browser.name += browser.kinds[kind].endings.front();
@@ -329,30 +340,36 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     const bool other_files =
         browser.hidden_files != browser.listed_hidden || (!browser.saving && browser.kind != browser.listed_kind);
     if (browser.listed_folder.empty() || browser.folder != browser.listed_folder || other_files) enter_nearest(browser);
+    if (browser.film) judge(*browser.film, text_from(chosen_file(browser)));
     draw_path(context, browser);
     const float width = ImGui::GetContentRegionAvail().x;
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     // The name, the buttons and what is wrong stand below the list; that line is always there, so that nothing jumps.
-    const std::string fault = browser.error.empty() ? size_fault(browser) : browser.error;
+    const std::string unfit = fault_of_choice(browser);
+    const std::string& fault = browser.error.empty() ? unfit : browser.error;
     const float error_height = std::max(fault_height(fault, width), ImGui::GetTextLineHeight());
     const float size_height = browser.size ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() : 0.0F;
+    const float film_height = browser.film ? height_of_film_form(*browser.film, width) : 0.0F;
     const float ends = form_end_width(context) + spacing.x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
     const bool hidden_beside = width >= ends + width_of(hidden_files_label);
     const float hidden_height = hidden_beside ? 0.0F : ImGui::GetFrameHeightWithSpacing();
-    const float below = 2.0F * ImGui::GetFrameHeight() + size_height + error_height + hidden_height + 3.0F * spacing.y;
-    const float height = std::max(5.0F * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y - below);
+    const float below =
+        2.0F * ImGui::GetFrameHeight() + size_height + film_height + error_height + hidden_height + 3.0F * spacing.y;
+    const float fewest = browser.film ? 3.0F : 5.0F;  // lines: a film's form leaves less room in a small window
+    const float height = std::max(fewest * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y - below);
     draw_places(context, browser, {0.22F * width, height});
     ImGui::SameLine();
     const auto [clicked, entry] = draw_entries(context, browser, height);
     draw_name(context, browser, width);
     if (browser.size) draw_size(context, browser);
+    if (browser.film) draw_film_form(context, *browser.film);
     if (fault.empty()) {
         ImGui::Dummy({0.0F, error_height});
     } else {
         draw_fault(fault, width);
     }
     const char* const ok = browser.size ? "Export" : browser.saving ? "Save" : "Open";
-    const bool possible = size_fault(browser).empty();
+    const bool possible = unfit.empty();
     const FormEnd end = draw_form_end(context, "browser", ok, possible, keys);
     if (hidden_beside) ImGui::SameLine();
     ImGui::Checkbox(hidden_files_label, &browser.hidden_files);

@@ -33,23 +33,25 @@ void draw_announcement(const PanelContext& context, const std::string& text, con
     ImGui::End();
 }
 
-// Returns whether Cancel was pressed.
-bool draw_work(const PanelContext& context, const WorkShown& work, const Rectangle& area) {
+// Returns whether Cancel was pressed. `place`: of the middle of the box, or of its upper edge.
+bool draw_work(const PanelContext& context, const char* name, const WorkShown& work, const Rectangle& area, ImVec2 place,
+               ImVec2 pivot) {
     const float margin = 16.0F * context.scale;
     const float width = std::max(std::min(420.0F * context.scale, area.width - 2.0F * margin), 8.0F * ImGui::GetFontSize());
-    ImGui::SetNextWindowPos({area.x + 0.5F * area.width, area.y + 0.4F * area.height}, ImGuiCond_Always, {0.5F, 0.5F});
+    ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.9F);
     bool cancelled = false;
-    if (ImGui::Begin("###work", nullptr, quiet_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar)) {
+    if (ImGui::Begin((std::string("###") + name).c_str(), nullptr,
+                     quiet_window | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoScrollbar)) {
         wrapped_text(work.text, width - ImGui::GetStyle().WindowPadding.x);
         const std::string percent = work.fraction ? std::to_string(static_cast<int>(100.0 * *work.fraction)) + " %" : "";
         ImGui::ProgressBar(static_cast<float>(work.fraction.value_or(0.0)), {-1.0F, 0.0F}, percent.c_str());
         if (work.can_cancel) {
             cancelled = ImGui::Button("Cancel");
-            note_widget(context, "cancel work");
+            note_widget(context, std::string("cancel ") + name);
         }
-        note_window(context, "message work");
+        note_window(context, std::string("message ") + name);
     }
     ImGui::End();
     return cancelled;
@@ -183,7 +185,7 @@ std::string under_pointer(const PanelContext& context, const Status& status) {
 
 }  // namespace
 
-bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area) {
+CancelledWork draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area) {
     const Trouble scene{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error, false,
                         area.y};
     float below = draw_trouble(context, scene, area);
@@ -192,10 +194,17 @@ bool draw_messages(const PanelContext& context, Messages& messages, const Rectan
                      {"scene gone", "The scene's file is gone: the scene is in this window alone. Saving writes the file again.",
                       messages.scene_gone, false, below},
                      area);
-    draw_trouble(context,
-                 {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
-                 area);
-    const bool cancelled = messages.work && draw_work(context, *messages.work, area);
+    below = draw_trouble(
+        context, {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
+        area);
+    CancelledWork cancelled;
+    const float middle = area.x + 0.5F * area.width;
+    if (messages.work) {
+        cancelled.work = draw_work(context, "work", *messages.work, area, {middle, area.y + 0.4F * area.height}, {0.5F, 0.5F});
+    }
+    if (messages.film) {
+        cancelled.film = draw_work(context, "film", *messages.film, area, {middle, below + 12.0F * context.scale}, {0.5F, 0.0F});
+    }
     const std::string& told = messages.announcement.empty() ? messages.hint : messages.announcement;
     if (!told.empty()) draw_announcement(context, told, area);
     return cancelled;

@@ -23,15 +23,20 @@ struct Messages {
     std::string scene_error;   // FILE:LINE:COLUMN: ... while the file is broken; stays until it is not
     std::string shader_error;  // the log, while a shader is broken
     std::optional<WorkShown> work{};
-    std::string hint{};        // shown where there is no announcement
-    std::string scene_gone{};  // the scene's file, while it is not there
+    std::optional<WorkShown> film{};  // which may be made for hours: out of the way
+    std::string hint{};               // shown where there is no announcement
+    std::string scene_gone{};         // the scene's file, while it is not there
 };
 
-// Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. Returns
-// whether the work is to be cancelled. The log is in the second font of ImGui's atlas, if there is one: a monospaced one. Widgets:
-// "message announcement", also for the hint, "message scene error", "message shader error", "message scene gone", "close scene
-// error", "close shader error", "close scene gone", "message work", "cancel work".
-bool draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area);
+// Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. The log is in
+// the second font of ImGui's atlas, if there is one: a monospaced one. Widgets: "message announcement", also for the hint, "message
+// scene error", "message shader error", "message scene gone", "close scene error", "close shader error", "close scene gone",
+// "message work", "cancel work", "message film", "cancel film".
+struct CancelledWork {
+    bool work = false;
+    bool film = false;
+};
+CancelledWork draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area);
 
 struct Status {
     std::string renderer;        // "llvmpipe (LLVM 15.0.6, 256 bits)"

@@ -10,7 +10,10 @@
 #include "panels/inspector.hpp"
 #include "panels/menus.hpp"
 #include "panels/status.hpp"
+#include "panels/timeline.hpp"
 #include "panels/widgets.hpp"
+#include "viewer/film_export.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/pointer_marks.hpp"
 
 namespace sphereview {
@@ -83,6 +86,25 @@ Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context,
     return {picture.x + taken, picture.y, picture.width - taken, picture.height};
 }
 
+// Under the picture. Returns what is left of the picture's place.
+Rectangle draw_timeline_below(ViewerState& state, const PanelContext& context, Rectangle picture) {
+    const float padding = 6.0F * context.scale;
+    const float height = std::ceil(timeline_height() + 2.0F * padding);
+    if (!has_several_frames(state) || picture.height - height < lowest_picture * context.scale) {
+        state.player.choices.handle_held = false;
+        return picture;
+    }
+    picture.height -= height;
+    place_window({picture.x, picture.y + picture.height, picture.width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, padding));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    ImGui::Begin("##timeline", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_timeline(context, timeline_facts(state), state.player.choices);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    return picture;
+}
+
 // What the eye sees whose rays are shown: the pixel under the pointer there is the eye's.
 void draw_rays_over(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, const Rectangle& picture) {
     RaysInSpace& rays = state.rays;
@@ -149,6 +171,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
         picture.width = std::max(panel.x - splitter, 0.0F);
     }
     if (state.inspector_shown) picture = draw_inspector_beside(state, context, facts, picture);
+    picture = draw_timeline_below(state, context, picture);
 
     if (has_status) {
         place_window({0.0F, whole.y - status_height, whole.x, status_height});
@@ -161,7 +184,9 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
     ImGui::PopStyleVar(2);
 
-    if (draw_messages(context, state.messages, picture)) cancel_work(state);
+    const CancelledWork cancelled = draw_messages(context, state.messages, picture);
+    if (cancelled.work) cancel_work(state);
+    if (cancelled.film) cancel_film(state);
     if (state.is_at_start()) {
         const bool has_keys = state.dialogs.empty() && !state.help_shown && !state.about.shown && !ImGui::GetIO().WantTextInput &&
                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);

@@ -161,18 +161,23 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
 
 }  // namespace
 
+Image render_beside(const Scene& scene, const PictureOptions& options, const std::function<void(double)>& progress,
+                    const Drafts* drafts, KeptLight* kept) {
+    OpenBackend cpu;
+    Timings timings;
+    PictureFacts facts;
+    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts, kept);
+}
+
 Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts,
                     KeptLight* kept) {
     constexpr double parts = 1000.0;
     control.total = static_cast<std::uint64_t>(parts);
-    OpenBackend cpu;
-    Timings timings;
-    PictureFacts facts;
-    const auto progress = [&](double done) {
+    const std::function<void(double)> progress = [&control](double done) {
         control.check();
         control.done = static_cast<std::uint64_t>(parts * done);
     };
-    return render_picture(cpu, scene, drawn_spheres(scene, options.camera), options, timings, facts, progress, drafts, kept);
+    return render_beside(scene, options, progress, drafts, kept);
 }
 
 std::shared_ptr<const Scene> scene_snapshot(ViewerState& state) {

@@ -97,7 +97,10 @@ struct RestPicture {
     }
 };
 
-// The very function that `render` calls; `control` cancels it and is told how far it is.
+// The very function that `render` calls; `progress` is told how much is done, 0..1, and may throw.
+Image render_beside(const Scene& scene, const PictureOptions& options, const std::function<void(double)>& progress,
+                    const Drafts* drafts = nullptr, KeptLight* kept = nullptr);
+// `control` cancels it and is told how far it is.
 Image render_beside(const Scene& scene, const PictureOptions& options, WorkControl& control, const Drafts* drafts = nullptr,
                     KeptLight* kept = nullptr);
 

@@ -11,66 +11,15 @@
 #include "panels/ray_section.hpp"
 #include "panels/widgets.hpp"
 #include "scene/vectors.hpp"
-#include "tiles/pixel_range.hpp"
+#include "viewer/drawn_screen.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
 
 namespace {
 
-struct Ink {
-    int red = 255;
-    int green = 255;
-    int blue = 255;
-    double opacity = 1.0;
-
-    ImU32 times(double factor) const {
-        return IM_COL32(red, green, blue, static_cast<int>(std::lround(255.0 * std::clamp(opacity * factor, 0.0, 1.0))));
-    }
-};
-
-constexpr Ink word_ink{235, 240, 250, 0.95};
-constexpr Ink first_ink{255, 220, 90, 1.0};
-constexpr Ink second_ink{120, 205, 255, 1.0};
-constexpr Ink sun_ink{255, 176, 46, 1.0};
-constexpr Ink dark_ink{10, 12, 18, 0.75};
-
-constexpr double behind_sphere = 0.22;   // how much of its opacity a hidden line keeps
-constexpr double crowded = 0.35;         // the same of rays that lie side by side
-constexpr double picture_opacity = 0.9;  // of the picture on the screen: what is behind it shimmers through
-constexpr double hidden_picture = 0.10;
-
-// A line is asked every so many pixels whether it is hidden; more rarely where that would be often in all.
-constexpr double usual_step = 2.0;
-constexpr double most_steps = 60'000.0;
-
-constexpr float largest_patch = 36.0F;  // of the picture on the screen, in screen coordinates: drawn as if it were flat
-constexpr float smallest_patch = 2.0F;  // at the edge of what hides it
-constexpr int most_halvings = 12;
-
-// What is seen on the picture's background.
-struct Inks {
-    Ink edge{235, 240, 250, 0.85};
-    Ink grid{235, 240, 250, 0.30};
-    Ink frustum{235, 240, 250, 0.40};
-    Ink missed{170, 180, 200, 0.32};
-    bool on_light = false;
-
-    // The colour of what a ray hits, lighter on a dark ground and darker on a light one.
-    Ink of(const Scene& scene, std::int32_t number) const {
-        if (number < 0 || static_cast<std::size_t>(number) >= scene.spheres.size()) return missed;
-        const Color& color = scene.spheres[static_cast<std::size_t>(number)].color;
-        const auto part = [&](std::uint8_t byte) { return (on_light ? 0 : 90) + byte * 165 / 255; };
-        return {part(color.r), part(color.g), part(color.b), 0.62};
-    }
-};
-
-Inks inks_on(const Background& background) {
-    const Color& color = background.color;
-    const bool light = background.transparent || 3 * color.r + 6 * color.g + color.b > 10 * 140;
-    if (!light) return {};
-    return {{30, 36, 50, 0.9}, {30, 36, 50, 0.35}, {30, 36, 50, 0.5}, {90, 98, 115, 0.4}, true};
-}
+constexpr double crowded = 0.35;         // how much of their opacity rays keep that lie side by side
+constexpr double most_steps = 60'000.0;  // of all lines together: where it would be more often, they are asked more rarely
 
 class RayDrawing {
 public:
@@ -79,22 +28,21 @@ public:
         : state_(state),
           rays_(state.rays),
           inspection_(inspection),
-          texture_(seen_by_eye),
-          over_(over),
-          hidden_(state.scene(), state.camera, state.picture_size, over.seen),
-          draw_(*ImGui::GetBackgroundDrawList()),
-          corners_(screen_corners(rays_.camera, rays_.size, rays_.screen_depth)),
-          inks_(inks_on(state.shown_background())) {}
+          canvas_(state, over),
+          inks_(inks_on(state.shown_background())),
+          screen_(canvas_, rays_, seen_by_eye, inks_) {}
 
     void draw() {
-        draw_.PushClipRect({over_.area.x, over_.area.y}, {over_.area.x + over_.area.width, over_.area.y + over_.area.height});
+        canvas_.list().PushClipRect(
+            {canvas_.over().area.x, canvas_.over().area.y},
+            {canvas_.over().area.x + canvas_.over().area.width, canvas_.over().area.y + canvas_.over().area.height});
         // What the screen hides comes first: of each line the part on the other side of its plane.
         const bool eye_is_nearer = is_before_screen(state_.camera);
         draw_rays_on(!eye_is_nearer);
-        draw_screen();
+        screen_.draw();
         draw_rays_on(eye_is_nearer);
         draw_marks();
-        draw_.PopClipRect();
+        canvas_.list().PopClipRect();
     }
 
 private:
@@ -102,33 +50,8 @@ private:
     bool is_before_screen(const Camera& view) const {
         const glm::dvec3 ahead = camera_axes(rays_.camera).ahead;
         if (view.orthographic()) return dot(view.center - view.eye, ahead) > 0.0;
-        return dot(view.eye - corners_[0], ahead) < 0.0;
+        return dot(view.eye - screen_.corners()[0], ahead) < 0.0;
     }
-
-    ImVec2 on_window(const glm::dvec2& place) const {
-        return {over_.area.x + static_cast<float>(place.x / over_.pixels),
-                over_.area.y + static_cast<float>(place.y / over_.pixels)};
-    }
-    std::optional<ProjectedLine> projected(const glm::dvec3& from, const glm::dvec3& to) const {
-        return projected_line(state_.camera, state_.picture_size, from, to);
-    }
-    std::optional<glm::dvec2> place(const glm::dvec3& point) const { return place_of(state_.camera, state_.picture_size, point); }
-    bool is_hidden(const glm::dvec3& point) const {
-        const auto at = place(point);
-        return at && hidden_.hides(*at, depth_of(state_.camera, point));
-    }
-
-    void line(const glm::dvec3& from, const glm::dvec3& to, const Ink& ink, float width, double step = usual_step) const {
-        const auto shown = projected(from, to);
-        if (!shown) return;
-        hidden_.for_each_run(*shown, step * over_.pixels * static_cast<double>(over_.scale),
-                             [&](double begin, double end, bool hidden) {
-                                 draw_.AddLine(on_window(shown->place_at(begin)), on_window(shown->place_at(end)),
-                                               ink.times(hidden ? behind_sphere : 1.0), width * over_.scale);
-                             });
-    }
-
-    glm::dvec3 on_screen(const glm::dvec2& place) const { return point_at(rays_.camera, rays_.size, place, rays_.screen_depth); }
 
     // --- Rays ---
 
@@ -142,7 +65,7 @@ private:
                 // Of a whole picture they lie side by side: before the screen, and where they hit nothing.
                 if (rays_.choice.shown == RaysShown::all && (eye_side || ray.visible < 0)) ink.opacity *= crowded;
                 draw_part(ray.from, ray.to, eye_side, ink, 1.0F, step);
-                if (ray.visible >= 0 && !eye_side) dot_at(ray.to, ink, 1.7F);
+                if (ray.visible >= 0 && !eye_side) canvas_.dot_at(ray.to, ink, 1.7F);
             }
         }
         draw_single(inspection_.second, second_ink, eye_side);
@@ -154,7 +77,7 @@ private:
         if (!rays_.rays.made()) return usual_step;
         double pixels = 0.0;
         for (const TracedRay& ray : *rays_.rays.made()) {
-            if (const auto shown = projected(ray.from, ray.to)) pixels += shown->pixels() / over_.pixels;
+            if (const auto shown = canvas_.projected(ray.from, ray.to)) pixels += shown->pixels() / canvas_.over().pixels;
         }
         return std::max(usual_step, pixels / most_steps);
     }
@@ -163,27 +86,27 @@ private:
     void draw_part(const glm::dvec3& from, const glm::dvec3& to, bool eye_side, const Ink& ink, float width, double step) const {
         const double depth = depth_of(rays_.camera, to);
         if (depth <= rays_.screen_depth) {
-            if (eye_side) line(from, to, ink, width, step);
+            if (eye_side) canvas_.line(from, to, ink, width, step);
             return;
         }
         const glm::dvec3 through = from + rays_.screen_depth / depth * (to - from);
         if (eye_side) {
-            line(from, through, ink, width, step);
+            canvas_.line(from, through, ink, width, step);
         } else {
-            line(through, to, ink, width, step);
+            canvas_.line(through, to, ink, width, step);
         }
     }
 
     void draw_frustum(bool eye_side) const {
         if (!eye_side) return;
         if (!rays_.camera.orthographic()) {
-            for (const glm::dvec3& corner : corners_) line(rays_.camera.eye, corner, inks_.frustum, 1.0F);
+            for (const glm::dvec3& corner : screen_.corners()) canvas_.line(rays_.camera.eye, corner, inks_.frustum, 1.0F);
             return;
         }
         const auto plane = screen_corners(rays_.camera, rays_.size, 0.0);
         for (std::size_t i = 0; i < plane.size(); ++i) {
-            line(plane[i], corners_[i], inks_.frustum, 1.0F);
-            line(plane[i], plane[(i + 1) % plane.size()], inks_.edge, 1.5F);
+            canvas_.line(plane[i], screen_.corners()[i], inks_.frustum, 1.0F);
+            canvas_.line(plane[i], plane[(i + 1) % plane.size()], inks_.edge, 1.5F);
         }
     }
 
@@ -218,152 +141,27 @@ private:
         const glm::dvec3 way = hit->point - pixel.explanation.origin;
         const double length = shadow->hits.empty() ? 0.6 * std::sqrt(dot(way, way)) : shadow->hits.front().t;
         const glm::dvec3 end = hit->point + length * shadow->direction;
-        line(hit->point, end, dark_ink, 4.0F);
-        line(hit->point, end, sun_ink, 1.8F);
+        canvas_.line(hit->point, end, dark_ink, 4.0F);
+        canvas_.line(hit->point, end, sun_ink, 1.8F);
         if (!shadow->hits.empty()) {
-            dot_at(end, sun_ink, 3.5F);
-        } else if (const auto at = place(end); at && light->is_sun()) {
-            sun_at(on_window(*at));
+            canvas_.dot_at(end, sun_ink, 3.5F);
+        } else if (const auto at = canvas_.place(end); at && light->is_sun()) {
+            sun_at(canvas_.on_window(*at));
         }
     }
 
     void sun_at(ImVec2 middle) const {
-        const float s = over_.scale;
-        draw_.AddCircleFilled(middle, 5.0F * s, sun_ink.times(1.0), 24);
+        const float s = canvas_.over().scale;
+        canvas_.list().AddCircleFilled(middle, 5.0F * s, sun_ink.times(1.0), 24);
         for (int i = 0; i < 8; ++i) {
             const float angle = 0.785398F * static_cast<float>(i);
             const ImVec2 way{std::cos(angle), std::sin(angle)};
-            draw_.AddLine({middle.x + 7.5F * s * way.x, middle.y + 7.5F * s * way.y},
-                          {middle.x + 11.0F * s * way.x, middle.y + 11.0F * s * way.y}, sun_ink.times(1.0), 1.6F * s);
+            canvas_.list().AddLine({middle.x + 7.5F * s * way.x, middle.y + 7.5F * s * way.y},
+                                   {middle.x + 11.0F * s * way.x, middle.y + 11.0F * s * way.y}, sun_ink.times(1.0), 1.6F * s);
         }
-    }
-
-    // --- The screen ---
-
-    void draw_screen() const {
-        if (texture_) draw_patch({0.0, 0.0}, {1.0, 1.0}, 0);
-        const auto line_across = [&](const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, float width) {
-            line(on_screen(from), on_screen(to), ink, width, 2.0 * usual_step);
-        };
-        const double width = rays_.size.width;
-        const double height = rays_.size.height;
-        const int cell = grid_cell();
-        for (int x = cell; x < rays_.size.width; x += cell) line_across({x, 0.0}, {x, height}, inks_.grid, 1.0F);
-        for (int y = cell; y < rays_.size.height; y += cell) line_across({0.0, y}, {width, y}, inks_.grid, 1.0F);
-        for (std::size_t i = 0; i < corners_.size(); ++i) line(corners_[i], corners_[(i + 1) % corners_.size()], inks_.edge, 1.6F);
-    }
-
-    // So many pixels of the eye's picture a square of the grid is wide: one in which one ray of all is drawn.
-    // So many times wider where it would be too small to be seen.
-    int grid_cell() const {
-        constexpr double least = 4.5;  // screen coordinates
-        int cell = std::max(rays_.choice.in_picture, 1);
-        const glm::dvec2 middle{0.5 * rays_.size.width, 0.5 * rays_.size.height};
-        const auto at = place(on_screen(middle));
-        const auto right = place(on_screen(middle + glm::dvec2(cell, 0.0)));
-        const auto below = place(on_screen(middle + glm::dvec2(0.0, cell)));
-        if (!at || !right || !below) return cell;
-        double spacing = std::min(std::hypot(right->x - at->x, right->y - at->y), std::hypot(below->x - at->x, below->y - at->y)) /
-                         (over_.pixels * static_cast<double>(over_.scale));
-        for (; spacing < least && cell < rays_.size.shorter_side(); spacing *= 2.0) cell *= 2;
-        return cell;
-    }
-
-    // A part of the picture, from corner to corner, 0..1. It is halved until each piece is small enough to be drawn as if it were
-    // seen straight on, and wholly hidden or not.
-    void draw_patch(const glm::dvec2& low, const glm::dvec2& high, int halvings) const {
-        const std::array<glm::dvec2, 4> parts = {low, {high.x, low.y}, high, {low.x, high.y}};
-        std::array<glm::dvec2, 4> places{};
-        std::array<ImVec2, 4> points{};
-        std::array<ImVec2, 4> on_texture{};
-        bool is_before = true;  // the view
-        for (std::size_t i = 0; i < parts.size(); ++i) {
-            const auto at = place(point_on_screen(parts[i]));
-            is_before = is_before && at.has_value();
-            places[i] = at.value_or(glm::dvec2(0.0));
-            points[i] = on_window(places[i]);
-            on_texture[i] = {static_cast<float>(parts[i].x), static_cast<float>(parts[i].y)};
-        }
-        float longest = 1e30F;
-        if (is_before) {
-            if (is_outside(points)) return;
-            longest = 0.0F;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const ImVec2& next = points[(i + 1) % points.size()];
-                longest = std::max(longest, std::hypot(next.x - points[i].x, next.y - points[i].y));
-            }
-        }
-        const bool small = longest <= largest_patch * over_.scale;
-        const double shown = small ? visible_part(low, high) : 0.5;
-        const bool mixed = shown > 0.0 && shown < 1.0;
-        if (halvings < most_halvings && (!small || (mixed && longest > smallest_patch * over_.scale))) {
-            halve(low, high, places, is_before, halvings);
-            return;
-        }
-        if (!is_before) return;
-        const double opacity = shown * picture_opacity + (1.0 - shown) * hidden_picture;
-        draw_.AddImageQuad(*texture_, points[0], points[1], points[2], points[3], on_texture[0], on_texture[1], on_texture[2],
-                           on_texture[3], Ink{}.times(opacity));
-    }
-
-    void halve(const glm::dvec2& low, const glm::dvec2& high, const std::array<glm::dvec2, 4>& places, bool is_before,
-               int halvings) const {
-        const auto length = [&](std::size_t i, std::size_t j) {
-            return std::hypot(places[i].x - places[j].x, places[i].y - places[j].y);
-        };
-        const bool across = is_before ? length(0, 1) + length(3, 2) > length(0, 3) + length(1, 2) : halvings % 2 == 0;
-        const glm::dvec2 middle = 0.5 * (low + high);
-        draw_patch(low, across ? glm::dvec2(middle.x, high.y) : glm::dvec2(high.x, middle.y), halvings + 1);
-        draw_patch(across ? glm::dvec2(middle.x, low.y) : glm::dvec2(low.x, middle.y), high, halvings + 1);
-    }
-
-    // How much of a patch no sphere hides.
-    double visible_part(const glm::dvec2& low, const glm::dvec2& high) const {
-        constexpr int samples = 3;
-        int visible = 0;
-        for (int i = 0; i < samples * samples; ++i) {
-            const glm::dvec2 part{(i % samples + 0.5) / samples, (static_cast<int>(i / samples) + 0.5) / samples};
-            visible += is_hidden(point_on_screen(low + part * (high - low))) ? 0 : 1;
-        }
-        return static_cast<double>(visible) / (samples * samples);
-    }
-
-    glm::dvec3 point_on_screen(const glm::dvec2& part) const {
-        return on_screen({part.x * rays_.size.width, part.y * rays_.size.height});
-    }
-
-    bool is_outside(const std::array<ImVec2, 4>& points) const {
-        const auto all = [&](auto holds) { return std::ranges::all_of(points, holds); };
-        const Rectangle& a = over_.area;
-        return all([&](const ImVec2& p) { return p.x < a.x; }) || all([&](const ImVec2& p) { return p.x > a.x + a.width; }) ||
-               all([&](const ImVec2& p) { return p.y < a.y; }) || all([&](const ImVec2& p) { return p.y > a.y + a.height; });
     }
 
     // --- Marks and names ---
-
-    void dot_at(const glm::dvec3& point, const Ink& ink, float radius) const {
-        const auto at = place(point);
-        if (!at) return;
-        draw_.AddCircleFilled(on_window(*at), radius * over_.scale, ink.times(is_hidden(point) ? 2.0 * behind_sphere : 1.4), 12);
-    }
-
-    void ring_at(const glm::dvec3& point, const Ink& ink, float radius) const {
-        const auto at = place(point);
-        if (!at) return;
-        const ImVec2 middle = on_window(*at);
-        const double opacity = is_hidden(point) ? 2.0 * behind_sphere : 1.0;
-        draw_.AddCircle(middle, radius * over_.scale, dark_ink.times(opacity), 24, 4.0F * over_.scale);
-        draw_.AddCircle(middle, radius * over_.scale, ink.times(opacity), 24, 2.0F * over_.scale);
-    }
-
-    void words(ImVec2 middle, const std::string& text, const Ink& ink) const {
-        const std::string shown = in_glyphs(text);
-        const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
-        const float pad = 3.0F * over_.scale;
-        const ImVec2 low{std::round(middle.x - 0.5F * size.x), std::round(middle.y - 0.5F * size.y)};
-        draw_.AddRectFilled({low.x - pad, low.y - 1.0F}, {low.x + size.x + pad, low.y + size.y + 1.0F}, dark_ink.times(0.85), pad);
-        draw_.AddText(low, ink.times(1.0), shown.c_str());
-    }
 
     void draw_marks() const {
         const float line_height = ImGui::GetTextLineHeight();
@@ -372,68 +170,67 @@ private:
             const Ink& ink = second ? second_ink : first_ink;
             if (!is_of_eye(pixel)) continue;
             const glm::dvec3 from = pixel->explanation.origin;
-            ring_at(from + rays_.screen_depth * pixel->explanation.direction, ink, 4.5F);
+            canvas_.ring_at(from + rays_.screen_depth * pixel->explanation.direction, ink, 4.5F);
             const ExplainedHit* hit = hit_of(*pixel);
-            if (rays_.camera.orthographic()) dot_at(from, ink, 3.0F);
+            if (rays_.camera.orthographic()) canvas_.dot_at(from, ink, 3.0F);
             if (hit == nullptr) continue;
-            dot_at(hit->point, dark_ink, 5.5F);
-            dot_at(hit->point, ink, 4.0F);
-            if (const auto at = place(hit->point)) {
-                const ImVec2 middle = on_window(*at);
-                words({middle.x, middle.y + 1.1F * line_height}, "t = " + number_text(hit->t, 4), ink);
+            canvas_.dot_at(hit->point, dark_ink, 5.5F);
+            canvas_.dot_at(hit->point, ink, 4.0F);
+            if (const auto at = canvas_.place(hit->point)) {
+                const ImVec2 middle = canvas_.on_window(*at);
+                canvas_.words({middle.x, middle.y + 1.1F * line_height}, "t = " + number_text(hit->t, 4), ink);
             }
         }
         draw_eye();
-        name_below(corners_, rays_.screen_depth == 1.0 ? "screen" : "screen (moved)");
+        name_below(screen_.corners(), rays_.screen_depth == 1.0 ? "screen" : "screen (moved)");
     }
 
     // Names a rectangle below its lowest edge.
     void name_below(const std::array<glm::dvec3, 4>& corners, const char* name) const {
         std::optional<ImVec2> lowest;
         for (std::size_t i = 0; i < corners.size(); ++i) {
-            const auto at = place(0.5 * (corners[i] + corners[(i + 1) % corners.size()]));
+            const auto at = canvas_.place(0.5 * (corners[i] + corners[(i + 1) % corners.size()]));
             if (!at) continue;
-            const ImVec2 middle = on_window(*at);
+            const ImVec2 middle = canvas_.on_window(*at);
             if (!lowest || middle.y > lowest->y) lowest = middle;
         }
-        if (lowest) words({lowest->x, lowest->y + ImGui::GetTextLineHeight()}, name, word_ink);
+        if (lowest) canvas_.words({lowest->x, lowest->y + ImGui::GetTextLineHeight()}, name, word_ink);
     }
 
     void draw_eye() const {
         if (rays_.camera.orthographic()) {
             return name_below(screen_corners(rays_.camera, rays_.size, 0.0), "rays begin in this plane");
         }
-        const auto at = place(rays_.camera.eye);
+        const auto at = canvas_.place(rays_.camera.eye);
         if (!at) return;
-        const ImVec2 middle = on_window(*at);
-        const float s = over_.scale;
+        const ImVec2 middle = canvas_.on_window(*at);
+        const float s = canvas_.over().scale;
         // An almond with an iris.
         const float wide = 11.0F * s;
         const float high = 6.5F * s;
         const auto almond = [&](float more) {
-            draw_.PathClear();
-            draw_.PathLineTo({middle.x - wide - more, middle.y});
-            draw_.PathBezierQuadraticCurveTo({middle.x, middle.y - 2.0F * (high + more)}, {middle.x + wide + more, middle.y}, 16);
-            draw_.PathBezierQuadraticCurveTo({middle.x, middle.y + 2.0F * (high + more)}, {middle.x - wide - more, middle.y}, 16);
+            canvas_.list().PathClear();
+            canvas_.list().PathLineTo({middle.x - wide - more, middle.y});
+            canvas_.list().PathBezierQuadraticCurveTo({middle.x, middle.y - 2.0F * (high + more)},
+                                                      {middle.x + wide + more, middle.y}, 16);
+            canvas_.list().PathBezierQuadraticCurveTo({middle.x, middle.y + 2.0F * (high + more)},
+                                                      {middle.x - wide - more, middle.y}, 16);
         };
         almond(1.5F * s);
-        draw_.PathFillConvex(dark_ink.times(1.3));
+        canvas_.list().PathFillConvex(dark_ink.times(1.3));
         almond(0.0F);
-        draw_.PathFillConvex(IM_COL32(245, 247, 250, 255));
-        draw_.AddCircleFilled(middle, 5.0F * s, IM_COL32(58, 110, 190, 255), 24);
-        draw_.AddCircleFilled(middle, 2.3F * s, IM_COL32(10, 12, 18, 255), 16);
-        words({middle.x, middle.y - ImGui::GetTextLineHeight() - 6.0F * s}, "eye", word_ink);
+        canvas_.list().PathFillConvex(IM_COL32(245, 247, 250, 255));
+        canvas_.list().AddCircleFilled(middle, 5.0F * s, IM_COL32(58, 110, 190, 255), 24);
+        canvas_.list().AddCircleFilled(middle, 2.3F * s, IM_COL32(10, 12, 18, 255), 16);
+        canvas_.words({middle.x, middle.y - ImGui::GetTextLineHeight() - 6.0F * s}, "eye", word_ink);
     }
 
     const ViewerState& state_;
     const RaysInSpace& rays_;
     const Inspection& inspection_;
-    const std::optional<ImTextureID>& texture_;
-    const DrawnOver& over_;
-    HiddenParts hidden_;
-    ImDrawList& draw_;
-    std::array<glm::dvec3, 4> corners_;
+    RayCanvas canvas_;
     Inks inks_;
+    DrawnScreen screen_;
 };
 
 }  // namespace

@@ -7,20 +7,11 @@
 #include <optional>
 
 #include "panels/inspector.hpp"
-#include "panels/panel_context.hpp"
-#include "viewer/hidden_parts.hpp"
+#include "viewer/ray_canvas.hpp"
 
 namespace sphereview {
 
 struct ViewerState;
-
-// What the rays are drawn over: the window's picture and where it is.
-struct DrawnOver {
-    const SeenTexels& seen;  // of the window's picture as it is now
-    Rectangle area;
-    double pixels = 1.0;  // of a screen coordinate
-    float scale = 1.0F;
-};
 
 // The middle of what the rays go through, while they are shown.
 std::optional<glm::dvec3> middle_of_rays(const ViewerState& state);

@@ -117,7 +117,8 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
 bool finish_work(ViewerState& state) {
     bool any = false;
     // Saving first: its end may replace what is being loaded.
-    for (std::optional<Work>* work : {&state.saving, &state.loading, &state.exporting, &state.comparing, &state.copying}) {
+    for (std::optional<Work>* work :
+         {&state.saving, &state.loading, &state.exporting, &state.filming, &state.comparing, &state.copying}) {
         if (!*work || !(*work)->job.ended()) continue;
         end(*work);
         any = true;
@@ -130,10 +131,14 @@ void finish_writing(ViewerState& state, std::chrono::milliseconds limit) {
     const auto ends = [&](const Work& work) {
         return work.job.wait_for(std::max(std::chrono::duration_cast<std::chrono::milliseconds>(last - Clock::now()), {}));
     };
-    if (state.exporting) {
-        state.exporting->job.cancel();
-        ends(*state.exporting);
-        state.exporting.reset();
+    for (std::optional<Work>* work : {&state.exporting, &state.filming}) {
+        if (!*work) continue;
+        (*work)->job.cancel();
+        (*work)->stop();
+    }
+    for (std::optional<Work>* work : {&state.exporting, &state.filming}) {
+        if (*work) ends(**work);
+        work->reset();
     }
     while (state.saving && ends(*state.saving)) end(state.saving);
 }

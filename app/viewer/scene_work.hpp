@@ -57,6 +57,8 @@ struct Work {
     bool reload = false;                            // it reads the file that is shown
     bool then_quit = false;                         // the person has closed the window meanwhile
     std::shared_ptr<const FoundPath> found_path{};  // instead of `path`, where the job chooses
+    std::function<WorkShown()> words{};             // what is told of a film
+    std::function<void()> stop = [] {};             // ends what a job waits for that is cancelled
 
     std::string shown_path() const {
         const std::string shown = found_path ? found_path->get() : path;
@@ -70,7 +72,8 @@ bool is_read_at_once(const std::string& path);
 // Begins to read, instead of what is being read now. What is_read_at_once() has been read when this returns: before anyone could
 // see a bar. A reading that was cancelled ends at its next 4 MB; nobody waits for it, since a read of a pipe may never return.
 void start_loading(ViewerState& state, LoadRequest request);
-// What is being read, or else exported, or else compared; says so if it is already being written, and leaves nothing else.
+// What is being read, or else exported, or else compared; says so if it is already being written, and leaves nothing else. A film,
+// which may take hours, is not given up in passing (viewer/film_export.hpp).
 void cancel_work(ViewerState& state);
 
 // Writes the scene as it is now, from a copy (10 ms for a million spheres), so that edits need not wait and cannot tear what is
@@ -79,13 +82,14 @@ void cancel_work(ViewerState& state);
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 
-// Whether something is read, written, exported, compared or copied: then finish_work() has to be called again and again.
+// Whether something is read, written, exported, compared or copied: then finish_work() has to be called again and again, as while
+// a film is made, for which nobody waits.
 bool is_working(const ViewerState& state);
 // In words.
 std::optional<WorkShown> work_of(const ViewerState& state);
 // Acts on what has ended. Returns whether anything has.
 bool finish_work(ViewerState& state);
-// Cancels an export; waits for what is being written all the same, at most so long, and acts on what is saved.
+// Cancels an export and a film; waits for what is being written all the same, at most so long, and acts on what is saved.
 void finish_writing(ViewerState& state, std::chrono::milliseconds limit);
 
 }  // namespace sphereview

@@ -24,6 +24,7 @@
 #include "panels/status.hpp"
 #include "viewer/box_selection.hpp"
 #include "viewer/camera_flight.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/picture_comparison.hpp"
 #include "viewer/picture_job.hpp"
 #include "viewer/pinned_pixels.hpp"
@@ -57,15 +58,15 @@ struct ViewerState {
     std::uint64_t gesture = 0;
     // The names of steps that gave spheres colours or sizes by a property: nearly all spheres. Undoing one selects none of them.
     std::set<std::string> look_steps{};
-    std::uint64_t look_revision = 0;  // of the document that differs from its file in colours and sizes by properties alone
-    SceneBounds bounds;               // of the document at bounds_revision
+    SceneBounds bounds;  // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
 
     // The file that the document is of.
     std::string path;  // absolute; "" when it has none yet
     SceneFormat format = SceneFormat::toml;
-    std::int64_t frame = 0;  // of the file, which may have several
-    std::int64_t frames = 1;
+    std::int64_t frame = 0;   // of the file, which may have several
+    std::int64_t frames = 1;  // as far as they are known (FramePlayer::all_frames)
+    FramePlayer player;
     FileStates stamp;                         // of what was read or written last
     std::vector<std::string> property_names;  // of what the file holds of each sphere, whether read or not
     bool all_properties = false;              // they are read, whatever they take
@@ -75,6 +76,8 @@ struct ViewerState {
     std::optional<Work> loading;
     std::optional<Work> saving;
     std::optional<Work> exporting;
+    std::optional<Work> filming;
+    std::optional<FilmChoices> film_choices;  // the latest
     std::optional<Work> comparing;
     std::optional<Work> copying;                // what explains a pixel, to the clipboard
     std::optional<ShownComparison> comparison;  // the latest

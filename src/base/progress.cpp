@@ -21,6 +21,8 @@ std::string three_digits(double value) { return fixed(value, value < 10 ? 2 : va
 
 Progress::Progress() : enabled_(stderr_is_terminal()) {}
 
+Progress::Progress(std::function<void(double)> watcher) : enabled_(false), watcher_(std::move(watcher)) {}
+
 Progress::~Progress() { clear(); }
 
 void Progress::start(std::string what, double amount, std::string unit) {
@@ -31,6 +33,7 @@ void Progress::start(std::string what, double amount, std::string unit) {
 }
 
 void Progress::update(double fraction, const std::string& note) {
+    if (watcher_) watcher_(fraction);
     if (!enabled_) return;
     const auto now = Clock::now();
     if (now - begin_ < patience || (drawn_ && now - drawn_at_ < redraw_every)) return;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <string>
 
 namespace sphereview {
@@ -11,6 +12,9 @@ namespace sphereview {
 class Progress {
 public:
     Progress();
+    // Shows nothing, and tells `watcher` each fraction instead, also from another thread than that of the terminal. What it throws
+    // comes out of update().
+    explicit Progress(std::function<void(double fraction)> watcher);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -26,6 +30,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     bool enabled_;
+    std::function<void(double)> watcher_{};
     bool drawn_ = false;
     std::string what_;
     double amount_ = 0.0;

@@ -1,7 +1,6 @@
 #include "gpu/live_picture.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <chrono>
@@ -11,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "exact/resolve.hpp"
+#include "gpu/kept_framebuffers.hpp"
 #include "gpu/picture_texture.hpp"
 #include "light/light_set.hpp"
 #include "scene/vectors.hpp"
@@ -35,24 +34,6 @@ void set_grid(DrawBlock& block, int step) {
     block.grid_shift = PixelGrid({}, step).shift();
     block.block_origin = {step / 2, step / 2};
 }
-
-// The framebuffers that are bound, until its end.
-class KeptFramebuffers {
-public:
-    KeptFramebuffers() : draw_(gl_limit(GL_DRAW_FRAMEBUFFER_BINDING)), read_(gl_limit(GL_READ_FRAMEBUFFER_BINDING)) {}
-    ~KeptFramebuffers() {
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw());
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
-    }
-    KeptFramebuffers(const KeptFramebuffers&) = delete;
-    KeptFramebuffers& operator=(const KeptFramebuffers&) = delete;
-
-    GLuint draw() const { return static_cast<GLuint>(draw_); }
-
-private:
-    GLint draw_;
-    GLint read_;
-};
 
 // Numbers and flat colours are to arrive as they are written.
 void draw_plainly() {
@@ -370,88 +351,6 @@ void LivePicture::show(const WindowArea& area, const Background& background, con
     draw_block(no_vertices_, whole);
     outlines_.draw(programs_.outlines, no_vertices_, visible_, block, outlined, area, kept.draw());
     check_gl("showing the picture");
-}
-
-// What the buffer is sure of.
-std::optional<std::int32_t> LivePicture::traced_number(Pixel pixel) const {
-    if (!traced_) return std::nullopt;
-    const PixelGrid grid{view_.size, step_};
-    const Block texel{pixel.x / step_, pixel.y / step_, 1, 1};
-    if (grid.traced_column(texel.x) != pixel.x || grid.traced_row(texel.y) != pixel.y) return std::nullopt;
-    const KeptFramebuffers kept;
-    std::array<std::int32_t, 1> visible{};
-    visible_.read(texel, visible);
-    if (is_doubtful(visible[0])) return std::nullopt;
-    return visible[0] < 0 ? visible[0] : scene_.drawn().number(static_cast<std::size_t>(visible[0]));
-}
-
-std::vector<std::int32_t> LivePicture::traced_indices() const {
-    const KeptFramebuffers kept;
-    const auto [width, height] = PixelGrid{view_.size, step_}.size();
-    std::vector<std::int32_t> traced(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    visible_.read({0, 0, width, height}, traced);
-    return traced;
-}
-
-std::int32_t LivePicture::number_of(std::int32_t index) const {
-    return index < 0 ? index : scene_.drawn().number(static_cast<std::size_t>(index));
-}
-
-std::vector<std::int32_t> LivePicture::seen_numbers() const {
-    if (!traced_ || step_ != 1) return {};
-    std::vector<std::int32_t> seen = traced_indices();
-    for (std::int32_t& one : seen) one = is_doubtful(one) ? doubtful(number_of(doubtful(one))) : number_of(one);
-    return seen;
-}
-
-SeenTexels LivePicture::seen_texels() const {
-    if (!traced_) return {};
-    SeenTexels seen{step_, PixelGrid{view_.size, step_}.size().width, traced_indices()};
-    for (std::int32_t& one : seen.numbers) one = number_of(is_doubtful(one) ? doubtful(one) : one);
-    return seen;
-}
-
-// Whether the drawn spheres and the lists are the document's.
-bool LivePicture::is_of(const Document& document) const {
-    const ChangesSince changes = document.changes_since(revision_);
-    return revision_ != 0 && !changes.order && !changes.geometry;
-}
-
-PixelLights LivePicture::explain_lights(const Document& document, Pixel pixel, std::int32_t visible, const NumberedLights& lights,
-                                        std::size_t most_lines) const {
-    const Scene& scene = document.scene();
-    const auto of = [&](const DrawnSpheres& drawn) {
-        return sphereview::explain_lights({scene, drawn, view_.camera, view_.size, pixel, visible}, lights, most_lines);
-    };
-    return is_of(document) ? of(scene_.drawn()) : of(drawn_spheres(scene, view_.camera));
-}
-
-std::size_t LivePicture::candidates(const Document& document, Pixel pixel) const {
-    const CandidateLists* lists = lists_for_any_pixel();
-    if (!is_of(document) || lists == nullptr) return document.scene().spheres.size();
-    std::size_t count = 0;
-    for (const TileLevel& level : lists->levels) count += lists->at(level, pixel.x, pixel.y).size();
-    return count;
-}
-
-PixelExplanation LivePicture::explain(const Document& document, Pixel pixel, std::size_t most_passed) const {
-    const Scene& scene = document.scene();
-    const auto of = [&](const DrawnSpheres& drawn, const CandidateLists* lists) {
-        return explain_pixel(scene, drawn, view_.camera, view_.size, pixel, lists, most_hits_explained, most_passed);
-    };
-    return is_of(document) ? of(scene_.drawn(), lists_for_any_pixel()) : of(drawn_spheres(scene, view_.camera), nullptr);
-}
-
-std::int32_t LivePicture::pick(const Document& document, Pixel pixel) {
-    const PictureSize& size = view_.size;
-    if (revision_ == 0 || pixel.x < 0 || pixel.y < 0 || pixel.x >= size.width || pixel.y >= size.height) return visible_background;
-    DecisionLevel level = DecisionLevel::in_float;
-    if (!is_of(document)) {
-        const DrawnSpheres drawn = drawn_spheres(document.scene(), view_.camera);
-        return Resolver(document.scene(), drawn, view_.camera, size, nullptr).resolve(pixel, level);
-    }
-    if (const auto number = traced_number(pixel)) return *number;
-    return Resolver(document.scene(), scene_.drawn(), view_.camera, size, lists_for_any_pixel()).resolve(pixel, level);
 }
 
 }  // namespace sphereview

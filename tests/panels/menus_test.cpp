@@ -139,11 +139,32 @@ TEST(Commands, HaveKeysThatNoOtherHas) {
             for (const CommandInfo& info : commands) {
                 if (matches(info.shortcut, key, held & 1, held & 2, held & 4)) meant.push_back(info.label);
             }
+            if (key == "space" && held == 0) {  // there need not be both a pixel and frames
+                EXPECT_EQ(meant, (std::vector<std::string_view>{"Pin the pixel", "Play"}));
+                meant.pop_back();
+            }
             EXPECT_LE(meant.size(), 1U) << key << " with " << held << ": " << meant[0] << ", " << meant[1];
             if (const auto command = command_for_key(commands, key, held & 1, held & 2, held & 4)) reached.insert(*command);
         }
+        const auto typed = key.size() == 1 ? command_for_character(commands, static_cast<char32_t>(key[0])) : std::nullopt;
+        if (typed) reached.insert(*typed);
     }
     for (const CommandInfo& info : commands) EXPECT_TRUE(reached.contains(info.id)) << info.label;
+}
+
+TEST(Commands, OfTwoWithOneKeyTheOneIsMeantThatHasSomethingToDo) {
+    std::vector<CommandInfo> commands = all_commands();
+    const auto meant = [&](bool pins, bool plays) {
+        for (CommandInfo& info : commands) {
+            if (info.id == CommandId::pin_pixel) info.enabled = pins;
+            if (info.id == CommandId::play) info.enabled = plays;
+        }
+        return command_for_key(commands, "space", false, false, false);
+    };
+    EXPECT_EQ(meant(true, true), CommandId::pin_pixel);
+    EXPECT_EQ(meant(true, false), CommandId::pin_pixel);
+    EXPECT_EQ(meant(false, true), CommandId::play);
+    EXPECT_EQ(meant(false, false), CommandId::pin_pixel) << "which does nothing then";
 }
 
 // All that can be pressed for a shortcut: C(trl), S(hift) and A(lt) before the key.

@@ -14,7 +14,7 @@ struct MessageHarness {
     Rectangle area{100.0F, 50.0F, 600.0F, 500.0F};
     bool cancelled = false;
     PanelHarness panels{[this](const PanelContext& context) {
-                            if (draw_messages(context, messages, area)) cancelled = true;
+                            if (draw_messages(context, messages, area).work) cancelled = true;
                         },
                         {},
                         800.0F,

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <sstream>
 
+#include "support/render.hpp"
 #include "support/text_match.hpp"
 #include "ui/editing.hpp"
 
@@ -110,6 +111,34 @@ TEST(Exporting, LeavesTheWindowAliveAndCanBeCancelled) {
     window.key("ctrl+q");
     EXPECT_EQ(window.wait_for_end().status, 0);
     EXPECT_FALSE(std::filesystem::exists(folder.path("scene.png")));
+}
+
+// By the view in the window: the bytes of `render --frames`.
+TEST(Exporting, MakesPicturesOfAllFrames) {
+    const TemporaryFolder folder;
+    const std::string scene = folder.write("a.xyz", "2\n\nO 0 0 0\nN 3 0 0\n2\n\nO 0 1 0\nN 3 0 0\n");
+    ViewerWindow window(folder, {scene, "--size", "64x48"});
+    window.drag(window.pixel(10, 10), window.pixel(90, 30), 3);
+    window.key("shift+F12");
+    window.wait_for("dialogs", Json::array({"film"}));
+    window.click_widget("browser kind");
+    window.click_widget("kind Pictures");
+    window.click_widget("browser ok");
+    announced(window, "a-{frame:05}.png (2 pictures, 64 x 48)");
+    EXPECT_EQ(window.at("filming"), nullptr);
+
+    window.choose("View", "Use this view as the scene's camera");
+    window.wait_for("changed", true);
+    window.key("ctrl+shift+s");
+    choose_file(window, "viewed.toml");
+    window.wait_for("path", folder.path("viewed.toml"));
+    const Outcome rendered = run(cpu_render(folder, {scene, "--frames", "all", "--camera", folder.path("viewed.toml"),
+                                                     "--background", "#202430", "-s", "64x48", "-o", "r-{frame:05}.png"}));
+    EXPECT_EQ(rendered.status, 0) << rendered;
+    for (const char* number : {"00000.png", "00001.png"}) {
+        EXPECT_EQ(folder.read(std::string("a-") + number), folder.read(std::string("r-") + number));
+    }
+    EXPECT_NE(folder.read("a-00000.png"), folder.read("a-00001.png"));
 }
 
 TEST(Exporting, EndsBeforeTheWindowDoes) {

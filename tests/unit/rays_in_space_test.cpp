@@ -9,6 +9,7 @@
 #include "camera/navigation.hpp"
 #include "exact/explain.hpp"
 #include "support/eventually.hpp"
+#include "viewer/command_table.hpp"
 #include "viewer/hidden_parts.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/viewer_state.hpp"

@@ -60,7 +60,7 @@ TEST_F(DataInViewer, SaysWhatTheReaderWarnedOf) {
     run_command(state, CommandId::next_frame);
     finish_reading();
     EXPECT_EQ(state.messages.announcement,
-              cut + ": found 1 virtual site or dummy, which is no atom; shown small, or not with --no-virtual\n" + warning);
+              cut + ": found 1 virtual site or dummy, which is no atom; shown small, or not with --no-virtual");
     folder.write("cut.xyz", "1\n\nO 0 0 1\n2\n\nO 0 0 1\nXx 0 0 2\n");
     look_at_file(state);
     finish_reading();
@@ -80,7 +80,7 @@ TEST_F(DataInViewer, OtherFramesAreColouredAlike) {
         std::vector<Sphere> spheres = state.scene().spheres;
         for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(x, coloring)[i];
         note_colors(look, {by, coloring});
-        apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour", 0, true});
+        apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour", 0});
     };
     color_by_x();
     ASSERT_NE(shown_coloring(state.document, look), nullptr);

@@ -1,0 +1,133 @@
+#include "viewer/film_job.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include "app/film.hpp"
+#include "app/frame_sequence.hpp"
+#include "app/picture_of_scene.hpp"
+#include "app/render_plan.hpp"
+#include "image/png.hpp"
+#include "viewer/picture_job.hpp"
+
+namespace sphereview {
+
+namespace {
+
+FrameChanges changes_of(const FilmRequest& request, WorkControl& control) {
+    FrameChanges changes{.light = request.light};
+    if (!request.as_read) return changes;
+    LoadOptions options = *request.as_read;
+    options.control = &control;
+    const LoadedScene file = load_scene(request.options.scenes.front(), options);
+    if (file.scene.spheres.size() == request.shown->spheres.size()) {
+        changes.spheres = changes_between(file.scene.spheres, request.shown->spheres);
+    }
+    return changes;
+}
+
+std::shared_ptr<FrameSequence> open_sequence(const FilmRequest& request, WorkControl& control, FilmStatus& status,
+                                             Progress& progress) {
+    const RenderOptions& options = request.options;
+    if (request.is_of_file) {
+        auto sequence = std::make_shared<FrameSequence>(options.scenes.front(), options, progress);
+        if (!sequence->early_end().empty()) status.warn({sequence->early_end()});
+        sequence->set_changes(changes_of(request, control));
+        return sequence;
+    }
+    LoadedScene scene{.scene = *request.shown, .name = options.scenes.front(), .format = SceneFormat::toml};
+    scene.scene.light = request.light;
+    scene.look.coloring = request.coloring;
+    return std::make_shared<FrameSequence>(std::move(scene), options);
+}
+
+// While the film lives.
+class FilmInStatus {
+public:
+    FilmInStatus(FilmStatus& status, Film* film) : status_(status) { status_.set_film(film); }
+    ~FilmInStatus() { status_.set_film(nullptr); }
+    FilmInStatus(const FilmInStatus&) = delete;
+    FilmInStatus& operator=(const FilmInStatus&) = delete;
+
+private:
+    FilmStatus& status_;
+};
+
+}  // namespace
+
+double FilmStatus::part() const {
+    const auto all = static_cast<double>(pictures());
+    return all > 0.0 ? std::min((static_cast<double>(done()) + of_picture_) / all, 1.0) : of_picture_.load();
+}
+
+std::optional<double> FilmStatus::seconds_left() const {
+    const double done = part();
+    const double seconds = std::chrono::duration<double>(Clock::now() - begun_.load()).count();
+    if (!(done > 0.0)) return std::nullopt;
+    return seconds / done - seconds;
+}
+
+std::vector<std::string> FilmStatus::warnings() const {
+    const std::lock_guard lock(mutex_);
+    return warnings_;
+}
+
+void FilmStatus::give_up_film() {
+    const std::lock_guard lock(mutex_);
+    if (film_ == nullptr) return;
+    const auto given_up = film_->give_up();
+}
+
+void FilmStatus::set_film(Film* film) {
+    const std::lock_guard lock(mutex_);
+    film_ = film;
+}
+
+void FilmStatus::begin(std::size_t pictures) {
+    begun_ = Clock::now();
+    of_picture_ = 0.0;
+    pictures_ = pictures;
+}
+
+void FilmStatus::add_done() {
+    of_picture_ = 0.0;
+    ++done_;
+}
+
+void FilmStatus::warn(const std::vector<std::string>& lines) {
+    const std::lock_guard lock(mutex_);
+    warnings_.insert(warnings_.end(), lines.begin(), lines.end());
+}
+
+void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& status) {
+    const RenderOptions& options = request.options;
+    const std::function<void(double)> follow = [&](double done) {
+        control.check();
+        status.progress(done);
+    };
+    Progress progress(follow);
+    const auto sequence = open_sequence(request, control, status, progress);
+    const std::vector<RenderJob> jobs = plan_render(options, std::vector{sequence});
+    const std::unique_ptr<Film> film =
+        options.film.movie ? std::make_unique<Film>(options.film, options.durability, jobs.size()) : nullptr;
+    const FilmInStatus known(status, film.get());
+    sequence->prepare(progress);
+    status.begin(jobs.size());
+    for (const RenderJob& job : jobs) {
+        control.check();
+        if (job.output) check_output(*job.output, missing_folder(*options.output));
+        const LoadedScene loaded = sequence->load(sequence->shots()[job.shot]);
+        status.warn(sequence->not_said(loaded.warnings));
+        const Image picture = render_beside(loaded.scene, picture_options(loaded, options), follow);
+        control.check();
+        if (film) film->add(picture);
+        if (job.output) write_output(*job.output, encode_png(picture), options.durability, missing_folder(*options.output));
+        status.add_done();
+    }
+    if (!film) return;
+    control.begin_to_write();
+    film->finish();
+}
+
+}  // namespace sphereview
