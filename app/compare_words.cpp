@@ -14,6 +14,7 @@ std::string called(const Scene& scene, std::int32_t number) {
 std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis) {
     if (diagnosis.likeliest.empty()) return {"likeliest mistake: none of the usual ones"};
     const auto count = [](std::int64_t pixels) { return in_groups(static_cast<std::uint64_t>(pixels)); };
+    if (diagnosis.likeliest.front() == "blank") return {diagnosis.likeliest_words};
     std::vector<std::string> lines = {
         "likeliest mistake: " + diagnosis.likeliest_words,
         "explains " + count(diagnosis.explained) + " of the pixels that differ" +

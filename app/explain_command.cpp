@@ -14,6 +14,7 @@
 #include "exact/explain.hpp"
 #include "light/explain_light.hpp"
 #include "light/lighting.hpp"
+#include "shade/explain_color.hpp"
 #include "shade/picture_shader.hpp"
 
 namespace sphereview {
@@ -25,7 +26,10 @@ struct PixelLight {
     LightVector sum;
     PixelLights lights;
     std::optional<ExplainedLight> asked;
+    ColorExplanation color{};
 };
+
+constexpr int digits_of_light = 6;
 
 PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std::int32_t visible, const Light& light,
                           const NumberedLights& lights) {
@@ -33,7 +37,7 @@ PixelLight light_of_pixel(const Scene& scene, const ExplainOptions& options, std
     const Lighting lighting(scene, drawn, scene.camera, options.size, 1, light);
     const LitPixel pixel{scene, drawn, scene.camera, options.size, options.pixel, visible};
     PixelLight found{
-        lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), explain_lights(pixel, lights), {}};
+        lighting.light({options.pixel.x, options.pixel.y, 1, 1}, {&visible, 1}).front(), explain_lights(pixel, lights), {}, {}};
     if (options.light_to_show) found.asked = explain_light(pixel, lights, *options.light_to_show);
     return found;
 }
@@ -82,12 +86,13 @@ std::string in_words(const ExplainedLight& light, bool main) {
 }
 
 std::string in_words(const PixelLight& light) {
-    const auto& [sum, lights, asked] = light;
+    const auto& [sum, lights, asked, color] = light;
     std::string text = "light: B = (" + std::to_string(sum.x) + ", " + std::to_string(sum.y) + ", " + std::to_string(sum.z) +
                        ") / 2^28, the sum of the lights that shine\n";
     if (lights.sky) text += "sky: " + in_words(*lights.sky) + "\n";
     if (lights.main) text += in_words(*lights.main, true);
     if (asked && asked->number != lights.main->number) text += in_words(*asked, false);
+    for (const std::string& line : in_words(color, digits_of_light)) text += line + "\n";
     return text;
 }
 
@@ -202,8 +207,10 @@ Json to_json(const ExplainOptions& options, const std::string& name, const Scene
                  {"color", rgb(color)},
                  {"decided_in", level}};
     if (!light) return json;
-    const auto& [sum, lights, asked] = *light;
+    const auto& [sum, lights, asked, shown] = *light;
     json.set("light", to_json(sum));
+    json.set("brightness", number(shown.brightness));
+    json.set("shown_part", number(shown.part));
     if (lights.sky) {
         Json blockers = Json::array();
         for (const auto& [sphere, lights] : lights.sky->blockers) blockers.push_back({{"sphere", sphere}, {"lights", lights}});
@@ -236,7 +243,11 @@ std::string explain(const Scene& scene, const std::string& name, const ExplainOp
         if (const std::optional<int> number = options.light_to_show; number && !lights.has(*number)) {
             throw InputError("sphereview: --light: found " + std::to_string(*number) + ", expected " + lights.numbers_in_words());
         }
-        if (explanation.visible() >= 0) light = light_of_pixel(scene, options, explanation.visible(), of_scene, lights);
+        if (explanation.visible() >= 0) {
+            light = light_of_pixel(scene, options, explanation.visible(), of_scene, lights);
+            light->color = explain_color(scene, scene.camera, options.size, options.pixel, explanation.hits.front(),
+                                         explanation.direction, light->sum);
+        }
     }
     const Color color = shader.color(options.pixel, explanation.visible(), light ? light->sum : LightVector{});
     return options.json ? to_json(options, name, scene, explanation, color, light).dump() + "\n"

@@ -108,7 +108,7 @@ std::vector<std::string> picture_words(const CLI::App& command) {
     // What says how pictures are made, where they go, or what is said of them.
     constexpr auto others = std::to_array<std::string_view>({"--output", "--backend", "--device", "--expect", "--diff", "--no-sync",
                                                              "--timings", "--json", "--verbose", "--skip-existing", "--part",
-                                                             "--manifest", "--movie", "--fps", "--quality"});
+                                                             "--manifest", "--movie", "--fps", "--quality", "--no-index"});
     std::vector<std::string> words;
     for (const CLI::Option* option : command.get_options()) {
         if (option->count() == 0 || option->get_lnames().empty()) continue;
@@ -128,6 +128,8 @@ void check_frame_options(const CLI::App& command, const RenderOptions& options) 
     if (options.fit.camera && (options.fit.wanted.value_or(false) || frames.fit_first)) {
         wrong("--camera", in_quotes(*options.fit.camera), "no --fit and no --view from a side beside it: they move the camera");
     }
+    if (frames.manifest == std::string(standard_stream))
+        wrong("--manifest", "'-'", "a file: --json writes lines to standard output");
     if (frames.skip_existing && options.expect)
         wrong("--skip-existing", "--expect", "one of the two: what is skipped is not compared");
 }

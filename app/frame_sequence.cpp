@@ -68,14 +68,8 @@ const LoadedScene& FrameSequence::read(std::int64_t frame) {
     if (data.radius_of_points) reader_->set_radius(*data.radius_of_points);
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * bytes_to_draw_a_sphere, reader_->name() + ": " + in_groups(count) + " spheres need");
-    present_.scene = std::move(data.scene);
+    present_ = loaded_from(std::move(data), reader_->name(), reader_->format());
     hide_and_light(present_.scene, changes_);  // what is hidden counts for no range
-    present_.name = reader_->name();
-    present_.format = reader_->format();
-    present_.frames = data.frames;
-    present_.warnings = std::move(data.warnings);
-    present_.notes = std::move(data.notes);
-    present_.property_names = std::move(data.property_names);
     if (look_.any()) {
         present_.look = apply_look(present_.scene, look_, present_.name, present_.property_names);
         // The first frame's range and scale are those of all: made of each frame's own values, colours and sizes would come and go.

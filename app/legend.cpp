@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/picture_marks.hpp"
+#include "base/ascii.hpp"
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -20,12 +21,10 @@ constexpr int tick = 3;
 
 Rgb rgb_of(const Color& color) { return {color.r, color.g, color.b}; }
 
-// The font's 0 has a slash, and looks like its 8; what is no ASCII it has not.
+// The font has ASCII alone, and its 0 has a slash and looks like its 8.
 std::string legible(const std::string& text) {
-    std::string found;
-    for (const char c : text) {
-        if (c >= ' ' && c <= '~') found += c == '0' ? 'O' : c;
-    }
+    std::string found = in_ascii(text);
+    std::ranges::replace(found, '0', 'O');
     return found;
 }
 

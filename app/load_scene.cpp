@@ -1,12 +1,17 @@
 #include "app/load_scene.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <system_error>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/memory.hpp"
+#include "base/path.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
+#include "formats/frame_reader.hpp"
 
 namespace sphereview {
 
@@ -14,6 +19,31 @@ namespace {
 
 // Enough to tell the format by, and what a format that is read as a stream begins with.
 constexpr std::size_t first_bytes = std::size_t{1} << 22;
+
+// Whether a later frame of a long text is wanted, or a text that does not fit in memory may have several.
+bool is_read_by_frames(const InputStream& stream, const SceneFormat& format, const DataOptions& wanted) {
+    if (format.step_over == nullptr || !stream.is_regular()) return false;
+    if (wanted.frame > 0) return !stream.size() || *stream.size() >= usual_index_from;
+    const auto memory = available_memory();
+    return stream.size() && memory && *stream.size() > *memory / 2;
+}
+
+// As SceneFormat::read, with only a part of the text in memory.
+SphereData read_frame(const std::string& path, const DataOptions& wanted, const LoadOptions& options) {
+    FrameReader reader(path, wanted);
+    reader.watch([&options](double done) {
+        if (options.progress != nullptr) options.progress->update(done);
+        if (options.control == nullptr) return;
+        options.control->done = static_cast<std::uint64_t>(done * static_cast<double>(options.control->total));
+        options.control->check();
+    });
+    SphereData data = reader.read(wanted.frame);
+    data.frames = reader.count();
+    if (!reader.fault().empty()) {
+        data.warnings.push_back(reader.fault() + "; what follows frame " + std::to_string(data.frames - 1) + " is passed over");
+    }
+    return data;
+}
 
 LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     InputStream stream(path);
@@ -38,22 +68,65 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
         return loaded;
     }
-    stream.fill();
-    if (options.control != nullptr) options.control->check();
     DataOptions wanted = options.data;
     for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
-    SphereData data = loaded.format.read(stream.bytes(), loaded.name, wanted);
+    SphereData data;
+    if (is_read_by_frames(stream, loaded.format, wanted)) {
+        data = read_frame(path, wanted, options);
+    } else {
+        stream.fill();
+        if (options.control != nullptr) options.control->check();
+        data = loaded.format.read(stream.bytes(), loaded.name, wanted);
+    }
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
+    return loaded_from(std::move(data), loaded.name, loaded.format);
+}
+
+// Of files that take a moment to go through.
+constexpr std::uintmax_t least_size_to_stop_in = std::uintmax_t{16} << 20U;
+
+bool is_large(const std::string& path) {
+    std::error_code error;
+    return path != standard_stream && std::filesystem::is_regular_file(path_from(path), error) &&
+           std::filesystem::file_size(path_from(path), error) >= least_size_to_stop_in;
+}
+
+// Goes no farther than it takes to see whether there is another frame behind. Nothing where the format does not step over frames.
+std::optional<LoadedScene> read_up_to_frame(const std::string& path, const LoadOptions& options) {
+    DataOptions wanted = options.data;
+    for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
+    FrameReader reader(path, std::move(wanted));
+    if (reader.format().step_over == nullptr) return std::nullopt;
+    if (WorkControl* control = options.control) {
+        control->total = std::filesystem::file_size(path_from(path));
+        reader.watch([control](double part) {
+            control->done = static_cast<std::uint64_t>(part * static_cast<double>(control->total));
+            control->check();
+        });
+    }
+    SphereData data = reader.read(options.data.frame);
+    LoadedScene loaded = loaded_from(std::move(data), reader.name(), reader.format());
+    const std::int64_t enough = options.data.frame + 2;
+    loaded.frames = reader.count(enough);
+    loaded.all_frames = loaded.frames < enough;
+    return loaded;
+}
+
+}  // namespace
+
+LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFormat& format) {
+    LoadedScene loaded;
+    loaded.name = name;
+    loaded.format = format;
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
+    loaded.radius_of_points = data.radius_of_points;
     loaded.warnings = std::move(data.warnings);
     loaded.notes = std::move(data.notes);
     loaded.property_names = std::move(data.property_names);
     return loaded;
 }
-
-}  // namespace
 
 std::optional<FitOptions> fit_from(const std::string& view) {
     if (const auto axes = parse_view(view)) return FitOptions{true, axes, {}, {}, {}, {}};
@@ -101,19 +174,25 @@ bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit) {
 }
 
 LoadedScene load_scene(const std::string& path, const LoadOptions& options) {
-    LoadedScene loaded = read_scene(path, options);
+    std::optional<LoadedScene> part;
+    if (!options.counts_frames && is_large(path)) part = read_up_to_frame(path, options);
+    LoadedScene loaded = part ? std::move(*part) : read_scene(path, options);
     if (options.control != nullptr) options.control->check();
+    complete(loaded, options);
+    return loaded;
+}
+
+void complete(LoadedScene& loaded, const LoadOptions& options) {
     if (loaded.format.is_data && options.data_background) loaded.scene.background = *options.data_background;
     // Before the camera is fitted: radii count.
     if (options.look.any()) loaded.look = apply_look(loaded.scene, options.look, loaded.name, loaded.property_names);
     const FitOptions& fit = options.fit;
     Camera& camera = loaded.scene.camera;
     camera = chosen_camera(loaded, fit);
-    if (!is_to_fit(loaded, fit)) return loaded;
+    if (!is_to_fit(loaded, fit)) return;
     const ViewAxes present = loaded.has_camera() ? axes_of(camera) : data_axes;
     camera = fitted(loaded.scene, with_hand_of(present, fit.view.value_or(present)), camera.projection).value_or(camera);
     loaded.fitted = true;
-    return loaded;
 }
 
 void require_properties(const LoadedScene& loaded, const DataOptions& asked) {

@@ -23,6 +23,8 @@ struct LoadedScene {
     std::string name{};
     SceneFormat format = SceneFormat::text;
     std::int64_t frames = 1;                    // in the file
+    bool all_frames = true;                     // else there may be more (LoadOptions::counts_frames)
+    std::optional<double> radius_of_points{};   // SphereData::radius_of_points
     std::vector<std::string> warnings{};        // SphereData::warnings
     std::vector<std::string> notes{};           // SphereData::notes
     std::vector<std::string> property_names{};  // SphereData::property_names
@@ -55,6 +57,7 @@ struct LoadOptions {
     FitOptions fit{};
     std::optional<Background> data_background{};  // of a scene from another program's file, which names none
     WorkControl* control = nullptr;               // told the bytes that were read, and looked at while reading
+    bool counts_frames = true;  // else a large file is read no farther than the frame needs, where its format allows that
 };
 
 // The camera of the scene's view of that name. Throws InputError where there is none.
@@ -65,6 +68,12 @@ Camera chosen_camera(const LoadedScene& loaded, const FitOptions& fit);
 
 // Whether the camera is moved to see everything.
 bool is_to_fit(const LoadedScene& loaded, const FitOptions& fit);
+
+// What the reading of a file of data, or of a frame of it, gave.
+LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFormat& format);
+
+// Gives what was read the background, the look and the camera that the options ask for. Throws InputError.
+void complete(LoadedScene& loaded, const LoadOptions& options);
 
 // Reads a scene file of any format, or standard input for "-"; of a text, only a small part is in memory at a time. Throws
 // InputError, also for a saved view or a property that the scene has not, MemoryError when it cannot fit, and Cancelled.

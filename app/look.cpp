@@ -89,9 +89,13 @@ AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::stri
         } catch (const InputError& error) {
             throw InputError(begin + error.what());
         }
+        for (const Sphere& sphere : scene.spheres) applied.own_colors.push_back(sphere.color);
         const std::vector<Color> found = colors_of(*colors, *applied.coloring);
         for (std::size_t i = 0; i < found.size(); ++i) scene.spheres[i].color = found[i];
         applied.lines.push_back(begin + in_words(*applied.coloring));
+    }
+    if (options.size_by || options.radii || options.radius_scale) {
+        for (const Sphere& sphere : scene.spheres) applied.own_radii.push_back(sphere.radius);
     }
     if (sizes != nullptr) {
         if (is_category(*sizes)) {

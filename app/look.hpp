@@ -34,7 +34,10 @@ struct AppliedLook {
     std::optional<Coloring> coloring{};
     ColorBy colored_by{};
     std::optional<Sizing> sizing{};
-    std::string sized_by{};            // the property
+    std::string sized_by{};  // the property
+    // What the spheres had before, where they have got others.
+    std::vector<Color> own_colors{};
+    std::vector<double> own_radii{};
     std::vector<std::string> lines{};  // of what was chosen, for people; each begins with the file's name
 };
 

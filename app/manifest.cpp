@@ -103,7 +103,7 @@ Manifest::Manifest(const RenderOptions& options) : options_(options), file_(null
     std::setvbuf(file_.get(), nullptr, _IOFBF, longest_line);
 }
 
-void Manifest::add(const RenderJob& job, const Image& picture, std::optional<std::string_view> png) {
+void Manifest::add(const RenderJob& job, const PictureSums& sums) {
     const std::int64_t frame = job.sequence ? job.sequence->shots()[job.shot].number : options_.data.frame;
     const Json line = {{"frame", frame},
                        {"picture", job.output},
@@ -112,8 +112,8 @@ void Manifest::add(const RenderJob& job, const Image& picture, std::optional<std
                        {"scene_sha256", scene_sums_.at(job.scene)},
                        {"camera_sha256", camera_sum_},
                        {"options", options_.words},
-                       {"pixels_sha256", sum_of_pixels(picture)},
-                       {"file_sha256", png ? Json(sha256(*png)) : Json(nullptr)},
+                       {"pixels_sha256", sums.pixels},
+                       {"file_sha256", sums.file},
                        {"version", std::string(version)}};
     const std::string text = line.dump() + "\n";
     const bool good = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0;

@@ -9,7 +9,6 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/options.hpp"
@@ -22,6 +21,12 @@ namespace sphereview {
 std::string sum_of_pixels(const Image& picture);
 // Throws InputError.
 std::string sum_of_file(const std::string& path);
+
+// What a manifest says of a picture's bytes.
+struct PictureSums {
+    std::string pixels{};               // sum_of_pixels()
+    std::optional<std::string> file{};  // SHA-256 of the PNG; none: it went into a film
+};
 
 struct ManifestEntry {
     std::optional<std::string> picture{};  // its file; none: it went into a film
@@ -48,8 +53,8 @@ public:
     // Whether there is a line for that picture.
     bool has(const std::string& picture) const { return known_.contains(picture); }
 
-    // Appends the line of a job's picture, whole or not at all; `png`: what is in its file. Throws OutputError.
-    void add(const RenderJob& job, const Image& picture, std::optional<std::string_view> png);
+    // Appends the line of a job's picture, whole or not at all. Throws OutputError.
+    void add(const RenderJob& job, const PictureSums& sums);
 
 private:
     const RenderOptions& options_;

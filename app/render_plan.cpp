@@ -37,6 +37,17 @@ FramePlaceholder frame_placeholder_at(std::string_view text) {
     return {end + 1, digits};
 }
 
+// Throws InputError for what looks like a placeholder of numbers and is none.
+void require_placeholders(const std::string& pattern, const std::string& option) {
+    for (std::size_t at = pattern.find(frame_placeholder); at != std::string::npos; at = pattern.find(frame_placeholder, at + 1)) {
+        const std::string_view rest = std::string_view(pattern).substr(at);
+        if (frame_placeholder_at(rest).length > 0) continue;
+        throw InputError(
+            "sphereview: " + option + ": found " + in_quotes(rest.substr(0, std::min(rest.find('}'), rest.size() - 1) + 1)) +
+            ", expected {frame}, or {frame:0N} with N from 1 to " + std::to_string(most_digits) + " for so many digits");
+    }
+}
+
 // Of several pictures the number of each must be in its name.
 std::string usual_output(const RenderOptions& options) {
     return std::string(placeholder) + (options.frames.several() ? "-{frame:05}" : "");
@@ -144,6 +155,11 @@ std::vector<RenderJob> plan_render(const RenderOptions& options, std::span<const
     // Of the patterns, since a scene's own name may hold dots.
     const std::string output = png_name(options.output.value_or(usual_output(options)));
     const std::optional<std::string> diff = options.diff ? std::optional(png_name(*options.diff)) : std::nullopt;
+    if (options.frames.several()) {
+        require_placeholders(output, "--output");
+        require_placeholders(options.expect.value_or(""), "--expect");
+        require_placeholders(diff.value_or(""), "--diff");
+    }
     std::vector<RenderJob> jobs;
     for (std::size_t i = 0; i < options.scenes.size(); ++i) {
         const std::string& scene = options.scenes[i];

@@ -38,6 +38,8 @@ inline void add_scene_options(CLI::App& command, DataOptions& data, FitOptions& 
     add_flag(command, data.virtual_sites, "--no-virtual",
              "Leave out what files of atoms call one and is none: virtual sites, lone pairs, Drude particles, ghosts, dummies",
              false);
+    add_flag(command, data.index_from, "--no-index",
+             "Neither keep where the frames of a large file stand, nor use what was kept of it", std::nullopt);
     CLI::Option* wanted = add_flag(command, fit.wanted, "--fit",
                                    "Move the camera so that it sees everything, the way it looks; usual for data such as XYZ");
     CLI::Option* forbidden = add_flag(command, fit.wanted, "--no-fit", "Look at data, too, from (0, 0, 0) along z", false);

@@ -71,6 +71,11 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOpt
             throw InputError(entry.scene + ": found picture " + std::to_string(entry.place) + " in a manifest, expected at most " +
                              std::to_string(sequence->shots().size() - 1));
         }
+        if (sequence && entry.frame != sequence->shots()[entry.place].number) {
+            throw InputError(entry.scene + ": found picture " + std::to_string(entry.place) + " with the number " +
+                             std::to_string(entry.frame) + " in a manifest, expected " +
+                             std::to_string(sequence->shots()[entry.place].number));
+        }
         if (!is_file_unchanged(entry)) worst = ExitCode::differs;
         RenderJob job;
         job.scene = entry.scene;

@@ -43,7 +43,7 @@ public:
                                   .high = widest_view,
                                   .usual_size = 50.0,
                                   .help = "Field of view, in degrees, over the picture's shorter side."};
-            number("view angle", rule, "Change the field of view", rounded_to(field_of_view(camera_), last_angle_digit),
+            number("field of view", rule, "Change the field of view", rounded_to(field_of_view(camera_), last_angle_digit),
                    with_field_of_view);
         }
         number("roll", {.usual_size = 100.0, .help = "Turns the camera about where it looks, clockwise, in degrees."},

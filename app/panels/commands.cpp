@@ -37,7 +37,8 @@ bool is_symbol(std::string_view key) {
 std::optional<CommandId> first_match(std::span<const CommandInfo> commands, std::string_view key_name, bool control, bool shift,
                                      bool alt) {
     const auto is_meant = [&](const CommandInfo& info) { return matches(info.shortcut, key_name, control, shift, alt); };
-    const auto info = std::ranges::find_if(commands, is_meant);
+    auto info = std::ranges::find_if(commands, [&](const CommandInfo& one) { return one.enabled && is_meant(one); });
+    if (info == commands.end()) info = std::ranges::find_if(commands, is_meant);
     return info == commands.end() ? std::nullopt : std::optional(info->id);
 }
 

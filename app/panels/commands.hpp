@@ -52,9 +52,16 @@ enum class CommandId {
     trackball,     // or turntable again
     use_view_as_camera,
     save_view,
-    next_frame,  // of a file of several
+    play,  // the frames of a file of several, or pause
+    next_frame,
     previous_frame,
-    first_shading,  // one for each of shading_modes, in their order
+    first_frame,
+    last_frame,
+    play_faster,
+    play_slower,
+    loop,            // from the last frame to the first
+    back_and_forth,  // from the last frame back
+    first_shading,   // one for each of shading_modes, in their order
     last_shading = first_shading + static_cast<int>(shading_modes.size()) - 1,
     toggle_panel,
     toggle_inspector,
@@ -99,8 +106,9 @@ std::string every_shortcut(std::string_view shortcut);  // "Ctrl+Shift+Z or Ctrl
 // "+" needs Shift: for symbols Shift must be held only where the shortcut names it, and may be held always.
 bool matches(std::string_view shortcut, std::string_view key_name, bool control, bool shift, bool alt);
 
-// What a pressed key stands for. Symbols without Ctrl and Alt ("?") are left to command_for_character(): a key is named by what
-// it gives without Shift, so only the typed character tells which key is "?".
+// What a pressed key stands for; of several commands with that key the first that has something to do. Symbols without Ctrl and Alt
+// ("?") are left to command_for_character(): a key is named by what it gives without Shift, so only the typed character tells which
+// key is "?".
 std::optional<CommandId> command_for_key(std::span<const CommandInfo> commands, std::string_view key_name, bool control, bool shift,
                                          bool alt);
 std::optional<CommandId> command_for_character(std::span<const CommandInfo> commands, char32_t character);

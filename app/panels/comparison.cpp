@@ -68,49 +68,20 @@ void draw_examples(const PanelContext& context, const Comparison& comparison) {
     }
 }
 
-float least_side() { return 12.0F * ImGui::GetFontSize(); }
-
-// Moves the current window to where it does not cover the place; where the area is too small for that, makes the window smaller.
-// What is beside the picture stays free.
-void keep_free(ImVec2 place, const Rectangle& area, float margin) {
-    const ImVec2 low = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    const auto covers = [&](float left) { return place.x > left - margin && place.x < left + size.x + margin; };
-    if (!covers(low.x) || place.y < low.y || place.y > low.y + size.y || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    const float right = area.x + area.width - margin;
-    const float bottom = area.y + area.height - margin;
-    for (const float left : {area.x + margin, right - size.x}) {
-        if (size.x > right - area.x || covers(left)) continue;
-        ImGui::SetWindowPos({left, low.y});
-        return;
-    }
-    const float before = place.x - area.x - 2.0F * margin;
-    const float behind = right - place.x - margin;
-    const float above = place.y - area.y - 2.0F * margin;
-    const float below = bottom - place.y - margin;
-    if (std::max(before, behind) >= least_side()) {
-        ImGui::SetWindowSize({std::max(before, behind), size.y});
-        ImGui::SetWindowPos({before > behind ? area.x + margin : place.x + margin, low.y});
-    } else {
-        ImGui::SetWindowSize({size.x, std::max({above, below, 1.0F})});
-        ImGui::SetWindowPos({low.x, above > below ? area.y + margin : place.y + margin});
-    }
-}
-
 }  // namespace
 
 void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
-                     const Rectangle& area, const std::optional<ImVec2>& free, bool& open) {
-    const float margin = 12.0F * context.scale;
-    // In a narrow picture it reaches over what is at the left of that, so that it can be read.
-    const ImVec2 most{std::max(area.width - 2.0F * margin, least_side()), std::max(area.height - 2.0F * margin, 1.0F)};
-    const ImVec2 size{std::min(440.0F * context.scale, most.x), std::min(620.0F * context.scale, most.y)};
-    ImGui::SetNextWindowPos({area.x + area.width - margin, area.y + margin}, ImGuiCond_Appearing, {1.0F, 0.0F});
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
+                     const Rectangle& area, bool& open) {
+    ImGui::SetNextWindowPos({area.x, area.y});
+    ImGui::SetNextWindowSize({area.width, area.height});
     const std::string title = as_label("Compared with " + comparison.picture) + "###comparison";
-    if (ImGui::Begin(title.c_str(), &open, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
+    constexpr ImGuiWindowFlags flags =
+        ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);  // nothing is behind its corners
+    const bool drawn = ImGui::Begin(title.c_str(), &open, flags);
+    ImGui::PopStyleVar();
+    if (drawn) {
         note_rectangle(context, "comparison", ImGui::GetWindowPos(), ImGui::GetWindowSize());
-        if (free) keep_free(*free, area, margin);
         draw_words(comparison.counts);
         for (const std::string& line : comparison.verdict) {
             if (&line == comparison.verdict.data()) {

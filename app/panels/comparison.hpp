@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,11 +29,10 @@ struct Comparison {
     std::vector<Example> examples{};
 };
 
-// As a window over `area`, the picture's, that `open` shows; its close button makes `open` false. `difference`: the picture of the
+// As a window that fills `area`; its close button makes `open` false. `difference`: the picture of the
 // difference as a texture of ImGui's, if it is there. A click on an example, or into the difference, pins that pixel and returns to
-// the scene's own camera, which pictures are compared by. The window goes aside, or gets smaller, where it
-// would cover the place `free`, and covers nothing beside the area. Widgets: "comparison", "difference", "example 0".
+// the scene's own camera, which pictures are compared by. Widgets: "comparison", "difference", "example 0".
 void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
-                     const Rectangle& area, const std::optional<ImVec2>& free, bool& open);
+                     const Rectangle& area, bool& open);
 
 }  // namespace sphereview

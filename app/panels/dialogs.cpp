@@ -28,6 +28,8 @@ void draw_text(const std::string& text, float width, float most) {
     if (scrolled) ImGui::EndChild();
 }
 
+constexpr float form_button_width = 96.0F;
+
 float highest_fault() { return 5.0F * ImGui::GetTextLineHeight(); }
 
 void draw_side(const PanelContext& context, const char* name, int& side) {
@@ -108,9 +110,13 @@ void draw_fault(const std::string& text, float width) {
 
 float fault_height(const std::string& text, float width) { return std::min(text_height(text, width), highest_fault()); }
 
+float form_end_width(const PanelContext& context) {
+    return 2.0F * form_button_width * context.scale + ImGui::GetStyle().ItemSpacing.x;
+}
+
 FormEnd draw_form_end(const PanelContext& context, const std::string& name, const char* ok, bool possible, const DialogKeys& keys) {
     FormEnd end = FormEnd::open;
-    const ImVec2 size(96.0F * context.scale, 0.0F);
+    const ImVec2 size(form_button_width * context.scale, 0.0F);
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_HeaderActive));
     ImGui::BeginDisabled(!possible);
     if (ImGui::Button(ok, size)) end = FormEnd::ok;

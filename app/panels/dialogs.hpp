@@ -132,5 +132,7 @@ float fault_height(const std::string& text, float width);
 // pressed only if `possible`.
 enum class FormEnd { open, ok, cancel };
 FormEnd draw_form_end(const PanelContext& context, const std::string& name, const char* ok, bool possible, const DialogKeys& keys);
+// How wide the two are.
+float form_end_width(const PanelContext& context);
 
 }  // namespace sphereview

@@ -17,6 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr const char* hidden_files_label = "Hidden files";
+
 bool fits(const FileKind& kind, std::string_view name) {
     return name.find(kind.part) != std::string_view::npos &&
            std::ranges::any_of(kind.endings, [&](const std::string& ending) { return has_ending(name, ending); });
@@ -192,7 +194,15 @@ void right_aligned(const std::string& text) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-Clicked draw_entry(const PanelContext& context, const FileEntry& entry, bool chosen) {
+// How many of the columns there is room for: the names, by which files are known, come first, then the sizes, then the dates.
+int columns_within(float width) {
+    const float names = 13.0F * ImGui::GetFontSize();
+    const float size = width_of("Size") + 2.5F * ImGui::GetFontSize();
+    const float date = width_of("2026-12-28 00:00") + ImGui::GetFontSize();
+    return width >= names + size + date ? 3 : width >= names + size ? 2 : 1;
+}
+
+Clicked draw_entry(const PanelContext& context, const FileEntry& entry, bool chosen, int columns) {
     Clicked clicked = Clicked::nothing;
     ImGui::TableNextColumn();
     const ImVec2 begin = ImGui::GetCursorScreenPos();
@@ -203,25 +213,32 @@ Clicked draw_entry(const PanelContext& context, const FileEntry& entry, bool cho
     note_widget(context, "entry " + entry.name);
     const std::string shown = shown_text(entry.name) + (entry.is_folder ? "/" : "");
     const ImU32 color = ImGui::GetColorU32(entry.is_folder ? ImGuiCol_CheckMark : ImGuiCol_Text);
+    const bool is_cut = width_of(shown) > ImGui::GetContentRegionAvail().x;
     ImGui::GetWindowDrawList()->AddText(begin, color, shown.data(), shown.data() + shown.size());
+    if (is_cut) explain_item(shown);
     if (entry.name == "..") return clicked;
-    ImGui::TableNextColumn();
-    if (!entry.is_folder) right_aligned(size_text(entry.bytes));
-    ImGui::TableNextColumn();
-    ImGui::TextUnformatted(date_text(entry.changed).c_str());
+    if (columns >= 2) {
+        ImGui::TableNextColumn();
+        if (!entry.is_folder) right_aligned(size_text(entry.bytes));
+    }
+    if (columns >= 3) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(date_text(entry.changed).c_str());
+    }
     return clicked;
 }
 
 // A click on a column's head sorts by that column; a second one the other way round.
-void draw_heads(const PanelContext& context, FileBrowser& browser) {
+void draw_heads(const PanelContext& context, FileBrowser& browser, int columns) {
     const ImGuiTableColumnFlags fixed_column = ImGuiTableColumnFlags_WidthFixed | ImGuiTableColumnFlags_PreferSortDescending;
     const float arrow = ImGui::GetFontSize();
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Name", ImGuiTableColumnFlags_WidthStretch | ImGuiTableColumnFlags_DefaultSort);
-    ImGui::TableSetupColumn("Size", fixed_column, width_of("Size") + 1.5F * arrow);
-    ImGui::TableSetupColumn("Changed", fixed_column, width_of("2026-12-28 00:00"));
+    if (columns >= 2) ImGui::TableSetupColumn("Size", fixed_column, width_of("Size") + 1.5F * arrow);
+    if (columns >= 3) ImGui::TableSetupColumn("Changed", fixed_column, width_of("2026-12-28 00:00"));
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (const auto& [head, widget] : {std::pair("Name", "name"), {"Size", "size"}, {"Changed", "date"}}) {
+        if (columns-- == 0) break;
         ImGui::TableNextColumn();
         ImGui::TableHeader(head);
         note_widget(context, std::string("browser sort ") + widget);
@@ -240,9 +257,10 @@ std::pair<Clicked, FileEntry> draw_entries(const PanelContext& context, FileBrow
     std::pair<Clicked, FileEntry> result{Clicked::nothing, {}};
     const ImGuiTableFlags flags = ImGuiTableFlags_Sortable | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuter |
                                   ImGuiTableFlags_RowBg | ImGuiTableFlags_NoSavedSettings;
-    if (!ImGui::BeginTable("entries", 3, flags, {0.0F, height})) return result;
+    const int columns = columns_within(ImGui::GetContentRegionAvail().x);
+    if (!ImGui::BeginTable(("entries" + std::to_string(columns)).c_str(), columns, flags, {0.0F, height})) return result;
     if (std::exchange(browser.to_top, false)) ImGui::SetScrollY(0.0F);
-    draw_heads(context, browser);
+    draw_heads(context, browser, columns);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(browser.entries.size()));
     while (clipper.Step()) {
@@ -250,7 +268,7 @@ std::pair<Clicked, FileEntry> draw_entries(const PanelContext& context, FileBrow
             const FileEntry& entry = browser.entries[static_cast<std::size_t>(i)];
             ImGui::TableNextRow();
             ImGui::PushID(i);
-            const Clicked clicked = draw_entry(context, entry, !entry.is_folder && entry.name == browser.name);
+            const Clicked clicked = draw_entry(context, entry, !entry.is_folder && entry.name == browser.name, columns);
             ImGui::PopID();
             if (clicked != Clicked::nothing) result = {clicked, entry};
         }
@@ -332,7 +350,11 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     const float error_height = std::max(fault_height(fault, width), ImGui::GetTextLineHeight());
     const float size_height = browser.size ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() : 0.0F;
     const float film_height = browser.film ? height_of_film_form(*browser.film, width) : 0.0F;
-    const float below = 2.0F * ImGui::GetFrameHeight() + size_height + film_height + error_height + 3.0F * spacing.y;
+    const float ends = form_end_width(context) + spacing.x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const bool hidden_beside = width >= ends + width_of(hidden_files_label);
+    const float hidden_height = hidden_beside ? 0.0F : ImGui::GetFrameHeightWithSpacing();
+    const float below =
+        2.0F * ImGui::GetFrameHeight() + size_height + film_height + error_height + hidden_height + 3.0F * spacing.y;
     const float fewest = browser.film ? 3.0F : 5.0F;  // lines: a film's form leaves less room in a small window
     const float height = std::max(fewest * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y - below);
     draw_places(context, browser, {0.22F * width, height});
@@ -349,8 +371,8 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     const char* const ok = browser.size ? "Export" : browser.saving ? "Save" : "Open";
     const bool possible = unfit.empty();
     const FormEnd end = draw_form_end(context, "browser", ok, possible, keys);
-    ImGui::SameLine();
-    ImGui::Checkbox("Hidden files", &browser.hidden_files);
+    if (hidden_beside) ImGui::SameLine();
+    ImGui::Checkbox(hidden_files_label, &browser.hidden_files);
     note_widget(context, "browser hidden");
 
     if (end == FormEnd::cancel) return {true, {}};

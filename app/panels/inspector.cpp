@@ -61,12 +61,6 @@ private:
         return pressed;
     }
 
-    // Goes on in the line where the next button fits.
-    void same_line_for(const char* label) const {
-        ImGui::SameLine();
-        if (ImGui::GetContentRegionAvail().x < button_width(label)) ImGui::NewLine();
-    }
-
     void draw_head() {
         const float side = ImGui::GetFrameHeight();
         ImGui::AlignTextToFramePadding();
@@ -313,6 +307,27 @@ private:
                                color_of_sign(light.shines ? 1 : -1));
         }
         if (!pixel.sky.empty()) draw_words("sky: " + typeset(pixel.sky) + ".");
+        if (pixel.color) draw_color(*pixel.color);
+    }
+
+    // From the sum of the lights to the colour, to be checked by hand.
+    void draw_color(const ColorExplanation& color) {
+        const LightVector& b = color.sum;
+        draw_words("B = " + vector_text(in_units(b)) + ", the sum of the lights that shine",
+                   "B = (" + std::to_string(b.x) + ", " + std::to_string(b.y) + ", " + std::to_string(b.z) + ") / 2^28");
+        note_widget(context_, "light sum");
+        const std::vector<std::string> in_full = in_words(color, 17);
+        const std::vector<std::string> lines = in_words(color, digits_that_matter);
+        for (std::size_t i = 0; i < lines.size(); ++i) draw_words(typeset(lines[i]), in_full[i]);
+        const float side = ImGui::GetTextLineHeight();
+        draw_swatch(color.own, ImGui::GetCursorScreenPos(), side, context_.scale);
+        ImGui::Dummy({side, side});
+        ImGui::SameLine();
+        draw_words("→");
+        ImGui::SameLine();
+        draw_swatch(color.shown, ImGui::GetCursorScreenPos(), side, context_.scale);
+        ImGui::Dummy({side, side});
+        note_widget(context_, "lit colour");
     }
 
     void draw_passed(const PassedSphere& passed, const char* behind) {

@@ -7,6 +7,7 @@
 
 #include "exact/explain.hpp"
 #include "panels/panel_context.hpp"
+#include "shade/explain_color.hpp"
 
 namespace sphereview {
 
@@ -36,8 +37,9 @@ struct InspectedLight {
 struct InspectedPixel {
     InspectedPlace place;
     PixelExplanation explanation;
-    std::optional<InspectedLight> light{};  // the sun, or else the sky's strongest; none where nothing is lit
-    std::string sky{};                      // what becomes of the sky's lights, in words; "" where that is not known
+    std::optional<InspectedLight> light{};    // the sun, or else the sky's strongest; none where nothing is lit
+    std::optional<ColorExplanation> color{};  // what that light makes of the sphere's colour; none where it is not known
+    std::string sky{};                        // what becomes of the sky's lights, in words; "" where that is not known
 };
 
 // What is inspected.
@@ -55,7 +57,8 @@ struct InspectorState {
 };
 
 // Draws into the current ImGui window. Widgets: "unpin", "compare pixels", "copy explanation", "close inspector", "ray drawing",
-// "quadratic drawing", "hit 3", "passed 3", "light ray", "light drawing", "compared", "detail 1" and "detail 2".
+// "quadratic drawing", "hit 3", "passed 3", "light ray", "light drawing", "light sum", "lit colour", "compared", "detail 1" and
+// "detail 2".
 void draw_inspector(const PanelContext& context, const Inspection& inspection, InspectorState& state);
 
 }  // namespace sphereview

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/property_names.hpp"
 
 namespace sphereview {
 
@@ -55,7 +56,7 @@ void FilterSearch::begin_condition(const Scene& scene) {
 
 bool FilterSearch::waits_for(std::span<const std::string> names_in_file) const {
     return std::ranges::any_of(unknown_, [&](const std::string& name) {
-        return std::ranges::any_of(names_in_file, [&](const std::string& one) { return lower_case(one) == lower_case(name); });
+        return std::ranges::any_of(names_in_file, [&](const std::string& one) { return likeness(name, one) != Likeness::none; });
     });
 }
 

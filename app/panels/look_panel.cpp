@@ -3,12 +3,13 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "look/sizes.hpp"
+#include "panels/look_range.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
@@ -16,32 +17,9 @@ namespace sphereview {
 namespace {
 
 constexpr std::size_t most_used = 16;
-constexpr std::size_t bins = 64;
-constexpr const char* nothing_chosen = "as they are";
-
-ImU32 drawn(const Color& color) { return IM_COL32(color.r, color.g, color.b, 255); }
-
-// A map's colours, in a rectangle.
-void draw_map(ImDrawList& draw, ColorMap map, ImVec2 low, ImVec2 high) {
-    constexpr int parts = 32;
-    for (int i = 0; i < parts; ++i) {
-        const auto x = [&](int part) { return low.x + (high.x - low.x) * static_cast<float>(part) / parts; };
-        const ImU32 left = drawn(color_of(map, static_cast<double>(i) / parts));
-        const ImU32 right = drawn(color_of(map, (i + 1.0) / parts));
-        draw.AddRectFilledMultiColor({x(i), low.y}, {x(i + 1), high.y}, left, right, right, left);
-    }
-}
-
-Histogram histogram_of(const Property& values, const ValueRange& span, bool log) {
-    Histogram histogram{span, std::vector<std::size_t>(bins)};
-    for (std::size_t i = 0; i < size_of(values); ++i) {
-        const double value = number_at(values, i);
-        const double part = part_of(value, span, log);
-        if (!std::isfinite(value) || (log && !(value > 0.0)) || !(part >= 0.0 && part <= 1.0)) continue;
-        ++histogram.counts[std::min(static_cast<std::size_t>(part * bins), bins - 1)];
-    }
-    return histogram;
-}
+constexpr const char* nothing_chosen = "their own";
+// As LookPanelState::size_by has them, which no property is called; in the order of RadiiKind.
+constexpr std::array<const char*, 3> radii_words = {"covalent radii", "van der Waals radii", "ionic radii"};
 
 // Those spheres alone that get another value: an edit keeps what was there before.
 template <typename Change>
@@ -63,12 +41,13 @@ public:
         : context_(context), scene_(context.document.scene()), state_(state), numbers_(numbers) {}
 
     void draw() {
-        take_seen();
         shown_coloring(context_.document, state_);  // an undo may have brought others back
-        if (choose("colour by", state_.colors.property, false)) {
+        if (choose("colour by", state_.colors.property, color_choices(), own_colors_known())) {
             state_.colors.range.reset();
             state_.colors.log = false;
-            state_.recolors = true;
+            state_.recolors = !state_.colors.property.empty();
+            state_.own.colors_chosen = !state_.recolors;
+            if (!state_.recolors) restore_colors();
         }
         Property own;
         const Property* values = chosen(state_.colors.property, own, state_.recolors);
@@ -80,9 +59,10 @@ public:
             if (is_category(*values) || (!as_numbers() && is_of_categories(*values))) {
                 draw_categories();
             } else {
-                count(*values);
-                draw_map_choice();
-                draw_range();
+                const auto gesture = draw_look_range(context_, state_, numbers_, *values);
+                if (gesture) recolor(*gesture);
+                // Only a logarithm may be impossible.
+                if (gesture && !state_.fault.empty()) state_.colors.log = false;
             }
         }
         if (!state_.fault.empty()) fault_text(state_.fault);
@@ -113,16 +93,11 @@ private:
         return nullptr;
     }
 
-    // What can be chosen: for sizes no words, as far as it is known what they are.
-    std::vector<std::string> choices(bool numbers_only) const {
+    std::vector<std::string> color_choices() const {
         std::vector<std::string> names(context_.property_names.begin(), context_.property_names.end());
         for (const Property& property : scene_.properties) {
             if (std::ranges::find(names, property.name) == names.end()) names.push_back(property.name);
         }
-        std::erase_if(names, [&](const std::string& name) {
-            const Property* property = find_property(scene_.properties, name);
-            return numbers_only && property != nullptr && is_category(*property);
-        });
         for (const std::string_view name : own_value_names) {
             const auto same = [&](const std::string& other) { return lower_case(other) == name; };
             if (std::ranges::none_of(names, same)) names.emplace_back(name);
@@ -130,19 +105,48 @@ private:
         return names;
     }
 
-    // Returns whether another property was chosen.
-    bool choose(const char* label, std::string& property, bool numbers_only) {
+    // No words, as far as it is known what they are; but the radii of elements, of a file of atoms.
+    std::vector<std::string> size_choices() const {
+        std::vector<std::string> names = color_choices();
+        const auto says_elements = [](const std::string& name) {
+            return std::ranges::find(element_property_names, lower_case(name)) != element_property_names.end();
+        };
+        const bool has_elements = find_elements(scene_) != nullptr || std::ranges::any_of(unread(), says_elements);
+        std::erase_if(names, [&](const std::string& name) {
+            const Property* property = find_property(scene_.properties, name);
+            return property != nullptr && is_category(*property);
+        });
+        if (has_elements) names.insert(names.end(), radii_words.begin(), radii_words.end());
+        return names;
+    }
+
+    std::vector<std::string> unread() const {
+        std::vector<std::string> names(context_.property_names.begin(), context_.property_names.end());
+        std::erase_if(names, [&](const std::string& name) { return find_property(scene_.properties, name) != nullptr; });
+        return names;
+    }
+
+    // Returns whether another was chosen; "" for the spheres' own, which may be given back where that `is_known`.
+    bool choose(const char* label, std::string& property, const std::vector<std::string>& names, bool is_known) {
         begin_field(context_, label);
         const std::string shown = property.empty() ? nothing_chosen : as_label(shown_text(property));
-        const bool open = ImGui::BeginCombo((std::string("##") + label).c_str(), shown.c_str());
+        const bool open = ImGui::BeginCombo((std::string("##") + label).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
         note_widget(context_, label);
         if (!open) return false;
         bool chosen = false;
+        const bool enabled = is_known || property.empty();
+        if (ImGui::Selectable(nothing_chosen, property.empty(), enabled ? 0 : ImGuiSelectableFlags_Disabled)) {
+            chosen = !property.empty();
+            property.clear();
+        }
+        note_widget(context_, std::string(label) + " own");
+        explain_item(enabled ? "As the file has them, or as they were before"
+                             : "Spheres have come, gone or changed places since; undo, or open the file again");
         int id = 0;
-        for (const std::string& name : choices(numbers_only)) {
+        for (const std::string& name : names) {
             ImGui::PushID(id++);
             if (ImGui::Selectable(as_label(shown_text(name)).c_str(), property == name)) {
-                chosen = property != name;
+                chosen = chosen || property != name;
                 property = name;
             }
             note_widget(context_, std::string(label) + " " + name);
@@ -150,6 +154,38 @@ private:
         }
         ImGui::EndCombo();
         return chosen;
+    }
+
+    bool own_is_of_scene() const { return state_.own.order == context_.document.order_revision(); }
+    bool own_colors_known() const { return own_is_of_scene() && state_.own.colors.size() == scene_.spheres.size(); }
+    bool own_radii_known() const { return own_is_of_scene() && state_.own.radii.size() == scene_.spheres.size(); }
+
+    // Before a property's take their place. What a property gave is not their own.
+    void remember_own() {
+        OwnLook& own = state_.own;
+        if (!own_is_of_scene()) own = {.order = context_.document.order_revision()};
+        if (!own_colors_known() && shown_coloring(context_.document, state_) == nullptr) {
+            own.colors.clear();
+            for (const Sphere& sphere : scene_.spheres) own.colors.push_back(sphere.color);
+        }
+        if (!own_radii_known() && !state_.has_sized) {
+            own.radii.clear();
+            for (const Sphere& sphere : scene_.spheres) own.radii.push_back(sphere.radius);
+        }
+    }
+
+    void edit(ChangeSpheres change, const std::string& name, std::uint64_t gesture) {
+        if (!change.numbers.empty()) context_.actions.emplace_back(EditScene{std::move(change), name, gesture, true});
+    }
+
+    void restore_colors() {
+        state_.fault.clear();
+        edit(changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.color = state_.own.colors[i]; }), "Own colours", 0);
+    }
+
+    void restore_radii() {
+        state_.has_sized = false;
+        edit(changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.radius = state_.own.radii[i]; }), "Own sizes", 0);
     }
 
     void recolor(std::uint64_t gesture) {
@@ -160,11 +196,10 @@ private:
         try {
             const Coloring coloring = coloring_of(scene_, *values, state_.colors);
             const std::vector<Color> colors = colors_of(*values, coloring);
-            ChangeSpheres edit = changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.color = colors[i]; });
+            remember_own();
             note_colors(state_, {state_.colors, coloring, gesture});
-            if (!edit.numbers.empty()) {
-                context_.actions.emplace_back(EditScene{std::move(edit), "Colour by " + in_quotes(values->name), gesture, true});
-            }
+            edit(changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.color = colors[i]; }),
+                 "Colour by " + in_quotes(values->name), gesture);
         } catch (const InputError& error) {
             state_.fault = shown_text(error.what());
         }
@@ -177,197 +212,13 @@ private:
         dim_text(in_groups(count) + (count == 1 ? " category" : " categories"));
     }
 
-    // Counts anew where the values, or the span, are others.
-    void count(const Property& values) {
-        const Document& document = context_.document;
-        const bool log = state_.colors.log;
-        bool stale = state_.counted_property != values.name || state_.counted_log != log;
-        if (!stale && state_.counted_revision != document.revision()) {
-            const ChangesSince changes = document.changes_since(state_.counted_revision);
-            stale = changes.order || changes.geometry;
-        }
-        state_.counted_revision = document.revision();
-        if (stale) {
-            state_.counted_property = values.name;
-            state_.counted_log = log;
-            state_.data_range = range_of(values, log);
-        }
-        ValueRange span = state_.data_range.value_or(ValueRange{0.0, 1.0});
-        if (state_.colors.range) {
-            const auto& [low, high] = *state_.colors.range;
-            span = {std::min({span.low, low, high}), std::max({span.high, low, high})};
-        }
-        if (state_.handle) span = state_.histogram.span;
-        if (stale || span != state_.histogram.span) state_.histogram = histogram_of(values, span, log);
-    }
-
-    ValueRange range() const { return state_.colors.range.value_or(state_.data_range.value_or(ValueRange{0.0, 1.0})); }
-
-    void draw_map_choice() {
-        begin_field(context_, "map");
-        const ColorMap present = state_.colors.map.value_or(ColorMap::viridis);
-        const bool open = ImGui::BeginCombo("##map", "");
-        const auto on_item = [&](ColorMap map, ImVec2 low, ImVec2 high) {
-            const float inset = 3.0F * context_.scale;
-            draw_map(*ImGui::GetWindowDrawList(), map, {low.x + inset, low.y + inset}, {high.x - inset, high.y - inset});
-        };
-        note_widget(context_, "map");
-        if (!open) {
-            const ImVec2 high = ImGui::GetItemRectMax();
-            on_item(present, ImGui::GetItemRectMin(), {high.x - ImGui::GetFrameHeight(), high.y});
-            explain_item(std::string(name_of(present)));
-            return;
-        }
-        for (std::size_t i = 0; i < color_map_names.size(); ++i) {
-            const auto map = static_cast<ColorMap>(i);
-            const std::string name(color_map_names[i]);
-            const ImVec2 low = ImGui::GetCursorScreenPos();
-            const float width = ImGui::GetContentRegionAvail().x;
-            if (ImGui::Selectable(name.c_str(), map == present, 0, {0.0F, row_height()}) && map != present) {
-                state_.colors.map = map;
-                state_.last_map = map;
-                recolor(0);
-            }
-            note_widget(context_, "map " + name);
-            const float words = width_of("coolwarm") + 8.0F * context_.scale;
-            on_item(map, {low.x + words, low.y}, {low.x + std::max(width, words + 60.0F * context_.scale), low.y + row_height()});
-        }
-        ImGui::EndCombo();
-    }
-
-    void set_range(const ValueRange& range, std::uint64_t gesture) {
-        if (range.low == range.high || state_.colors.range == range) return;
-        if (state_.colors.log && !(range.low > 0.0 && range.high > 0.0)) return;
-        state_.colors.range = range;
-        recolor(gesture);
-    }
-
-    void draw_range() {
-        draw_histogram();
-        ValueRange typed = range();
-        const double span = std::abs(typed.high - typed.low);
-        NumberRule rule;
-        rule.usual_size = std::isfinite(span) && span > 0.0 ? span : 1.0;
-        rule.above_zero = state_.colors.log;
-        bool changed = false;
-        std::uint64_t gesture = 0;
-        for (const auto& [name, value] : {std::pair("from", &typed.low), std::pair("to", &typed.high)}) {
-            begin_field(context_, name);
-            const NumberChange change = draw_number(context_, numbers_, name, rule, *value);
-            draw_refusal(context_, numbers_, name);
-            changed = changed || change != NumberChange::none;
-            if (change == NumberChange::dragged) gesture = context_.gesture;
-        }
-        if (changed) set_range(typed, gesture);
-        begin_field(context_, "range");
-        const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-        if (ImGui::Button("Data", {button_width("Data"), 0.0F})) {
-            state_.colors.range.reset();
-            recolor(0);
-        }
-        note_widget(context_, "range of data");
-        explain_item("From the least number to the greatest");
-        ImGui::SameLine(0.0F, gap);
-        if (ImGui::Button("Seen", {button_width("Seen"), 0.0F})) state_.asks_for_seen = true;
-        note_widget(context_, "range of seen");
-        explain_item("From the least number to the greatest of the spheres that the picture shows");
-        ImGui::SameLine(0.0F, 2.0F * gap);
-        bool log = state_.colors.log;
-        if (ImGui::Checkbox("log", &log)) {
-            state_.colors.log = log;
-            if (log) state_.colors.range.reset();  // which may not be above 0
-            recolor(0);
-            if (!state_.fault.empty()) state_.colors.log = false;
-        }
-        note_widget(context_, "logarithm");
-        explain_item("Colours by the logarithm of the numbers");
-    }
-
-    void take_seen() {
-        const std::optional<std::vector<std::uint32_t>> seen = std::exchange(state_.seen, std::nullopt);
-        Property own;
-        const Property* values = seen ? find_values(scene_, state_.colors.property, own) : nullptr;
-        if (values == nullptr) return;
-        if (const auto range = range_of(*values, state_.colors.log, &*seen)) set_range(*range, 0);
-    }
-
-    // The bars in their colours, and the range as two handles.
-    void draw_histogram() {
-        const ImVec2 low = ImGui::GetCursorScreenPos();
-        const float width = std::max(ImGui::GetContentRegionAvail().x, 1.0F);
-        const float knob = 5.0F * context_.scale;
-        const float height = 3.5F * ImGui::GetFrameHeight();
-        ImGui::InvisibleButton("##histogram", {width, height});
-        note_widget(context_, "histogram");
-        const bool hovered = ImGui::IsItemHovered();
-        const ValueRange span = state_.histogram.span;
-        const bool log = state_.colors.log;
-        const float inner = width - 2.0F * knob;
-        const auto x_of = [&](double value) {
-            return low.x + knob + inner * static_cast<float>(std::clamp(part_of(value, span, log), 0.0, 1.0));
-        };
-        drag_handles(x_of, low.x + knob, inner);
-        const ValueRange shown = range();
-        ImDrawList& draw = *ImGui::GetWindowDrawList();
-        const float bottom = low.y + height - 2.0F * knob;
-        draw.AddRectFilled({low.x, low.y}, {low.x + width, bottom}, ImGui::GetColorU32(ImGuiCol_FrameBg),
-                           ImGui::GetStyle().FrameRounding);
-        std::size_t most = 1;
-        for (const std::size_t one : state_.histogram.counts) most = std::max(most, one);
-        const float room = bottom - low.y - 2.0F * context_.scale;
-        for (std::size_t i = 0; i < state_.histogram.counts.size(); ++i) {
-            const std::size_t one = state_.histogram.counts[i];
-            if (one == 0) continue;
-            const double middle = value_at((static_cast<double>(i) + 0.5) / bins, span, log);
-            const Color color = color_of(state_.colors.map.value_or(ColorMap::viridis), part_of(middle, shown, log));
-            // Square roots: what is rare is seen, too.
-            const float tall =
-                std::max(room * std::sqrt(static_cast<float>(one) / static_cast<float>(most)), 1.5F * context_.scale);
-            const auto x = [&](std::size_t bin) { return low.x + knob + inner * static_cast<float>(bin) / bins; };
-            draw.AddRectFilled({x(i), bottom - tall}, {x(i + 1), bottom}, drawn(color));
-        }
-        const ImU32 line = ImGui::GetColorU32(ImGuiCol_Text);
-        for (const int handle : {0, 1}) {
-            const float x = x_of(handle == 0 ? shown.low : shown.high);
-            const bool held = state_.handle == handle;
-            draw.AddLine({x, low.y}, {x, bottom}, ImGui::GetColorU32(ImGuiCol_Text, held ? 1.0F : 0.6F), 1.0F * context_.scale);
-            draw.AddTriangleFilled({x, bottom}, {x + knob, bottom + 1.7F * knob}, {x - knob, bottom + 1.7F * knob},
-                                   held ? ImGui::GetColorU32(ImGuiCol_SliderGrabActive) : line);
-        }
-        if (hovered && !state_.handle) {
-            ImGui::SetTooltip("How many spheres have which value; drag the ends of the range.");
-        }
-    }
-
-    template <typename Place>
-    void drag_handles(const Place& x_of, float left, float inner) {
-        const float mouse = ImGui::GetIO().MousePos.x;
-        const ValueRange present = range();
-        if (ImGui::IsItemActivated()) {
-            ++context_.gesture;
-            const float to_low = std::abs(mouse - x_of(present.low));
-            const float to_high = std::abs(mouse - x_of(present.high));
-            // Where both are at one place, the one that can go that way.
-            state_.handle = to_low < to_high || (to_low == to_high && mouse < x_of(present.low)) ? 0 : 1;
-        }
-        if (!ImGui::IsItemActive()) {
-            state_.handle.reset();
-            return;
-        }
-        if (ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0F).x == 0.0F) return;
-        const ValueRange span = state_.histogram.span;
-        const double part = std::clamp(static_cast<double>((mouse - left) / std::max(inner, 1.0F)), 0.0, 1.0);
-        double value = value_at(part, span, state_.colors.log);
-        // Short numbers, but the ends as they are.
-        const double grain = state_.colors.log ? value : 0.1 * (span.high - span.low);
-        if (part > 0.0 && part < 1.0 && std::isfinite(grain) && grain > 0.0) value = rounded_to(value, last_digit(grain, 2));
-        ValueRange moved = present;
-        (*state_.handle == 0 ? moved.low : moved.high) = value;
-        set_range(moved, context_.gesture);
-    }
-
     void draw_sizes() {
-        if (choose("size by", state_.size_by, true)) state_.resizes = true;
+        if (choose("size by", state_.size_by, size_choices(), own_radii_known())) {
+            state_.resizes = !state_.size_by.empty();
+            state_.own.sizes_chosen = !state_.resizes;
+            if (!state_.resizes) restore_radii();
+        }
+        if (const auto kind = chosen_radii(state_)) return use(*kind);
         Property own;
         const Property* values = chosen(state_.size_by, own, state_.resizes);
         if (values == nullptr || is_category(*values)) return;
@@ -385,10 +236,32 @@ private:
     void resize(const Property& values, std::uint64_t gesture) {
         std::vector<Sphere> sized = scene_.spheres;
         size_by(sized, values, state_.scale);
-        ChangeSpheres edit = changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.radius = sized[i].radius; });
-        if (!edit.numbers.empty()) {
-            context_.actions.emplace_back(EditScene{std::move(edit), "Size by " + in_quotes(values.name), gesture, true});
+        give_radii(sized, "Size by " + in_quotes(values.name), gesture);
+    }
+
+    // The elements' radii, once it is read which they are.
+    void use(RadiiKind kind) {
+        if (!state_.resizes) return;
+        const Property* elements = find_elements(scene_);
+        if (elements == nullptr) {
+            if (unread().empty()) {
+                state_.size_by.clear();
+                state_.resizes = false;
+            } else {
+                context_.actions.emplace_back(RequestProperties{});
+            }
+            return;
         }
+        state_.resizes = false;
+        std::vector<Sphere> sized = scene_.spheres;
+        use_radii(sized, *elements, kind);
+        give_radii(sized, std::string("Use ") + radii_words[static_cast<std::size_t>(kind)], 0);
+    }
+
+    void give_radii(const std::vector<Sphere>& sized, const std::string& name, std::uint64_t gesture) {
+        remember_own();
+        state_.has_sized = true;
+        edit(changed(scene_, [&](Sphere& sphere, std::size_t i) { sphere.radius = sized[i].radius; }), name, gesture);
     }
 
     const PanelContext& context_;
@@ -398,6 +271,11 @@ private:
 };
 
 }  // namespace
+
+std::optional<RadiiKind> chosen_radii(const LookPanelState& state) {
+    const auto found = std::ranges::find(radii_words, state.size_by);
+    return found == radii_words.end() ? std::nullopt : std::optional(static_cast<RadiiKind>(found - radii_words.begin()));
+}
 
 const Coloring* shown_coloring(const Document& document, LookPanelState& state) {
     if (state.shown_revision != document.revision()) {

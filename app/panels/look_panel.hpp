@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "look/coloring.hpp"
+#include "look/sizes.hpp"
 #include "panels/number_field.hpp"
 #include "panels/panel_context.hpp"
 
@@ -26,12 +27,24 @@ struct Histogram {
     std::vector<std::size_t> counts;
 };
 
+// The colours and radii that the spheres had before a property gave them others: what is not known is empty.
+struct OwnLook {
+    std::uint64_t order = 0;  // Document::order_revision() in which these are of its spheres
+    std::vector<Color> colors{};
+    std::vector<double> radii{};
+    // Chosen instead of a property's, also where the command line asks for these.
+    bool colors_chosen = false;
+    bool sizes_chosen = false;
+};
+
 // What the part of the side panel remembers from frame to frame.
 struct LookPanelState {
     ColorBy colors{};                  // what is chosen; without a property: nothing yet
     std::optional<ColorMap> last_map;  // that was chosen for numbers
-    std::string size_by;               // likewise
+    std::string size_by;               // likewise; or the radii of elements, in words
     double scale = 1.0;                // the radius of a value of 1
+    OwnLook own;
+    bool has_sized = false;  // the radii are not the spheres' own
     // Chosen, and to be done as soon as the property is read.
     bool recolors = false;
     bool resizes = false;
@@ -63,11 +76,14 @@ struct LookPanelState {
 // nothing was, or they have others.
 const Coloring* shown_coloring(const Document& document, LookPanelState& state);
 
+// The radii of elements that are chosen for sizes.
+std::optional<RadiiKind> chosen_radii(const LookPanelState& state);
+
 // Notes that the spheres have been given these colours.
 void note_colors(LookPanelState& state, UsedColors colors);
 
-// Draws into the current ImGui window. Widgets: "colour by", "colour by NAME", "map", "map NAME", "range", "logarithm", "range of
-// data", "range of seen", "size by", "size by NAME".
+// Draws into the current ImGui window. Widgets: "colour by", "colour by NAME", "colour by own", "size by", "size by NAME",
+// "size by own", and those of draw_look_range().
 void draw_look_panel(const PanelContext& context, LookPanelState& state, NumberFields& numbers);
 
 }  // namespace sphereview

@@ -112,6 +112,7 @@ std::string typeset(std::string_view ascii) {
         {"t2", "t₂"},
         {"^2", "²"},
         {"n.L", "n·L"},
+        {"n.B", "n·B"},
         {"m.L", "m·L"},
         {"L.L", "L·L"},
         {"m.m", "m·m"},

@@ -49,6 +49,17 @@ bool draw_button(const PanelContext& context, const char* label, const char* wid
     return pressed;
 }
 
+// Moves the current window to the nearest place within the area, which may have become smaller.
+void keep_within(const Rectangle& area, float margin) {
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    const auto nearest = [&](float place, float length, float from, float room) {
+        return std::max(std::min(place, from + room - margin - length), from + margin);
+    };
+    const ImVec2 place{nearest(low.x, size.x, area.x, area.width), nearest(low.y, size.y, area.y, area.height)};
+    if (place.x != low.x || place.y != low.y) ImGui::SetWindowPos(place);
+}
+
 }  // namespace
 
 void measure(Measuring& measuring, const Document& document, std::uint32_t sphere) {
@@ -93,13 +104,16 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
     if (!measuring.on) return;
     if (measuring.revision != context.document.names_revision()) measuring.spheres.clear();
     const float margin = 12.0F * context.scale;
-    const float width = std::max(std::min(340.0F * context.scale, area.width - 2.0F * margin), 8.0F * ImGui::GetFontSize());
-    ImGui::SetNextWindowPos({area.x + area.width - margin, area.y + margin}, ImGuiCond_Always, {1.0F, 0.0F});
+    const float room = std::max(area.width - 2.0F * margin, 1.0F);
+    const float width = std::min(std::max(340.0F * context.scale, 8.0F * ImGui::GetFontSize()), room);
+    ImGui::SetNextWindowPos({area.x + area.width - margin - width, area.y + margin}, ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - 2.0F * margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
-    constexpr ImGuiWindowFlags flags =
-        bare_window | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+    // What it covers may be what is to be measured, so it can be moved.
+    constexpr ImGuiWindowFlags flags = (bare_window & ~ImGuiWindowFlags_NoMove) | ImGuiWindowFlags_NoNav |
+                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("###measuring", nullptr, flags)) {
+        if (!ImGui::IsWindowAppearing()) keep_within(area, margin);
         const std::vector<Measure> measures = measures_of(measuring, context.document.scene(), !context.view.mirrored);
         draw_title(context, "Measure");
         if (measuring.spheres.size() == 1) wrapped_text(title_of(context.document.scene(), measuring.spheres.front()));
@@ -110,9 +124,9 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
             for (const Measure& one : measures) text += in_words(one, true) + "\n";
             ImGui::SetClipboardText(text.c_str());
         }
-        ImGui::SameLine();
+        same_line_for("Begin anew");
         if (draw_button(context, "Begin anew", "measure again", !measuring.spheres.empty())) measuring.spheres.clear();
-        ImGui::SameLine();
+        same_line_for("End");
         if (draw_button(context, "End", "measure end", true)) measuring = {};
         note_rectangle(context, "measuring", ImGui::GetWindowPos(), ImGui::GetWindowSize());
     }

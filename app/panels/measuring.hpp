@@ -34,7 +34,8 @@ std::string value_text(const Measure& measure, int significant);
 // "distance ... = 12.5", "... = 109.47°"; in full, or with 6 digits.
 std::string in_words(const Measure& measure, bool in_full);
 
-// Draws a window of its own in the upper right corner of the area, which is the picture's, while measuring is on. Widgets:
+// Draws a window of its own, first in the upper right corner of the area, which is the picture's, while measuring is on; it can be
+// moved within the area. Widgets:
 // "measuring", "measure copy", "measure again", "measure end".
 void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area);
 

@@ -18,7 +18,7 @@ constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"Ctrl+wheel over a selected sphere", "Scales the selected spheres."},
     {"Left-drag elsewhere", "Orbits about the point under the pointer, or, beside all spheres, the middle of what is seen."},
     {"Middle-drag or Shift+left-drag", "Pans."},
-    {"Right-drag or wheel", "Zooms at the pointer."},
+    {"Right-drag or wheel", "Zooms at the pointer; out until the scene fills a quarter of the picture."},
     {"Click on a sphere", "Selects it; a click beside all spheres selects none."},
     {"Ctrl+click on a sphere", "Adds it to the selection, or takes it out."},
     {"Ctrl+left-drag", "Selects the spheres that are seen in the box; with Shift they join, or if all were selected, leave."},

@@ -25,7 +25,7 @@ struct EditScene {
     Edit edit;
     std::string name;           // of the step, for the menu
     std::uint64_t gesture = 0;  // edits of one drag have the same; 0: a step of its own
-    bool is_look = false;       // colours and sizes by a property, which other frames of the file get as well
+    bool is_look = false;       // colours or sizes by a property, of nearly all spheres
 };
 struct SelectSpheres {
     Selection selection;

@@ -106,7 +106,8 @@ void draw_choice(const PanelContext& context, const RaysFacts& facts, RayChoice&
 
 RaysAnswer draw_rays_panel(const PanelContext& context, const RaysFacts& facts, RayChoice& choice, const Rectangle& area) {
     const float margin = 12.0F * context.scale;
-    const float width = std::max(std::min(270.0F * context.scale, 0.45F * area.width), 11.0F * ImGui::GetFontSize());
+    const float width = std::min(std::max(std::min(270.0F * context.scale, 0.45F * area.width), 11.0F * ImGui::GetFontSize()),
+                                 std::max(area.width - 2.0F * margin, 1.0F));
     ImGui::SetNextWindowPos({area.x + margin, area.y + margin}, ImGuiCond_Always);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - 2.0F * margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
@@ -122,11 +123,19 @@ RaysAnswer draw_rays_panel(const PanelContext& context, const RaysFacts& facts, 
         if (ImGui::Button("x##rays", {side, side})) context.actions.emplace_back(RunCommand{CommandId::toggle_rays});
         note_widget(context, "rays end");
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Back to the eye (Escape)");
-        answer = draw_picture(context, facts, choice, 0.3F * area.height);
+        // In a low window the picture leaves room for what is chosen, and for some words. Not for all of them: they change with the
+        // pointer, and the picture below the pointer must not.
+        float& choice_height = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("choice height"), 0.0F);
+        const float taken = ImGui::GetCursorPosY() + choice_height + 3.0F * ImGui::GetTextLineHeightWithSpacing() + margin;
+        const float most_height =
+            std::clamp(area.height - 2.0F * margin - taken, 3.0F * side, std::max(0.3F * area.height, 3.0F * side));
+        answer = draw_picture(context, facts, choice, most_height);
+        const float before_choice = ImGui::GetCursorPosY();
+        draw_choice(context, facts, choice);
+        choice_height = ImGui::GetCursorPosY() - before_choice;
         draw_words(facts.meets);
         if (!facts.light.empty()) draw_dim_words(facts.light);
         draw_dim_words(facts.pinned ? "Pinned: Escape lets it go." : "A click pins the pixel.");
-        draw_choice(context, facts, choice);
         answer.size = {ImGui::GetWindowSize().x + margin, ImGui::GetWindowSize().y + margin};
         note_rectangle(context, "rays", ImGui::GetWindowPos(), ImGui::GetWindowSize());
     }

@@ -135,7 +135,16 @@ void draw_filter_fault(const PanelContext& context, const SidePanelState& state)
     if (!is_wrong) return;
     const ImVec2 place = ImGui::GetCursorScreenPos();
     ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s", shown_text(state.search.fault()).c_str());
+    // What the file holds besides is only read when somebody asks for it by its name.
+    std::vector<std::string> unread;
+    constexpr std::size_t most_listed = 12;
+    for (const std::string& name : context.property_names) {
+        if (find_property(context.document.scene().properties, name) == nullptr && unread.size() < most_listed)
+            unread.push_back(name);
+    }
+    const bool lists = !state.search.unknown().empty() && !unread.empty();
+    const std::string fault = state.search.fault() + (lists ? "; the file has " + listed(unread, "and") : "");
+    ImGui::TextDisabled("%s", shown_text(fault).c_str());
     ImGui::PopTextWrapPos();
     note_rectangle(context, "filter fault", place, ImGui::GetItemRectSize());
 }

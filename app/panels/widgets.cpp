@@ -178,6 +178,11 @@ float button_width(std::string_view label) {
     return ImGui::CalcTextSize(label.data(), label.data() + label.size(), true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
+void same_line_for(std::string_view label) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < button_width(label)) ImGui::NewLine();
+}
+
 void explain_item(const std::string& help) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help.c_str());
 }

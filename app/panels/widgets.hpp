@@ -42,6 +42,9 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
 // How wide a button with that label is, at least.
 float button_width(std::string_view label);
 
+// Goes on in the line where a button with that label fits.
+void same_line_for(std::string_view label);
+
 // The mouse over ImGui's last item, also a disabled one, says that.
 void explain_item(const std::string& help);
 

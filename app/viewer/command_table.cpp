@@ -7,6 +7,7 @@
 #include "edit/selection.hpp"
 #include "viewer/clipboard.hpp"
 #include "viewer/film_export.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/selection_edits.hpp"
@@ -99,6 +100,69 @@ Command shade(std::size_t mode) {
     const ShadingMode& words = shading_modes.at(mode);
     return choice({id, "View", words.title, keys.at(mode), words.help, false, "Shading"}, &ViewerSettings::shading,
                   static_cast<Shading>(mode));
+}
+
+// A command of the film, which needs a file of several frames.
+Command of_frames(const CommandInfo& info, std::function<void(ViewerState&)> run,
+                  std::function<bool(const ViewerState&)> enabled = has_several_frames,
+                  std::function<bool(const ViewerState&)> checked = {}) {
+    Command command{info, std::move(run), std::move(enabled), std::move(checked)};
+    command.info.submenu = "Frames";
+    return command;
+}
+
+// A command that shows another frame.
+Command goes(const CommandInfo& info, std::int64_t (*frame)(const ViewerState&)) {
+    return of_frames(
+        info, [frame](ViewerState& s) { stop_at_frame(s, frame(s)); },
+        [frame](const ViewerState& s) { return has_frame(s, frame(s)) && frame(s) != s.frame; });
+}
+
+Command repeats(const CommandInfo& info, Repeat repeat) {
+    return of_frames(
+        info,
+        [repeat](ViewerState& s) {
+            Repeat& chosen = s.player.choices.repeat;
+            chosen = chosen == repeat ? Repeat::once : repeat;
+        },
+        has_several_frames, [repeat](const ViewerState& s) { return s.player.choices.repeat == repeat; });
+}
+
+Command changes_speed(const CommandInfo& info, int by) {
+    return of_frames(
+        info, [by](ViewerState& s) { s.player.choices.speed = next_speed(s.player.choices.speed, by); },
+        [by](const ViewerState& s) {
+            return has_several_frames(s) && next_speed(s.player.choices.speed, by) != s.player.choices.speed;
+        });
+}
+
+// Where a frame is on its way, the next step goes on from that one.
+std::int64_t latest_frame(const ViewerState& s) { return s.player.wanted ? s.player.wanted->frame : s.frame; }
+
+// Behind the command that pins a pixel by the same key, where there is one to pin.
+void add_frame_commands(std::vector<Command>& commands) {
+    using Id = CommandId;
+    const std::vector<Command> frames = {
+        of_frames({Id::play, "View", "Play", "Space|K",
+                   "Plays the frames of the file, or pauses. Where the pixel inspector or the rays have a pixel, Space pins it."},
+                  play_or_pause, has_several_frames, [](const ViewerState& s) { return s.player.clock.plays(); }),
+        goes({Id::next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays."},
+             [](const ViewerState& s) { return latest_frame(s) + 1; }),
+        goes({Id::previous_frame, "View", "Previous frame", "Page Up", "Shows the frame before."},
+             [](const ViewerState& s) { return latest_frame(s) - 1; }),
+        goes({Id::first_frame, "View", "First frame", "Ctrl+Page Up", "Shows the first frame."},
+             [](const ViewerState&) { return std::int64_t{0}; }),
+        goes({Id::last_frame, "View", "Last frame", "Ctrl+Page Down", "Shows the last frame that is known."},
+             [](const ViewerState& s) { return s.frames - 1; }),
+        changes_speed({Id::play_faster, "View", "Faster", "]", "More frames a second."}, 1),
+        changes_speed({Id::play_slower, "View", "Slower", "[", "Fewer frames a second."}, -1),
+        repeats({Id::loop, "View", "Loop", "Shift+K", "Goes on with the first frame behind the last."}, Repeat::loop),
+        repeats({Id::back_and_forth, "View", "Back and forth", "Ctrl+K",
+                 "Plays backward from the last frame, and forward from the first."},
+                Repeat::back_and_forth),
+    };
+    const auto place = std::ranges::find(commands, Id::toggle_export_area, [](const Command& command) { return command.info.id; });
+    commands.insert(place, frames.begin(), frames.end());
 }
 
 std::vector<Command> make_commands() {
@@ -199,12 +263,6 @@ std::vector<Command> make_commands() {
         {{Id::save_view, "View", "Save this view", "V",
           "Keeps the view under a name, in the scene: to come back to it. One that is kept already is only named."},
          save_view},
-        {{Id::next_frame, "View", "Next frame", "Page Down", "Shows the next frame of a file of several; the view stays.", true},
-         [](ViewerState& s) { show_frame(s, s.frame + 1); },
-         [](const ViewerState& s) { return has_frame(s, s.frame + 1); }},
-        {{Id::previous_frame, "View", "Previous frame", "Page Up", "Shows the frame before."},
-         [](ViewerState& s) { show_frame(s, s.frame - 1); },
-         [](const ViewerState& s) { return has_frame(s, s.frame - 1); }},
         toggle({Id::toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
                &ViewerState::panel_shown),
         toggle({Id::toggle_inspector, "View", "Pixel inspector", "I", "Shows or hides the arithmetic of a pixel."},
@@ -257,6 +315,7 @@ std::vector<Command> make_commands() {
          {},
          [](const ViewerState& s) { return s.about.shown; }},
     };
+    add_frame_commands(commands);
     auto place = std::ranges::find(commands, Id::toggle_panel, [](const Command& command) { return command.info.id; });
     for (std::size_t mode = 0; mode < shading_modes.size(); ++mode) place = commands.insert(place, shade(mode)) + 1;
     return commands;

@@ -68,6 +68,10 @@ bool EventRouting::is_escape_for_another(bool typing, bool popped_up, DialogKeys
     return true;
 }
 
+bool EventRouting::is_of_list(const KeyChanged& key) const {
+    return state_.panel_drawn && state_.side_panel.list_has_keys && scrolls_list(key);
+}
+
 bool EventRouting::is_lone_alt(const InputEvent& event) {
     const auto* key = std::get_if<KeyChanged>(&event);
     if (key != nullptr && key->name == "alt" && !key->pressed) return std::exchange(alt_alone_, false);
@@ -86,10 +90,16 @@ std::vector<InputEvent> EventRouting::take(InputQueue& input, DialogKeys& keys, 
     const SidePanelState& panel = state_.side_panel;
     const bool opens = state_.panel_drawn && (panel.opens_box() || (panel.has_box() && !typing));
     waited_for_box_ = opens ? waited_for_box_ + 1 : 0;
-    std::vector<InputEvent> events = input.take_frame(opens && waited_for_box_ <= longest_wait_for_box);
-    if (!events.empty()) pacing_.touch();
     const bool popped_up = has_popped_up(state_);
     const std::vector<CommandInfo> commands = commands_of(state_);
+    // Each press goes a frame further, however many there are.
+    const auto adds_up = [&](const KeyChanged& key) {
+        if (typing || popped_up || !state_.dialogs.empty() || is_of_list(key)) return false;
+        const auto command = command_for_key(commands, key.name, key.modifiers.control, key.modifiers.shift, key.modifiers.alt);
+        return command == CommandId::next_frame || command == CommandId::previous_frame;
+    };
+    std::vector<InputEvent> events = input.take_frame(opens && waited_for_box_ <= longest_wait_for_box, adds_up);
+    if (!events.empty()) pacing_.touch();
     for (const InputEvent& event : events) {
         if (takes_over(event)) state_.flight.reset();
         if (is_lone_alt(event) && state_.dialogs.empty() && !popped_up) state_.menu_keys.begins = true;
@@ -104,7 +114,7 @@ std::vector<InputEvent> EventRouting::take(InputQueue& input, DialogKeys& keys, 
             if (popped_up && key->name == "left") state_.menu_keys.step = -1;
             if (popped_up && !key->modifiers.control) continue;
             if (!state_.dialogs.empty() || mouse_.is_dragging() || (typing && is_typed(*key))) continue;
-            if (state_.panel_drawn && state_.side_panel.list_has_keys && scrolls_list(*key)) continue;
+            if (is_of_list(*key)) continue;
             const Modifiers& m = key->modifiers;
             if (const auto command = command_for_key(commands, key->name, m.control, m.shift, m.alt))
                 (typing ? after_typing_ : actions).emplace_back(RunCommand{*command});

@@ -30,6 +30,8 @@ private:
     // Escape ends the topmost thing alone. Returns whether that is another thing than the selection; keys.escape is left to those
     // who ask for it themselves: dialogs, the mouse, work.
     bool is_escape_for_another(bool typing, bool popped_up, DialogKeys& keys);
+    // Whether the list of spheres has the key.
+    bool is_of_list(const KeyChanged& key) const;
     // Whether Alt was pressed and let go with nothing between.
     bool is_lone_alt(const InputEvent& event);
 

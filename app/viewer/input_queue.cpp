@@ -14,13 +14,14 @@ bool is_plain(const KeyChanged& key) { return key.name.size() == 1 && !key.modif
 
 // What a redraw has taken so far.
 struct Taken {
+    const InputQueue::AddsUp& adds_up;
     bool moved = false;
     bool button = false;
     bool wheel = false;
     bool key_that_edits = false;  // "backspace" and the like: a text field takes the redraw's characters before its keys
     bool characters = false;
-    std::vector<std::string> keys;
-    Modifiers modifiers;
+    std::vector<std::string> keys{};
+    Modifiers modifiers{};
 
     // Whether the event would hide what was taken; if not, it is taken.
     bool hides(const InputEvent& event) {
@@ -44,7 +45,7 @@ private:
         return button;
     }
     bool hidden_by(const KeyChanged& event) {
-        const bool seen = std::ranges::find(keys, event.name) != keys.end();
+        const bool seen = std::ranges::find(keys, event.name) != keys.end() && !(adds_up && adds_up(event));
         const bool other_modifiers = !keys.empty() && event.modifiers != modifiers;
         // What the mouse did before a modifier changed was done without that change.
         const bool for_mouse = (moved || button || wheel) && is_modifier(event.name);
@@ -83,8 +84,8 @@ void InputQueue::add(std::vector<InputEvent> events) {
     events_.insert(events_.end(), std::make_move_iterator(events.begin()), std::make_move_iterator(events.end()));
 }
 
-std::vector<InputEvent> InputQueue::take_frame(bool keys_wait) {
-    Taken taken;
+std::vector<InputEvent> InputQueue::take_frame(bool keys_wait, const AddsUp& adds_up) {
+    Taken taken{.adds_up = adds_up};
     const auto is_typed = [](const InputEvent& event) {
         const auto* key = std::get_if<KeyChanged>(&event);
         return (key != nullptr && key->pressed) || std::holds_alternative<CharacterTyped>(event);

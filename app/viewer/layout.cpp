@@ -10,8 +10,10 @@
 #include "panels/inspector.hpp"
 #include "panels/menus.hpp"
 #include "panels/status.hpp"
+#include "panels/timeline.hpp"
 #include "panels/widgets.hpp"
 #include "viewer/film_export.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/pointer_marks.hpp"
 
 namespace sphereview {
@@ -24,12 +26,29 @@ constexpr float narrowest_picture = 100.0F;
 constexpr float narrowest_panel = 200.0F;
 constexpr float narrowest_inspector = 120.0F;
 constexpr float lowest_picture = 100.0F;  // above the status bar
+// Where a tool's words lie over the picture, it has to be wide enough for them and for what they are about.
+constexpr float narrowest_under_tool = 280.0F;
+// Of the axes in the picture's corner, with their margin; and of the rays' panel, that it can be read.
+constexpr float axes_height = 116.0F;
+constexpr float lowest_rays = 270.0F;
+// With the inspector open, the picture keeps this part of the window, and the inspector so much, as far as the side panel can
+// yield.
+constexpr float least_picture_share = 0.32F;
+constexpr float inspector_at_least = 260.0F;
 
 constexpr ImGuiWindowFlags fixed_window = bare_window | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 void place_window(const Rectangle& area) {
     ImGui::SetNextWindowPos(ImVec2(area.x, area.y));
     ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
+}
+
+// What the side panel leaves for the picture and for the tools that are open, at least. Someone who opened a tool wants to read it,
+// so the side panel narrows for that, and gives way where it would be too narrow itself.
+float room_beside_panel(const ViewerState& state, float whole, float scale) {
+    const float picture = (state.rays.on || state.measuring.on ? narrowest_under_tool : narrowest_picture) * scale;
+    if (!state.inspector_shown) return picture;
+    return std::max(picture, least_picture_share * whole) + (inspector_at_least + splitter_width) * scale;
 }
 
 // The edge of a panel, which can be dragged. Returns by how much, to the right. Noted as `name`.
@@ -67,12 +86,35 @@ Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context,
     return {picture.x + taken, picture.y, picture.width - taken, picture.height};
 }
 
+// Under the picture. Returns what is left of the picture's place.
+Rectangle draw_timeline_below(ViewerState& state, const PanelContext& context, Rectangle picture) {
+    const float padding = 6.0F * context.scale;
+    const float height = std::ceil(timeline_height() + 2.0F * padding);
+    if (!has_several_frames(state) || picture.height - height < lowest_picture * context.scale) {
+        state.player.choices.handle_held = false;
+        return picture;
+    }
+    picture.height -= height;
+    place_window({picture.x, picture.y + picture.height, picture.width, height});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, padding));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
+    ImGui::Begin("##timeline", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    draw_timeline(context, timeline_facts(state), state.player.choices);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    return picture;
+}
+
 // What the eye sees whose rays are shown: the pixel under the pointer there is the eye's.
 void draw_rays_over(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, const Rectangle& picture) {
     RaysInSpace& rays = state.rays;
     RaysFacts shown = facts_of_rays(state, facts.inspection.first);
     shown.picture = facts.seen_by_eye;
-    const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, picture);
+    // Above the axes in the corner, where there is room for both.
+    Rectangle place = picture;
+    const float axes = axes_height * context.scale;
+    if (state.settings.axes_shown && place.height - axes >= lowest_rays * context.scale) place.height -= axes;
+    const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, place);
     const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
     fly_beside(state, {pixels * static_cast<double>(answer.size.x), pixels * static_cast<double>(answer.size.y)});
     rays.pointed.reset();
@@ -101,25 +143,35 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
     const float splitter = splitter_width * context.scale;
-    const float room = whole.x - splitter - narrowest_picture * context.scale;
-    state.panel_drawn = state.panel_shown && room >= narrowest_panel * context.scale;
-    if (state.panel_drawn) {
+    const float room = whole.x - splitter - room_beside_panel(state, whole.x, context.scale);
+    // A comparison takes the side panel's place: so it covers neither the picture nor the inspector, in which it explains pixels.
+    const bool compares = state.comparison && state.comparison->open;
+    const bool has_room = room >= narrowest_panel * context.scale;
+    const float covering = std::min(narrowest_under_tool * context.scale, whole.x);
+    Rectangle comparison{whole.x - covering, picture.y, covering, picture.height};
+    state.panel_drawn = state.panel_shown && has_room && !compares;
+    if (has_room && (state.panel_shown || compares)) {
         // A small window or large text narrows the panel for as long as that lasts: what the person chose is kept.
         const double shown = panel_width_within(state.settings.panel_width, room / context.scale);
         const float width = std::floor(std::min(static_cast<float>(shown) * context.scale, room));
         const Rectangle panel{whole.x - width, picture.y, width, picture.height};
-        place_window(panel);
-        // The list scrolls in itself, by its own means.
-        const ImGuiWindowFlags wheel = state.side_panel.list_hovered ? ImGuiWindowFlags_NoScrollWithMouse : 0;
-        ImGui::Begin("##panel", nullptr, fixed_window | wheel);
-        draw_side_panel(context, state.side_panel);
-        ImGui::End();
+        if (compares) {
+            comparison = panel;
+        } else {
+            place_window(panel);
+            // The list scrolls in itself, by its own means.
+            const ImGuiWindowFlags wheel = state.side_panel.list_hovered ? ImGuiWindowFlags_NoScrollWithMouse : 0;
+            ImGui::Begin("##panel", nullptr, fixed_window | wheel);
+            draw_side_panel(context, state.side_panel);
+            ImGui::End();
+        }
         const auto by = static_cast<double>(
             draw_splitter(context, "splitter", {panel.x - splitter, panel.y, splitter, panel.height}) / context.scale);
         if (by != 0.0) state.settings.panel_width = panel_width_range.nearest(shown - by);
         picture.width = std::max(panel.x - splitter, 0.0F);
     }
     if (state.inspector_shown) picture = draw_inspector_beside(state, context, facts, picture);
+    picture = draw_timeline_below(state, context, picture);
 
     if (has_status) {
         place_window({0.0F, whole.y - status_height, whole.x, status_height});
@@ -142,13 +194,8 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
     draw_measuring(context, state.measuring, picture);
     if (state.rays.on) draw_rays_over(state, context, facts, picture);
-    if (state.comparison && state.comparison->open) {
-        std::optional<ImVec2> pinned;
-        if (state.inspector_shown && !state.rays.on && state.pins.first) {
-            pinned = on_screen(picture, state.picture_size.width / static_cast<double>(picture.width),
-                               place_in(state.picture_size, *state.pins.first));
-        }
-        draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, picture, pinned,
+    if (compares) {
+        draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, comparison,
                         state.comparison->open);
     }
     if (state.help_shown) draw_help(context, state.help_shown);

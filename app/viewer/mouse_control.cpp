@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "panels/widgets.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -18,7 +20,11 @@ constexpr int middle = 2;
 constexpr double zoom_per_pixel = 0.006;   // of a drag; the distance changes by this part
 constexpr double zoom_per_click = 0.85;    // of the wheel; the distance is times this
 constexpr double radius_per_click = 1.06;  // of the wheel
-constexpr double smallest_scene = 0.02;    // of the picture's shorter side, where zooming out ends
+constexpr double smallest_scene = 0.25;    // of the picture's shorter side, where zooming out ends
+
+constexpr int radius_digits = 5;  // that a turn of the wheel leaves
+// Spheres whose numbers are rounded in decimal: of more, that would not keep up with the hand.
+constexpr std::size_t most_rounded = 20'000;
 
 // Where the ray through a place first meets the sphere; its centre where, for rounding, it does not.
 glm::dvec3 hit_point(const Camera& camera, PictureSize size, const glm::dvec2& place, const Sphere& sphere) {
@@ -64,11 +70,27 @@ double part_of_picture(const Camera& camera, const SceneBounds& bounds) {
     return 0.5 * bounds.extent() / (depth * glm::length(camera.right));
 }
 
+// The part where zooming out ends. A scene whose own camera shows it as small as that can be seen at half that size all the same.
+double least_part(const PictureState& state) {
+    return std::min(smallest_scene, 0.5 * part_of_picture(state.scene.camera, state.bounds));
+}
+
 // As zoomed(), but the scene does not get lost in the distance.
 Camera zoomed_within(const PictureState& state, const glm::dvec3& point, double factor) {
     const Camera next = zoomed(state.camera, point, factor);
     const double part = part_of_picture(next, state.bounds);
-    return part < smallest_scene && part < part_of_picture(state.camera, state.bounds) ? state.camera : next;
+    return part < least_part(state) && part < part_of_picture(state.camera, state.bounds) ? state.camera : next;
+}
+
+// The exponent of the digit that one pixel's movement changes, where a pixel is so wide in the scene.
+int exponent_of_pixel(double width) { return last_digit(width, 1); }
+
+// A coordinate moved by so much, without the digits that adding doubles leaves behind: 0.1 + 0.2 is 0.3. What is not moved keeps
+// its bits.
+double moved_by(double from, double by) {
+    if (by == 0.0) return from;
+    constexpr int certain_digits = 15;
+    return rounded_to(from + by, last_digit(std::max(std::fabs(from), std::fabs(by)), certain_digits));
 }
 
 std::string title_of(const PictureState& state) { return sphereview::title_of(state.scene, state.selection); }
@@ -214,22 +236,29 @@ void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& s
     if (grabbed == numbers.end() || *grabbed != static_cast<std::uint32_t>(grabbed_) || numbers.size() != base_.size()) return;
     const glm::dvec3 from = base_[static_cast<std::size_t>(grabbed - numbers.begin())];
     glm::dvec3 by{0.0};
+    double pixel = 0.0;  // how wide it is there
     if (base_in_depth_) {
         // Along its ray.
         const Camera& camera = state.camera;
         const glm::dvec3 away = camera.orthographic() ? depth_of(camera, from) * (camera.center - camera.eye) : from - camera.eye;
         by = (std::exp(zoom_per_pixel * (base_place_.y - mouse.place.y)) - 1.0) * away;
+        pixel = zoom_per_pixel * glm::length(away);
     } else {
         const double depth = depth_of(state.camera, grabbed_point_);
         by = point_at(state.camera, state.size, mouse.place, depth) - point_at(state.camera, state.size, base_place_, depth);
+        pixel = 2.0 * (state.camera.orthographic() ? 1.0 : depth) * glm::length(state.camera.right) / state.size.shorter_side();
     }
+    // A hand moves by pixels: more digits than that would only be noise in the file.
+    for (int i = 0; i < 3; ++i) by[i] = rounded_to(by[i], exponent_of_pixel(pixel));
     ChangeSpheres change{numbers, {}};
     change.spheres.reserve(numbers.size());
     bool changes = false;
+    const bool rounds = numbers.size() <= most_rounded;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         const Sphere& before = state.scene.spheres[numbers[i]];
         Sphere& sphere = change.spheres.emplace_back(before);
         sphere.center = base_[i] + by;
+        for (int axis = 0; axis < 3 && rounds; ++axis) sphere.center[axis] = moved_by(base_[i][axis], by[axis]);
         const glm::dvec3& center = sphere.center;
         if (!std::isfinite(center.x) || !std::isfinite(center.y) || !std::isfinite(center.z)) return;
         changes = changes || sphere != before;
@@ -250,6 +279,8 @@ void MouseControl::change_radius(const PictureMouse& mouse, const PictureState& 
     for (const std::uint32_t number : change.numbers) {
         Sphere sphere = state.scene.spheres[number];
         sphere.radius *= std::pow(radius_per_click, mouse.wheel);
+        if (change.numbers.size() <= most_rounded)
+            sphere.radius = rounded_to(sphere.radius, last_digit(sphere.radius, radius_digits));
         if (!std::isfinite(sphere.radius) || !(sphere.radius > 0.0)) return;
         change.spheres.push_back(sphere);
     }

@@ -17,7 +17,7 @@ public:
     void traced(int step, double seconds, double drawing) {
         const int level = std::countr_zero(static_cast<unsigned>(step));
         if (level < level_) {  // nothing moved, and the picture was made fine
-            if (seconds <= frame_budget) level_ = level;
+            if (seconds <= budget_) level_ = level;
             return;
         }
         if (level > level_) {  // the first parts of a finer one took too long (LivePicture::update)
@@ -31,13 +31,13 @@ public:
         if (before > 0.0 && seconds > worth_it * before) {
             level_ = left_level_;  // coarser saves no time
             stays_ = long_pause;
-        } else if (seconds > frame_budget) {
+        } else if (seconds > budget_) {
             if (level < coarsest && stays_ == 0) become_coarser(seconds, drawing);
         } else {
             if (std::exchange(tries_, false)) pause_ = wait_ = 0;
             if (wait_ > 0) --wait_;
             const double most = seconds - drawing + 4.0 * drawing;
-            if (level > 0 && (most <= frame_budget || wait_ == 0)) {
+            if (level > 0 && (most <= budget_ || wait_ == 0)) {
                 --level_;
                 tries_ = true;
             }
@@ -48,9 +48,24 @@ public:
     // coarser than saves time.
     int moving_step() const { return 1 << level_; }
 
+    // Seconds for the trace of a moving picture.
+    double budget() const { return budget_; }
+    // While a film plays: a whole redraw, of which so many seconds are not the trace, is to leave time for film_rate of them.
+    // `settles`: the next frames come soon enough for the panels to settle in their redraws.
+    void play(double besides, bool settles) {
+        settles_ = settles;
+        besides_ += (besides - besides_) * (besides_ == 0.0 ? 1.0 : 0.1);
+        budget_ = std::clamp(film_part / film_rate - besides_, least_budget, frame_budget);
+    }
+    void end_play() {
+        settles_ = false;
+        besides_ = 0.0;
+        budget_ = frame_budget;
+    }
+
     // Something happened: some redraws must be drawn, until the panels have settled.
     void touch() {
-        frames_ = settling_frames;
+        frames_ = settles_ ? 1 : settling_frames;
         goes_on_ = false;
     }
     // There is another picture to show, which changes nothing of the panels.
@@ -64,6 +79,8 @@ public:
     // A part of a fine picture was drawn; there are others.
     void refined_a_part() { goes_on_ = true; }
 
+    // Whatever has happened is shown.
+    bool is_settled() const { return frames_ == 0; }
     // Nothing is to be drawn before the next event.
     bool rests() const { return frames_ == 0 && !coarse_; }
     // How long to wait for events before the next redraw; nothing: until one comes.
@@ -77,13 +94,16 @@ public:
 
     // Seconds for the trace of a moving picture; with what shows it, about 30 ms a redraw.
     static constexpr double frame_budget = 0.024;
+    static constexpr double film_rate = 24.0;     // redraws a second, at least
     static constexpr double refine_after = 0.08;  // seconds without an event
     // Seconds for what is drawn of a fine picture before the next look for events.
     static constexpr double refine_budget = 0.016;
     static constexpr double look_again = 0.01;  // seconds, while another thread works
 
 private:
-    static constexpr int coarsest = 3;  // the step is 2^3
+    static constexpr int coarsest = 3;        // the step is 2^3
+    static constexpr double film_part = 0.9;  // of the time between two redraws: the rest is for what comes between
+    static constexpr double least_budget = 0.005;
     static constexpr double worth_it = 0.9;
     static constexpr int short_pause = 60;  // redraws
     static constexpr int long_pause = 480;
@@ -100,7 +120,7 @@ private:
             ++level_;
             lists *= 0.5;
             drawing *= 0.25;
-        } while (level_ < coarsest && lists + drawing > frame_budget);
+        } while (level_ < coarsest && lists + drawing > budget_);
     }
 
     // ImGui shows what a click did in the next redraw, and places what is new in the one after that.
@@ -116,6 +136,9 @@ private:
     int left_level_ = 0;         // from which the last redraw was made coarser,
     double left_seconds_ = 0.0;  // where one took so long; 0: it was not
     int stays_ = 0;              // so many frames that are not made coarser
+    bool settles_ = false;       // in the redraws of a film
+    double budget_ = frame_budget;
+    double besides_ = 0.0;  // seconds of a redraw of a film besides the trace, of late; 0: none was drawn
 };
 
 }  // namespace sphereview

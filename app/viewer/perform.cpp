@@ -1,6 +1,7 @@
 #include "viewer/perform.hpp"
 
 #include "viewer/command_table.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/scene_properties.hpp"
 
@@ -29,14 +30,20 @@ void show_scene_camera(ViewerState& state) {
 }  // namespace
 
 void undo(ViewerState& state) {
+    note_frame_before_edit(state, false);
     const bool follows = state.document.undo_moves_view() && state.inspected_camera() == state.scene().camera;
-    select_touched(state, state.document.undo());
+    const bool is_look = state.look_steps.contains(state.document.undo_name());
+    const Touched touched = state.document.undo();
+    if (!is_look) select_touched(state, touched);
     if (follows) show_scene_camera(state);
 }
 
 void redo(ViewerState& state) {
+    note_frame_before_edit(state, false);
     const bool follows = state.document.redo_moves_view() && state.inspected_camera() == state.scene().camera;
-    select_touched(state, state.document.redo());
+    const bool is_look = state.look_steps.contains(state.document.redo_name());
+    const Touched touched = state.document.redo();
+    if (!is_look) select_touched(state, touched);
     if (follows) show_scene_camera(state);
 }
 
@@ -48,9 +55,9 @@ void apply(ViewerState& state, EditScene action) {
     if (std::holds_alternative<ChangeLight>(action.edit)) state.light = {};
     const auto* camera = std::get_if<ChangeCamera>(&action.edit);
     const bool moves_view = camera != nullptr && camera->moves_view;
-    const bool only_looks = !state.document.is_changed() || state.document.revision() == state.look_revision;
+    if (action.is_look) state.look_steps.insert(action.name);
+    note_frame_before_edit(state, adds_or_removes || reorders);
     const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
-    if (action.is_look && only_looks) state.look_revision = state.document.revision();
     if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);

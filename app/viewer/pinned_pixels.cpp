@@ -32,6 +32,11 @@ void add_light(InspectedPixel& inspected, const Scene& scene, const auto& explai
         inspected.light = InspectedLight{number, directed.direction, why.shines(), in_words(why), why.blocker};
     }
     if (found.sky) inspected.sky = in_words(*found.sky);
+    if (found.sum) {
+        const PixelExplanation& e = inspected.explanation;
+        inspected.color = explain_color(scene, inspected.place.camera, inspected.place.size, inspected.place.pixel, e.hits.front(),
+                                        e.direction, *found.sum);
+    }
 }
 
 std::size_t most_passed(const InspectedPlace& place) { return place.with_passed ? most_passed_explained : 0; }

@@ -92,6 +92,7 @@ void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const Lo
         {"renderer", facts.status.renderer},
         {"path", state.path},
         {"scene_frame", {state.frame, state.frames}},
+        {"playing", state.player.clock.plays()},
         {"changed", state.document.is_changed()},
         {"spheres", state.scene().spheres.size()},
         {"selection", first_of(state.selection.numbers())},

@@ -10,6 +10,7 @@
 #include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/scene_properties.hpp"
 
 namespace sphereview {
@@ -66,6 +67,11 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
         options.range =
             by_category || look.shown->range.low == look.shown->range.high ? std::nullopt : std::optional(look.shown->range);
         options.log = look.shown->log;
+    } else if (look.own.colors_chosen) {
+        options.color_by.reset();
+        options.map.reset();
+        options.range.reset();
+        options.log = false;
     }
     Property own;
     const Property* sizes = look.size_by.empty() ? nullptr : find_values(state.scene(), look.size_by, own);
@@ -73,12 +79,25 @@ void keep_chosen_look(const ViewerState& state, LookOptions& options) {
         options.size_by = look.size_by;
         options.scale = look.scale;
         options.radii.reset();
+    } else if (const auto radii = chosen_radii(look); radii && look.has_sized) {
+        options.size_by.reset();
+        options.scale.reset();
+        options.radii = radii;
+    } else if (look.own.sizes_chosen) {
+        options.size_by.reset();
+        options.scale.reset();
+        options.radii.reset();
+        options.radius_scale.reset();
     }
 }
 
 // What the command line, or the window before another frame, has asked for.
 void note_look(ViewerState& state, const LoadedScene& loaded) {
     LookPanelState& look = state.side_panel.look;
+    look.own.order = state.document.order_revision();
+    look.own.colors = loaded.look.own_colors;
+    look.own.radii = loaded.look.own_radii;
+    look.has_sized = !loaded.look.own_radii.empty();
     if (loaded.look.coloring) {
         look.colors = loaded.look.colored_by;
         note_colors(look, {look.colors, *loaded.look.coloring});
@@ -108,7 +127,7 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         state.path = path;
         state.format = format;
         state.frame = 0;
-        state.frames = 1;
+        end_frames(state);
         state.stamp = file_states(path);
         state.property_names.clear();
         for (const Property& property : state.scene().properties) state.property_names.push_back(property.name);
@@ -205,31 +224,11 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
     state.dialogs.push_back(std::move(browser));
 }
 
-void read_frame(ViewerState& state, std::int64_t frame) {
-    const auto accept = unless_edited(state, [&state, frame, stamp = file_states(state.path)](LoadedScene loaded) {
-        const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
-        state.document = Document(std::move(loaded.scene));
-        note_properties(state, loaded);
-        state.bounds_revision = 0;
-        if (!same_spheres) state.selection.clear();
-        state.hovered.reset();
-        forget_file_messages(state);
-        state.frame = frame;
-        state.frames = loaded.frames;
-        state.stamp = stamp;
-        note_look(state, loaded);
-        announce_reading(state, "", loaded);
-    });
-    const auto fail = [&state](const std::string& why) {
-        report_error(state, "The frame cannot be read", why);
-        look_at_file(state);
-    };
-    start_loading(state, {state.path, load_options(state, state.path, frame), accept, fail, [&state] { look_at_file(state); }});
-}
-
 void reload(ViewerState& state, LoadedScene loaded) {
     state.format = loaded.format;
-    state.frames = loaded.frames;
+    const PlayClock clock = state.player.clock;
+    begin_frames(state, loaded);
+    state.player.clock = clock;
     if (loaded.scene != state.scene()) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
@@ -276,6 +275,7 @@ void offer_reload(ViewerState& state, LoadedScene loaded) {
 LoadOptions load_options(const ViewerState& state, const std::string& path, std::int64_t frame) {
     LoadOptions options;
     options.data_background = quiet_background;
+    options.counts_frames = false;
     options.data = state.options.data;
     options.data.frame = frame;
     options.data.all_properties_up_to = most_spheres_with_properties;
@@ -314,23 +314,25 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.path = has_file ? absolute_path(path) : "";
     state.format = loaded.format;
     state.frame = 0;
-    state.frames = loaded.frames;
     state.stamp.clear();
     if (has_file) {
         state.stamp = file_states(state.path);
         add_recent(state.settings, state.path);
     }
+    begin_frames(state, loaded);
     go_home(state);
     note_look(state, loaded);
     announce_reading(state, joined(loaded.look.lines, "\n"), loaded);
 }
 
-void with_edits_safe(ViewerState& state, std::function<void()> then) {
-    if (state.saving) return after(*state.saving, [&state, then = std::move(then)] { with_edits_safe(state, then); });
+void with_edits_safe(ViewerState& state, std::function<void()> then, const std::string& question) {
+    if (state.saving) {
+        return after(*state.saving, [&state, then = std::move(then), question] { with_edits_safe(state, then, question); });
+    }
     if (!state.document.is_changed()) return then();
     ask(state, {.id = "save-changes",
                 .title = "Save changes?",
-                .text = in_quotes(state.name()) + " has changes that are not saved.",
+                .text = question.empty() ? in_quotes(state.name()) + " has changes that are not saved." : question,
                 .answers = {"Save", "Don't save", "Cancel"},
                 .cancel = 2,
                 .answer = [&state, then = std::move(then)](int answer) {
@@ -389,6 +391,32 @@ void save_scene(ViewerState& state, const std::function<void()>& then) {
 
 void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }
 
+void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp) {
+    take_shared_edits(state);
+    const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
+    const bool measures = state.measuring.revision == state.document.names_revision();
+    state.document = Document(std::move(loaded.scene));
+    note_properties(state, loaded);
+    state.bounds_revision = 0;
+    if (!same_spheres) {
+        state.selection.clear();
+        state.hovered.reset();
+    }
+    forget_file_messages(state);
+    state.frame = frame;
+    state.stamp = stamp;
+    note_look(state, loaded);
+    give_shared_edits(state);
+    shown_coloring(state.document, state.side_panel.look);  // the next frame is read with it
+    if (same_spheres && measures) state.measuring.revision = state.document.names_revision();
+    const auto was_said = [&](const std::string& line) {
+        return !state.player.said.insert(line).second && state.player.clock.plays();
+    };
+    std::erase_if(loaded.warnings, was_said);
+    std::erase_if(loaded.notes, was_said);
+    announce_reading(state, "", loaded);
+}
+
 namespace {
 
 // It may take hours.
@@ -408,17 +436,6 @@ void ask_about_film(ViewerState& state) {
 }
 
 }  // namespace
-
-bool has_frame(const ViewerState& state, std::int64_t frame) { return !state.path.empty() && frame >= 0 && frame < state.frames; }
-
-void show_frame(ViewerState& state, std::int64_t frame) {
-    if (!has_frame(state, frame) || frame == state.frame) return;
-    // The next frame gets the same colours and sizes: nothing is lost.
-    if (state.format.is_data && state.document.revision() == state.look_revision) return read_frame(state, frame);
-    with_edits_safe(state, [&state, frame] {
-        if (has_frame(state, frame)) read_frame(state, frame);  // saving may have made it another file
-    });
-}
 
 void quit(ViewerState& state) {
     if (state.exporting && !state.exporting->then_quit) {

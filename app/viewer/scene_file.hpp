@@ -16,8 +16,8 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);
 
 // Calls `then` at once when nothing would be lost, or as soon as the person has saved it or says that it may be, and what is
-// being saved is whole.
-void with_edits_safe(ViewerState& state, std::function<void()> then);
+// being saved is whole. `question`: instead of the usual words.
+void with_edits_safe(ViewerState& state, std::function<void()> then, const std::string& question = "");
 
 // What to do with a scene that is asked for now: `then`, and before that the question about edits, if any are made meanwhile.
 std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then);
@@ -34,11 +34,8 @@ void save_scene_as(
     ViewerState& state, const std::function<void()>& then = [] {});
 void quit(ViewerState& state);
 
-// Shows another frame of the scene's file, with the same view and, of as many spheres, the same selection. Asks about edits that
-// are not saved. Reads the file again, as a reload does: nothing has to be remembered that the file may have changed.
-void show_frame(ViewerState& state, std::int64_t frame);
-// Whether the file has that frame.
-bool has_frame(const ViewerState& state, std::int64_t frame);
+// The document becomes another frame of its file, which was as `stamp` says.
+void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp);
 
 // Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so, and so does one
 // that is gone; edits that are not saved are lost only if the person says so.

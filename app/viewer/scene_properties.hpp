@@ -19,9 +19,9 @@ void note_properties(ViewerState& state, const LoadedScene& loaded);
 // Whether the file has some that the scene has not.
 bool has_unread_properties(const ViewerState& state);
 
-// Reads the file again beside the loop, and gives its properties to the scene, unless the file or the order of the spheres has
-// changed meanwhile. Does nothing where all are read, or while something is read or written. Where they cannot be read, they count
-// as not there.
+// Reads the file again beside the loop, and gives its properties to the scene, unless the file has
+// changed meanwhile. Where spheres have come, gone or changed places, those get values that are where the file has them. Does
+// nothing where all are read, or while something is read or written. Where they cannot be read, they count as not there.
 void request_properties(ViewerState& state);
 
 // The names of those whose values the status bar tells of the sphere under the pointer: what the list is filtered by, and

@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "viewer/command_table.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/pointer_marks.hpp"
 #include "viewer/ray_drawing.hpp"
@@ -46,17 +47,25 @@ Viewer::Viewer(ViewerState& state, Window& window)
 
 void Viewer::run(const std::function<bool()>& interrupted) {
     while (!state_.quits && !interrupted()) {
-        if ((pacing_.rests() || pacing_.refines()) && input_.empty() && autosaves()) {
+        if ((pacing_.rests() || pacing_.refines()) && input_.empty() && !plays() && autosaves()) {
             const std::lock_guard lock(state_.changing);
             state_.autosave.look(state_.document, state_.path, Clock::now());
         }
         keep_recent_files();
         wait_for_work();
+        if (is_between_frames()) continue;
         if (pacing_.refines() && input_.empty() && !refine_picture()) continue;
         if (!pacing_.rests() || !input_.empty()) redraw();
     }
     // What the end writes is not to be replaced by what was written before.
     if (settings_kept_) settings_kept_->wait_for(std::chrono::seconds(1));
+}
+
+bool Viewer::is_between_frames() const {
+    constexpr std::chrono::milliseconds worth_refining{200};
+    if (!plays() || !pacing_.is_settled() || !input_.empty()) return false;
+    const auto due = next_frame_due(state_);
+    return !due || *due < Clock::now() + worth_refining;
 }
 
 void Viewer::keep_recent_files() {
@@ -65,6 +74,8 @@ void Viewer::keep_recent_files() {
     settings_kept_.reset();
     settings_kept_.emplace([settings = state_.settings](WorkControl&) { save_settings(settings); });
 }
+
+bool Viewer::plays() const { return state_.player.clock.plays(); }
 
 // Not what is being saved: what is kept of that stays until the file is whole. But what is edited meanwhile.
 bool Viewer::autosaves() const { return !state_.saving || state_.document.is_changed(); }
@@ -80,8 +91,12 @@ void Viewer::wait_for_work() {
             patience = std::min(patience.value_or(seconds), seconds);
         }
     }
-    const bool looks_again = is_working(state_) || rest_.works() || makes_rays(state_) || explains_beside(state_) ||
-                             state_.box_selection || shaders_changed_;
+    if (const auto due = next_frame_due(state_)) {
+        const double seconds = std::max(seconds_between(Clock::now(), *due), 0.0);
+        patience = is_between_frames() ? seconds : std::min(patience.value_or(seconds), seconds);
+    }
+    const bool looks_again = is_working(state_) || reads_frames(state_) || rest_.works() || makes_rays(state_) ||
+                             explains_beside(state_) || state_.box_selection || shaders_changed_;
     if (looks_again) patience = std::min(patience.value_or(Pacing::look_again), Pacing::look_again);
     if (state_.filming) patience = std::min(patience.value_or(film_shown_every), film_shown_every);
     std::vector<InputEvent> events = window_.wait_events(patience);
@@ -106,7 +121,23 @@ void Viewer::wait_for_work() {
         pacing_.touch();
     }
     follow_work();
+    follow_frames();
     end_announcement();
+}
+
+void Viewer::follow_frames() {
+    const FrameNews news = [&] {
+        const std::lock_guard lock(state_.changing);
+        return follow_player(state_, Clock::now(), in_hand_);
+    }();
+    if (news == FrameNews::frame && plays()) {
+        pacing_.show_once();
+    } else if (news == FrameNews::frame || news == FrameNews::stopped) {
+        pacing_.touch();
+    } else if (news == FrameNews::counted && (state_.player.all_frames || Clock::now() >= work_shown_ + work_shown_every)) {
+        work_shown_ = Clock::now();
+        pacing_.show_once();
+    }
 }
 
 void Viewer::follow_work() {
@@ -216,11 +247,12 @@ void Viewer::draw_rays_in_space() {
     draw_rays(state_, facts_.inspection, facts_.seen_by_eye, {seen, area_, pixels_, imgui_.scale()});
 }
 
-void Viewer::update_picture(int step, double patience) {
+bool Viewer::update_picture(int step, double patience) {
     if (!picture_.update(state_.document, {state_.camera, state_.picture_size}, step, state_.settings.shading, state_.shown_light(),
                          patience))
-        return;
+        return false;
     pacing_.traced(picture_.step(), picture_.last_seconds(), picture_.last_drawing_seconds());
+    return true;
 }
 
 bool Viewer::refine_picture() {
@@ -268,6 +300,7 @@ void Viewer::redraw() {
                                camera_axes(state_.camera),
                                state_.inspected_camera(),
                                state_.property_names};
+    in_hand_ = (mouse_.is_dragging() && !mouse_.moves_camera()) || (ImGui::IsAnyItemActive() && !state_.player.choices.handle_held);
     const bool asked = !state_.dialogs.empty();
     {
         const std::lock_guard lock(state_.changing);  // for the answers of dialogs
@@ -298,7 +331,7 @@ void Viewer::redraw() {
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);
-    update_picture(pacing_.moving_step(), Pacing::frame_budget);
+    const bool traced = update_picture(pacing_.moving_step(), pacing_.budget());
     note_facts();
     follow_rays(state_);
     draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them
@@ -309,10 +342,17 @@ void Viewer::redraw() {
     imgui_.render();
     window_.swap_buffers();
     pacing_.drew(picture_.step());
-    if (lost_hint_.update(state_, picture_, pacing_.rests() && input_.empty())) pacing_.touch();
-    rest_.end_redraw(state_, picture_, pacing_.rests() && input_.empty());
+    if (!plays()) {
+        pacing_.end_play();
+    } else if (traced) {
+        constexpr double soon_enough = 10.0;  // frames a second
+        pacing_.play(seconds_between(begin, Clock::now()) - picture_.last_seconds(), state_.player.choices.speed >= soon_enough);
+    }
+    const bool rests = pacing_.rests() && input_.empty() && !plays();
+    if (lost_hint_.update(state_, picture_, rests)) pacing_.touch();
+    rest_.end_redraw(state_, picture_, rests);
     if (log_.wanted()) {
-        const bool resting = pacing_.rests() && input_.empty() && !is_working(state_) && !rest_.works() && !makes_rays(state_) &&
+        const bool resting = rests && !is_working(state_) && !reads_frames(state_) && !rest_.works() && !makes_rays(state_) &&
                              !explains_beside(state_) && !state_.box_selection;
         log_.add(state_, facts_,
                  {++redraw_number_, picture_.builds(), explanations_, rest_.is_exact(), rest_.works(), rest_.draft_seconds(state_),

@@ -30,13 +30,16 @@ public:
     void run(const std::function<bool()>& interrupted);
 
 private:
+    bool plays() const;      // a film
     bool autosaves() const;  // whether unsaved edits are to be kept now
     // Writes the settings when another file was opened: other windows offer it too, and a window that is killed has remembered it.
     void keep_recent_files();
     void wait_for_work();
+    // Whether the next frame of a film comes before anything else is worth drawing.
+    bool is_between_frames() const;
     void redraw();
-    // Brings the picture up to date with the state, as LivePicture::update() does.
-    void update_picture(int step, double patience);
+    // Brings the picture up to date with the state, as LivePicture::update() does. Returns whether there is another one.
+    bool update_picture(int step, double patience);
     // Draws a part of a finer picture of what nothing moves in. Returns whether all of it is there.
     bool refine_picture();
     void use_mouse(const PanelContext& context, bool cancelled);
@@ -46,6 +49,7 @@ private:
     void note_facts();
     void end_announcement();
     void follow_work();
+    void follow_frames();
     std::optional<Pixel> pixel_under_pointer() const;
     // What the inspector follows: the pixel under the pointer, or the pixel of the eye whose rays are shown; `sphere`: what the
     // window shows under the pointer.
@@ -83,6 +87,7 @@ private:
     WidgetRectangles widgets_;
     Clock::time_point work_shown_;
     static constexpr auto work_shown_every = std::chrono::milliseconds(100);
+    bool in_hand_ = false;  // something is dragged or typed
     Clock::time_point film_shown_;
     static constexpr double film_shown_every = 0.1;  // seconds
 };

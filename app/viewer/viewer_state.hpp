@@ -7,6 +7,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@
 #include "panels/status.hpp"
 #include "viewer/box_selection.hpp"
 #include "viewer/camera_flight.hpp"
+#include "viewer/frame_player.hpp"
 #include "viewer/picture_comparison.hpp"
 #include "viewer/picture_job.hpp"
 #include "viewer/pinned_pixels.hpp"
@@ -54,15 +56,17 @@ struct ViewerState {
     Selection selection;
     std::optional<std::uint32_t> hovered;
     std::uint64_t gesture = 0;
-    std::uint64_t look_revision = 0;  // of the document that differs from its file in colours and sizes by properties alone
-    SceneBounds bounds;               // of the document at bounds_revision
+    // The names of steps that gave spheres colours or sizes by a property: nearly all spheres. Undoing one selects none of them.
+    std::set<std::string> look_steps{};
+    SceneBounds bounds;  // of the document at bounds_revision
     std::uint64_t bounds_revision = 0;
 
     // The file that the document is of.
     std::string path;  // absolute; "" when it has none yet
     SceneFormat format = SceneFormat::toml;
-    std::int64_t frame = 0;  // of the file, which may have several
-    std::int64_t frames = 1;
+    std::int64_t frame = 0;   // of the file, which may have several
+    std::int64_t frames = 1;  // as far as they are known (FramePlayer::all_frames)
+    FramePlayer player;
     FileStates stamp;                         // of what was read or written last
     std::vector<std::string> property_names;  // of what the file holds of each sphere, whether read or not
     bool all_properties = false;              // they are read, whatever they take

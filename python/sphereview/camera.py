@@ -77,7 +77,7 @@ def fit(
     right_handed: bool = False,
     hidden: ArrayLike | None = None,
 ) -> Camera:
-    """The nearest camera that sees all spheres, with the default camera's angle of view.
+    """The nearest camera that sees all spheres, with the default camera's field of view.
 
     centers: (N, 3), radii: (N,) or one for all, in the scene's unit.
     view: from where: "front", "back", "left", "right", "top", "bottom", "iso", or (azimuth, elevation) in degrees; (0, 0) is the front,

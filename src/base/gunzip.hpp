@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/gzip_places.hpp"
+
 struct z_stream_s;
 
 namespace sphereview {
@@ -36,6 +38,13 @@ public:
     // `begin`: what was read of the file already. `name`: how messages call it.
     Gunzip(std::string name, std::string_view begin, Source source, ExpansionBounds bounds = {});
 
+    // Goes on from such a place, without the sums of what its member has before it. `source` begins there, or where the place has
+    // bits, a byte before.
+    Gunzip(std::string name, const GzipPlace& place, Source source, ExpansionBounds bounds = {});
+
+    // From now on adds places to these, while that is not null.
+    void remember_places(std::shared_ptr<GzipPlaces> places) { places_ = std::move(places); }
+
     // Unpacks up to `most` bytes; 0 only at the end. Throws InputError "NAME: cannot be unpacked: ..." when the data are damaged,
     // end too early, or expand beyond the bounds.
     std::size_t read(char* to, std::size_t most);
@@ -48,6 +57,8 @@ private:
     [[noreturn]] void fail(const std::string& why) const;
     bool refill();
     bool begin_next_member();
+    void pass_end_of_member();
+    void remember_place(std::uint64_t unpacked);
     void check_bounds() const;
 
     std::string name_;
@@ -58,6 +69,8 @@ private:
     std::uint64_t packed_size_ = 0;  // of what was read
     std::uint64_t unpacked_size_ = 0;
     bool in_member_ = true;
+    bool is_bare_ = false;  // the member was begun in its middle: zlib does not look for its head and its end
+    std::shared_ptr<GzipPlaces> places_{};
 };
 
 }  // namespace sphereview

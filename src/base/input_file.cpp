@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <new>
 #include <system_error>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
@@ -70,17 +71,39 @@ void InputStream::drop_first(std::size_t count) {
     begin_ += count;
 }
 
-void InputStream::go_to(std::uint64_t offset) {
-    assert(size_);
+std::uint64_t InputStream::nearest_before(std::uint64_t offset) const {
+    if (!gunzip_) return offset;
+    return places_ ? places_->nearest(offset).unpacked : 0;
+}
+
+void InputStream::go_to(std::uint64_t place) {
+    assert(is_regular());
+    const GzipPlace packed = gunzip_ && places_ ? places_->nearest(place) : GzipPlace{};
+    const std::uint64_t offset = gunzip_ ? packed.packed - (packed.bits > 0 ? 1 : 0) : place;
 #ifdef _WIN32
     const bool moved = _fseeki64(file_.get(), static_cast<long long>(offset), SEEK_SET) == 0;
 #else
     const bool moved = fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) == 0;
 #endif
     if (!moved) fail_to_read(name_, errno);
+    if (gunzip_) {
+        gunzip_ = std::make_unique<Gunzip>(name_, packed, packed_source());
+        gunzip_->remember_places(places_);
+    }
     head_.clear();
     begin_ = end_ = 0;
     ended_ = false;
+}
+
+void InputStream::remember_places(GzipPlaces places) {
+    if (!gunzip_ || !is_regular()) return;
+    places_ = std::make_shared<GzipPlaces>(std::move(places));
+    gunzip_->remember_places(places_);
+}
+
+// Not by `this`: a stream can be moved.
+Gunzip::Source InputStream::packed_source() const {
+    return [file = file_.get(), name = name_](char* to, std::size_t most) { return read_bytes(file, name, to, most); };
 }
 
 void InputStream::make_room(std::size_t capacity) {
@@ -104,11 +127,7 @@ void InputStream::look_for_gzip() {
     std::array<char, gzip_magic.size()> head{};
     head_.assign(head.data(), read_bytes(file_.get(), name_, head.data(), head.size()));
     if (head_ != gzip_magic) return;
-    // Not by `this`: a stream can be moved.
-    const auto from_file = [file = file_.get(), name = name_](char* to, std::size_t most) {
-        return read_bytes(file, name, to, most);
-    };
-    gunzip_ = std::make_unique<Gunzip>(name_, head_, from_file);
+    gunzip_ = std::make_unique<Gunzip>(name_, head_, packed_source());
     head_.clear();
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/gunzip.hpp"
+#include "base/gzip_places.hpp"
 
 namespace sphereview {
 
@@ -42,9 +43,16 @@ public:
     bool ended() const { return ended_; }
 
     void drop_first(std::size_t count);
-    // Empties the window and goes on `offset` bytes behind the file's beginning, in a regular file whose size() is known. Throws
-    // InputError.
-    void go_to(std::uint64_t offset);
+    // The place nearest before `offset`, in bytes of the text, from which a regular file can be read: of a packed text one that was
+    // passed and remembered, or its beginning.
+    std::uint64_t nearest_before(std::uint64_t offset) const;
+    // Empties the window and goes on at a place that nearest_before() gives. Throws InputError.
+    void go_to(std::uint64_t place);
+    // From now on remembers places of a packed text, and goes to these: `places` are none or those that were remembered of the file
+    // before. Nothing for other files.
+    void remember_places(GzipPlaces places = GzipPlaces());
+    // Those; null where they are not remembered.
+    const GzipPlaces* places() const { return places_.get(); }
     // From now on called with the bytes read in all, at least every 4 MB; what it throws ends the reading.
     void watch(std::function<void(std::size_t)> watcher) { watcher_ = std::move(watcher); }
     // Reads on until the window holds `most` bytes or the input ends. What bytes() gave before is void. Throws InputError,
@@ -56,6 +64,7 @@ public:
 private:
     void make_room(std::size_t capacity);
     void look_for_gzip();
+    Gunzip::Source packed_source() const;
     std::size_t read_text(char* to, std::size_t most);
 
     std::string name_;
@@ -67,6 +76,7 @@ private:
     bool looked_for_gzip_ = false;
     std::string head_{};                // of the file; read to look at, and not taken yet
     std::unique_ptr<Gunzip> gunzip_{};  // of a packed text
+    std::shared_ptr<GzipPlaces> places_{};
     std::function<void(std::size_t)> watcher_{};
     std::size_t read_ = 0;  // bytes, in all
     bool ended_ = false;

@@ -29,6 +29,7 @@ namespace {
 
 thread_local bool inside_work = false;
 thread_local bool gives_way = false;
+thread_local bool keeps_loops = false;
 thread_local const std::atomic<bool>* cancelled_by = nullptr;       // the loops that this thread begins
 thread_local const std::atomic<bool>* work_cancelled_by = nullptr;  // that in whose work it is
 
@@ -188,10 +189,12 @@ void give_way() {
 
 void check_cancelled() { check(inside_work ? work_cancelled_by : cancelled_by); }
 
+void keep_loops_on_this_thread(bool alone) { keeps_loops = alone; }
+
 void cancel_loops_by(const std::atomic<bool>* flag) { cancelled_by = flag; }
 
 void detail::share_work(std::size_t count, void (*call)(const void*, std::size_t), const void* work) {
-    if (count > 1 && !inside_work && worker_count() > 1) {
+    if (count > 1 && !inside_work && !keeps_loops && worker_count() > 1) {
         Job job{count, call, work};
         pool().run(job);
         if (job.error) std::rethrow_exception(job.error);

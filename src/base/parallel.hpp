@@ -14,6 +14,10 @@ int worker_count();
 // system has no such thing.
 void give_way();
 
+// Whether the loops that this thread begins from now on run on it alone: where each core has a thread with work of its own, to
+// share it would only make them wait for each other.
+void keep_loops_on_this_thread(bool alone);
+
 // From now on the loops that this thread begins end soon after `flag` is set, and throw Cancelled (base/background_job.hpp).
 // nullptr: they always end by themselves.
 void cancel_loops_by(const std::atomic<bool>* flag);

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "scene/property_names.hpp"
 
 namespace sphereview {
 
@@ -56,11 +57,28 @@ std::optional<double> as_number(std::string_view text) {
 
 bool is_of_words(ComparedBy by) { return by == ComparedBy::equal || by == ComparedBy::unequal; }
 
+bool has_every_sphere(std::string_view name) {
+    return std::ranges::find(every_sphere_has, lower_case(name)) != every_sphere_has.end();
+}
+
 const Property* property_called(const Scene& scene, std::string_view name) {
-    if (const Property* exact = find_property(scene.properties, name)) return exact;
-    const auto same = [&](const Property& property) { return lower_case(property.name) == lower_case(name); };
-    const auto found = std::ranges::find_if(scene.properties, same);
-    return found == scene.properties.end() ? nullptr : &*found;
+    return property_meant(scene.properties, name, has_every_sphere(name) ? Likeness::but_for_case : Likeness::without_unit);
+}
+
+// "expected charge, chain, x, y, z, radius, number or name": what there is, as far as a line holds it.
+std::string names_of(const Scene& scene) {
+    constexpr std::size_t most_listed = 12;
+    std::vector<std::string> names;
+    for (const Property& property : scene.properties) {
+        if (names.size() < most_listed) names.push_back(property.name);
+    }
+    if (scene.properties.size() > names.size()) {
+        names.push_back(std::to_string(scene.properties.size() - names.size()) + " more");
+    }
+    for (const std::string_view own : every_sphere_has) {
+        if (find_property(scene.properties, own) == nullptr) names.emplace_back(own);
+    }
+    return "the name of a property: " + listed(names, "or");
 }
 
 // Which of a category's words fulfil a comparison: those that are the same, else those that differ in letter case alone, else the
@@ -220,8 +238,7 @@ Condition::Condition(std::string_view text) { ConditionParser(text, *this).parse
 bool is_condition(std::string_view text) { return text.find_first_of("<>=") != std::string_view::npos; }
 
 bool can_compare(const Scene& scene, std::string_view name) {
-    return property_called(scene, name) != nullptr ||
-           std::ranges::find(every_sphere_has, lower_case(name)) != every_sphere_has.end();
+    return property_called(scene, name) != nullptr || has_every_sphere(name);
 }
 
 SphereTest::SphereTest(const Condition& condition, const Scene& scene) : scene_(&scene), steps_(condition.steps_) {
@@ -238,7 +255,7 @@ SphereTest::SphereTest(const Condition& condition, const Scene& scene) : scene_(
             std::vector<std::string> names(every_sphere_has.begin(), every_sphere_has.end());
             for (const Property& property : scene.properties) names.push_back(property.name);
             fail_with(comparison.name_column,
-                      found_expected(comparison.name, "the name of a property") + did_you_mean(comparison.name, names));
+                      found_expected(comparison.name, names_of(scene)) + did_you_mean(comparison.name, names));
         }
         if (test.property == nullptr) test.source = static_cast<Source>(1 + (own - every_sphere_has.begin()));
         const bool words = test.source == Source::name || (test.property != nullptr && is_category(*test.property));

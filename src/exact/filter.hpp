@@ -74,7 +74,9 @@ inline HitBounds<Real> hit_bounds(Real cx, Real cy, Real cz, Real r, Real w, Rea
             const Real near_high = along - shortest + w;
             const Real far_low = along + shortest - w;
             const Real far_high = along + longest + w;
-            const bool missed = (h - r > w) | (far_high < Real(0));
+            const bool apart = h - r > w;
+            const bool behind = far_high < Real(0);
+            const bool missed = apart | behind;
             const bool both = r - h > w;
             const Real low = near_high <= Real(0) ? far_low : near_low;
             const Real high = near_low > Real(0) ? near_high : far_low > Real(0) ? far_high : never;

@@ -31,6 +31,12 @@ void require_finite(const TextSource& source, std::size_t begin, const glm::dvec
     source.fail(begin, "found a place beyond what a double can hold (at most 1.8e308), expected the place" + of_atom(index, count));
 }
 
+void show_as(LineAtom& atom, const Element& element, const DataOptions& options) {
+    atom.is_virtual = is_virtual(element);
+    atom.sphere.radius = radius_of(element, options);
+    atom.sphere.color = element.color;
+}
+
 SphereData data_of(Atoms atoms, const std::string& name, const DataOptions& options, std::string (*name_of)(std::string_view)) {
     SphereData data;
     data.scene.spheres = std::move(atoms.spheres);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "formats/elements.hpp"
 #include "formats/lines.hpp"
 #include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
@@ -114,6 +115,9 @@ struct LineAtom {
     std::string_view label{};  // what the atom's name is made of
     bool is_virtual = false;   // no atom (elements.hpp)
 };
+
+// Gives the atom its element's size and colour.
+void show_as(LineAtom& atom, const Element& element, const DataOptions& options);
 
 // The atoms of a frame.
 struct Atoms {

@@ -1,6 +1,7 @@
 #include "formats/frame_reader.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <utility>
 
 #include "base/error.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 22;
 constexpr std::size_t byte_order_mark_size = 3;
+constexpr std::uint64_t most_expected_expansion = 32;  // of a packed text
 
 // By what a file begins with, as for a single scene (app/load_scene.cpp).
 SceneFormat format_of(InputStream& stream, const DataOptions& options) {
@@ -24,8 +26,77 @@ SceneFormat format_of(InputStream& stream, const DataOptions& options) {
 
 FrameReader::FrameReader(const std::string& path, DataOptions options)
     : path_(path), options_(std::move(options)), stream_(path), format_(format_of(stream_, options_)) {
+    begin_at_the_beginning();
+    if (holds_all()) return;
+    stream_.remember_places();
+    if (options_.index_from) take_index();
+}
+
+FrameReader::~FrameReader() { keep_index(); }
+
+void FrameReader::begin_at_the_beginning() {
+    go_to(0);
+    stream_.fill(byte_order_mark_size);
     const std::string_view bytes = stream_.bytes();
-    if (without_byte_order_mark(bytes).size() < bytes.size()) end_ = byte_order_mark_size;
+    end_ = without_byte_order_mark(bytes).size() < bytes.size() ? byte_order_mark_size : 0;
+    end_position_ = {};
+    numbers_behind_first_ = 0;
+    places_.clear();
+    from_index_ = 0;
+    known_end_ = 0;
+    found_all_ = false;
+    fault_.clear();
+}
+
+// What was kept of the file, if it still is of this one.
+void FrameReader::take_index() {
+    const std::uint64_t least = stream_.size() ? *options_.index_from : *options_.index_from / most_expected_expansion;
+    stamp_ = stamp_of(path_, format_.name);
+    if (stamp_ && stamp_->size < least) stamp_.reset();
+    if (!stamp_) return;
+    std::optional<FrameIndex> index = read_frame_index(*stamp_);
+    if (!index) return;
+    places_ = std::move(index->frames);
+    from_index_ = places_.size();
+    known_end_ = end_ = places_.back().end;
+    end_position_ = index->end_position;
+    numbers_behind_first_ = index->numbers_behind_first;
+    stream_.remember_places(std::move(index->packed));
+    is_a_frame(from_index_ - 1);
+}
+
+void FrameReader::keep_index() noexcept {
+    if (!stamp_ || places_.size() < 2 || end_ < known_end_ + *options_.index_from || end_ == known_end_) return;
+    try {
+        FrameIndex index{places_, end_position_, numbers_behind_first_, GzipPlaces()};
+        index.frames.back().end = end_;  // without what stands behind the last frame
+        if (stream_.places() != nullptr) index.packed = *stream_.places();
+        keep_frame_index(*stamp_, index);
+        known_end_ = end_;
+    } catch (const std::exception&) {
+        // The memory does not suffice: nothing is kept.
+    }
+}
+
+// Whether the frame of that number, whose place is known, begins and ends there; else nothing counts of the index that says so.
+bool FrameReader::is_a_frame(std::size_t number) {
+    if (number >= from_index_) return true;
+    try {
+        const FramePlace& place = places_[number];
+        const std::uint64_t end = number + 1 == places_.size() ? end_ : place.end;
+        const auto length = static_cast<std::size_t>(end - place.begin);
+        go_to(place.begin);
+        stream_.fill(length);
+        PartOfFile part{place.origin, static_cast<std::int64_t>(number), true, place.numbers_behind_first};
+        const std::string_view text = text_from(place.begin).substr(0, length);
+        if (text.size() == length && format_.step_over(text, true, name(), part) == length) return true;
+    } catch (const InputError&) {
+        // No frame begins there.
+    }
+    forget_frame_index(*stamp_);
+    stream_.remember_places();
+    begin_at_the_beginning();
+    return false;
 }
 
 std::string_view FrameReader::text_from(std::uint64_t offset) const {
@@ -35,17 +106,14 @@ std::string_view FrameReader::text_from(std::uint64_t offset) const {
 // The window then begins there, or where it does already when nothing is to be lost.
 void FrameReader::go_to(std::uint64_t offset) {
     if (holds_all()) return;
-    if (offset < window_ || (offset > window_ + stream_.bytes().size() && stream_.size())) {
-        if (stream_.size()) {
-            stream_.go_to(offset);
-            window_ = offset;
-            return;
-        }
-        stream_ = InputStream(path_);
-        window_ = 0;
+    const auto window_end = [this] { return window_ + stream_.bytes().size(); };
+    const std::uint64_t nearest = stream_.nearest_before(offset);
+    if (offset < window_ || nearest > window_end()) {
+        stream_.go_to(nearest);
+        window_ = nearest;
     }
-    while (offset > window_ + stream_.bytes().size()) {
-        window_ += stream_.bytes().size();
+    while (offset > window_end()) {
+        window_ = window_end();
         stream_.drop_first(stream_.bytes().size());
         stream_.fill(read_at_once);
         if (stream_.bytes().empty()) throw InputError(name() + ": has become shorter while it was read");
@@ -77,6 +145,7 @@ bool FrameReader::find_next() {
         found_all_ = true;
         // What stands behind the last frame is read with it: it may be worth a warning.
         if (!places_.empty() && fault_.empty()) places_.back().end = end_ + text_from(end_).size();
+        keep_index();
         return false;
     }
     const std::string_view text = text_from(end_);
@@ -142,7 +211,8 @@ SphereData FrameReader::read(std::int64_t frame) {
     }
     if (frame >= known && !fault_.empty()) throw InputError(fault_);
     require_frame(name(), frame, known);
-    const Place& place = places_[static_cast<std::size_t>(frame)];
+    if (!is_a_frame(static_cast<std::size_t>(frame))) return read(frame);
+    const FramePlace& place = places_[static_cast<std::size_t>(frame)];
     go_to(place.begin);
     const auto length = static_cast<std::size_t>(place.end - place.begin);
     stream_.fill(static_cast<std::size_t>(place.end - window_));

@@ -10,19 +10,24 @@
 #include <vector>
 
 #include "base/input_file.hpp"
+#include "formats/frame_index.hpp"
 #include "formats/scene_format.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
 
 // Of formats that step over frames (scene_format.hpp) only a part of the text is in memory, and the place of each frame that was
-// passed is remembered; of the other formats, and of pipes, all that was read. A packed file is unpacked anew from its beginning
-// when an earlier frame is asked for.
+// passed is remembered; of the other formats, and of pipes, all that was read. A packed file is unpacked from the last place before
+// the frame that was remembered, of one every few megabytes (base/gzip_places.hpp).
 class FrameReader {
 public:
     // Opens `path`, or standard input for "-", and tells its format. `frame` and `part` of `options` are not looked at. Throws
     // InputError.
     FrameReader(const std::string& path, DataOptions options);
+    // Keeps what was found for later ones (frame_index.hpp), where that took long.
+    ~FrameReader();
+    FrameReader(FrameReader&&) noexcept = default;
+    FrameReader& operator=(FrameReader&&) = delete;
 
     const std::string& name() const { return stream_.name(); }
     const SceneFormat& format() const { return format_; }
@@ -43,14 +48,11 @@ public:
     static constexpr std::int64_t most_frames = std::int64_t{1} << 62;
 
 private:
-    struct Place {
-        std::uint64_t begin;
-        std::uint64_t end;
-        TextPosition origin;
-        std::size_t numbers_behind_first;  // PartOfFile
-    };
-
     bool find_next();
+    void begin_at_the_beginning();
+    void take_index();
+    void keep_index() noexcept;
+    bool is_a_frame(std::size_t number);
     void go_to(std::uint64_t offset);
     std::string_view text_from(std::uint64_t offset) const;
     bool holds_all() const { return format_.step_over == nullptr || !stream_.is_regular(); }
@@ -66,8 +68,11 @@ private:
     std::uint64_t end_ = 0;     // of the frames found
     TextPosition end_position_{};
     std::size_t numbers_behind_first_ = 0;
-    std::vector<Place> places_{};
-    bool is_whole_ = false;  // the one frame is the whole text, and no part of it
+    std::vector<FramePlace> places_{};
+    std::optional<FileStamp> stamp_{};  // where an index may be kept
+    std::size_t from_index_ = 0;        // places
+    std::uint64_t known_end_ = 0;       // of what the kept index has, or would have
+    bool is_whole_ = false;             // the one frame is the whole text, and no part of it
     bool found_all_ = false;
     std::string fault_{};
     // Of a format that is only read whole: how many there are, and the last that was read, with the place behind it.

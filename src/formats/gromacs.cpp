@@ -77,11 +77,8 @@ public:
         LineAtom atom;
         for (int axis = 0; axis < 3; ++axis) atom.sphere.center[axis] = angstroms * coordinate(begin, line, axis, index);
         require_finite(source_, begin, atom.sphere.center, index, count_);
-        const Element& element = element_of(line.substr(5, 10));
         atom.label = line.substr(0, names_end);
-        atom.is_virtual = is_virtual(element);
-        atom.sphere.radius = radius_of(element, options_);
-        atom.sphere.color = element.color;
+        show_as(atom, element_of(line.substr(5, 10)), options_);
         return atom;
     }
 

@@ -254,8 +254,8 @@ public:
             at = place + 1;
             switch (field) {
                 case DumpField::id: ids_[index] = reader.integer(lowest_id, highest_id, the("the id")); break;
-                case DumpField::type: type = word(reader, the("the type")); break;
-                case DumpField::element: element_name = word(reader, the("the element")); break;
+                case DumpField::type: type = reader.word(the("the type")); break;
+                case DumpField::element: element_name = reader.word(the("the element")); break;
                 case DumpField::x: center.x = reader.number(the("the x")); break;
                 case DumpField::y: center.y = reader.number(the("the y")); break;
                 case DumpField::z: center.z = reader.number(the("the z")); break;
@@ -268,24 +268,15 @@ public:
         // Types may have labels, which often are elements.
         const bool is_number = element_name.empty() && !begins_with_letter(type);
         atom.label = element_name.empty() ? type : element_name;
-        const Element& element = is_number ? unknown_element() : element_of_species(atom.label);
-        atom.is_virtual = is_virtual(element);
-        atom.sphere.radius = radius > 0.0 ? radius : radius_of(element, options_);
-        atom.sphere.color = is_number ? color_of_type(type) : element.color;
+        show_as(atom, is_number ? unknown_element() : element_of_species(atom.label), options_);
+        if (radius > 0.0) atom.sphere.radius = radius;
+        if (is_number) atom.sphere.color = color_of_type(type);
         return atom;
     }
 
 private:
     static constexpr std::int64_t lowest_id = std::numeric_limits<std::int64_t>::min();
     static constexpr std::int64_t highest_id = std::numeric_limits<std::int64_t>::max();
-
-    template <typename Expected>
-    static std::string_view word(TokenReader& reader, const Expected& expected) {
-        if (reader.at_end()) reader.fail_at_end(line_ends, expected());
-        const std::string_view token = reader.token();
-        reader.skip_tokens(1);
-        return token;
-    }
 
     std::string_view text_;
     TextSource line_;  // the text up to the line's end

@@ -162,6 +162,15 @@ public:
         return next.fault == NumberFault::none ? next.value : 0.0;
     }
 
+    // The next token, whatever it is.
+    template <typename Expected>
+    std::string_view word(const Expected& expected) {
+        if (at_end()) fail_at_end(end_found_, expected());
+        const std::string_view next = token();
+        step_to(next.data() + next.size());
+        return next;
+    }
+
     // The next token; "" at the end.
     std::string_view token() const { return {next_, static_cast<std::size_t>(std::find_if(next_, end_, is_space) - next_)}; }
 

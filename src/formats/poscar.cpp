@@ -208,9 +208,7 @@ public:
         const Element& element = group.symbol.empty() ? unknown_element() : element_of_species(group.symbol);
         // "Fe_pv" and "Fe/2f1c0b" are names of potentials.
         atom.label = group.symbol.substr(0, group.symbol.find_first_of("_/"));
-        atom.is_virtual = is_virtual(element);
-        atom.sphere.radius = radius_of(element, options_);
-        atom.sphere.color = element.color;
+        show_as(atom, element, options_);
         return atom;
     }
 

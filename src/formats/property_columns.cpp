@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "formats/csv_values.hpp"
 #include "formats/elements.hpp"
+#include "scene/property_names.hpp"
 
 namespace sphereview {
 
@@ -51,7 +52,7 @@ void add_column(std::vector<PropertyColumn>& columns, std::string_view name, Pro
 
 bool is_wanted(const DataOptions& options, std::string_view name, std::size_t spheres) {
     if (options.all_properties || (spheres > 0 && spheres <= options.all_properties_up_to)) return true;
-    const auto is_it = [&](const std::string& wanted) { return lower_case(wanted) == lower_case(name); };
+    const auto is_it = [&](const std::string& wanted) { return likeness(wanted, name) != Likeness::none; };
     return std::ranges::any_of(options.properties, is_it);
 }
 

@@ -1,6 +1,8 @@
 // SDF and MOL: molecules of three lines of title, a line of counts, and atoms `x y z SYMBOL ...` (V2000) or
 // `M  V30 INDEX SYMBOL x y z ...` (V3000). In an SDF each ends with `$$$$` and is a frame.
 #include <algorithm>
+#include <array>
+#include <map>
 
 #include "base/memory.hpp"
 #include "base/number.hpp"
@@ -19,6 +21,7 @@ constexpr std::size_t count_columns = 3;  // of each number in the line of count
 struct MolFrame {
     AtomLines atoms{};
     bool is_v3000 = false;
+    std::size_t behind_atoms = 0;  // where the next line begins
 };
 
 // Such a line of V3000 goes on in the next one.
@@ -42,6 +45,7 @@ public:
         frame.is_v3000 = counts.find("V3000") != std::string_view::npos;
         const std::size_t count = frame.is_v3000 ? v3000_count() : v2000_count(counts);
         frame.atoms = step_over_atoms(source_, walker_, count, wanted, of_frame_, frame.is_v3000 ? ends_in_hyphen : nullptr);
+        frame.behind_atoms = walker_.offset();
         while (!walker_.at_end() && !step(record_end).starts_with(record_end)) {
         }
         return true;
@@ -108,33 +112,96 @@ public:
         LineAtom atom;
         if (frame_.is_v3000) {
             reader.skip_tokens(3);  // M V30 and the index
-            atom.label = word(reader, the("the symbol"));
+            atom.label = reader.word(the("the symbol"));
         }
         atom.sphere.center.x = reader.number(the("the x"));
         atom.sphere.center.y = reader.number(the("the y"));
         atom.sphere.center.z = reader.number(the("the z"));
-        if (!frame_.is_v3000) atom.label = word(reader, the("the symbol"));
-        const Element& element = element_of_species(atom.label);
-        atom.is_virtual = is_virtual(element);
-        atom.sphere.radius = radius_of(element, options_);
-        atom.sphere.color = element.color;
+        if (!frame_.is_v3000) atom.label = reader.word(the("the symbol"));
+        show_as(atom, element_of_species(atom.label), options_);
         return atom;
     }
 
 private:
-    template <typename Expected>
-    static std::string_view word(TokenReader& reader, const Expected& expected) {
-        if (reader.at_end()) reader.fail_at_end(line_ends, expected());
-        const std::string_view token = reader.token();
-        reader.skip_tokens(1);
-        return token;
-    }
-
     std::string_view text_;
     TextSource line_;  // the text up to the line's end
     const MolFrame& frame_;
     const DataOptions& options_;
 };
+
+// The charges that lines `M  CHG` behind the bonds of V2000 say, by the atom's index. They stand for all of the molecule: others
+// that stand beside atoms count no longer.
+std::map<std::size_t, std::string_view> listed_charges(const TextSource& source, std::size_t behind_atoms, char line_end) {
+    constexpr std::size_t most_words = 32;
+    std::map<std::size_t, std::string_view> charges;
+    LineWalker walker(source.text, line_end, behind_atoms);
+    while (!walker.at_end()) {
+        const std::size_t begin = walker.offset();
+        const std::string_view line = source.text.substr(0, walker.step()).substr(begin);
+        if (line.starts_with("M  END") || line.starts_with(record_end)) break;
+        if (!line.starts_with("M  CHG")) continue;
+        std::vector<std::string_view> words;
+        split_line(line, most_words, words);
+        // M CHG COUNT, and then an atom's number and its charge, and so on.
+        for (std::size_t i = 3; i + 1 < words.size(); i += 2) {
+            std::size_t number = 0;
+            if (parse_whole(words[i], number) && number > 0) charges[number - 1] = words[i + 1];
+        }
+    }
+    return charges;
+}
+
+// What a number beside an atom of V2000 means: 4 is a radical.
+std::string_view charge_of_code(std::string_view code) {
+    static constexpr std::array<std::string_view, 8> charges = {"0", "3", "2", "1", "0", "-1", "-2", "-3"};
+    std::size_t number = 0;
+    return parse_whole(code, number) && number < charges.size() ? charges.at(number) : charges[0];
+}
+
+// CHG=-1 among the words of an atom of V3000, which may go on in further lines.
+std::string_view named_charge(const TextSource& source, std::size_t begin, char line_end) {
+    constexpr std::size_t most_words = 64;
+    constexpr std::string_view key = "CHG=";
+    LineWalker walker(source.text, line_end, begin);
+    while (!walker.at_end()) {
+        const std::size_t start = walker.offset();
+        const std::string_view line = source.text.substr(0, walker.step()).substr(start);
+        std::vector<std::string_view> words;
+        split_line(line, most_words, words);
+        for (const std::string_view word : words) {
+            if (word.starts_with(key)) return word.substr(key.size());
+        }
+        if (!ends_in_hyphen(line, {})) break;
+    }
+    return "0";
+}
+
+FileProperties read_mol_properties(const TextSource& source, const MolFrame& frame, char line_end, const DataOptions& options) {
+    constexpr std::size_t symbol_place = 3;  // of both versions
+    constexpr std::size_t code_place = 5;
+    const std::vector<PropertyColumn> columns = {{"element", PropertyKind::element, 0}, {"charge", PropertyKind::whole, 1}};
+    const bool are_wanted = !frame.is_v3000 && is_wanted(options, "charge", frame.atoms.count);
+    const auto listed =
+        are_wanted ? listed_charges(source, frame.behind_atoms, line_end) : std::map<std::size_t, std::string_view>();
+    std::vector<std::string_view> words;
+    const auto fields = [&](std::size_t begin, std::size_t end, std::size_t index, std::size_t most,
+                            std::vector<std::string_view>& out) {
+        const auto word = [&](std::size_t place) { return place < words.size() ? words[place] : std::string_view(); };
+        words.clear();
+        split_line(source.text.substr(begin, end - begin), code_place + 1, words);
+        out.push_back(word(symbol_place));
+        if (most < 2) return;
+        const auto found = listed.find(index);
+        if (frame.is_v3000) {
+            out.push_back(named_charge(source, begin, line_end));
+        } else if (listed.empty()) {
+            out.push_back(charge_of_code(word(code_place)));
+        } else {
+            out.push_back(found == listed.end() ? "0" : found->second);
+        }
+    };
+    return read_line_properties(source, frame.atoms, line_end, columns, options, fields);
+}
 
 }  // namespace
 
@@ -155,8 +222,7 @@ SphereData read_sdf(std::string_view content, const std::string& name, const Dat
     require_memory(lines.count * sizeof(Sphere), name + ": " + in_groups(lines.count) + " spheres need");
     const auto reader = [&](std::size_t) { return MolAtomReader(source, found.frame, options); };
     Atoms atoms = read_atom_lines(source, lines, line_end, reader);
-    constexpr std::size_t symbol_place = 3;  // of both versions
-    atoms.properties = read_word_properties(source, lines, line_end, {{"element", PropertyKind::element, symbol_place}}, options);
+    atoms.properties = read_mol_properties(source, found.frame, line_end, options);
     SphereData data = data_of(std::move(atoms), name, options, name_of_species);
     note_frames(data, found);
     return data;

@@ -34,6 +34,9 @@ struct PartOfFile {
     bool stops = false;
 };
 
+// A second or less is needed to go through a shorter text.
+inline constexpr std::uint64_t usual_index_from = std::uint64_t{1} << 26;
+
 struct DataOptions {
     std::int64_t frame = 0;               // from 0
     std::optional<double> radius{};       // of spheres for which the file says none, instead of the usual one; > 0
@@ -44,6 +47,8 @@ struct DataOptions {
         properties{};             // names of those to keep in the scene, in any letter case; those that a file lacks are left out
     bool all_properties = false;  // keep every one
     std::size_t all_properties_up_to = 0;  // keep every one of at most so many spheres
+    // Where the frames of a text of at least so many bytes stand is kept for later (frame_index.hpp); none: of no text.
+    std::optional<std::uint64_t> index_from = usual_index_from;
 };
 
 struct SphereData {

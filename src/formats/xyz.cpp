@@ -132,10 +132,8 @@ public:
             Sphere& sphere = atom.sphere;
             switch (next.field) {
                 case XyzField::species:
-                    if (reader.at_end()) reader.fail_at_end(line_ends, the("the element")());
-                    atom.label = reader.token();
+                    atom.label = reader.word(the("the element"));
                     element = &element_of_species(atom.label);
-                    reader.skip_tokens(1);
                     break;
                 case XyzField::position:
                     sphere.center.x = reader.number(the("the x"));

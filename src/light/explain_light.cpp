@@ -112,6 +112,7 @@ SkyExplanation explain_sky(const LitPixel& pixel, std::span<const DirectedLight>
         }
         const std::vector<std::int32_t> blockers = shadows.blockers(light.direction);
         ++(blockers.empty() ? explanation.shining : explanation.blocked);
+        if (blockers.empty()) explanation.sum += light.share;
         for (const std::int32_t number : blockers) ++kept_away[number];
     }
     for (const auto& [number, count] : kept_away) explanation.blockers.push_back({number, count});
@@ -125,6 +126,11 @@ PixelLights explain_lights(const LitPixel& pixel, const NumberedLights& lights, 
     if (const std::optional<int> main = lights.main()) found.main = explain_light(pixel, lights, *main);
     const std::span<const DirectedLight> sky = lights.sky();
     if (!sky.empty() && pixel.drawn.size() <= most_lines / sky.size()) found.sky = explain_sky(pixel, sky);
+    if (sky.empty() || found.sky) {
+        LightVector& sum = found.sum.emplace();
+        if (found.sky) sum += found.sky->sum;
+        if (found.main && found.main->is_sun() && found.main->explanation.shines()) sum += found.main->light.share;
+    }
     return found;
 }
 

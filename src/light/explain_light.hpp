@@ -81,6 +81,7 @@ struct SkyExplanation {
     int shining = 0;
     int behind = 0;                 // n.L <= 0
     int blocked = 0;                // the others
+    LightVector sum;                // of those that shine
     std::vector<Blocker> blockers;  // those that keep most lights away, the worst first
 };
 
@@ -93,6 +94,7 @@ std::string in_words(const SkyExplanation& explanation);
 struct PixelLights {
     std::optional<ExplainedLight> main;  // NumberedLights::main()
     std::optional<SkyExplanation> sky;   // unless there is none, or it would take too long
+    std::optional<LightVector> sum;      // of all lights that shine, the pixel's B, unless that would take too long
 };
 
 // `most_lines`: as many lines from the point to a light may be tried against a sphere for the sky, some 80 nanoseconds each.

@@ -22,36 +22,28 @@ constexpr double few_roundings = 64.0 * double_unit;
 // Scales beyond would leave a power of two without bits.
 constexpr int largest_scale = 1000;
 
-// From a sphere's centre to a point, along the unit vector to the light and across; and how far these may be off.
-struct Offset {
-    double along = 0.0;
-    double across = 0.0;
-    double doubt = 0.0;
-};
-
 bool in_double_range(double size) { return size > smallest_double_size && size < largest_double_size; }
 
 double size_of(const HitPlace& place, const glm::dvec3& center, double radius) {
     return taxicab_length(place.point) + taxicab_length(center) + radius;
 }
 
-// `center`: relative to the eye. The sizes are in range.
-Offset offset(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction) {
-    const glm::dvec3 l = unit(direction);
-    const glm::dvec3 m = place.point - center;
-    const double along = dot(m, l);
-    const glm::dvec3 across = m - along * l;
-    return {along, square_root(dot(across, across)), 1.01 * (place.error + few_roundings * size_of(place, center, radius))};
-}
-
 Shadow shadow_of(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction) {
-    const Offset o = offset(place, center, radius, direction);
+    const PlaceOffset o = offset_from(place, center, radius, direction);
     if (o.along > o.doubt || o.across - radius > o.doubt) return Shadow::none;
     if (o.along < -o.doubt && radius - o.across > o.doubt) return Shadow::all;
     return Shadow::unsure;
 }
 
 }  // namespace
+
+PlaceOffset offset_from(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction) {
+    const glm::dvec3 l = unit(direction);
+    const glm::dvec3 m = place.point - center;
+    const double along = dot(m, l);
+    const glm::dvec3 across = m - along * l;
+    return {along, square_root(dot(across, across)), 1.01 * (place.error + few_roundings * size_of(place, center, radius))};
+}
 
 HitPlaces::HitPlaces(const Camera& camera, PictureSize size, int scale)
     : camera_(camera),
@@ -104,7 +96,7 @@ bool HitPlaces::faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm
     const glm::dvec3 center = from_eye(sphere.center);
     const double radius = scaled(sphere.radius);
     if (in_double_range(size_of(place, center, radius))) {
-        const Offset o = offset(place, center, radius, direction);
+        const PlaceOffset o = offset_from(place, center, radius, direction);
         if (std::fabs(o.along) > o.doubt) return (o.along > 0.0) == begins_outside(pixel, sphere, side);
     }
     return ExactLitPoint(camera_, size_, pixel, sphere, side).facing(direction) > 0;

@@ -25,6 +25,18 @@ struct HitDistance {
     double half;
 };
 
+// From a sphere's centre to a place, along the unit vector to a light and across it: each is off by less than `doubt`, for any
+// point within the place's error (docs/exactness.md, "Light", "In double").
+struct PlaceOffset {
+    double along = 0.0;
+    double across = 0.0;
+    double doubt = 0.0;
+};
+
+// `center`: relative to the eye, as the place is. The sum of all sizes must be between smallest_double_size and
+// largest_double_size, and the place's error finite.
+PlaceOffset offset_from(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction);
+
 // How many of some points lie in a sphere's shadow, as far as double can tell.
 enum class Shadow : std::uint8_t { none, unsure, all };
 

@@ -19,7 +19,6 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::size_t at_once = 256;  // points or spheres: what the loops below turn into SIMD stays in the nearest cache
 constexpr std::size_t in_word = 64;
 constexpr std::size_t fewest_tiles = 8;
-constexpr int coarse_shift = 3;
 constexpr std::size_t most_asked = 16;  // tiles that a disc asks one by one whether it is needed
 using Numbers = std::array<float, at_once>;
 
@@ -126,20 +125,11 @@ void LightTiles::choose_tiles(const Blockers& blockers, float farthest) {
     const auto root = static_cast<std::size_t>(square_root(static_cast<double>(blockers.size())));
     const double side_touched = square_root(limits_.most_touched / (blockers.covered + 1e-9));
     const auto by_discs = static_cast<std::size_t>(std::clamp(side_touched, static_cast<double>(fewest_tiles), 768.0));
-    side_ = std::min({std::clamp<std::size_t>(root, 128, 768), by_discs, most_side_});
-    half_ = 1.001F * farthest + 0x1p-20F;
-    to_tiles_ = static_cast<float>(side_) / (2.0F * half_);
-    const std::size_t coarse_side = (side_ >> coarse_shift) + 1;
-    lowest_.assign(side_ * side_, never);
-    coarse_.assign(coarse_side * coarse_side, never);
-    cut_.assign(side_ * side_, -never);
-}
-
-// Never decreases with the coordinate, whatever rounds: so ranges from one to another miss no tile between.
-std::size_t LightTiles::tile(float coordinate) const {
-    const float place = (coordinate + half_) * to_tiles_;
-    if (!(place > 0.0F)) return 0;
-    return std::min(place < 4096.0F ? static_cast<std::size_t>(static_cast<int>(place)) : side_, side_ - 1);
+    plane_ = {std::min({std::clamp<std::size_t>(root, 128, 768), by_discs, most_side_}), farthest};
+    const std::size_t tiles = plane_.side() * plane_.side();
+    lowest_.assign(tiles, never);
+    coarse_.assign(coarse_side() * coarse_side(), never);
+    cut_.assign(tiles, -never);
 }
 
 // Which points face the light, and the lowest of them in each tile.
@@ -166,18 +156,17 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
             for (std::size_t i = first; i < std::min(first + in_word, count); ++i) {
                 if (std::fabs(facing[i]) <= doubt ? !faces(from + i) : facing[i] < 0.0F) continue;
                 word |= std::uint64_t{1} << (i - first);
-                float& lowest = lowest_[tile(projected.y[i]) * side_ + tile(projected.x[i])];
+                float& lowest = lowest_[plane_.index(projected.x[i], projected.y[i])];
                 lowest = std::min(lowest, projected.height[i]);
             }
             left_[(from - points.begin + first) / in_word] = word;
             counts_.points_facing += std::popcount(word);
         }
     }
-    const std::size_t coarse_side = (side_ >> coarse_shift) + 1;
-    for (std::size_t y = 0; y < side_; ++y) {
-        for (std::size_t x = 0; x < side_; ++x) {
-            float& lowest = coarse_[(y >> coarse_shift) * coarse_side + (x >> coarse_shift)];
-            lowest = std::min(lowest, lowest_[y * side_ + x]);
+    for (std::size_t y = 0; y < plane_.side(); ++y) {
+        for (std::size_t x = 0; x < plane_.side(); ++x) {
+            float& lowest = coarse_[(y >> coarse_shift) * coarse_side() + (x >> coarse_shift)];
+            lowest = std::min(lowest, lowest_[y * plane_.side() + x]);
         }
     }
 }
@@ -207,7 +196,6 @@ void LightTiles::sift(const LitScene& lit_scene, Points points, const Keeps& kee
 // The discs that may lie above a point of the tiles that they touch.
 void LightTiles::find_discs(const LitScene& lit_scene) {
     const Blockers& blockers = lit_scene.blockers;
-    const std::size_t coarse_side = (side_ >> coarse_shift) + 1;
     Projected projected;
     Numbers size;
     discs_.clear();
@@ -222,16 +210,16 @@ void LightTiles::find_discs(const LitScene& lit_scene) {
             const float reach = radius + 2.0F * doubt;
             const float x = projected.x[i];
             const float y = projected.y[i];
-            if (std::fabs(x) - reach > half_ || std::fabs(y) - reach > half_) continue;
+            if (std::fabs(x) - reach > plane_.half() || std::fabs(y) - reach > plane_.half()) continue;
             const float high = projected.height[i] + doubt;
-            const std::size_t left = tile(x - reach);
-            const std::size_t right = tile(x + reach);
-            const std::size_t bottom = tile(y - reach);
-            const std::size_t top = tile(y + reach);
+            const std::size_t left = plane_.tile(x - reach);
+            const std::size_t right = plane_.tile(x + reach);
+            const std::size_t bottom = plane_.tile(y - reach);
+            const std::size_t top = plane_.tile(y + reach);
             // A large disc asks of 8 x 8 tiles at once.
             const bool large = (right - left + 1) * (top - bottom + 1) > most_asked;
             const float* all_lowest = large ? coarse_.data() : lowest_.data();
-            const std::size_t side = large ? coarse_side : side_;
+            const std::size_t side = large ? coarse_side() : plane_.side();
             const int shift = large ? coarse_shift : 0;
             bool needed = false;
             for (std::size_t row = bottom >> shift; row <= top >> shift && !needed; ++row) {
@@ -245,53 +233,13 @@ void LightTiles::find_discs(const LitScene& lit_scene) {
     }
 }
 
-template <typename Each>
-void LightTiles::for_each_row(const Disc& disc, const Each& each) const {
-    const float disc_reach = disc.reach();
-    const std::size_t bottom = tile(disc.y - disc_reach);
-    const std::size_t top = tile(disc.y + disc_reach);
-    if (top - bottom < 2) {
-        const std::size_t left = tile(disc.x - disc_reach);
-        const std::size_t right = tile(disc.x + disc_reach);
-        for (std::size_t row = bottom; row <= top; ++row) each(row, left, right);
-        return;
-    }
-    const float width = 2.0F * half_ / static_cast<float>(side_);
-    // A row's edges may round by less than this.
-    const float room = 0x1p-19F * half_;
-    for (std::size_t row = bottom; row <= top; ++row) {
-        const float low = static_cast<float>(row) * width - half_ - room;
-        const float high = static_cast<float>(row + 1) * width - half_ + room;
-        const float nearest = disc.y < low ? low - disc.y : disc.y > high ? disc.y - high : 0.0F;
-        const float rest = square(disc_reach) - square(nearest);
-        const float reach = 1.0001F * square_root(std::max(rest, 0.0F)) + 0x1p-10F * disc_reach;
-        const float across = std::min(reach, disc_reach);
-        each(row, tile(disc.x - across), tile(disc.x + across));
-    }
-}
-
 // A disc that surely covers a whole tile decides every point of the tile below it.
 void LightTiles::cut() {
-    const float width = 2.0F * half_ / static_cast<float>(side_);
     for (const Disc& disc : discs_) {
-        const float inner = disc.surely_in() > 0.0F ? square_root(disc.surely_in()) * 0.9999F - 0x1p-18F * half_ : 0.0F;
-        if (inner < 0.7F * width) continue;
-        const float first = std::max(0.0F, std::ceil((disc.y - inner + half_) * to_tiles_));
-        const float last = std::min(static_cast<float>(side_), std::floor((disc.y + inner + half_) * to_tiles_));
-        for (float row = first; row < last; row += 1.0F) {
-            const float low = row * width - half_;
-            const float farthest = std::max(std::fabs(disc.y - low), std::fabs(low + width - disc.y));
-            const float rest = square(inner) - square(farthest);
-            if (!(rest > 0.0F)) continue;
-            const float across = square_root(rest) * 0.9999F;
-            const float left = std::max(0.0F, std::ceil((disc.x - across + half_) * to_tiles_));
-            const float right = std::min(static_cast<float>(side_), std::floor((disc.x + across + half_) * to_tiles_));
-            float* cuts = &cut_[static_cast<std::size_t>(row) * side_];
-            for (float column = left; column < right; column += 1.0F) {
-                float& cut = cuts[static_cast<std::size_t>(column)];
-                cut = std::max(cut, disc.low());
-            }
-        }
+        const float surely_in = std::max(disc.radius - disc.doubt, 0.0F);
+        plane_.for_each_covered({disc.x, disc.y, surely_in}, [&](std::size_t row, std::size_t left, std::size_t right) {
+            for (float& cut : std::span(cut_).subspan(row * plane_.side() + left, right - left)) cut = std::max(cut, disc.low());
+        });
     }
 }
 
@@ -299,7 +247,7 @@ void LightTiles::cut() {
 void LightTiles::drop_what_is_cut(const LitScene& lit_scene, Points points) {
     std::ranges::fill(lowest_, never);
     sift(lit_scene, points, [&](const Facing& facing) {
-        const std::size_t at = tile(facing.y) * side_ + tile(facing.x);
+        const std::size_t at = plane_.index(facing.x, facing.y);
         if (facing.height < cut_[at]) return false;
         lowest_[at] = std::min(lowest_[at], facing.height);
         return true;
@@ -310,14 +258,15 @@ void LightTiles::drop_what_is_cut(const LitScene& lit_scene, Points points) {
 // Lists the discs of each tile that may lie above its lowest undecided point, the highest first. Returns false when the lists would
 // be too long: the next attempt has fewer tiles.
 bool LightTiles::list_discs() {
-    const std::size_t tiles = side_ * side_;
+    const std::size_t side = plane_.side();
+    const std::size_t tiles = side * side;
     begins_.assign(tiles + 1, 0);
     std::size_t listed = 0;
     const auto for_each_needed = [&](const Disc& disc, const auto& use) {
-        for_each_row(disc, [&](std::size_t row, std::size_t left, std::size_t right) {
-            const float* lowest = &lowest_[row * side_];
+        plane_.for_each_touched({disc.x, disc.y, disc.reach()}, [&](std::size_t row, std::size_t left, std::size_t right) {
+            const float* lowest = &lowest_[row * side];
             for (std::size_t column = left; column <= right; ++column) {
-                if (lowest[column] < disc.high()) use(row * side_ + column);
+                if (lowest[column] < disc.high()) use(row * side + column);
             }
         });
     };
@@ -327,8 +276,8 @@ bool LightTiles::list_discs() {
             ++begins_[at];
             ++listed;
         });
-        if (listed > most && side_ > fewest_tiles) {
-            most_side_ = std::max(side_ / 2, fewest_tiles);
+        if (listed > most && side > fewest_tiles) {
+            most_side_ = std::max(side / 2, fewest_tiles);
             return false;
         }
     }
@@ -387,7 +336,7 @@ bool LightTiles::shines(const LitScene& lit_scene, std::size_t point, const glm:
 }
 
 bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing) {
-    const std::size_t at = tile(facing.y) * side_ + tile(facing.x);
+    const std::size_t at = plane_.index(facing.x, facing.y);
     const auto blocked = [&](std::int32_t number) {
         ++counts_.doubts;
         const std::int32_t own = lit_scene.number(facing.point);

@@ -10,6 +10,7 @@
 #include "base/uninitialized.hpp"
 #include "light/blockers.hpp"
 #include "light/hit_places.hpp"
+#include "light/light_plane.hpp"
 #include "light/lit_points.hpp"
 #include "scene/scene.hpp"
 
@@ -71,7 +72,7 @@ public:
 
     const LightCounts& counts() const { return counts_; }
     // Along each side of the last light's square.
-    std::size_t tiles_across() const { return side_; }
+    std::size_t tiles_across() const { return plane_.side(); }
 
 private:
     // The points that are decided.
@@ -107,7 +108,7 @@ private:
     // Of the points that float knows enough about.
     void light_known(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     void choose_tiles(const Blockers& blockers, float farthest);
-    std::size_t tile(float coordinate) const;
+    std::size_t coarse_side() const { return (plane_.side() >> coarse_shift) + 1; }
     void find_facing(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     // Calls keeps(facing) for each point that is left, and leaves those out for which that is false.
     template <typename Keeps>
@@ -122,16 +123,13 @@ private:
     void ask_unknown(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     bool shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction);
     bool is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing);
-    // Calls each(row, first, last) for the rows of tiles that a disc touches: the range in each.
-    template <typename Each>
-    void for_each_row(const Disc& disc, const Each& each) const;
+
+    static constexpr int coarse_shift = 3;
 
     LightTileLimits limits_;
     LightAxes axes_{};
-    std::size_t side_ = 0;         // tiles across
-    std::size_t most_side_ = 768;  // fewer, once the lists came out too long
-    float half_ = 1.0F;            // of the plane's square
-    float to_tiles_ = 1.0F;
+    LightPlane plane_{};
+    std::size_t most_side_ = 768;      // tiles across; fewer, once the lists came out too long
     std::vector<float> lowest_;        // of each tile the lowest undecided point; infinite when there is none
     std::vector<float> coarse_;        // the lowest of 8 x 8 tiles
     std::vector<float> cut_;           // every point of the tile below this is in shadow

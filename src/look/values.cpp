@@ -8,6 +8,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/elements.hpp"
+#include "scene/property_names.hpp"
 
 namespace sphereview {
 
@@ -122,14 +123,9 @@ std::vector<Tick> logarithmic_ticks(const ValueRange& range, int most) {
 }  // namespace
 
 const Property* find_values(const Scene& scene, std::string_view name, Property& own) {
-    const std::string lower = lower_case(name);
-    const auto same = [&](const Property& property) { return property.name == name; };
-    const auto alike = [&](const Property& property) { return lower_case(property.name) == lower; };
-    auto found = std::ranges::find_if(scene.properties, same);
-    if (found == scene.properties.end()) found = std::ranges::find_if(scene.properties, alike);
-    if (found != scene.properties.end()) return &*found;
-    const auto of_every = std::ranges::find(own_value_names, lower);
-    if (of_every == own_value_names.end()) return nullptr;
+    if (const Property* found = property_meant(scene.properties, name, Likeness::but_for_case)) return found;
+    const auto of_every = std::ranges::find(own_value_names, lower_case(name));
+    if (of_every == own_value_names.end()) return property_meant(scene.properties, name, Likeness::without_unit);
     own = own_values(scene, static_cast<std::size_t>(of_every - own_value_names.begin()));
     return &own;
 }

@@ -22,9 +22,13 @@ std::uint32_t packed(const Color& color) {
     return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
 }
 
+// How a program may write colours that it takes for numbers from 0 to 1: clamped there, or divided by 255 and not multiplied again.
+enum class ColorScale { right, clamped, divided };
+
 // How a person's program may write the right number in the wrong colour.
 struct Palette {
     bool red_and_blue_swapped = false;
+    ColorScale scale = ColorScale::right;
     bool inexact = false;               // off by so little that no other colour is meant
     std::optional<Color> background{};  // instead of the right one
 
@@ -64,10 +68,20 @@ public:
         }
         Color color = number == visible_background && palette.background ? *palette.background : right(number);
         if (palette.red_and_blue_swapped) std::swap(color.r, color.b);
+        color = scaled(color, palette.scale);
         const Color is = found(i);
         if (is == color) return true;
         const auto near = [](int a, int b) { return std::abs(a - b) <= Palette::most_off; };
         return palette.inexact && near(is.r, color.r) && near(is.g, color.g) && near(is.b, color.b);
+    }
+
+    static Color scaled(const Color& color, ColorScale scale) {
+        const auto channel = [&](std::uint8_t value) {
+            if (scale == ColorScale::clamped) return static_cast<std::uint8_t>(value > 0 ? color_max : 0);
+            if (scale == ColorScale::divided) return static_cast<std::uint8_t>(value / color_max);
+            return value;
+        };
+        return {channel(color.r), channel(color.g), channel(color.b)};
     }
 
     // For how many pixels is(i) holds.
@@ -129,6 +143,13 @@ std::vector<Named> named(const Suspicion& suspicion) {
     if (palette.background) {
         all.push_back({"background", "the background is " + in_words(*palette.background)});
     }
+    if (palette.scale == ColorScale::clamped) {
+        all.push_back(
+            {"clamped-colors", "each channel that is not 0 is 255: colours from 0 to 255 are clamped as if they were from 0 to 1"});
+    }
+    if (palette.scale == ColorScale::divided) {
+        all.push_back({"divided-colors", "channels are 0 or 1 of 255: colours from 0 to 1 are written without multiplying by 255"});
+    }
     if (palette.inexact) {
         all.push_back({"inexact-colors", "colours are off by up to " + std::to_string(Palette::most_off) + " of 255"});
     }
@@ -146,6 +167,10 @@ std::vector<Suspicion> more_suspicious(const Suspicion& base, const Comparer& co
     };
     add([](Palette& palette) { palette.red_and_blue_swapped = true; });
     add([](Palette& palette) { palette.inexact = true; });
+    if (base.palette.scale == ColorScale::right) {
+        add([](Palette& palette) { palette.scale = ColorScale::clamped; });
+        add([](Palette& palette) { palette.scale = ColorScale::divided; });
+    }
     const std::optional<Color> background = other_background(comparer, wrong.numbers(base.tracer));
     if (background && !base.palette.background) add([&](Palette& palette) { palette.background = background; });
     return more;
@@ -237,6 +262,17 @@ void add_examples(Diagnosis& out, const Comparer& comparer, const Numbers& right
     }
 }
 
+// What a picture of one colour may mean.
+std::string words_of_blank(const Color& color, const Scene& scene, const Background& background) {
+    if (color == background.color) return "the whole picture is the background: no ray hits anything, or nothing is drawn";
+    const auto has_color = [&](const Sphere& sphere) { return !sphere.hidden && sphere.color == color; };
+    const auto sphere = std::ranges::find_if(scene.spheres, has_color);
+    const std::string one = "the whole picture has one colour, " + in_words(color) + ", ";
+    return sphere == scene.spheres.end()
+               ? one + "which nothing in the scene has: nothing is drawn"
+               : one + "that of sphere " + std::to_string(sphere - scene.spheres.begin()) + ": every ray counts as a hit";
+}
+
 }  // namespace
 
 Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& background, WrongPictures& wrong, Image* marked) {
@@ -247,8 +283,10 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
     out.different = out.pixels - comparer.showing(right, {});
     if (out.different == 0) return out;
 
+    // A scene that fills the picture with one thing, or shows nothing of itself, has one colour to begin with.
     const Color first = comparer.found(0);
-    const bool blank = comparer.count([&](std::size_t i) { return comparer.found(i) == first; }) == out.pixels;
+    const bool has_several = std::ranges::any_of(right, [&](std::int32_t number) { return number != right.front(); });
+    const bool blank = has_several && comparer.count([&](std::size_t i) { return comparer.found(i) == first; }) == out.pixels;
     const Search found = blank ? Search{} : search(comparer, wrong);
     const Numbers& likeliest = wrong.numbers(found.likeliest.tracer);
     for (const Named& mistake : named(found.likeliest)) {
@@ -262,7 +300,7 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
 
     if (blank) {
         out.likeliest = {"blank"};
-        out.likeliest_words = "the whole picture has one colour: nothing is drawn";
+        out.likeliest_words = words_of_blank(first, scene, background);
     }
 
     const auto is_right = [&](std::size_t i) { return comparer.shows(i, right[i], {}); };

@@ -165,6 +165,7 @@ TEST_F(Data, SaysWhatItLeavesOutAndPassesOver) {
     const auto report = Json::parse(sphereview(json).output);
     EXPECT_EQ(report["warnings"], Json{"a.csv: 1 row has no coordinates and is left out"});
     EXPECT_EQ(report["notes"].size(), 1U);
+    EXPECT_EQ(report["properties"], (Json{"radius", "mass\x1B[31m"}));
     EXPECT_EQ(sphereview({"convert", "a.csv", "a.txt"}).errors, warning);
     EXPECT_EQ(sphereview({"explain", "a.csv", "--pixel", "1,1", "--size", "9x9"}).errors, warning);
 }

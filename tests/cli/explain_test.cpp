@@ -134,6 +134,30 @@ TEST(Explain, TellsWhyTheSunDoesNotShine) {
         fails(explain(scene, {"--shade", "studio", "--sun-strength", "2"}), 2, "sphereview: --sun-strength: the scene has no sun"));
 }
 
+// Somebody who multiplies by hand comes to the export's colour.
+TEST(Explain, TellsHowLightMakesTheColour) {
+    const std::string scene = "2 200 30 140 0 0 200 20 0 200 0 40 5 140 5";
+    for (const std::string pixel : {"500,500", "460,470", "530,560"}) {
+        const Outcome outcome =
+            run({.arguments = {"explain", "-", "--json", "--shade", "studio", "--sun", "1,2,-1", "-p", pixel}, .input = scene});
+        ASSERT_EQ(outcome.status, 0) << outcome;
+        const Json json = Json::parse(outcome.output);
+        const Json& b = json.at("light");
+        const Json& n = json.at("hits")[0].at("normal");
+        double e = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) e += n[i].get<double>() * b[i].get<double>() / 268435456.0;
+        EXPECT_NEAR(json.at("brightness").get<double>(), e, 1e-12);
+        const double part = std::min(1.8 * e / (0.8 + e), 1.0);
+        EXPECT_NEAR(json.at("shown_part").get<double>(), part, 1e-12);
+        const std::vector<int> own = {200, 30, 140};
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(json.at("color")[i], std::floor(own[i] * part + 0.5)) << pixel;
+    }
+    const std::string words = explain(scene, {"--shade", "studio"}).output;
+    for (const char* part : {"E = n.B = ", "s = 1.8 E / (0.8 + E) = ", "colour = s times 200 30 140 = "}) {
+        EXPECT_TRUE(contains(words, part)) << words;
+    }
+}
+
 // A plate over the sphere keeps all lights away but those from the sides; a small sphere few of them.
 TEST(Explain, CountsTheLightsOfTheSky) {
     const std::string scene = "3 200 30 40 0 0 200 20 9 9 9 0 1060 180 1000 9 9 9 0 -15 165 8";

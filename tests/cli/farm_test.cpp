@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "cli/fails.hpp"
 #include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/sha256.hpp"
@@ -112,13 +113,24 @@ TEST_F(Farm, AManifestSaysWhatPicturesAreMadeOf) {
     const Outcome differs = verify();
     EXPECT_EQ(differs.status, 1) << differs;
     EXPECT_TRUE(contains(differs.errors, "out/2.png: differs: the SHA-256 of its pixels is " + sum)) << differs;
+    // A picture of another frame than its place says.
+    const std::string place = "\"frame\":4";
+    ASSERT_TRUE(contains(text, place)) << text;
+    std::string moved = text;
+    folder_.write("made.jsonl", moved.replace(moved.find(place), place.size(), "\"frame\":5"));
+    const Outcome other = verify();
+    EXPECT_EQ(other.status, 2) << other;
+    EXPECT_TRUE(contains(other.errors, "a.xyz: found picture 4 with the number 5 in a manifest, expected 4")) << other;
     // Another scene.
+    folder_.write("made.jsonl", text);
     folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
     EXPECT_EQ(verify().status, 2);
 }
 
 // It may lie where the pictures will be. Of a line that lacks its place nobody is accused.
 TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
+    EXPECT_EQ(farm({"--manifest", "-"}).status, 2);
+    EXPECT_FALSE(folder_.has("-"));
     expect_done({"--manifest", "out/made.jsonl"});
     std::string text = folder_.read("out/made.jsonl");
     const std::string place = "\"place\":3,";

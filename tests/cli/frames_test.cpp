@@ -1,6 +1,14 @@
 // Pictures of several frames, and around a scene.
 #include <gtest/gtest.h>
 
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
 #include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
@@ -96,6 +104,8 @@ TEST_F(Frames, AreNamedByNumber) {
     expect_fault(
         {"a.xyz", "--frames", "all", "-o", "a.png"},
         "a.png: cannot be both the picture of a.xyz, 1 and the picture of a.xyz, 0; use {frame} for each picture's number");
+    expect_fault({"a.xyz", "--frames", "all", "-o", "{frame:5}"},
+                 "sphereview: --output: found '{frame:5}', expected {frame}, or {frame:0N} with N from 1 to 18 for so many digits");
     EXPECT_EQ(render({"a.xyz", "--fit", "first"}).status, 2);
 }
 
@@ -160,6 +170,81 @@ TEST_F(Frames, TurnWhileTheyRunAndTheLightStays) {
     // The key light, above left of the first eye, is behind the other one's sphere.
     EXPECT_GT(front.at(12, 12)[0], back.at(12, 12)[0]);
 }
+
+#ifdef __linux__
+
+// Children of this process have one core while it lives.
+class OneCore {
+public:
+    OneCore() {
+        sched_getaffinity(0, sizeof before_, &before_);
+        int first = 0;
+        while (!CPU_ISSET(first, &before_)) ++first;
+        cpu_set_t one;
+        CPU_ZERO(&one);
+        CPU_SET(first, &one);
+        sched_setaffinity(0, sizeof one, &one);
+    }
+    ~OneCore() { sched_setaffinity(0, sizeof before_, &before_); }
+    OneCore(const OneCore&) = delete;
+    OneCore& operator=(const OneCore&) = delete;
+
+private:
+    cpu_set_t before_{};
+};
+
+// What a run says and leaves, but for the times.
+std::string all_of(const TemporaryFolder& folder, const Outcome& outcome) {
+    std::string all = std::to_string(outcome.status) + "\n" + outcome.errors;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);) all += line.substr(0, line.find("\"timings_ms\"")) + "\n";
+    std::vector<std::string> names;
+    if (folder.has("out")) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder.path("out"))) {
+            names.push_back(entry.path().filename().string());
+        }
+    }
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names) all += name + "\n" + folder.read("out/" + name);
+    return all;
+}
+
+// Where a core has a frame of its own, all comes as from one that does one frame after the other: pictures, words, lines, errors.
+TEST_F(Frames, SeveralAtOnceAreAsOneAfterTheOther) {
+    std::string text;
+    for (int frame = 0; frame < 12; ++frame) {
+        const int count = 200 * (frame % 3 == 0 ? 9 : 1);  // one takes longer than the next
+        text += std::to_string(count) + "\nProperties=species:S:1:pos:R:3:v:R:1\n";
+        for (int i = 0; i < count; ++i) {
+            text += (i % 3 == 0 ? "O " : "H ") + std::to_string(i % 17) + " " + std::to_string(i % 13 + frame) + " " +
+                    std::to_string(i % 7) +
+                    (frame == 7 && i == 3 ? " x\n"
+                     : frame == 4         ? " 5\n"
+                                          : " 1\n");
+        }
+    }
+    folder_.write("a.xyz", text);
+    const std::vector<std::vector<std::string>> runs = {
+        {"--json", "--manifest", "out/m.jsonl", "-o", "out/{frame:02}"},
+        {"--color-by", "v", "--legend", "-v", "-o", "out/{frame:02}", "--shade", "normals"},
+        {"--frames", "0:7", "-o", "-"},
+        {"-o", "-"},
+    };
+    for (const std::vector<std::string>& more : runs) {
+        std::vector<std::string> arguments = {"a.xyz", "-s", "60x40", "--no-sync", "--fit", "first", "--frames"};
+        if (more.front() != "--frames") arguments.emplace_back("all");
+        arguments.insert(arguments.end(), more.begin() + (more.front() == "--frames" ? 1 : 0), more.end());
+        SCOPED_TRACE(testing::PrintToString(arguments));
+        const std::string at_once = all_of(folder_, render(arguments));
+        std::filesystem::remove_all(folder_.path("out"));
+        const OneCore one;
+        const std::string alone = all_of(folder_, render(arguments));
+        std::filesystem::remove_all(folder_.path("out"));
+        EXPECT_TRUE(at_once == alone) << at_once.substr(0, 2000) << "\n-- alone:\n" << alone.substr(0, 2000);
+    }
+}
+
+#endif
 
 }  // namespace
 }  // namespace sphereview::test

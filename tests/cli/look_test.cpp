@@ -175,4 +175,30 @@ TEST_F(Look, ALegendHasTheSameBytesEverywhere) {
     EXPECT_EQ(sha256(shown.bytes), "37272950e7ccada866eac27111aa394714e62af97c1e54d6e03e5e85b653a5d9");
 }
 
+TEST_F(Look, ALegendHasOtherLettersInsteadOfThoseThatItsFontLacks) {
+    const auto legend_of = [&](const std::string& name, const std::string& word) {
+        folder_.write("a.csv", "x,y,z,radius," + name + "\n0,0,100,9," + word + "\n20,0,100,9,!\n");
+        const Outcome outcome = render(folder_, {"a.csv", "-s", "300x300", "--color-by", name, "--legend", "-o", "-"});
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        return decode_png(outcome.output);
+    };
+    EXPECT_EQ(legend_of("Gr\xC3\xB6\xC3\x9F"
+                        "e",
+                        "a"),
+              legend_of("Grosse", "a"));
+    EXPECT_EQ(legend_of("kind", "\xE9\x9B\xBB"), legend_of("kind", "?"));
+}
+
+TEST_F(Look, FindsAPropertyWithoutItsUnit) {
+    folder_.write("a.csv", "x,y,z,radius,Charge [e]\n0,0,100,1,0.5\n10,0,100,2,1\n");
+    const auto [grey, said] = converted({"--color-by", "charge", "--colormap", "grey"}, "a.csv");
+    EXPECT_TRUE(grey.starts_with("2\n0 0 0\n")) << grey;
+    EXPECT_NE(said.find("colours by Charge [e]: grey from 0.5 to 1"), std::string::npos) << said;
+    // Of two neither is meant.
+    folder_.write("a.csv", "x,y,z,radius,Charge [e],charge (C)\n0,0,100,1,0.5,3\n10,0,100,2,1,4\n");
+    const Outcome outcome = sphereview({"render", "a.csv", "-o", "-", "--color-by", "charge"});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.errors.find("Charge [e]"), std::string::npos) << outcome;
+}
+
 }  // namespace sphereview::test

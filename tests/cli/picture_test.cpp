@@ -52,6 +52,27 @@ TEST(Background, OfTheOptionCountsMoreThanTheScenes) {
     EXPECT_EQ(picture_of("background = 'transparent'", "cpu", {"-s", "1x2"}), plain_picture(1, 2, {0, 0, 0, 0}));
 }
 
+// Spheres that shade each other, by lights of the sky and a sun, from two kinds of eyes: sums that come out on every machine, of
+// any compiler.
+TEST(Studio, HasTheSameBytesEverywhere) {
+    std::string scene = "[light]\nsun = [0.6, 0.7, -1]\nsun_strength = 0.8\n";
+    for (int i = 0; i < 40; ++i) {
+        const auto at = [i](int factor, int below) { return std::to_string(i * factor % below - below / 2); };
+        scene += "[[sphere]]\ncenter = [" + at(37, 101) + ", " + at(53, 83) + ", " + std::to_string(150 + i * 29 % 61) +
+                 "]\nradius = " + std::to_string(4 + i % 13) + "\ncolor = [" + std::to_string(60 + i * 4) + ", 160, " +
+                 std::to_string(220 - i * 3) + "]\n";
+    }
+    const std::vector<std::string> options = {"-s", "160x120", "--shade", "studio", "--samples", "4"};
+    const auto sum = [&](std::vector<std::string> more) {
+        more.insert(more.end(), options.begin(), options.end());
+        return sha256(picture_of(scene, "cpu", more).bytes);
+    };
+    EXPECT_EQ(sum({}), "7e6cbcf4d68b7d106549ee56348f0ac36c4053ac10d3a173fa3566453eb42253");
+    EXPECT_EQ(sum({"--lights", "100", "--projection", "orthographic"}),
+              "e260e99ed5865a193c7a993ab801021cc535ecfe69b99d6b4526f8630d5df6c1");
+    EXPECT_EQ(sum({"--sky", "0"}), "9f685c5b4bf58f7586aa6c2daba67deb36f6b2647f8ffddf4e95d51939f9639b");
+}
+
 // Over the finished picture, and nowhere else; the same bytes with any backend and any samples around them.
 TEST(Marks, AreDrawnInTheCornersInWholeNumbers) {
     const std::vector<std::string> size = {"-s", "400x300"};

@@ -50,7 +50,7 @@ TEST_F(Report, JsonIsOneLineASceneOnStandardOutput) {
     good.erase("decided");  // Samples.AreReported has the points
     EXPECT_EQ(good, Json::parse(R"({"scene": "red.txt", "status": 0, "error": null, "warnings": [], "output": "out-red.png",
         "size": [7, 5],
-        "spheres": 1, "backend": "cpu", "renderer": "cpu", "passed_over": [], "notes": [], "spheres_in": "memory", "samples": 1,
+        "spheres": 1, "properties": [], "backend": "cpu", "renderer": "cpu", "passed_over": [], "notes": [], "spheres_in": "memory", "samples": 1,
         "shade": "flat", "tiles": {"sides": [8], "candidates": 1, "longest_list": 1}})"));
 
     const Json bad = Json::parse(rows[1]);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <thread>
 
 #include "support/json.hpp"
 #include "support/render.hpp"
@@ -49,6 +50,22 @@ TEST_F(BackendChoice, AutomaticPrefersEgl) {
 TEST_F(BackendChoice, AlwaysSoftwareIsRespected) {
     const Outcome outcome = render_small({"red.txt", "--verbose"}, {{"LIBGL_ALWAYS_SOFTWARE", "true"}});
     EXPECT_TRUE(contains(outcome.errors, "llvmpipe")) << outcome;
+}
+
+// A processor that stands for a GPU draws one frame with all cores; without it each core has a frame of its own.
+TEST_F(BackendChoice, SeveralFramesAreDrawnInSoftwareByTheCpuAlone) {
+    if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "there is one core";
+    folder_.write("a.xyz", "1\n\nO 0 0 0\n1\n\nO 1 0 0\n");
+    const Environment software = {{"LIBGL_ALWAYS_SOFTWARE", "1"}};
+    const Outcome outcome = render_small({"a.xyz", "--frames", "all", "--verbose"}, software);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_TRUE(
+        matches(line_with(outcome.errors, "backend:"), "a\\.xyz, 0: backend: cpu; passed over: .*egl .*one frame at a time.*"))
+        << outcome;
+    const std::string picture = folder_.read("a-00001.png");
+    const Outcome named = render_small({"a.xyz", "--frames", "all", "--verbose", "--backend", "egl"}, software);
+    EXPECT_TRUE(contains(named.errors, "a.xyz, 1: backend: egl (EGL device")) << named;
+    EXPECT_TRUE(folder_.read("a-00001.png") == picture);
 }
 
 TEST_F(BackendChoice, NamesAreObeyed) {

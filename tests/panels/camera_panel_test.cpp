@@ -38,7 +38,7 @@ TEST(CameraPanel, NumbersAreTyped) {
     EXPECT_NEAR(field_of_view(panel.camera()), field_of_view(Camera{}), 1e-9);
     panel.enter("centre y", "-5");
     EXPECT_EQ(panel.camera().center, glm::dvec3(0.0, -5.0, 100.0));
-    panel.enter("view angle", "90");
+    panel.enter("field of view", "90");
     EXPECT_NEAR(field_of_view(panel.camera()), 90.0, 1e-9);
     panel.enter("roll", "45");
     EXPECT_NEAR(roll_of(panel.camera()), 45.0, 1e-9);
@@ -49,7 +49,7 @@ TEST(CameraPanel, NumbersAreTyped) {
 }
 
 TEST(CameraPanel, ADragIsOneStepAndThereAndBackIsNone) {
-    for (const std::string number : {"eye x", "eye z", "centre y", "view angle", "roll"}) {
+    for (const std::string number : {"eye x", "eye z", "centre y", "field of view", "roll"}) {
         SCOPED_TRACE(number);
         OpenCameraPanel panel;
         panel.drag_by(number, 23.0F);
@@ -67,9 +67,9 @@ TEST(CameraPanel, ADragIsOneStepAndThereAndBackIsNone) {
         EXPECT_FALSE(panel.document.can_undo());
     }
     OpenCameraPanel panel;
-    panel.drag_by("view angle", 900.0F);
+    panel.drag_by("field of view", 900.0F);
     EXPECT_NEAR(field_of_view(panel.camera()), widest_view, 1e-9);
-    panel.drag_by("view angle", -900.0F);
+    panel.drag_by("field of view", -900.0F);
     EXPECT_NEAR(field_of_view(panel.camera()), narrowest_view, 1e-9);
 }
 
@@ -96,7 +96,7 @@ TEST(CameraPanel, WhatIsNoCameraIsRefused) {
     panel.enter("eye z", "100");
     EXPECT_EQ(panel.camera(), Camera{});
     EXPECT_NE(panel.text().find("'eye' and 'center' are the same point"), std::string::npos);
-    panel.enter("view angle", "180");
+    panel.enter("field of view", "180");
     EXPECT_NE(panel.text().find("'180': a number from 0.001 to 179 is expected."), std::string::npos);
     EXPECT_FALSE(panel.has("refusal eye z"));
     EXPECT_EQ(panel.camera(), Camera{});
@@ -111,7 +111,7 @@ TEST(CameraPanel, TheProjectionIsAnEdit) {
     EXPECT_TRUE(panel.camera().orthographic());
     EXPECT_EQ(panel.document.undo_name(), "Change the projection");
     EXPECT_TRUE(panel.has("slider side"));
-    EXPECT_FALSE(panel.has("slider view angle"));
+    EXPECT_FALSE(panel.has("slider field of view"));
     const double side = screen_side(panel.camera());
     panel.drag_by("side", 103.0F);
     EXPECT_NEAR(screen_side(panel.camera()), side * std::exp(1.0), 0.01 * side);

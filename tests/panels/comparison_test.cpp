@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/panel_harness.hpp"
+#include "viewer/layout.hpp"
 
 namespace sphereview {
 
@@ -17,10 +18,9 @@ struct ComparisonHarness {
                           {{{3, 4}, "pixel 3,4: found 1 2 3"}, {{5, 6}, "pixel 5,6: found 1 2 3"}}};
     bool open = true;
     ImTextureID difference{};
-    std::optional<ImVec2> free{};
     Rectangle area{0.0F, 0.0F, 700.0F, 590.0F};
     PanelHarness panels{[this](const PanelContext& context) {
-        if (open) draw_comparison(context, comparison, &difference, area, free, open);
+        if (open) draw_comparison(context, comparison, &difference, area, open);
     }};
 };
 
@@ -39,41 +39,41 @@ TEST(ComparisonPanel, NamesTheMistakeAndLeadsToItsPixels) {
     EXPECT_EQ(std::get<RunCommand>(actions[0]).command, CommandId::go_home) << "the camera that pictures are compared by";
     EXPECT_EQ(std::get<PinPixel>(actions[1]).pixel, (Pixel{5, 6}));
     EXPECT_EQ(std::get<PinPixel>(actions[1]).size, (PictureSize{200, 100}));
-    panels.click(panels.place("difference", 0.251F, 0.502F));
+    panels.click(panels.place("difference", 0.2525F, 0.505F));
     EXPECT_EQ(panels.taken<PinPixel>().at(0).pixel, (Pixel{50, 50}));
 }
 
-TEST(ComparisonPanel, GoesAsideFromThePixelThatIsExplained) {
-    ComparisonHarness shown;
-    PanelHarness& panels = shown.panels;
-    const ImVec2 middle = panels.place("comparison");
-    shown.free = middle;
-    panels.frames(3);
-    const WidgetRectangle window = panels.rectangles.at("comparison");
-    EXPECT_TRUE(middle.x < window.left || middle.x > window.right);
-}
-
-// The list of spheres is beside the picture, and so is the inspector.
-TEST(ComparisonPanel, StaysInThePictureWhereThatIsSmall) {
-    for (const ImVec2 free : {ImVec2{240.0F, 200.0F}, ImVec2{130.0F, 60.0F}, ImVec2{400.0F, 300.0F}, ImVec2{250.0F, 380.0F}}) {
-        for (const float width : {420.0F, 200.0F}) {
-            SCOPED_TRACE(std::to_string(free.x) + ", " + std::to_string(free.y) + " in " + std::to_string(width));
-            ComparisonHarness shown;
-            shown.open = false;
-            shown.panels.frames(2);
-            shown.open = true;
-            shown.area = {100.0F, 30.0F, width, 400.0F};
-            shown.panels.frames(2);
-            shown.free = ImVec2(std::min(free.x, 90.0F + width), free.y);
-            shown.panels.frames(4);
-            const WidgetRectangle window = shown.panels.rectangles.at("comparison");
-            EXPECT_GE(window.left, 100.0F);
-            EXPECT_LE(window.right, 100.0F + width);
-            const bool covers = shown.free->x > window.left && shown.free->x < window.right && shown.free->y > window.top &&
-                                shown.free->y < window.bottom;
-            EXPECT_FALSE(covers);
+TEST(ComparisonPanel, TakesTheSidePanelsPlace) {
+    ViewerState state({}, {});
+    Rectangle picture;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
+    const Rectangle before = picture;
+    EXPECT_TRUE(state.panel_drawn);
+    state.comparison.emplace();
+    for (const ImVec2 size : {ImVec2{1400.0F, 900.0F}, ImVec2{800.0F, 600.0F}}) {
+        for (const bool inspector : {false, true}) {
+            ImGui::GetIO().DisplaySize = size;
+            state.inspector_shown = inspector;
+            window.frames(2);
+            const WidgetRectangle shown = window.rectangles.at("comparison");
+            EXPECT_GE(shown.left, picture.x + picture.width) << "covers nothing of the picture";
+            EXPECT_LE(shown.right, size.x);
+            EXPECT_GT(picture.width, 200.0F);
+            EXPECT_FALSE(state.panel_drawn);
         }
     }
+    state.inspector_shown = true;
+    window.scale = 2.0F;
+    window.frames(2);
+    EXPECT_GE(window.rectangles.at("comparison").left, 0.0F) << "over the others where there is no room beside them";
+    EXPECT_LE(window.rectangles.at("comparison").right, 800.0F);
+    window.scale = 1.0F;
+    ImGui::GetIO().DisplaySize = {1400.0F, 900.0F};
+    state.inspector_shown = false;
+    state.comparison->open = false;
+    window.frames(2);
+    EXPECT_TRUE(state.panel_drawn);
+    EXPECT_EQ(picture.width, before.width);
 }
 
 }  // namespace sphereview

@@ -55,6 +55,24 @@ TEST(EventRouting, EscapeEndsTheTopmostThingAlone) {
     EXPECT_EQ(std::get<RunCommand>(actions[0]).command, CommandId::select_none);
 }
 
+TEST(EventRouting, PressesThatWaitGoThroughFramesInOneRedraw) {
+    RoutedWindow window;
+    window.state.path = "/frames.xyz";
+    window.state.frames = 100;
+    window.state.frame = 50;
+    const auto redraws = [&](const char* name) {
+        for (int i = 0; i < 20; ++i) window.input.add({KeyChanged{name, true, false, {}}, KeyChanged{name, false, false, {}}});
+        std::vector<Action> actions;
+        DialogKeys keys;
+        int count = 0;
+        for (; !window.input.empty(); ++count) window.routing.take(window.input, keys, actions);
+        EXPECT_EQ(actions.size(), 20U);
+        return count;
+    };
+    EXPECT_EQ(redraws("page up"), 1);
+    EXPECT_EQ(redraws("page down"), 1);
+}
+
 TEST(EventRouting, APanelThatIsNotDrawnHoldsNoKeys) {
     RoutedWindow window;
     window.state.side_panel.list_has_keys = true;

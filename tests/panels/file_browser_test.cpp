@@ -154,6 +154,16 @@ protected:
 
 using Accepted = std::vector<std::string>;
 
+TEST_F(BrowserDialog, KeepsNamesReadableWhereThereIsLittleRoom) {
+    ImGui::GetIO().DisplaySize = {330.0F, 400.0F};
+    open();
+    EXPECT_FALSE(harness.panels.has("browser sort date"));
+    const WidgetRectangle name = harness.panels.rectangles.at("browser sort name");
+    EXPECT_GE(name.right - name.left, 10.0F * ImGui::GetFontSize());
+    EXPECT_GT(harness.panels.rectangles.at("browser hidden").top, harness.panels.rectangles.at("browser ok").bottom);
+    ImGui::GetIO().DisplaySize = {800.0F, 600.0F};
+}
+
 TEST_F(BrowserDialog, OpensByDoubleClickOrByClickAndButton) {
     open();
     EXPECT_EQ(harness.top_id(), "browser");

@@ -163,6 +163,22 @@ TEST(Inspector, FollowsTheRayToALightOfTheSky) {
     EXPECT_EQ(panel.text().find("sun"), std::string::npos);
 }
 
+TEST(Inspector, ShowsHowTheColourOfALitPixelComesAbout) {
+    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0, {200, 100, 50}}}));
+    EXPECT_EQ(panel.text().find("B = "), std::string::npos);
+    panel.pixel().light = InspectedLight{.number = 0, .direction = {0.0, 0.0, -1.0}, .shines = true, .why = "shines"};
+    // Light of strength 0.8 from the eye: 1.8 * 0.8 / 1.6 = 0.9.
+    const LightVector sum{0, 0, -static_cast<std::int32_t>(0.8 * light_one)};
+    panel.pixel().color = explain_color(panel.document.scene(), Camera{}, size, {50, 50}, panel.pixel().explanation.hits.front(),
+                                        {0.0, 0.0, 100.0}, sum);
+    EXPECT_EQ(panel.pixel().color->shown, (Color{180, 90, 45}));
+    expect_in_order(panel.text(), {"B = (0, 0, -0.8), the sum of the lights that shine", "E = n·B = 0.8",
+                                   "s = 1.8 E / (0.8 + E) = 0.9", "colour = s times 200 100 50 = 180 90 45"});
+    EXPECT_TRUE(panel.has("lit colour"));
+    panel.pixel().color = ColorExplanation{};
+    expect_in_order(panel.text(), {"B = (0, 0, 0)", "no light shines there: black"});
+}
+
 TEST(Inspector, IsAskedByItsButtons) {
     const Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}});
     InspectorHarness panel(scene);

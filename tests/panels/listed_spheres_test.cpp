@@ -83,7 +83,7 @@ TEST(SphereFilter, FindsWhatFulfilsACondition) {
     EXPECT_EQ(search.fault(), "column 10: found 'and', expected a number");
     search.begin(charged(), "mass > 1 and Charge > 1");
     EXPECT_EQ(search.unknown(), std::vector<std::string>{"mass"});
-    EXPECT_EQ(search.fault(), "column 1: found 'mass', expected the name of a property");
+    EXPECT_EQ(search.fault(), "column 1: found 'mass', expected the name of a property: charge, x, y, z, radius, number or name");
     EXPECT_EQ(search.compared(), (std::vector<std::string>{"mass", "Charge"}));
 }
 

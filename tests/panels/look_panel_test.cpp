@@ -175,4 +175,71 @@ TEST(LookPanel, SizesByNumbers) {
     EXPECT_EQ(panel.document.scene().spheres, before);
 }
 
+TEST(LookPanel, GivesTheirOwnColoursAndSizesBack) {
+    OpenLookPanel panel;
+    const std::vector<Sphere> before = panel.document.scene().spheres;
+    panel.choose("colour by", "charge");
+    panel.choose("map", "turbo");
+    panel.choose("size by", "charge");
+    panel.choose("colour by", "own");
+    panel.choose("size by", "own");
+    EXPECT_EQ(panel.document.scene().spheres, before);
+    EXPECT_EQ(panel.document.undo_name(), "Own sizes");
+    EXPECT_EQ(panel.look().colors.property, "");
+    EXPECT_EQ(panel.legend(), "");
+    panel.undo();
+    panel.undo();
+    EXPECT_EQ(panel.legend(), "colours by charge: turbo from -1 to 3");
+    // Of other spheres nobody knows them.
+    panel.document.apply(RemoveSpheres{{0}}, "Delete");
+    panel.frames(2);
+    panel.take_actions();
+    panel.choose("colour by", "own");
+    EXPECT_TRUE(panel.taken<EditScene>().empty());
+}
+
+TEST(LookPanel, GivesAtomsTheRadiiOfTheirElements) {
+    OpenLookPanel none;
+    none.click("size by");
+    none.frames(3);
+    EXPECT_FALSE(none.has("size by covalent radii")) << "no elements";
+}
+
+TEST(LookPanel, GivesAtomsTheRadiiOfTheirElementsOnceTheyAreRead) {
+    OpenLookPanel panel;
+    panel.property_names = {"charge", "chain", "element"};
+    panel.frames(2);
+    const std::vector<Sphere> before = panel.document.scene().spheres;
+    panel.choose("size by", "van der Waals radii");
+    EXPECT_FALSE(panel.taken<RequestProperties>().empty());
+    panel.document.add_properties({{"element", Labels{{"C", "H"}, {0, 1, 0}}}});
+    panel.frames(3);
+    EXPECT_EQ(panel.document.undo_name(), "Use van der Waals radii");
+    EXPECT_EQ(panel.sphere(0).radius, radius_of_element("C", RadiiKind::vdw));
+    panel.choose("size by", "covalent radii");
+    EXPECT_EQ(panel.sphere(1).radius, radius_of_element("H", RadiiKind::covalent));
+    EXPECT_EQ(chosen_radii(panel.look()), RadiiKind::covalent);
+    panel.choose("size by", "own");
+    EXPECT_EQ(panel.document.scene().spheres, before);
+    EXPECT_FALSE(panel.has("slider scale"));
+}
+
+TEST(LookPanel, TheRangesHandlesAreAsLargeAsItsWords) {
+    OpenLookPanel panel;
+    panel.choose("colour by", "charge");
+    ImGui::GetIO().FontGlobalScale = 2.0F;
+    panel.frames(3);
+    const WidgetRectangle histogram = panel.rectangles.at("histogram");
+    for (const char* name : {"handle from", "handle to"}) {
+        const WidgetRectangle handle = panel.rectangles.at(name);
+        EXPECT_GE(handle.right - handle.left, 0.9F * ImGui::GetFontSize()) << name;
+        EXPECT_GE(handle.left, histogram.left) << name;
+        EXPECT_LE(handle.right, histogram.right + 0.5F) << name;
+        EXPECT_LE(handle.bottom, histogram.bottom) << name;
+    }
+    panel.drag(panel.place("handle from", 0.2F), {histogram.left + 100.0F, histogram.bottom - 2.0F});
+    ASSERT_TRUE(panel.look().colors.range);
+    EXPECT_GT(panel.look().colors.range->low, -1.0);
+}
+
 }  // namespace sphereview

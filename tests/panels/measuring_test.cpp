@@ -10,7 +10,7 @@ namespace sphereview {
 namespace {
 
 struct MeasuringHarness {
-    MeasuringHarness() {
+    explicit MeasuringHarness(Rectangle picture = {100.0F, 50.0F, 600.0F, 500.0F}) : area(picture) {
         Scene scene;
         scene.spheres.resize(5);
         const std::vector<glm::dvec3> places = {{0, 1, 0}, {0, 0, 0}, {3, 0, 0}, {3, 0, 4}, {9, 9, 9}};
@@ -31,13 +31,9 @@ struct MeasuringHarness {
         return found;
     }
 
+    Rectangle area;
     Measuring measuring{.on = true};
-    PanelHarness panels{[this](const PanelContext& context) {
-                            draw_measuring(context, measuring, {100.0F, 50.0F, 600.0F, 500.0F});
-                        },
-                        {},
-                        800.0F,
-                        600.0F};
+    PanelHarness panels{[this](const PanelContext& context) { draw_measuring(context, measuring, area); }, {}, 800.0F, 600.0F};
 };
 
 using Words = std::vector<std::string>;
@@ -91,6 +87,30 @@ TEST(MeasuringPanel, CopiesBeginsAnewAndEnds) {
     EXPECT_FALSE(harness.measuring.on);
     harness.panels.frames(2);
     EXPECT_FALSE(harness.panels.has("measuring"));
+}
+
+TEST(MeasuringPanel, IsMovedAsideAndStaysWithinThePicture) {
+    MeasuringHarness harness;
+    const auto window = [&] { return harness.panels.rectangles.at("measuring"); };
+    const WidgetRectangle first = window();
+    const ImVec2 edge{first.right - 4.0F, first.bottom - 3.0F};
+    harness.panels.drag(edge, {edge.x - 100.0F, edge.y + 200.0F});
+    EXPECT_NEAR(window().left, first.left - 100.0F, 1.0F);
+    EXPECT_NEAR(window().top, first.top + 200.0F, 1.0F);
+    harness.area = {100.0F, 50.0F, 380.0F, 300.0F};
+    harness.panels.frames(2);
+    EXPECT_LE(window().right, 480.0F);
+    EXPECT_LE(window().bottom, 350.0F);
+}
+
+TEST(MeasuringPanel, FitsANarrowPicture) {
+    MeasuringHarness harness({100.0F, 50.0F, 200.0F, 500.0F});
+    harness.measure_all({1, 2, 3});
+    const WidgetRectangle window = harness.panels.rectangles.at("measuring");
+    for (const char* widget : {"measure copy", "measure again", "measure end"}) {
+        EXPECT_LT(harness.panels.rectangles.at(widget).right, window.right) << widget;
+    }
+    EXPECT_GE(window.left, 100.0F);
 }
 
 }  // namespace

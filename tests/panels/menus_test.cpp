@@ -62,6 +62,51 @@ TEST(Layout, PanelsYieldToThePictureInASmallWindow) {
     EXPECT_TRUE(window.has("splitter") && window.has("inspector splitter"));
 }
 
+TEST(Layout, TheSidePanelYieldsToToolsThatAreOpen) {
+    ViewerState state({}, {});
+    Rectangle picture;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
+    const auto resized = [&](float width, float height, float scale) {
+        ImGui::GetIO().DisplaySize = {width, height};
+        window.scale = scale;
+        window.frames(2);
+    };
+    state.inspector_shown = true;
+    resized(800.0F, 600.0F, 1.0F);
+    EXPECT_TRUE(state.panel_drawn);
+    EXPECT_GE(window.rectangles.at("inspector splitter").left, 260.0F);
+    EXPECT_GE(picture.width, 220.0F);
+    resized(1400.0F, 900.0F, 2.0F);
+    EXPECT_TRUE(state.panel_drawn);
+    EXPECT_GE(window.rectangles.at("inspector splitter").left, 500.0F);
+    EXPECT_GE(picture.width, 400.0F);
+    resized(800.0F, 600.0F, 2.0F);
+    EXPECT_FALSE(state.panel_drawn) << "no room for all three";
+    EXPECT_GE(window.rectangles.at("inspector splitter").left, 400.0F);
+    state.inspector_shown = false;
+    window.frames(2);
+    EXPECT_TRUE(state.panel_drawn);
+    state.measuring.on = true;
+    window.frames(2);
+    EXPECT_GT(picture.width, 700.0F);
+    EXPECT_EQ(state.settings.panel_width, ViewerSettings{}.panel_width) << "what the person chose is kept";
+}
+
+TEST(Layout, TheRaysPanelLeavesTheAxesFreeWhereThereIsRoomForBoth) {
+    ViewerState state({}, {});
+    state.picture_size = {700, 800};
+    state.rays.on = true;
+    state.rays.size = {700, 800};
+    Rectangle picture;
+    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
+    state.rays.choice.shown = RaysShown::all;
+    window.frames(3);
+    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 116.0F);
+    window.scale = 2.0F;
+    window.frames(3);
+    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 232.0F);
+}
+
 TEST(Commands, AreEachDescribedOnce) {
     std::set<CommandId> seen;
     std::set<std::string_view> menus;
@@ -89,11 +134,32 @@ TEST(Commands, HaveKeysThatNoOtherHas) {
             for (const CommandInfo& info : commands) {
                 if (matches(info.shortcut, key, held & 1, held & 2, held & 4)) meant.push_back(info.label);
             }
+            if (key == "space" && held == 0) {  // there need not be both a pixel and frames
+                EXPECT_EQ(meant, (std::vector<std::string_view>{"Pin the pixel", "Play"}));
+                meant.pop_back();
+            }
             EXPECT_LE(meant.size(), 1U) << key << " with " << held << ": " << meant[0] << ", " << meant[1];
             if (const auto command = command_for_key(commands, key, held & 1, held & 2, held & 4)) reached.insert(*command);
         }
+        const auto typed = key.size() == 1 ? command_for_character(commands, static_cast<char32_t>(key[0])) : std::nullopt;
+        if (typed) reached.insert(*typed);
     }
     for (const CommandInfo& info : commands) EXPECT_TRUE(reached.contains(info.id)) << info.label;
+}
+
+TEST(Commands, OfTwoWithOneKeyTheOneIsMeantThatHasSomethingToDo) {
+    std::vector<CommandInfo> commands = all_commands();
+    const auto meant = [&](bool pins, bool plays) {
+        for (CommandInfo& info : commands) {
+            if (info.id == CommandId::pin_pixel) info.enabled = pins;
+            if (info.id == CommandId::play) info.enabled = plays;
+        }
+        return command_for_key(commands, "space", false, false, false);
+    };
+    EXPECT_EQ(meant(true, true), CommandId::pin_pixel);
+    EXPECT_EQ(meant(true, false), CommandId::pin_pixel);
+    EXPECT_EQ(meant(false, true), CommandId::play);
+    EXPECT_EQ(meant(false, false), CommandId::pin_pixel) << "which does nothing then";
 }
 
 // All that can be pressed for a shortcut: C(trl), S(hift) and A(lt) before the key.

@@ -18,11 +18,12 @@ struct RaysPanelHarness {
         panels.frames(4);
     }
 
+    Rectangle area{100.0F, 50.0F, 700.0F, 500.0F};
     RaysFacts facts;
     RayChoice choice{RaysShown::one, 16, 16};
     RaysAnswer answer;
     PanelHarness panels{[this](const PanelContext& context) {
-                            const RaysAnswer now = draw_rays_panel(context, facts, choice, {100.0F, 50.0F, 700.0F, 500.0F});
+                            const RaysAnswer now = draw_rays_panel(context, facts, choice, area);
                             answer.pointed = now.pointed;
                             answer.clicked = answer.clicked || now.clicked;
                         },
@@ -69,6 +70,21 @@ TEST(RaysPanel, ChoosesWhichRaysAndHowMany) {
     EXPECT_EQ(harness.choice.in_row, 16) << "a row has a number of its own";
     harness.panels.click("rays one");
     EXPECT_EQ(harness.choice.shown, RaysShown::one);
+}
+
+TEST(RaysPanel, ShowsItsChoicesAlsoInALowWindow) {
+    RaysPanelHarness harness;
+    harness.facts.size = {200, 400};
+    harness.area = {0.0F, 20.0F, 400.0F, 220.0F};
+    harness.panels.frames(3);
+    harness.panels.click("rays row");
+    harness.panels.frames(3);
+    const WidgetRectangle window = harness.panels.rectangles.at("rays");
+    for (const char* widget : {"rays picture", "rays one", "rays row", "rays all", "rays finer", "rays coarser"}) {
+        EXPECT_LT(harness.panels.rectangles.at(widget).bottom, window.bottom) << widget;
+        EXPECT_LT(harness.panels.rectangles.at(widget).right, window.right) << widget;
+    }
+    EXPECT_LE(window.bottom, 240.0F);
 }
 
 TEST(RaysPanel, EndsByItsCloseButton) {

@@ -17,10 +17,6 @@ namespace sphereview {
 
 namespace {
 
-double between(Random& random, double low, double high) { return low + (high - low) * random_unit(random); }
-
-glm::dvec3 in_cube(Random& random) { return {between(random, -1.0, 1.0), between(random, -1.0, 1.0), between(random, -1.0, 1.0)}; }
-
 // A point, as LitPoints have it, on the very edge of a sphere's disc and as high as its centre: so every claim is wrong.
 struct EdgeTrial {
     glm::dvec3 across;

@@ -1,6 +1,7 @@
 // One ray and one sphere, random but chosen to be awkward.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <random>
 #include <string>
 
@@ -13,6 +14,12 @@ using Random = std::mt19937_64;
 
 // From 0 up to but not 1.
 inline double random_unit(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+inline double between(Random& random, double low, double high) { return low + (high - low) * random_unit(random); }
+
+inline glm::dvec3 in_cube(Random& random) {
+    return {between(random, -1.0, 1.0), between(random, -1.0, 1.0), between(random, -1.0, 1.0)};
+}
 
 // Each is a place where the filter might claim too much.
 enum class Awkwardness { nothing, silhouette, beside_eye, inside, near_surface, through_center, on_surface, count };

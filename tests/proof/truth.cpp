@@ -40,20 +40,22 @@ Truth true_hit(const Trial& trial) {
     const Wide d = b * b - c;
 
     Truth truth;
+    const auto hits_at = [&](const Wide& distance) {
+        truth.hit = true;
+        truth.distance = static_cast<double>(distance);
+        const WideVector along = times(ray, distance / ray_length);
+        const WideVector point = parallel ? sum(to_origin, along) : along;
+        truth.point = {static_cast<double>(point[0]), static_cast<double>(point[1]), static_cast<double>(point[2])};
+    };
     truth.condition = static_cast<double>((length(forward) + length(right) + length(up)) / ray_length);
     truth.side = c > 0 ? EyeSide::outside : c < 0 ? EyeSide::inside : EyeSide::on_surface;
     switch (truth.side) {
         case EyeSide::outside:
-            truth.hit = b > 0 && d >= 0;
-            if (truth.hit) truth.distance = static_cast<double>(b - sqrt(d));
+            if (b > 0 && d >= 0) hits_at(b - sqrt(d));
             break;
-        case EyeSide::inside:
-            truth.hit = true;
-            truth.distance = static_cast<double>(b + sqrt(d));
-            break;
+        case EyeSide::inside: hits_at(b + sqrt(d)); break;
         case EyeSide::on_surface:
-            truth.hit = b > 0;
-            if (truth.hit) truth.distance = static_cast<double>(2 * b);
+            if (b > 0) hits_at(2 * b);
             break;
         case EyeSide::in_plane: break;
     }

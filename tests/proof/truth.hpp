@@ -10,6 +10,7 @@ struct Truth {
     EyeSide side = EyeSide::outside;
     bool hit = false;
     double distance = 0.0;   // of the hit, along the ray, in scene units; correctly rounded
+    glm::dvec3 point{0.0};   // of the hit, relative to the eye; likewise
     double condition = 0.0;  // (|forward| + |across right| + |upward up|) / |ray|
 };
 

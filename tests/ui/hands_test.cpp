@@ -268,7 +268,7 @@ TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
     window_.wait_until("the next menu", shows("item Undo"));
     window_.key("Escape");
     window_.wait_until("no menu", shows("item Undo", false));
-    EXPECT_EQ(window_.at("selection"), Json({0}));
+    EXPECT_EQ(window_.at("selection"), Json::array({0}));
     window_.key("Alt_L");
     window_.wait_until("a menu", shows("item New"));
     for (const std::string item : {"item Undo", "item Go home", "item Keys and mouse"}) {
@@ -279,7 +279,7 @@ TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
     window_.wait_until("the help", [](const Json& f) { return f.at("shown").at("help") == true; });
     window_.key("Escape");
     window_.wait_until("no help", [](const Json& f) { return f.at("shown").at("help") == false; });
-    EXPECT_EQ(window_.at("selection"), Json({0}));
+    EXPECT_EQ(window_.at("selection"), Json::array({0}));
 
     window_.step("a sphere goes to the clipboard and back");
     window_.keys({"ctrl+c", "ctrl+v"});

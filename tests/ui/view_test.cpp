@@ -130,12 +130,12 @@ TEST_F(View, ByHandByKeysAndInEverySizeIsWhatRenderMakes) {
 TEST_F(View, NumbersOfTheCameraAndSavedViewsAreTheScenes) {
     const auto open_camera = [&] {
         window_.click_widget("camera");
-        window_.wait_until("the camera's numbers", [](const Json& f) { return f.at("widgets").contains("slider view angle"); });
+        window_.wait_until("the camera's numbers", [](const Json& f) { return f.at("widgets").contains("slider field of view"); });
     };
     open_camera();
     window_.step("a field of view is typed");
-    window_.click_widget("slider view angle");
-    window_.widget("typed view angle");
+    window_.click_widget("slider field of view");
+    window_.widget("typed field of view");
     window_.type("2*(30+10)");
     window_.key("Return");
     window_.wait_for("undo", "Change the field of view");
@@ -167,6 +167,71 @@ TEST_F(View, NumbersOfTheCameraAndSavedViewsAreTheScenes) {
     window_.key("ctrl+s");
     window_.wait_for("changed", false);
     test::expect_rendered(window_, folder_, scene_, {"--view", "from aside"});
+}
+
+TEST(FramesInTheWindow, ArePlayedPausedAndLookedForByTheHandle) {
+    const TemporaryFolder folder;
+    constexpr int frames = 40;
+    std::string text;
+    for (int i = 0; i < frames; ++i) {
+        // The corners stay, and so does the fitted camera.
+        text += "4\n\nC 0 0 0\nC 30 20 4\nO " + std::to_string(8 + i % 10) + " 10 4\nN 20 " + std::to_string(5 + i % 7) + " 4\n";
+    }
+    const std::string path = folder.write("film.xyz", text);
+    ViewerWindow window(folder, {path});
+    window.key("m");
+    const Json camera = window.at("camera");
+    const auto frame_of = [](const Json& f) { return f.at("scene_frame")[0].get<int>(); };
+    const auto expect_exact = [&](int frame) {
+        take_marks_away(window);
+        expect_rendered(window, folder, path, {"--background", "#202430", "--frame", std::to_string(frame)});
+    };
+
+    window.step("played, and exact when it stops");
+    window.key("space");
+    window.wait_meanwhile("a frame that plays", [&](const Json& f) { return f.at("playing") == true && frame_of(f) >= 3; });
+    window.key("space");
+    const int paused = frame_of(window.wait_until("a pause", [](const Json& f) { return f.at("playing") == false; }));
+    expect_exact(paused);
+    EXPECT_EQ(window.at("camera"), camera);
+
+    window.step("the handle");
+    const Place from = window.widget("timeline", 0.5);
+    window.drag(from, window.widget("timeline", 0.995));
+    window.wait_for("scene_frame", {frames - 1, frames});
+    window.drag(window.widget("timeline", 0.995), window.widget("timeline", 0.005));
+    window.wait_for("scene_frame", {0, frames});
+
+    window.step("what is changed and no place goes along, and a place is asked about");
+    window.click(window.on_screen(0, 0));
+    window.key("ctrl+a");
+    window.wait_until("a selection", [](const Json& f) { return f.at("selected") == 4; });
+    window.key("h");
+    window.wait_for("changed", true);
+    window.key("Page_Down");
+    window.wait_for("scene_frame", {1, frames});
+    EXPECT_EQ(window.at("selected"), 4);
+    EXPECT_EQ(window.at("undo"), "Changes of all frames");
+    EXPECT_TRUE(window.draws("edits reach"));
+    window.key("h");
+    window.wait_for("undo", "Show 4 spheres");
+    edit(window);
+    window.key("k");
+    answer(window, "save-changes", "Don't save");
+    window.wait_meanwhile("a film that plays on", [&](const Json& f) { return f.at("playing") == true && frame_of(f) >= 4; });
+    window.key("Page_Up");
+    const int stepped = frame_of(window.wait_until("a step", [](const Json& f) { return f.at("playing") == false; }));
+    EXPECT_EQ(window.at("spheres"), 4);
+    expect_exact(stepped);
+
+    window.step("Space pins a pixel, where there is one");
+    window.key("i");
+    window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
+    window.move_to(window.on_screen(0, 0));
+    window.wait_until("a pixel", [](const Json& f) { return !f.at("inspected").is_null(); });
+    window.key("space");
+    window.wait_until("a pin", [](const Json& f) { return f.at("inspected").at("pinned") == true; });
+    EXPECT_EQ(window.at("playing"), false);
 }
 
 TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
@@ -201,7 +266,9 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
         take_marks_away(window);
         EXPECT_FALSE(same_picture(window.picture(), nitrogen));
         window.key("Page_Up");  // there is none before
-        window.choose("View", "Next frame");
+        window.click_widget("menu View");
+        window.click_widget("menu Frames");
+        window.click_widget("item Next frame");
         window.wait_for("scene_frame", {1, 3});
         take_marks_away(window);
         EXPECT_TRUE(same_picture(window.picture(), nitrogen));

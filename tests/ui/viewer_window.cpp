@@ -12,7 +12,7 @@ namespace sphereview::test {
 
 namespace {
 
-constexpr std::chrono::seconds patience{60};  // generous: a sanitized program on a busy machine
+constexpr std::chrono::seconds patience{180};  // generous: a sanitized program on a busy machine
 constexpr const char* log_name = "frames.log";
 constexpr const char* settings_file = "home/config/sphereview/viewer.json";
 

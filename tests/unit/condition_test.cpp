@@ -83,15 +83,35 @@ TEST(Condition, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(condition_fault("charge 0.5"), "column 8: found '0.5', expected =, !=, <, <=, > or >=");
     EXPECT_EQ(condition_fault("charge > x"), "column 10: found 'x', expected a number");
     EXPECT_EQ(condition_fault("chain < A"), "column 9: found 'A', expected a number");
-    EXPECT_EQ(condition_fault("chrage > 1"), "column 1: found 'chrage', expected the name of a property; did you mean 'charge'?");
+    const std::string names = "the name of a property: charge, id, chain, type, b factor, or, x, y, z, radius, number or name";
+    EXPECT_EQ(condition_fault("chrage > 1"), "column 1: found 'chrage', expected " + names + "; did you mean 'charge'?");
     EXPECT_EQ(condition_fault("x = 1 y = 2"), "column 7: found 'y', expected and, or, or the end");
     EXPECT_EQ(condition_fault("(x = 1"), "column 7: the text ends, expected and, or, or a closing bracket");
     EXPECT_EQ(condition_fault("'x = 1"), "column 1: found a quote that nothing closes, expected another one behind it");
     EXPECT_EQ(condition_fault("x = 1 and"), "column 10: the text ends, expected the name of a property");
-    EXPECT_EQ(condition_fault("\xC3\xA9 = 1"), "column 1: found '\\xc3\\xa9', expected the name of a property");
-    EXPECT_EQ(condition_fault("x = 1 and \xC3\xA9 = 1 and y = z"),
-              "column 11: found '\\xc3\\xa9', expected the name of a property");
+    EXPECT_EQ(condition_fault("\xC3\xA9 = 1"), "column 1: found '\\xc3\\xa9', expected " + names);
+    EXPECT_EQ(condition_fault("x = 1 and \xC3\xA9 = 1 and y = z"), "column 11: found '\\xc3\\xa9', expected " + names);
     EXPECT_EQ(condition_fault(std::string(100, '(') + "x = 1"), "column 33: found brackets in brackets, expected at most 32");
+}
+
+TEST(Condition, FindsAPropertyWithoutItsUnit) {
+    Scene scene = charged_atoms();
+    scene.properties[0].name = "Charge [e]";
+    EXPECT_EQ(spheres_where(Condition("charge > 0.25"), scene), (Numbers{0, 3}));
+    EXPECT_EQ(spheres_where(Condition("'charge [E]' > 0.25"), scene), (Numbers{0, 3}));
+    EXPECT_TRUE(can_compare(scene, "CHARGE"));
+    // A name to the letter goes before, what every sphere has as well; of two units neither is meant.
+    scene.properties[4].name = "charge (C)";
+    EXPECT_FALSE(can_compare(scene, "charge"));
+    EXPECT_NE(message_of<InputError>([&] { spheres_where(Condition("charge > 0"), scene); }).find("Charge [e], id"),
+              std::string::npos);
+    scene.properties[5].name = "charge";
+    EXPECT_EQ(spheres_where(Condition("charge > 4"), scene), (Numbers{4}));
+    scene.properties[3].name = "radius";
+    const std::string named = message_of<InputError>([&] { spheres_where(Condition("mass > 0"), scene); });
+    EXPECT_NE(named.find("y, z, number or name"), std::string::npos) << named << ": each once";
+    scene.properties[4].name = "x (velocity)";
+    EXPECT_EQ(spheres_where(Condition("x > 3"), scene), (Numbers{4}));
 }
 
 TEST(Condition, IsToldFromAName) {

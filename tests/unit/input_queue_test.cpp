@@ -123,6 +123,17 @@ TEST(InputQueue, AHeldKeyDoesNotRunOn) {
     EXPECT_TRUE(queue.empty());
 }
 
+TEST(InputQueue, SinglePressesOfAKeyThatGoesOnAddUp) {
+    const InputQueue::AddsUp pages = [](const KeyChanged& key) { return key.name == "page up"; };
+    InputQueue queue;
+    for (const char* name : {"page up", "end"}) {
+        for (int i = 0; i < 20; ++i) queue.add({KeyChanged{name, true, false, {}}, KeyChanged{name, false, false, {}}});
+    }
+    EXPECT_EQ(queue.take_frame(false, pages).size(), 41U) << "and the next key's press";
+    EXPECT_EQ(queue.take_frame(false, pages).size(), 1U);
+    EXPECT_EQ(queue.take_frame(false, pages).size(), 1U);
+}
+
 TEST(InputQueue, MovesAndTurnsAddUpInOneFrame) {
     InputQueue queue;
     queue.add({PointerMoved{1, 1}, PointerMoved{2, 2}, WheelTurned{0, 1, {}}, WheelTurned{0, 1, {}}});

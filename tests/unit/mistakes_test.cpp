@@ -189,6 +189,37 @@ TEST(Diagnosis, SaysThatNothingIsDrawn) {
     const Diagnosis found = diagnosed(painted(scene, size, std::vector<int>(2000, -1)), scene);
     EXPECT_EQ(found.likeliest, (std::vector<std::string>{"blank"}));
     EXPECT_EQ(found.explained, found.different);
+    EXPECT_NE(found.likeliest_words.find("no ray hits anything"), std::string::npos) << found.likeliest_words;
+    const Diagnosis of_sphere = diagnosed(painted(scene, size, std::vector<int>(2000, 3)), scene);
+    EXPECT_EQ(of_sphere.likeliest, (std::vector<std::string>{"blank"}));
+    EXPECT_NE(of_sphere.likeliest_words.find("that of sphere 3: every ray counts as a hit"), std::string::npos)
+        << of_sphere.likeliest_words;
+}
+
+TEST(Diagnosis, TakesAPictureOfOneColourForWrongOnlyWhereTheRightOneHasSeveral) {
+    Image white(20, 10, 3);
+    std::ranges::fill(white.bytes(), std::uint8_t{255});
+    EXPECT_EQ(diagnosed(white, {}).likeliest, (std::vector<std::string>{"background"}));
+}
+
+TEST(Diagnosis, NamesColoursThatWereTakenForZeroToOne) {
+    Scene scene = usual_scene(8);
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        scene.spheres[i].color = {static_cast<std::uint8_t>(i % 2 == 0 ? 255 : 90), static_cast<std::uint8_t>(i % 3 == 0 ? 0 : 70),
+                                  static_cast<std::uint8_t>(i % 5 == 0 ? 255 : 12)};
+    }
+    const PictureSize size{120, 90};
+    const std::vector<int> numbers = traced<double>(scene, size, {});
+    for (const bool clamped : {true, false}) {
+        Image picture = painted(scene, size, numbers);
+        for (std::uint8_t& value : picture.bytes()) {
+            value = static_cast<std::uint8_t>(clamped ? (value > 0 ? 255 : 0) : value / 255);
+        }
+        const Diagnosis found = diagnosed(picture, scene);
+        EXPECT_EQ(found.likeliest, (std::vector<std::string>{clamped ? "clamped-colors" : "divided-colors"}));
+        EXPECT_EQ(found.explained, found.different);
+        EXPECT_EQ(found.contradicting, 0);
+    }
 }
 
 // Also where rays are parallel.

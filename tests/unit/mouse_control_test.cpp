@@ -7,6 +7,8 @@
 #include <array>
 #include <glm/geometric.hpp>
 
+#include "base/text.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -69,10 +71,10 @@ struct Hand : testing::Test {
         mouse.place = place;
         press();
     }
-    void expect_shown(const glm::dvec3& point, glm::dvec2 place) const {
+    void expect_shown(const glm::dvec3& point, glm::dvec2 place, double pixels = 1e-6) const {
         const auto seen = project(camera, size, point);
         ASSERT_TRUE(seen);
-        EXPECT_LT(glm::distance(*seen, place), 1e-6);
+        EXPECT_LT(glm::distance(*seen, place), pixels);
     }
     void release(std::size_t button = 0) {
         mouse.released[button] = true;
@@ -122,12 +124,32 @@ TEST_F(Hand, ThePointThatWasGrabbedStaysUnderThePointer) {
     const glm::dvec3 grabbed = ray * (along - std::sqrt(3600.0 - (glm::dot(center, center) - along * along)));
     for (const glm::dvec2 to : {glm::dvec2(540, 470), glm::dvec2(100, 900), glm::dvec2(990, 3)}) {
         drag_to(to);
-        expect_shown(grabbed + scene.spheres[0].center - center, to);
+        expect_shown(grabbed + scene.spheres[0].center - center, to, 1.0);
         EXPECT_EQ(gesture_of_action(), gesture) << "one step";
     }
     EXPECT_EQ(gesture, 1U);
     release();
     EXPECT_FALSE(control.is_dragging());
+}
+
+TEST_F(Hand, ADragLeavesFewDigitsAndNothingElse) {
+    scene.spheres[0].center = {0.1, -0.7, 300.25};
+    scene.spheres.push_back({.center = {1.0 / 3.0, 0, 400}, .radius = 1, .color = {}});
+    const std::vector<Sphere> before = scene.spheres;
+    selection.set({0});
+    press();
+    std::vector<Sphere> dragged;
+    for (const glm::dvec2 to : {glm::dvec2(543, 471), glm::dvec2(777, 123), glm::dvec2(520, 800)}) {
+        drag_to(to);
+        dragged = scene.spheres;
+        ASSERT_EQ(dragged.size(), 1U) << "of the edit";
+        EXPECT_EQ(dragged[0].center.z, 300.25) << "to the bit: no depth was dragged";
+        for (const double value : {dragged[0].center.x, dragged[0].center.y})
+            EXPECT_LE(shortest(value).size(), 7U) << shortest(value);
+        scene.spheres = before;
+    }
+    EXPECT_EQ(dragged[0].center.x, 0.1) << "back is back to the bit";
+    release();
 }
 
 TEST_F(Hand, EscapeTakesAMoveBackAndOnlyThat) {
@@ -230,8 +252,8 @@ TEST_F(Hand, ZoomingOutEndsWhereTheSceneIsSmall) {
         const auto low = place_of(camera, size, {-100, 0, 200});
         const auto high = place_of(camera, size, {100, 0, 200});
         ASSERT_TRUE(low && high);
-        EXPECT_GT(glm::distance(*low, *high), 0.02 * size.width * 0.99);
-        EXPECT_LT(glm::distance(*low, *high), 0.1 * size.width);
+        EXPECT_GT(glm::distance(*low, *high), 0.25 * size.width * 0.99);
+        EXPECT_LT(glm::distance(*low, *high), 0.25 * size.width / 0.84);
         const Camera far = camera;
         mouse.wheel = 1.0;
         frame();
@@ -270,7 +292,10 @@ TEST_F(Hand, CtrlAndWheelIsOneStepOverOneSphere) {
     mouse.wheel = 1.0;
     frame();
     EXPECT_EQ(gesture_of_action(), first);
-    EXPECT_NEAR(scene.spheres[0].radius, 60.0 * 1.06 * 1.06, 1e-9);
+    EXPECT_EQ(scene.spheres[0].radius, 67.416);
+    mouse.wheel = 1.0;
+    frame();
+    EXPECT_EQ(scene.spheres[0].radius, 71.461) << "few digits";
     ++gesture;  // something else was done between
     mouse.wheel = -1.0;
     frame();

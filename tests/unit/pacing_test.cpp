@@ -172,4 +172,38 @@ TEST(Pacing, FollowsAViewThatBecomesFasterToDraw) {
     EXPECT_EQ(steps_of(pacing, {.pixels = 0.5 * budget}, 50)[1], 50);
 }
 
+// What else a redraw does is no trace, and takes its time from it.
+TEST(Pacing, AFilmLeavesTimeForItsRedraws) {
+    Pacing pacing;
+    pacing.traced(1, 0.020, 0.018);
+    EXPECT_EQ(pacing.moving_step(), 1) << "of a view that moves";
+    pacing.play(0.002, true);
+    EXPECT_EQ(pacing.budget(), Pacing::frame_budget) << "there is time enough";
+    pacing.end_play();
+    pacing.play(0.025, true);
+    EXPECT_LT(pacing.budget() + 0.025, 1.0 / Pacing::film_rate);
+    pacing.traced(1, 0.020, 0.018);
+    EXPECT_EQ(pacing.moving_step(), 2);
+    for (int i = 0; i < 100; ++i) pacing.play(1.0, true);
+    EXPECT_GT(pacing.budget(), 0.0) << "however slow the rest is";
+    pacing.end_play();
+    EXPECT_EQ(pacing.budget(), Pacing::frame_budget);
+}
+
+// Between the frames of a film nothing is drawn twice; of a slow one the panels do not wait for the next.
+TEST(Pacing, AFilmsRedrawsSettleThePanels) {
+    Pacing pacing;
+    frames_until_rest(pacing, 1);
+    pacing.play(0.01, true);
+    pacing.touch();
+    EXPECT_EQ(frames_until_rest(pacing, 1), 1);
+    pacing.play(0.01, false);
+    pacing.touch();
+    EXPECT_GT(frames_until_rest(pacing, 1), 1);
+    pacing.play(0.01, true);
+    pacing.end_play();
+    pacing.touch();
+    EXPECT_GT(frames_until_rest(pacing, 1), 1);
+}
+
 }  // namespace sphereview

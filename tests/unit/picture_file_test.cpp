@@ -53,8 +53,8 @@ TEST(PictureFile, SaysWhatIsWrong) {
         {"BM", "p: not a usable BMP: unknown image type"},
         {small_bmp().substr(0, 60), "p: found 60 bytes of a BMP, expected 62"},
     };
-    for (const auto& [bytes, message] : cases) {
-        EXPECT_EQ(message_of<InputError>([&] { decode_picture(bytes, "p"); }), message);
+    for (const auto& refused : cases) {
+        EXPECT_EQ(message_of<InputError>([&] { decode_picture(refused.first, "p"); }), refused.second);
     }
 }
 

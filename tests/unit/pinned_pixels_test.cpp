@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "image/png.hpp"
+#include "light/explain_light.hpp"
+#include "light/lighting.hpp"
 #include "support/eventually.hpp"
 #include "support/temporary_folder.hpp"
 #include "viewer/command_table.hpp"
@@ -67,6 +69,32 @@ const PinnedPixel one{{3, 4}, {60, 40}};
 const PinnedPixel other{{5, 6}, {60, 40}};
 
 }  // namespace
+
+TEST(ExplainedLights, AddUpToTheLightOfTheExport) {
+    Scene scene;
+    scene.spheres = {{{0, 0, 200}, 20, {200, 30, 40}}, {{0, 40, 180}, 15, {9, 9, 9}}, {{-15, 0, 165}, 8, {9, 9, 9}}};
+    const PictureSize size{200, 200};
+    const DrawnSpheres drawn = drawn_spheres(scene);
+    for (const bool sun : {false, true}) {
+        Light light;
+        if (sun) light.sun = Sun{.direction = {1, 2, -1}};
+        const Lighting lighting(scene, drawn, scene.camera, size, 1, light);
+        const NumberedLights lights(light, scene.spheres.size(), scene.camera);
+        int seen = 0;
+        for (int i = 0; i < 20; ++i) {
+            const Pixel pixel{80 + 2 * i, 90 + i};
+            const std::int32_t visible = explain_pixel(scene, drawn, scene.camera, size, pixel).visible();
+            if (visible < 0) continue;
+            ++seen;
+            const PixelLights found = explain_lights({scene, drawn, scene.camera, size, pixel, visible}, lights);
+            ASSERT_TRUE(found.sum);
+            EXPECT_EQ(*found.sum, lighting.light({pixel.x, pixel.y, 1, 1}, {&visible, 1}).front());
+        }
+        EXPECT_GT(seen, 10);
+        EXPECT_EQ(explain_lights({scene, drawn, scene.camera, size, {100, 100}, 0}, lights, 1).sum.has_value(), false)
+            << "not known where it would take too long";
+    }
+}
 
 TEST(Pins, AreAFirstAndASecondAndGoInTurn) {
     PinnedPixels pins;

@@ -202,6 +202,27 @@ TEST(PropertiesOfCrystalsAndMolecules, HaveElements) {
     EXPECT_EQ(values(read_sdf(sdf, "a.sdf", everything), "element"), "C Cl");
 }
 
+TEST(PropertiesOfSdf, AreElementsAndCharges) {
+    const std::string head = "ammonium\n\n\n  3  0  0  0  0  0  0  0  0  0999 V2000\n";
+    const std::string atoms =
+        "    0.0000    0.0000    0.0000 N   0  3  0  0\n    1.0000    0.0000    0.0000 O   0  5  0  0\n"
+        "    2.0000    0.0000    0.0000 C   0  4  0  0\n";
+    EXPECT_EQ(values(read_sdf(head + atoms + "M  END\n", "a.sdf", everything), "charge"), "1 -1 0");
+    // What is said behind the bonds stands for all of the molecule, and not for the next one.
+    const std::string listed = head + atoms + "M  CHG  2   2  -2   3   1\nM  RAD  1   1   2\nM  END\n$$$$\n";
+    const std::string next = head + atoms + "M  CHG  1   1   2\nM  END\n";
+    EXPECT_EQ(values(read_sdf(listed + next, "a.sdf", everything), "charge"), "0 -2 1");
+    EXPECT_EQ(values(read_sdf(listed + next, "a.sdf", {.frame = 1, .all_properties = true}), "charge"), "2 0 0");
+    const SphereData v3000 = read_sdf(
+        "a\n\n\n  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS 3 0 0 0 0\nM  V30 BEGIN ATOM\n"
+        "M  V30 1 N 0 0 0 0 CHG=1\nM  V30 2 O 1 0 0 0 -\nM  V30 MASS=17 CHG=-1\nM  V30 3 C 2 0 0 0\nM  V30 END ATOM\n"
+        "M  V30 END CTAB\nM  END\n",
+        "a.sdf", everything);
+    EXPECT_EQ(v3000.property_names, (Words{"element", "charge"}));
+    EXPECT_EQ(values(v3000, "element"), "N O C");
+    EXPECT_EQ(values(v3000, "charge"), "1 -1 0");
+}
+
 TEST(PropertiesOfPly, HaveTheirOwnSize) {
     const std::string head =
         "element vertex 2\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"

@@ -51,6 +51,14 @@ TEST(PropertiesInToml, AreReadBackBitForBit) {
     EXPECT_EQ(find_number_literals(write_scene(scene_with_values(1001), SceneFormat::toml))->literals.size(), 6U);
 }
 
+// Shortest without an exponent, but no integer of TOML.
+TEST(PropertiesInToml, WholeNumbersOfMoreThan64BitsAreReadBack) {
+    Scene scene = scene_with_values(2);
+    scene.properties = {{"charge", std::vector<double>{-184467440737095516160.0, 9223372036854775808.0}},
+                        {"heat", std::vector<float>{0x1p63F, -0x1p67F}}};
+    EXPECT_TRUE(parse_scene(write_scene(scene, SceneFormat::toml), "s.toml") == scene);
+}
+
 TEST(PropertiesInToml, ReadAsPeopleWriteThem) {
     const std::string text = two +
                              "values = [1, 0.5]\n[[property]]\nname = 'chain'\nvalues = ['A', 'B']\n"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 
 #include "support/temporary_folder.hpp"
@@ -59,7 +60,7 @@ TEST_F(DataInViewer, SaysWhatTheReaderWarnedOf) {
     run_command(state, CommandId::next_frame);
     finish_reading();
     EXPECT_EQ(state.messages.announcement,
-              cut + ": found 1 virtual site or dummy, which is no atom; shown small, or not with --no-virtual\n" + warning);
+              cut + ": found 1 virtual site or dummy, which is no atom; shown small, or not with --no-virtual");
     folder.write("cut.xyz", "1\n\nO 0 0 1\n2\n\nO 0 0 1\nXx 0 0 2\n");
     look_at_file(state);
     finish_reading();
@@ -79,7 +80,7 @@ TEST_F(DataInViewer, OtherFramesAreColouredAlike) {
         std::vector<Sphere> spheres = state.scene().spheres;
         for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(x, coloring)[i];
         note_colors(look, {by, coloring});
-        apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour", 0, true});
+        apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour", 0});
     };
     color_by_x();
     ASSERT_NE(shown_coloring(state.document, look), nullptr);
@@ -288,10 +289,38 @@ TEST_F(DataInViewer, HasPropertiesOfSmallFilesAtOnce) {
     EXPECT_FALSE(state.loading);
 }
 
+// What is read with colours by a property knows the file's own, and other frames are read without where these were chosen.
+TEST_F(DataInViewer, OtherFramesHaveTheirOwnColoursAndSizesWhereTheseWereChosen) {
+    const Scene plain = state.scene();
+    state.options.scene = path;
+    state.options.look.color_by = "x";
+    state.options.look.radius_scale = 3.0;
+    open_scene(state, path);
+    finish_reading();
+    ASSERT_NE(state.scene().spheres[0].color, plain.spheres[0].color);
+    LookPanelState& look = state.side_panel.look;
+    EXPECT_EQ(look.own.colors, std::vector<Color>{plain.spheres[0].color});
+    EXPECT_EQ(look.own.radii, std::vector<double>{plain.spheres[0].radius});
+    look.colors.property.clear();
+    look.own.colors_chosen = true;
+    look.own.sizes_chosen = true;
+    std::vector<Sphere> own = state.scene().spheres;
+    own[0].color = look.own.colors[0];
+    own[0].radius = look.own.radii[0];
+    perform(state, {EditScene{ChangeSpheres{{0}, own}, "Own colours", 0, true}});
+    shown_coloring(state.document, look);
+    run_command(state, CommandId::next_frame);
+    finish_reading();
+    ASSERT_EQ(state.frame, 1);
+    EXPECT_EQ(state.scene().spheres[0].color, plain.spheres[0].color) << "oxygen's";
+    EXPECT_EQ(state.scene().spheres[0].radius, plain.spheres[0].radius);
+}
+
 struct LargeFileInViewer : DataInViewer {
     LargeFileInViewer() {
         std::string table = "x,y,z,q,kind\n";
-        for (std::size_t i = 0; i <= most_spheres_with_properties; ++i) table += std::to_string(i) + ",0,9,2,a\n";
+        for (std::size_t i = 0; i <= most_spheres_with_properties; ++i)
+            table += std::to_string(i) + ",0,9," + std::to_string(i + 7) + ",a\n";
         large = folder.write("large.csv", table);
         open_scene(state, large);
         finish_reading();
@@ -308,7 +337,7 @@ TEST_F(LargeFileInViewer, HasPropertiesOnRequest) {
     perform(state, {EditScene{ChangeSpheres{{3}, {{{}, 7.0}}}, "Move", 0}, RequestProperties{}, RequestProperties{}});
     finish_reading();
     ASSERT_EQ(state.scene().properties.size(), 2U);
-    EXPECT_EQ(number_at(state.scene().properties[0], 3), 2.0);
+    EXPECT_EQ(number_at(state.scene().properties[0], 3), 10.0);
     EXPECT_EQ(state.scene().spheres[3].radius, 7.0);
     EXPECT_FALSE(has_unread_properties(state));
     EXPECT_TRUE(state.document.is_changed());
@@ -323,12 +352,37 @@ TEST_F(LargeFileInViewer, HasPropertiesOnRequest) {
     EXPECT_EQ(number_at(state.scene().properties[0], 0), 5.0);
 }
 
-TEST_F(LargeFileInViewer, HasNoPropertiesOfSpheresThatChangedPlaces) {
-    perform(state, {EditScene{ReorderSphere{0, 1}, "Reorder", 0}, RequestProperties{}});
+TEST_F(LargeFileInViewer, GivesPropertiesToTheSpheresOfTheFileWhateverCameOrWent) {
+    Sphere added;
+    added.center = {-5, -5, -5};
+    const auto last = static_cast<std::uint32_t>(state.scene().spheres.size() - 1);
+    perform(state, {EditScene{ReorderSphere{0, 1}, "Reorder", 0}, EditScene{RemoveSpheres{{3, 4}}, "Delete", 0},
+                    EditScene{InsertSpheres{{0}, {NamedSphere{added, ""}}}, "Add", 0}, RequestProperties{}});
     finish_reading();
-    EXPECT_TRUE(state.scene().properties.empty());
-    EXPECT_TRUE(state.property_names.empty()) << "what is not to be had is not offered";
-    EXPECT_NE(state.messages.announcement.find("open it again"), std::string::npos) << state.messages.announcement;
+    const auto q = [&](std::uint32_t sphere) { return number_at(state.scene().properties.at(0), sphere); };
+    ASSERT_EQ(state.scene().properties.size(), 2U);
+    EXPECT_TRUE(std::isnan(q(0))) << "added";
+    EXPECT_EQ(q(1), 8.0) << "the file's second";
+    EXPECT_EQ(q(2), 7.0);
+    EXPECT_EQ(q(3), 9.0);
+    EXPECT_EQ(q(4), 12.0) << "behind those that were deleted";
+    EXPECT_EQ(q(last - 1), last + 7.0);
+    EXPECT_EQ(text_at(state.scene().properties[1], 1), "a");
+    EXPECT_NE(state.messages.announcement.find("1 sphere has no values"), std::string::npos) << state.messages.announcement;
+}
+
+TEST_F(LargeFileInViewer, AnUndoneColouringSelectsNothing) {
+    perform(state, {SelectSpheres{Selection{}}});
+    Sphere red = state.scene().spheres[5];
+    red.color = {255, 0, 0};
+    perform(state, {EditScene{ChangeSpheres{{5}, {red}}, "Colour by 'q'", 0, true}});
+    run_command(state, CommandId::undo);
+    EXPECT_TRUE(state.selection.empty());
+    run_command(state, CommandId::redo);
+    EXPECT_TRUE(state.selection.empty());
+    perform(state, {EditScene{ChangeSpheres{{6}, {red}}, "Move", 0}});
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{6})) << "an edit by hand as ever";
 }
 
 // Those of the command line are of its table alone.

@@ -1,5 +1,7 @@
 #include "base/text.hpp"
 
+#include "base/ascii.hpp"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -286,6 +288,16 @@ TEST(Text, LettersAndAccentsAreOneCharacter) {
         EXPECT_EQ(composed(as_it_is), as_it_is);
     }
     EXPECT_EQ(composed("e\u0300\u0301"), "\u00e8\u0301") << "one accent alone";
+}
+
+TEST(Ascii, HasLettersWithoutAccentsSignsInWordsAndAQuestionMarkForTheRest) {
+    EXPECT_EQ(in_ascii("charge [e]"), "charge [e]");
+    EXPECT_EQ(in_ascii("Größe à Kraków, Øst, œuf, Ñ"), "Grosse a Krakow, Ost, oeuf, N");
+    EXPECT_EQ(in_ascii("e\xCC\x81"), "e") << "an accent of its own";
+    EXPECT_EQ(in_ascii("\xC5\xBE\xC4\x80\xC3\x80"), "zAA") << "both ends of the table";
+    EXPECT_EQ(in_ascii("5 µm ± 2° α−β"), "5 um +- 2deg alpha-beta");
+    EXPECT_EQ(in_ascii("電荷 q"), "?? q") << "a sign for each letter, not for each byte";
+    EXPECT_EQ(in_ascii("a\x01\x7F\xFF"), "a?");
 }
 
 }  // namespace sphereview

@@ -1,0 +1,143 @@
+#include "viewer/frame_edits.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "viewer/frame_player.hpp"
+#include "viewer/scene_file.hpp"
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// Without what takes the most memory, and no edit changes.
+Scene without_properties(const Scene& scene) {
+    return {scene.spheres, scene.names, scene.background, scene.camera, scene.light, scene.views, {}};
+}
+
+bool same_places(const Scene& before, const Scene& after) {
+    const auto same = [](const Sphere& a, const Sphere& b) { return same_bits(a.center, b.center); };
+    return std::ranges::equal(before.spheres, after.spheres, same);
+}
+
+bool same_besides(const Scene& before, const Scene& after) {
+    const auto same = [](const Sphere& a, const Sphere& b) { return same_bits(a, b); };
+    return std::ranges::equal(before.spheres, after.spheres, same) && before.names == after.names &&
+           before.background == after.background && same_bits(before.camera, after.camera) &&
+           same_bits(before.light, after.light) && before.views == after.views;
+}
+
+// The frame before its edits as it would be with the colours and sizes by a property that are chosen now: other frames get these by
+// their own values.
+Scene with_chosen_look(ViewerState& state) {
+    Scene scene = *state.player.edits.before;
+    shown_coloring(state.document, state.side_panel.look);
+    LookOptions look = load_options(state, state.path, state.frame).look;
+    if (look.radius_scale) look.size_by.reset();  // the sizes are scaled already
+    look.radii.reset();
+    look.radius_scale.reset();
+    if (!look.any()) return scene;
+    scene.properties = state.scene().properties;
+    try {
+        apply_look(scene, look, state.name(), state.property_names);
+    } catch (const InputError&) {  // a property that is not read: the look is not of this scene
+    }
+    return scene;
+}
+
+template <typename T>
+void note_other(std::optional<T>& other, const T& before, const T& after) {
+    if (!(before == after)) other = after;
+}
+
+}  // namespace
+
+SharedEdits shared_edits(const Scene& before, const Scene& after) {
+    SharedEdits shared;
+    shared.frame_size = after.spheres.size();
+    shared.spheres = changes_between(before.spheres, after.spheres);
+    for (const auto& [number, name] : before.names) {
+        if (!after.names.contains(number)) shared.names[number] = "";
+    }
+    for (const auto& [number, name] : after.names) {
+        const auto was = before.names.find(number);
+        if (was == before.names.end() || was->second != name) shared.names[number] = name;
+    }
+    note_other(shared.background, before.background, after.background);
+    note_other(shared.camera, before.camera, after.camera);
+    note_other(shared.light, before.light, after.light);
+    note_other(shared.views, before.views, after.views);
+    return shared;
+}
+
+SharedEdits shared_edits_now(ViewerState& state) {
+    const FrameEdits& edits = state.player.edits;
+    if (!edits.before) return edits.shared;
+    // Once spheres have come, gone or changed places no number tells anything: what was noted before that stays.
+    const bool same_numbers = same_places(*edits.before, state.scene()) || state.document.order_revision() == state.file_order;
+    if (!same_numbers) return edits.shared;
+    SharedEdits shared = shared_edits(with_chosen_look(state), state.scene());
+    // A frame of another size in between has got nothing, and takes nothing away.
+    if (shared.frame_size != edits.shared.frame_size && shared.spheres.empty() && shared.names.empty()) {
+        shared.frame_size = edits.shared.frame_size;
+        shared.spheres = edits.shared.spheres;
+        shared.names = edits.shared.names;
+    }
+    return shared;
+}
+
+void note_frame_before_edit(ViewerState& state, bool renumbers) {
+    if (!has_several_frames(state)) return;
+    FrameEdits& edits = state.player.edits;
+    if (!edits.before) {
+        edits.before = std::make_shared<const Scene>(without_properties(state.scene()));
+        edits.judged_revision = 0;
+    } else if (renumbers) {
+        edits.shared = shared_edits_now(state);
+    }
+}
+
+EditsReach reach_of_edits(ViewerState& state) {
+    FrameEdits& edits = state.player.edits;
+    if (!edits.before) return EditsReach::none;
+    if (edits.judged_revision == state.document.revision()) return edits.judged;
+    edits.judged_revision = state.document.revision();
+    edits.judged = !same_places(*edits.before, state.scene())   ? EditsReach::this_frame
+                   : same_besides(*edits.before, state.scene()) ? EditsReach::none
+                                                                : EditsReach::all_frames;
+    return edits.judged;
+}
+
+void take_shared_edits(ViewerState& state) {
+    state.player.edits.shared = shared_edits_now(state);
+    state.player.edits.before.reset();
+}
+
+void give_shared_edits(ViewerState& state) {
+    const SharedEdits& shared = state.player.edits.shared;
+    if (!shared.any()) return;
+    Document& document = state.document;
+    note_frame_before_edit(state, false);
+    const std::uint64_t gesture = ++state.gesture;
+    const auto give = [&](Edit edit) { document.apply(std::move(edit), "Changes of all frames", gesture); };
+    if (shared.frame_size == document.scene().spheres.size()) {
+        ChangeSpheres change;
+        for (const SphereChange& one : shared.spheres) {
+            Sphere sphere = document.scene().spheres[one.number];
+            sphere.color = one.color.value_or(sphere.color);
+            sphere.radius = one.radius.value_or(sphere.radius);
+            sphere.hidden = one.hidden.value_or(sphere.hidden);
+            change.numbers.push_back(one.number);
+            change.spheres.push_back(sphere);
+        }
+        if (!change.numbers.empty()) give(std::move(change));
+        for (const auto& [number, name] : shared.names) give(RenameSphere{number, name});
+    }
+    if (shared.background) give(ChangeBackground{*shared.background});
+    if (shared.camera) give(ChangeCamera{*shared.camera});
+    if (shared.light) give(ChangeLight{*shared.light});
+    if (shared.views) give(ChangeViews{*shared.views});
+}
+
+}  // namespace sphereview

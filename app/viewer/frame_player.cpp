@@ -1,0 +1,246 @@
+#include "viewer/frame_player.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/text.hpp"
+#include "viewer/scene_file.hpp"
+#include "viewer/viewer_state.hpp"
+
+namespace sphereview {
+
+namespace {
+
+KnownFrames known_frames(const ViewerState& state) { return {state.frames, state.player.all_frames}; }
+
+// What reads the file as it is shown, or as it is now.
+FramesAhead& source(ViewerState& state) {
+    FramePlayer& player = state.player;
+    LoadOptions options = load_options(state, state.path, 0);
+    const bool same_file = player.ahead && (state.stamp == player.opened || state.stamp == player.shown);
+    if (same_file && player.all_properties == state.all_properties) {
+        player.ahead->set_look(options.look);
+        return *player.ahead;
+    }
+    if (player.radius) options.data.radius = player.radius;
+    player.shown = state.stamp;
+    player.opened = file_states(state.path);
+    player.all_properties = state.all_properties;
+    player.ahead = std::make_unique<FramesAhead>(state.path, std::move(options));
+    return *player.ahead;
+}
+
+// What is being read or written will change what the numbers of frames mean, or belongs to the frame that is shown.
+bool waits_for_file(const ViewerState& state) { return state.saving || (state.loading && state.loading->path == state.path); }
+
+// Once that frame is shown.
+std::vector<std::int64_t> frames_behind(const ViewerState& state, std::int64_t frame) {
+    const FramePlayer& player = state.player;
+    if (player.clock.plays()) {
+        return player.clock.next_ones(frame, player.choices.repeat, known_frames(state), FramesAhead::most_frames);
+    }
+    // Who steps once steps again.
+    const std::int64_t next = frame + player.step;
+    return player.step != 0 && has_frame(state, next) ? std::vector{next} : std::vector<std::int64_t>{};
+}
+
+void want(ViewerState& state, std::int64_t frame, bool by_clock) {
+    FramePlayer& player = state.player;
+    FramesAhead& ahead = source(state);
+    const std::int64_t by = frame - state.frame;
+    player.step = by == 1 || by == -1 ? by : 0;
+    player.wanted = WantedFrame{frame, by_clock};
+    std::vector<std::int64_t> frames = frames_behind(state, frame);
+    frames.insert(frames.begin(), frame);
+    ahead.want(std::move(frames));
+}
+
+// Calls `then` as soon as the edits may go that no other frame gets.
+void with_own_edits_safe(ViewerState& state, const std::function<void()>& then) {
+    const auto go_on = [&state, then] {
+        state.player.given_up = state.document.revision();
+        then();
+    };
+    if (!state.saving && reach_of_edits(state) != EditsReach::this_frame) return go_on();
+    with_edits_safe(
+        state, go_on,
+        "Frame " + std::to_string(state.frame) + " of " + in_quotes(state.name()) +
+            " has changes that no other frame gets, and that are not saved.\nColours, radii, names and what is hidden go "
+            "along.");
+}
+
+bool may_leave_frame(ViewerState& state) {
+    return reach_of_edits(state) != EditsReach::this_frame || state.player.given_up == state.document.revision();
+}
+
+FrameNews stop(ViewerState& state) {
+    state.player.clock.pause();
+    state.player.wanted.reset();
+    return FrameNews::stopped;
+}
+
+FrameNews show_wanted(ViewerState& state, PlayClock::Time now) {
+    FramePlayer& player = state.player;
+    const std::int64_t frame = player.wanted->frame;
+    const bool plays = player.clock.plays();
+    if (std::optional<LoadedScene> loaded = player.ahead->take(frame)) {
+        player.wanted.reset();
+        if (!may_leave_frame(state)) {  // edited while it was read
+            stop(state);
+            with_own_edits_safe(state, [&state, frame, plays] {
+                if (!has_frame(state, frame)) return;
+                want(state, frame, plays);
+                if (plays) state.player.clock.play(PlayClock::Time::clock::now());
+            });
+            return FrameNews::stopped;
+        }
+        adopt_frame(state, frame, std::move(*loaded), player.opened);
+        player.clock.shown(player.choices, now);
+        source(state).want(frames_behind(state, frame));
+        return FrameNews::frame;
+    }
+    const std::optional<std::string> fault = player.ahead->fault_of(frame);
+    if (!fault) {
+        std::optional<PassedFrame> passed = player.ahead->take_passed();
+        if (!passed || player.wanted->by_clock || !may_leave_frame(state)) return FrameNews::none;
+        adopt_frame(state, passed->number, std::move(passed->loaded), player.opened);
+        return FrameNews::frame;
+    }
+    stop(state);
+    player.ahead.reset();
+    report_error(state, "Frame " + std::to_string(frame) + " cannot be read", *fault);
+    look_at_file(state);
+    return FrameNews::stopped;
+}
+
+bool note_count(ViewerState& state) {
+    FramePlayer& player = state.player;
+    if (!player.ahead) return false;
+    const FramesAhead::Count count = player.ahead->count();
+    player.counted = count.part;
+    const std::int64_t before = state.frames;
+    if (count.all && count.frames > 0) state.frames = count.frames;
+    state.frames = std::max(state.frames, count.frames);
+    if (player.all_frames || !count.all) return state.frames != before;
+    player.all_frames = true;
+    if (!count.fault.empty()) {
+        announce(state, count.fault + "; what follows frame " + std::to_string(state.frames - 1) + " is passed over");
+    }
+    return true;
+}
+
+FrameNews follow_clock(ViewerState& state, PlayClock::Time now, bool held) {
+    FramePlayer& player = state.player;
+    if (held) {
+        player.clock.hold(now);
+        return FrameNews::none;
+    }
+    if (now < player.clock.due(player.choices)) return FrameNews::none;
+    if (!may_leave_frame(state)) {
+        stop(state);
+        play_frames(state);  // asks
+        return FrameNews::stopped;
+    }
+    const auto next = player.clock.step_from(state.frame, player.choices.repeat, known_frames(state));
+    if (next) {
+        want(state, *next, true);
+    } else if (player.all_frames) {
+        return stop(state);
+    } else {
+        player.clock.hold(now);  // until more are found
+    }
+    return FrameNews::none;
+}
+
+}  // namespace
+
+bool has_several_frames(const ViewerState& state) { return !state.path.empty() && (state.frames > 1 || !state.player.all_frames); }
+
+bool has_frame(const ViewerState& state, std::int64_t frame) { return !state.path.empty() && frame >= 0 && frame < state.frames; }
+
+void begin_frames(ViewerState& state, const LoadedScene& loaded) {
+    end_frames(state);
+    state.frames = loaded.frames;
+    state.player.all_frames = loaded.all_frames || state.path.empty();
+    state.player.radius = loaded.radius_of_points;
+    if (!state.player.all_frames) source(state);
+}
+
+void end_frames(ViewerState& state) {
+    const PlayChoices choices = state.player.choices;
+    state.player = {};
+    state.player.choices = choices;
+    state.player.choices.handle_held = false;
+    state.frames = 1;
+}
+
+void show_frame(ViewerState& state, std::int64_t frame) {
+    if (!has_frame(state, frame)) return;
+    if (frame == state.frame) {
+        state.player.wanted.reset();
+        return;
+    }
+    with_own_edits_safe(state, [&state, frame] {
+        if (!has_frame(state, frame) || frame == state.frame) return;  // saving may have made it another file
+        want(state, frame, false);
+        if (!is_read_at_once(state.path) || waits_for_file(state)) return;
+        state.player.ahead->wait_for(frame);
+        show_wanted(state, PlayClock::Time::clock::now());
+    });
+}
+
+void stop_at_frame(ViewerState& state, std::int64_t frame) {
+    state.player.clock.pause();
+    show_frame(state, frame);
+}
+
+void play_or_pause(ViewerState& state) {
+    if (state.player.clock.plays()) {
+        stop(state);
+    } else {
+        play_frames(state);
+    }
+}
+
+void play_frames(ViewerState& state) {
+    if (!has_several_frames(state)) return;
+    with_own_edits_safe(state, [&state] {
+        if (!has_several_frames(state)) return;
+        FramePlayer& player = state.player;
+        player.clock.play(PlayClock::Time::clock::now());
+        const bool at_end = player.all_frames && state.frame + 1 >= state.frames;
+        if (at_end && player.choices.repeat == Repeat::once) return want(state, 0, true);
+        source(state).want(frames_behind(state, state.frame));
+    });
+}
+
+FrameNews follow_player(ViewerState& state, PlayClock::Time now, bool held) {
+    FramePlayer& player = state.player;
+    FrameNews news = note_count(state) ? FrameNews::counted : FrameNews::none;
+    const bool waits = waits_for_file(state) || !state.dialogs.empty();
+    if (player.clock.plays() && !player.wanted) {
+        const FrameNews clock = follow_clock(state, now, held || waits || player.choices.handle_held);
+        if (clock != FrameNews::none) return clock;
+    }
+    if (!player.wanted || waits || (held && player.wanted->by_clock)) return news;
+    const FrameNews shown = show_wanted(state, now);
+    return shown == FrameNews::none ? news : shown;
+}
+
+std::optional<PlayClock::Time> next_frame_due(const ViewerState& state) {
+    const FramePlayer& player = state.player;
+    if (!player.clock.plays() || player.wanted) return std::nullopt;
+    return player.clock.due(player.choices);
+}
+
+bool reads_frames(const ViewerState& state) { return state.player.ahead && (state.player.wanted || !state.player.all_frames); }
+
+TimelineFacts timeline_facts(ViewerState& state) {
+    const FramePlayer& player = state.player;
+    return {player.clock.plays(), player.wanted && !player.wanted->by_clock ? std::optional(player.wanted->frame) : std::nullopt,
+            !player.all_frames, player.counted, reach_of_edits(state)};
+}
+
+}  // namespace sphereview

@@ -1,0 +1,20 @@
+// Which property a person means by a name.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "scene/property.hpp"
+
+namespace sphereview {
+
+// How well a name that a person types, or an option gives, stands for a property's: to the letter; in other letter case; or without
+// the unit that stands in brackets behind it, "charge" for "Charge [e]".
+enum class Likeness { none, without_unit, but_for_case, exact };
+Likeness likeness(std::string_view typed, std::string_view name);
+
+// The one that a person means, at least so alike: the most alike, and without its unit only one that no other is like. Null where
+// there is none.
+const Property* property_meant(const std::vector<Property>& properties, std::string_view typed, Likeness least);
+
+}  // namespace sphereview

@@ -1,0 +1,132 @@
+// The line of time under the picture, and its buttons.
+#include "panels/timeline.hpp"
+
+#include "panels/harness.hpp"
+
+namespace sphereview {
+
+namespace {
+
+// A base, so that it is there when PanelHarness draws for the first time.
+struct ShownTimeline {
+    TimelineFacts facts;
+    PlayChoices choices;
+};
+
+struct TimelineHarness : ShownTimeline, PanelHarness {
+    explicit TimelineHarness(float width = 900.0F)
+        : PanelHarness(in_window([this](const PanelContext& context) { draw_timeline(context, facts, choices); }, width, 60.0F),
+                       line_of_spheres(3), 1000.0F) {
+        frames_of_file = 101;
+        frame_of_file = 20;
+        frames(2);
+        take_actions();
+    }
+
+    std::vector<CommandId> commands_taken() {
+        std::vector<CommandId> ids;
+        for (const RunCommand& one : taken<RunCommand>()) ids.push_back(one.command);
+        return ids;
+    }
+    std::vector<std::int64_t> frames_taken() {
+        std::vector<std::int64_t> numbers;
+        for (const ShowFrame& one : taken<ShowFrame>()) numbers.push_back(one.frame);
+        return numbers;
+    }
+    bool says(const std::string& words) { return text().find(words) != std::string::npos; }
+};
+
+}  // namespace
+
+TEST(Timeline, ButtonsRunTheCommands) {
+    TimelineHarness panel;
+    for (const auto& [widget, id] :
+         {std::pair{"first frame", CommandId::first_frame}, std::pair{"previous frame", CommandId::previous_frame},
+          std::pair{"play", CommandId::play}, std::pair{"next frame", CommandId::next_frame},
+          std::pair{"last frame", CommandId::last_frame}}) {
+        panel.click(widget);
+        EXPECT_EQ(panel.commands_taken(), std::vector{id}) << widget;
+        panel.wait();
+    }
+    for (CommandInfo& info : panel.commands) info.enabled = info.id != CommandId::next_frame;
+    panel.click("next frame");
+    EXPECT_TRUE(panel.commands_taken().empty()) << "there is none";
+}
+
+TEST(Timeline, AHandleIsDraggedAndHoldsTheFilm) {
+    TimelineHarness panel;
+    panel.move(panel.place("timeline", 0.5F));
+    panel.press();
+    panel.frames(2);
+    EXPECT_TRUE(panel.choices.handle_held);
+    std::vector<std::int64_t> asked = panel.frames_taken();
+    ASSERT_FALSE(asked.empty());
+    EXPECT_EQ(asked.back(), 50);
+    // What is asked for already is not asked for again.
+    panel.facts.wanted = 50;
+    panel.frames(2);
+    EXPECT_TRUE(panel.frames_taken().empty());
+    EXPECT_TRUE(panel.says("frame 50, being read"));
+    panel.move(panel.place("timeline", 1.0F));
+    panel.move({990.0F, 500.0F});
+    asked = panel.frames_taken();
+    ASSERT_FALSE(asked.empty());
+    EXPECT_EQ(asked.back(), 100);
+    panel.release();
+    panel.frames(2);
+    EXPECT_FALSE(panel.choices.handle_held);
+    panel.take_actions();
+    panel.drag(panel.place("timeline", 0.7F), {0.0F, 20.0F});
+    asked = panel.frames_taken();
+    ASSERT_FALSE(asked.empty());
+    EXPECT_EQ(asked.back(), 0);
+}
+
+TEST(Timeline, SaysWhichFrameOfHowManyIsShown) {
+    TimelineHarness panel;
+    EXPECT_TRUE(panel.says("20 of 101"));
+    EXPECT_FALSE(panel.says("+"));
+    panel.facts.counting = true;
+    EXPECT_TRUE(panel.says("20 of 101+"));
+}
+
+TEST(Timeline, SaysWhatChangesApplyTo) {
+    TimelineHarness panel;
+    EXPECT_FALSE(panel.has("edits reach"));
+    panel.facts.edits = EditsReach::all_frames;
+    EXPECT_TRUE(panel.says("changes: all frames"));
+    panel.facts.edits = EditsReach::this_frame;
+    EXPECT_TRUE(panel.says("changes: this frame"));
+    EXPECT_TRUE(panel.has("edits reach"));
+}
+
+TEST(Timeline, ChoosesSpeedAndRepeat) {
+    TimelineHarness panel;
+    EXPECT_TRUE(panel.says("24 / s"));
+    panel.click("speed");
+    panel.frames(3);
+    panel.click("speed 60");
+    panel.frames(3);
+    EXPECT_EQ(panel.choices.speed, 60.0);
+    for (const Repeat repeat : {Repeat::loop, Repeat::back_and_forth, Repeat::once}) {
+        panel.wait();
+        panel.click("repeat");
+        EXPECT_EQ(panel.choices.repeat, repeat);
+    }
+}
+
+// The line stays, and it stays in the window.
+TEST(Timeline, OfANarrowWindowLeavesTheLessNeededOut) {
+    for (const float width : {900.0F, 500.0F, 320.0F, 240.0F, 190.0F}) {
+        TimelineHarness panel(width);
+        panel.facts.edits = EditsReach::this_frame;
+        panel.frames(2);
+        EXPECT_TRUE(panel.has("play")) << width;
+        const WidgetRectangle line = panel.rectangles.at("timeline");
+        EXPECT_GE(line.right - line.left, 100.0F) << width;
+        for (const auto& [name, rectangle] : panel.rectangles) EXPECT_LE(rectangle.right, width) << name;
+        EXPECT_EQ(panel.has("first frame"), width > 400.0F) << width;
+    }
+}
+
+}  // namespace sphereview
