@@ -1,6 +1,7 @@
 // What a person has changed of spheres in one frame of a file, for all of its frames.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,7 +10,7 @@
 
 namespace sphereview {
 
-// Of the sphere with that number, in each frame that has one; what is not said stays as it is.
+// Of the sphere with that number; what is not said stays as it is.
 struct SphereChange {
     std::uint32_t number = 0;
     std::optional<bool> hidden{};
@@ -20,13 +21,13 @@ struct SphereChange {
 };
 
 struct FrameChanges {
-    std::vector<SphereChange> spheres{};
+    std::size_t frame_size = 0;           // frames of so many spheres get
+    std::vector<SphereChange> spheres{};  // these
     std::optional<Light> light{};
 };
 
-// How colours, radii and what is hidden differ between a frame as its file has it and as it is shown. Places are each frame's own.
-// Both must have the same spheres, in the same order.
-std::vector<SphereChange> changes_between(const std::vector<Sphere>& file, const std::vector<Sphere>& shown);
+// In what colours, radii and what is hidden differ; places are each frame's own. Of as many spheres in the same order.
+std::vector<SphereChange> changes_between(const std::vector<Sphere>& before, const std::vector<Sphere>& after);
 
 // Each makes its part of the changes: the first before the look, whose ranges count no hidden spheres, the other after it.
 void hide_and_light(Scene& frame, const FrameChanges& changes);

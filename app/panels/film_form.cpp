@@ -62,7 +62,7 @@ void draw_frames(const PanelContext& context, FilmForm& form) {
     explain_item(frames_help);
     ImGui::EndDisabled();
     ImGui::SameLine();
-    dim_text("of 0.." + std::to_string(form.frames - 1));
+    dim_text(form.counting ? "of 0..; the file is still looked through" : "of 0.." + std::to_string(form.frames - 1));
 }
 
 void draw_turntable(const PanelContext& context, FilmForm& form) {

@@ -40,6 +40,7 @@ struct FilmJudgement {
 struct FilmForm {
     FilmChoices chosen;
     std::int64_t frames = 1;  // of the scene's file; of one that has no others only a turntable is made
+    bool counting = false;    // the file may have more frames: it is still looked through
     std::string marks;        // what the window shows over its picture: "axes and scale bar"; "" for nothing
     std::string from_file;    // what the pictures show, in a line: where the file's frames are rendered
     std::string from_window;  // and where it is the scene in the window

@@ -80,8 +80,10 @@ std::vector<Shot> chosen_shots(const FilmForm& form, const std::string& scene) {
     if (form.takes_frames()) {
         const auto ranges = parse_frames(form.chosen.frames);
         if (!ranges) throw InputError("The frames are " + in_quotes(form.chosen.frames) + ", expected " + frames_syntax + ".");
-        frames = frames_in(*ranges, text_from(path_from(scene).filename()),
-                           [&](std::int64_t enough) { return std::min(enough, form.frames); });
+        frames = frames_in(*ranges, text_from(path_from(scene).filename()), [&](std::int64_t enough) {
+            const bool may_have = form.counting && enough < FrameReader::most_frames;
+            return may_have ? enough : std::min(enough, form.frames);
+        });
     }
     return shots_of(frames, form.turns() ? form.chosen.turntable : 0);
 }
@@ -103,7 +105,7 @@ FilmJudgement judgement(const FilmForm& form, const std::string& path, const std
     judged.has_alpha = !judged.is_film || (kind && kind->has_alpha);
     try {
         const std::vector<Shot> shots = chosen_shots(form, scene);
-        judged.summary = pictures_in_words(shots.size());
+        judged.summary = (form.counting && form.takes_frames() ? "At least " : "") + pictures_in_words(shots.size());
         if (!judged.is_film) {
             const std::string pattern = text_from(path_from(fill_in(path, name_in_patterns(scene))).filename());
             judged.summary += ": " + fill_in_frame(pattern, shots.front().number);
@@ -128,20 +130,21 @@ std::string shown_marks(const ViewerState& state) {
     return listed(marks, "and");
 }
 
-bool has_file_order(const ViewerState& state) { return state.document.order_revision() == state.file_order; }
-
 FilmForm new_form(const ViewerState& state) {
     FilmForm form;
     const std::string scene = name_of_scene(state);
     const bool has_encoder = !find_film_encoder().empty();
-    form.frames = state.path.empty() ? 1 : state.frames;
+    form.frames = has_several_frames(state) ? std::max<std::int64_t>(state.frames, 2) : 1;
     form.chosen.samples = state.settings.samples;
     form.chosen.marks = state.settings.marks_exported;
     form.chosen.transparent = state.shown_background().transparent;
     form.chosen = state.film_choices.value_or(form.chosen);
+    form.counting = !state.player.all_frames;
     form.marks = shown_marks(state);
-    form.from_file = has_file_order(state) ? "The file's frames. Colours, radii and hiding changed here hold in all, moves do not."
-                                           : "The file's frames, without changes: spheres were added, deleted or reordered here.";
+    form.from_file = "The file's frames. Colours, radii and hiding changed here hold in all, moves do not.";
+    if (state.document.order_revision() != state.file_order) {
+        form.from_file = "The file's frames. Spheres were added, deleted or reordered here: what was changed since is not in them.";
+    }
     form.from_window = "The scene as the window shows it, with what is not saved.";
     form.judge = [scene, has_encoder](const FilmForm& judged, const std::string& path) {
         return judgement(judged, path, scene, has_encoder);
@@ -278,22 +281,24 @@ FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::st
     } else {
         options.output = path;
     }
-    request.light = state.shown_light();
-    request.shown = scene_snapshot(state);
+    request.changes.light = state.shown_light();
     request.is_of_file = form.takes_frames();
     if (!request.is_of_file) {
+        request.shown = scene_snapshot(state);
         const LookPanelState& look = state.side_panel.look;
         if (look.shown_revision == state.document.revision()) request.coloring = look.shown;
         return request;
     }
     options.frames.ranges = parse_frames(chosen.frames).value();
-    LoadOptions as_read = load_options(state, state.path, state.frame);
-    as_read.fit.wanted = false;  // of the frame nothing is looked at but its spheres
-    as_read.data.all_properties = false;
-    as_read.data.all_properties_up_to = 0;
-    options.data = as_read.data;
-    options.look = as_read.look;
-    if (has_file_order(state)) request.as_read = as_read;
+    const LoadOptions read = load_options(state, state.path, state.frame);
+    options.data = read.data;
+    options.data.all_properties = false;  // those of the look alone
+    options.data.all_properties_up_to = 0;
+    if (state.player.radius) options.data.radius = state.player.radius;
+    options.look = read.look;
+    const SharedEdits shared = shared_edits_now(state);
+    request.changes.frame_size = shared.frame_size;
+    request.changes.spheres = shared.spheres;
     return request;
 }
 

@@ -15,29 +15,16 @@ namespace sphereview {
 
 namespace {
 
-FrameChanges changes_of(const FilmRequest& request, WorkControl& control) {
-    FrameChanges changes{.light = request.light};
-    if (!request.as_read) return changes;
-    LoadOptions options = *request.as_read;
-    options.control = &control;
-    const LoadedScene file = load_scene(request.options.scenes.front(), options);
-    if (file.scene.spheres.size() == request.shown->spheres.size()) {
-        changes.spheres = changes_between(file.scene.spheres, request.shown->spheres);
-    }
-    return changes;
-}
-
-std::shared_ptr<FrameSequence> open_sequence(const FilmRequest& request, WorkControl& control, FilmStatus& status,
-                                             Progress& progress) {
+std::shared_ptr<FrameSequence> open_sequence(const FilmRequest& request, FilmStatus& status, Progress& progress) {
     const RenderOptions& options = request.options;
     if (request.is_of_file) {
         auto sequence = std::make_shared<FrameSequence>(options.scenes.front(), options, progress);
         if (!sequence->early_end().empty()) status.warn({sequence->early_end()});
-        sequence->set_changes(changes_of(request, control));
+        sequence->set_changes(request.changes);
         return sequence;
     }
     LoadedScene scene{.scene = *request.shown, .name = options.scenes.front(), .format = SceneFormat::toml};
-    scene.scene.light = request.light;
+    hide_and_light(scene.scene, {.light = request.changes.light});
     scene.look.coloring = request.coloring;
     return std::make_shared<FrameSequence>(std::move(scene), options);
 }
@@ -107,7 +94,7 @@ void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& sta
         status.progress(done);
     };
     Progress progress(follow);
-    const auto sequence = open_sequence(request, control, status, progress);
+    const auto sequence = open_sequence(request, status, progress);
     const std::vector<RenderJob> jobs = plan_render(options, std::vector{sequence});
     const std::unique_ptr<Film> film =
         options.film.movie ? std::make_unique<Film>(options.film, options.durability, jobs.size()) : nullptr;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/load_scene.hpp"
+#include "app/frame_changes.hpp"
 #include "app/options.hpp"
 #include "base/background_job.hpp"
 #include "look/coloring.hpp"
@@ -25,12 +25,9 @@ class Film;
 struct FilmRequest {
     // As `render` would be asked: one scene, a camera, and a movie or an output with {frame}.
     RenderOptions options;
-    Light light{};
-    std::shared_ptr<const Scene> shown;  // the spheres in the window
     bool is_of_file = false;             // the frames of the scene's file; else a turntable of what is shown
-    // Of a file: how the frame was read that the window shows. Colours, radii and what is hidden are made in all frames as they are
-    // there. None where its spheres have come, gone or changed places since.
-    std::optional<LoadOptions> as_read{};
+    FrameChanges changes{};              // of the file's frames; the light is that of what is shown, too
+    std::shared_ptr<const Scene> shown;  // the spheres in the window; of a file null
     std::optional<Coloring> coloring{};  // of what is shown: what its colours stand for
 };
 

@@ -46,21 +46,6 @@ Scene with_chosen_look(ViewerState& state) {
     return scene;
 }
 
-// Once spheres have come, gone or changed places no number tells anything: what was noted before that stays.
-void note_shared_edits(ViewerState& state) {
-    FrameEdits& edits = state.player.edits;
-    const bool same_numbers = same_places(*edits.before, state.scene()) || state.document.order_revision() == state.file_order;
-    if (!same_numbers) return;
-    SharedEdits shared = shared_edits(with_chosen_look(state), state.scene());
-    // A frame of another size in between has got nothing, and takes nothing away.
-    if (shared.frame_size != edits.shared.frame_size && shared.spheres.empty() && shared.names.empty()) {
-        shared.frame_size = edits.shared.frame_size;
-        shared.spheres = std::move(edits.shared.spheres);
-        shared.names = std::move(edits.shared.names);
-    }
-    edits.shared = std::move(shared);
-}
-
 template <typename T>
 void note_other(std::optional<T>& other, const T& before, const T& after) {
     if (!(before == after)) other = after;
@@ -71,15 +56,7 @@ void note_other(std::optional<T>& other, const T& before, const T& after) {
 SharedEdits shared_edits(const Scene& before, const Scene& after) {
     SharedEdits shared;
     shared.frame_size = after.spheres.size();
-    for (std::size_t i = 0; i < after.spheres.size(); ++i) {
-        const Sphere& was = before.spheres[i];
-        const Sphere& is = after.spheres[i];
-        SharedChange change{static_cast<std::uint32_t>(i)};
-        note_other(change.color, was.color, is.color);
-        if (!same_bits(was.radius, is.radius)) change.radius = is.radius;
-        note_other(change.hidden, was.hidden, is.hidden);
-        if (change.color || change.radius || change.hidden) shared.spheres.push_back(change);
-    }
+    shared.spheres = changes_between(before.spheres, after.spheres);
     for (const auto& [number, name] : before.names) {
         if (!after.names.contains(number)) shared.names[number] = "";
     }
@@ -94,6 +71,22 @@ SharedEdits shared_edits(const Scene& before, const Scene& after) {
     return shared;
 }
 
+SharedEdits shared_edits_now(ViewerState& state) {
+    const FrameEdits& edits = state.player.edits;
+    if (!edits.before) return edits.shared;
+    // Once spheres have come, gone or changed places no number tells anything: what was noted before that stays.
+    const bool same_numbers = same_places(*edits.before, state.scene()) || state.document.order_revision() == state.file_order;
+    if (!same_numbers) return edits.shared;
+    SharedEdits shared = shared_edits(with_chosen_look(state), state.scene());
+    // A frame of another size in between has got nothing, and takes nothing away.
+    if (shared.frame_size != edits.shared.frame_size && shared.spheres.empty() && shared.names.empty()) {
+        shared.frame_size = edits.shared.frame_size;
+        shared.spheres = edits.shared.spheres;
+        shared.names = edits.shared.names;
+    }
+    return shared;
+}
+
 void note_frame_before_edit(ViewerState& state, bool renumbers) {
     if (!has_several_frames(state)) return;
     FrameEdits& edits = state.player.edits;
@@ -101,7 +94,7 @@ void note_frame_before_edit(ViewerState& state, bool renumbers) {
         edits.before = std::make_shared<const Scene>(without_properties(state.scene()));
         edits.judged_revision = 0;
     } else if (renumbers) {
-        note_shared_edits(state);
+        edits.shared = shared_edits_now(state);
     }
 }
 
@@ -117,7 +110,7 @@ EditsReach reach_of_edits(ViewerState& state) {
 }
 
 void take_shared_edits(ViewerState& state) {
-    if (state.player.edits.before) note_shared_edits(state);
+    state.player.edits.shared = shared_edits_now(state);
     state.player.edits.before.reset();
 }
 
@@ -130,7 +123,7 @@ void give_shared_edits(ViewerState& state) {
     const auto give = [&](Edit edit) { document.apply(std::move(edit), "Changes of all frames", gesture); };
     if (shared.frame_size == document.scene().spheres.size()) {
         ChangeSpheres change;
-        for (const SharedChange& one : shared.spheres) {
+        for (const SphereChange& one : shared.spheres) {
             Sphere sphere = document.scene().spheres[one.number];
             sphere.color = one.color.value_or(sphere.color);
             sphere.radius = one.radius.value_or(sphere.radius);

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/frame_changes.hpp"
 #include "panels/timeline.hpp"
 #include "scene/scene.hpp"
 
@@ -17,18 +18,10 @@ namespace sphereview {
 
 struct ViewerState;
 
-// What has become another in a sphere.
-struct SharedChange {
-    std::uint32_t number = 0;
-    std::optional<Color> color{};
-    std::optional<double> radius{};
-    std::optional<bool> hidden{};
-};
-
 // What goes along.
 struct SharedEdits {
     std::size_t frame_size = 0;                    // frames of so many spheres get
-    std::vector<SharedChange> spheres{};           // these, by number,
+    std::vector<SphereChange> spheres{};           // these, by number,
     std::map<std::uint32_t, std::string> names{};  // and these
     // All frames.
     std::optional<Background> background{};
@@ -55,6 +48,9 @@ void note_frame_before_edit(ViewerState& state, bool renumbers);
 
 // What the edits of the frame that is shown apply to, those included that it got from others.
 EditsReach reach_of_edits(ViewerState& state);
+
+// What the frame that is shown shares with all others, what it got from them included.
+SharedEdits shared_edits_now(ViewerState& state);
 
 // Another frame is about to be shown: takes along what the present one shares.
 void take_shared_edits(ViewerState& state);
