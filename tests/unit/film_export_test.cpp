@@ -230,6 +230,14 @@ TEST_F(FilmExport, SaysBeforehandWhatItWillBe) {
     EXPECT_TRUE(judged("a{frame}.png").has_alpha);
 }
 
+// Of a file that is still looked through more frames may come.
+TEST_F(FilmExport, KnowsThatThereMayBeMoreFrames) {
+    write_encoder("exit 1");
+    state.player.all_frames = false;
+    EXPECT_TRUE(test::contains(judged("a.mp4").summary, "At least 3 pictures"));
+    EXPECT_EQ(judged("a.mp4", [](FilmForm& f) { f.chosen.frames = "9"; }).fault, "");
+}
+
 TEST_F(FilmExport, SaysWhatToInstallAndOffersPictures) {
     setenv("PATH", "/nowhere", 1);
     EXPECT_TRUE(test::contains(judged("a.mp4").fault, "A film needs the program ffmpeg"));
