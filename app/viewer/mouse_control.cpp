@@ -222,7 +222,8 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
     } else {
         selection.set_only(static_cast<std::uint32_t>(grabbed_));
     }
-    if (selection != state.selection) actions.push_back(SelectSpheres{selection});
+    const bool adds = grabbed_ >= 0 && selection.contains(static_cast<std::uint32_t>(grabbed_));
+    if (selection != state.selection) actions.push_back(SelectSpheres{selection, adds});
 }
 
 void MouseControl::select_box(const PictureMouse& mouse, const PictureState& state) const {

@@ -216,6 +216,7 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     press();
     release();
     EXPECT_TRUE(selection.contains(0));
+    EXPECT_TRUE(std::get<SelectSpheres>(actions.at(0)).shows_row) << "in the list";
     press_at({10, 10});
     mouse.place = {300, 300};
     EXPECT_TRUE(frame().camera) << "an orbit";
