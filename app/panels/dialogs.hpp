@@ -44,6 +44,12 @@ struct FileOrder {
     bool operator==(const FileOrder&) const = default;
 };
 
+// Whether a picture gets what the window shows over its own: "axes and scale bar".
+struct MarksChoice {
+    std::string words;
+    bool drawn = false;
+};
+
 // Files that belong together: "TOML" with ".toml".
 struct FileKind {
     std::string name;
@@ -56,7 +62,8 @@ struct FileKind {
 // to replace it. With a `size` the file is a picture, whose size is chosen, too: at first that one; with a `film` as well it is a
 // film, or several pictures. Widgets: those of panels/film_form.hpp, "browser path",
 // "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0", "browser hidden", "browser kind", "kind
-// TOML", "browser sort name" ("size", "date"), "entry NAME", "export width", "export height", "export 1920 x 1080", "export view".
+// TOML", "browser sort name" ("size", "date"), "entry NAME", "export width", "export height", "export 1920 x 1080", "export view",
+// "export marks".
 struct FileBrowser {
     bool saving = false;  // a name may be new
     std::string title;
@@ -70,6 +77,7 @@ struct FileBrowser {
     std::vector<std::string> places;  // folders to go to by a click
     std::optional<PictureSize> size;
     std::shared_ptr<FilmForm> film{};        // with a size
+    std::shared_ptr<MarksChoice> marks{};    // likewise, and without a film, which has its own
     PictureSize view;                        // of the picture in the window, for a button
     std::int64_t most_pixels = 429'496'729;  // as image/image.hpp has it
     std::string error;                       // what is wrong, or why the last try did not work

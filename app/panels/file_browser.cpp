@@ -334,6 +334,12 @@ void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
     draw_kinds(context, browser, kinds);
 }
 
+void draw_marks(const PanelContext& context, MarksChoice& marks) {
+    ImGui::Checkbox(("With " + marks.words).c_str(), &marks.drawn);
+    note_widget(context, "export marks");
+    explain_item("What the window shows over its picture");
+}
+
 }  // namespace
 
 Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs) {
@@ -349,12 +355,13 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     const std::string& fault = browser.error.empty() ? unfit : browser.error;
     const float error_height = std::max(fault_height(fault, width), ImGui::GetTextLineHeight());
     const float size_height = browser.size ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() : 0.0F;
+    const float marks_height = browser.marks ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
     const float film_height = browser.film ? height_of_film_form(*browser.film, width) : 0.0F;
     const float ends = form_end_width(context) + spacing.x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
     const bool hidden_beside = width >= ends + width_of(hidden_files_label);
     const float hidden_height = hidden_beside ? 0.0F : ImGui::GetFrameHeightWithSpacing();
     const float below =
-        2.0F * ImGui::GetFrameHeight() + size_height + film_height + error_height + hidden_height + 3.0F * spacing.y;
+        2.0F * ImGui::GetFrameHeight() + size_height + marks_height + film_height + error_height + hidden_height + 3.0F * spacing.y;
     const float fewest = browser.film ? 3.0F : 5.0F;  // lines: a film's form leaves less room in a small window
     const float height = std::max(fewest * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y - below);
     draw_places(context, browser, {0.22F * width, height});
@@ -362,6 +369,7 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
     const auto [clicked, entry] = draw_entries(context, browser, height);
     draw_name(context, browser, width);
     if (browser.size) draw_size(context, browser);
+    if (browser.marks) draw_marks(context, *browser.marks);
     if (browser.film) draw_film_form(context, *browser.film);
     if (fault.empty()) {
         ImGui::Dummy({0.0F, error_height});

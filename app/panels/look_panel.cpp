@@ -17,7 +17,6 @@ namespace sphereview {
 namespace {
 
 constexpr std::size_t most_used = 16;
-constexpr const char* nothing_chosen = "their own";
 // As LookPanelState::size_by has them, which no property is called; in the order of RadiiKind.
 constexpr std::array<const char*, 3> radii_words = {"covalent radii", "van der Waals radii", "ionic radii"};
 
@@ -42,7 +41,7 @@ public:
 
     void draw() {
         shown_coloring(context_.document, state_);  // an undo may have brought others back
-        if (choose("colour by", state_.colors.property, color_choices(), own_colors_known())) {
+        if (choose("colour by", "the file's colours", state_.colors.property, color_choices(), own_colors_known())) {
             state_.colors.range.reset();
             state_.colors.log = false;
             state_.recolors = !state_.colors.property.empty();
@@ -126,16 +125,16 @@ private:
         return names;
     }
 
-    // Returns whether another was chosen; "" for the spheres' own, which may be given back where that `is_known`.
-    bool choose(const char* label, std::string& property, const std::vector<std::string>& names, bool is_known) {
+    // Returns whether another was chosen; "", said as `own`, for the spheres' own, which may be given back where that `is_known`.
+    bool choose(const char* label, const char* own, std::string& property, const std::vector<std::string>& names, bool is_known) {
         begin_field(context_, label);
-        const std::string shown = property.empty() ? nothing_chosen : as_label(shown_text(property));
+        const std::string shown = property.empty() ? own : as_label(shown_text(property));
         const bool open = ImGui::BeginCombo((std::string("##") + label).c_str(), shown.c_str(), ImGuiComboFlags_HeightLarge);
         note_widget(context_, label);
         if (!open) return false;
         bool chosen = false;
         const bool enabled = is_known || property.empty();
-        if (ImGui::Selectable(nothing_chosen, property.empty(), enabled ? 0 : ImGuiSelectableFlags_Disabled)) {
+        if (ImGui::Selectable(own, property.empty(), enabled ? 0 : ImGuiSelectableFlags_Disabled)) {
             chosen = !property.empty();
             property.clear();
         }
@@ -213,7 +212,7 @@ private:
     }
 
     void draw_sizes() {
-        if (choose("size by", state_.size_by, size_choices(), own_radii_known())) {
+        if (choose("size by", "the file's sizes", state_.size_by, size_choices(), own_radii_known())) {
             state_.resizes = !state_.size_by.empty();
             state_.own.sizes_chosen = !state_.resizes;
             if (!state_.resizes) restore_radii();

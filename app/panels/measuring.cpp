@@ -105,8 +105,11 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
     if (measuring.revision != context.document.names_revision()) measuring.spheres.clear();
     const float margin = 12.0F * context.scale;
     const float room = std::max(area.width - 2.0F * margin, 1.0F);
-    const float width = std::min(std::max(340.0F * context.scale, 8.0F * ImGui::GetFontSize()), room);
-    ImGui::SetNextWindowPos({area.x + area.width - margin - width, area.y + margin}, ImGuiCond_Appearing);
+    // At the left, with a third of the picture beside it: there is the legend.
+    constexpr float part = 0.65F;
+    const float wanted = std::max(std::min(340.0F * context.scale, part * area.width), 8.0F * ImGui::GetFontSize());
+    const float width = std::min(wanted, room);
+    ImGui::SetNextWindowPos({area.x + margin, area.y + margin}, ImGuiCond_Appearing);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - 2.0F * margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
     // What it covers may be what is to be measured, so it can be moved.

@@ -232,7 +232,10 @@ void draw_refusal(const PanelContext& context, const NumberFields& fields, const
 std::string fitting_text(double value, float width) {
     constexpr int most_digits = 16;
     std::string text = shortest(value);
-    for (int digits = most_digits; digits > 0 && width_of(text) > width; --digits) text = short_text(value, digits);
+    for (int digits = most_digits; digits > 0 && width_of(text) > width; --digits) {
+        const std::string shorter = short_text(value, digits);
+        if (width_of(shorter) < width_of(text)) text = shorter;  // 144 is not: 1e+02 takes more room
+    }
     return text;
 }
 

@@ -81,7 +81,8 @@ void refuse_number(NumberFields& fields, const std::string& name, const std::str
 // Says, on lines of its own, why the number of that field was refused; nothing where it was not.
 void draw_refusal(const PanelContext& context, const NumberFields& fields, const std::string& name);
 
-// The shortest text of the number that reads back as the same, or, where that is wider, as many digits as fit into so many pixels.
+// The shortest text of the number that reads back as the same, or, where that is wider, as many digits as fit into so many pixels;
+// where none do, what takes least room.
 std::string fitting_text(double value, float width);
 
 // "1.5 to 20".

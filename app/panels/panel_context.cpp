@@ -19,7 +19,7 @@ std::string name_of(const Scene& scene, std::uint32_t number) {
 
 std::string title_of(const Scene& scene, std::uint32_t number) {
     const std::string name = name_of(scene, number);
-    return name.empty() ? "sphere " + std::to_string(number) : "'" + shown_text(name) + "'";
+    return "sphere " + std::to_string(number) + (name.empty() ? "" : " '" + shown_text(name) + "'");
 }
 
 std::string spheres_in_words(std::size_t count) { return in_groups(count) + (count == 1 ? " sphere" : " spheres"); }

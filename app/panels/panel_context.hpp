@@ -29,6 +29,7 @@ struct EditScene {
 };
 struct SelectSpheres {
     Selection selection;
+    bool shows_row = false;  // the list scrolls to the primary sphere: it was chosen elsewhere
 };
 struct RunCommand {
     CommandId command = CommandId::help;
@@ -100,7 +101,7 @@ void note_widget(const PanelContext& context, const std::string& name);
 
 // A sphere's name; "" where it has none.
 std::string name_of(const Scene& scene, std::uint32_t number);
-// What a person calls a sphere: its name in quotes, else "sphere 3"; so many: "1,234 spheres"; and what is selected.
+// A sphere in words: "sphere 3", or "sphere 3 'sun'" of one with a name; so many: "1,234 spheres"; and what is selected.
 std::string title_of(const Scene& scene, std::uint32_t number);
 std::string spheres_in_words(std::size_t count);
 std::string title_of(const Scene& scene, const Selection& selection);

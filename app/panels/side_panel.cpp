@@ -186,11 +186,23 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
 std::string count_in_words(const PanelContext& context, const SidePanelState& state) {
     const std::size_t count = context.document.scene().spheres.size();
     const std::string all = spheres_in_words(count);
+    const std::size_t selected = context.selection.size();
+    const std::string and_selected = selected > 0 ? ", " + in_groups(selected) + " selected" : "";
     if (!state.filter.empty()) {
         const std::string found = in_groups(state.search.found().size()) + " of " + all;
-        return state.search.done() ? found : found + ", " + fixed(100.0 * state.search.part(), 0) + " % looked at";
+        return state.search.done() ? found + and_selected : found + ", " + fixed(100.0 * state.search.part(), 0) + " % looked at";
     }
-    return context.selection.size() > 1 ? all + ", " + in_groups(context.selection.size()) + " selected" : all;
+    return all + and_selected;
+}
+
+// "Sphere", of a single one with its number and name; always the same widget.
+std::string sphere_heading(const PanelContext& context) {
+    const Scene& scene = context.document.scene();
+    const auto& numbers = context.selection.numbers();
+    std::string heading = "sphere";
+    if (numbers.size() == 1 && numbers.front() < scene.spheres.size()) heading = as_label(title_of(scene, numbers.front()));
+    heading.front() = 'S';
+    return heading + "###sphere";
 }
 
 }  // namespace
@@ -203,7 +215,8 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     draw_sphere_list(context, state, std::max(least, ImGui::GetContentRegionAvail().y - state.below_list));
     const float below = ImGui::GetCursorPosY();
     ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
-    if (ImGui::CollapsingHeader("Sphere", ImGuiTreeNodeFlags_DefaultOpen)) draw_sphere_editor(context, state);
+    if (ImGui::CollapsingHeader(sphere_heading(context).c_str(), ImGuiTreeNodeFlags_DefaultOpen))
+        draw_sphere_editor(context, state);
     const bool look = ImGui::CollapsingHeader("Colour and size");
     note_widget(context, "look");
     if (look) draw_look_panel(context, state.look, state.numbers);

@@ -55,7 +55,7 @@ private:
         }
     }
 
-    // Three numbers and a swatch, which opens a picker.
+    // Three numbers and a swatch, which opens a picker. Where a line has no room for them, each number has a line of its own.
     void draw_color() {
         struct Channel {
             const char* name;
@@ -66,18 +66,31 @@ private:
             {{"red", "R ", SphereValue::red}, {"green", "G ", SphereValue::green}, {"blue", "B ", SphereValue::blue}}};
         begin_field(context_, "colour");
         const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-        const float width = (ImGui::CalcItemWidth() - ImGui::GetFrameHeight()) / static_cast<float>(channels.size()) - gap;
+        const float left = ImGui::GetCursorPosX();
+        const float whole = ImGui::CalcItemWidth() - ImGui::GetFrameHeight();
+        float needed = width_of("255");
+        for (const Channel& channel : channels) needed = std::max(needed, width_of(in_words_if_several(channel.value)));
+        needed += 2.0F * ImGui::GetStyle().FramePadding.x;
+        const float third = whole / static_cast<float>(channels.size()) - gap;
+        const bool beside = third >= needed;
         for (const Channel& channel : channels) {
-            ImGui::SetNextItemWidth(std::max(width, 1.0F));
+            if (!beside) ImGui::SetCursorPosX(left);
+            ImGui::SetNextItemWidth(std::max(beside ? third : whole - gap, 1.0F));
             number(channel.name,
                    {.low = 0.0, .high = color_max, .whole = true, .usual_size = 100.0, .help = "", .prefix = channel.prefix},
                    channel.value);
-            ImGui::SameLine(0.0F, gap);
+            if (beside || &channel == &channels.back()) ImGui::SameLine(0.0F, gap);
         }
         const auto gesture = draw_color_edit(context_, "##color", sphere_.color);
         note_widget(context_, "color");
         for (const Channel& channel : channels) draw_refusal(context_, state_.numbers, channel.name);
         if (gesture) change_all("Recolour ", *gesture, [&](Sphere& sphere, std::size_t) { sphere.color = sphere_.color; });
+    }
+
+    // What the spheres have, where that is not the same; "" where it is.
+    std::string in_words_if_several(SphereValue which) const {
+        const SharedValues::Range& values = shared_.range(which);
+        return values.low == values.high ? "" : range_text(values.low, values.high);
     }
 
     void number_line(const char* name, const NumberRule& rule, SphereValue which) {
@@ -87,8 +100,7 @@ private:
     }
 
     void number(const char* name, const NumberRule& rule, SphereValue which) {
-        const SharedValues::Range& values = shared_.range(which);
-        const std::string several = values.low == values.high ? "" : range_text(values.low, values.high);
+        const std::string several = in_words_if_several(which);
         double value = value_of(sphere_, which);
         const NumberChange change = draw_number(context_, state_.numbers, name, rule, value, several);
         if (change == NumberChange::none) return;

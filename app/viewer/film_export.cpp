@@ -121,15 +121,6 @@ FilmJudgement judgement(const FilmForm& form, const std::string& path, const std
     return judged;
 }
 
-// "axes, scale bar and legend", as far as the window shows them.
-std::string shown_marks(const ViewerState& state) {
-    std::vector<std::string> marks;
-    if (state.settings.axes_shown) marks.emplace_back("axes");
-    if (state.settings.scale_bar_shown) marks.emplace_back("scale bar");
-    if (state.settings.legend_shown && state.side_panel.look.shown) marks.emplace_back("legend");
-    return listed(marks, "and");
-}
-
 FilmForm new_form(const ViewerState& state) {
     FilmForm form;
     const std::string scene = name_of_scene(state);
@@ -192,13 +183,13 @@ void ask_for_film(ViewerState& state, const std::string& path, const std::string
     browser.name = text_from(path_from(path).filename());
     browser.kinds = film_kinds(name_in_patterns(name_of_scene(state)));
     browser.only_kinds = true;
-    browser.size = PictureSize{state.settings.export_width, state.settings.export_height};
+    browser.size = PictureSize{state.settings.film_width, state.settings.film_height};
     browser.view = state.picture_size;
     browser.film = std::make_shared<FilmForm>(new_form(state));
     browser.error = fault;
     browser.accept = [&state, form = browser.film](const std::string& chosen, PictureSize size) {
-        state.settings.export_width = size.width;
-        state.settings.export_height = size.height;
+        state.settings.film_width = size.width;
+        state.settings.film_height = size.height;
         state.film_choices = form->chosen;
         const auto ask_again = [&](const std::string& why) { ask_for_film(state, chosen, why); };
         if (state.filming) return ask_again(state.filming->path + " is not exported yet");

@@ -121,6 +121,7 @@ PictureConsequences MouseControl::frame(const PictureMouse& mouse, const Picture
         }
     }
     if (mode_ == Mode::none) return consequences;
+    follow_picture(mouse, state);
     if (!dragging_ && glm::distance(mouse.place, start_) > mouse.drag_threshold) dragging_ = true;
     if (dragging_) drag(mouse, state, consequences, gesture, actions);
     if (mouse.cancelled) {
@@ -142,6 +143,8 @@ void MouseControl::press(int button, const PictureMouse& mouse, const PictureSta
     has_moved_ = false;
     start_ = mouse.place;
     last_ = mouse.place;
+    corner_ = mouse.corner;
+    size_ = state.size;
     drag_gesture_ = 0;
     orbit_point_.reset();
     grabbed_ = state.pick(mouse.place);
@@ -159,6 +162,17 @@ void MouseControl::press(int button, const PictureMouse& mouse, const PictureSta
     }
 }
 
+// When the picture gets another place or size in the window, a drag stays where the pointer is on the screen, and spheres are moved
+// on from where they are now: else the picture's own change would move them.
+void MouseControl::follow_picture(const PictureMouse& mouse, const PictureState& state) {
+    if (mouse.corner == corner_ && state.size == size_) return;
+    start_ += corner_ - mouse.corner;
+    last_ += corner_ - mouse.corner;
+    corner_ = mouse.corner;
+    size_ = state.size;
+    if (mode_ == Mode::move_spheres && drag_gesture_ != 0) remember_spheres(last_, state);
+}
+
 void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, PictureConsequences& consequences,
                         std::uint64_t& gesture, std::vector<Action>& actions) {
     const glm::dvec2 moved = mouse.place - last_;
@@ -167,12 +181,11 @@ void MouseControl::drag(const PictureMouse& mouse, const PictureState& state, Pi
         if (drag_gesture_ == 0) {
             drag_gesture_ = ++gesture;
             base_in_depth_ = mouse.shift;
-            remember_spheres(mouse, state);
-            base_place_ = start_;
+            remember_spheres(start_, state);
         }
         if (mouse.shift != base_in_depth_) {
             base_in_depth_ = mouse.shift;
-            remember_spheres(mouse, state);
+            remember_spheres(mouse.place, state);
         }
         move_spheres(mouse, state, actions);
         return;
@@ -209,7 +222,8 @@ void MouseControl::click(const PictureMouse& mouse, const PictureState& state, s
     } else {
         selection.set_only(static_cast<std::uint32_t>(grabbed_));
     }
-    if (selection != state.selection) actions.push_back(SelectSpheres{selection});
+    const bool adds = grabbed_ >= 0 && selection.contains(static_cast<std::uint32_t>(grabbed_));
+    if (selection != state.selection) actions.push_back(SelectSpheres{selection, adds});
 }
 
 void MouseControl::select_box(const PictureMouse& mouse, const PictureState& state) const {
@@ -222,11 +236,11 @@ void MouseControl::select_box(const PictureMouse& mouse, const PictureState& sta
     state.select_seen(pixel(low.x, low.y), pixel(high.x, high.y), mouse.shift);
 }
 
-void MouseControl::remember_spheres(const PictureMouse& mouse, const PictureState& state) {
+void MouseControl::remember_spheres(const glm::dvec2& place, const PictureState& state) {
     base_.clear();
     base_.reserve(state.selection.size());
     for (const std::uint32_t number : state.selection.numbers()) base_.push_back(state.scene.spheres[number].center);
-    base_place_ = mouse.place;
+    base_place_ = place;
 }
 
 void MouseControl::move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) {

@@ -14,6 +14,7 @@ namespace sphereview {
 // The mouse in one frame. Places are pixels of the picture from its top left corner.
 struct PictureMouse {
     glm::dvec2 place{0.0};
+    glm::dvec2 corner{0.0};  // the picture's, in pixels of the window: a panel that opens moves it under a pointer that rests
     bool available = false;  // over the picture, and no panel wants the mouse
     // By platform/window.hpp's MouseButton.
     std::array<bool, 3> pressed{};
@@ -78,12 +79,13 @@ private:
     enum class Mode { none, orbit, pan, zoom, move_spheres, box };
 
     void press(int button, const PictureMouse& mouse, const PictureState& state);
+    void follow_picture(const PictureMouse& mouse, const PictureState& state);
     void drag(const PictureMouse& mouse, const PictureState& state, PictureConsequences& consequences, std::uint64_t& gesture,
               std::vector<Action>& actions);
     void click(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions) const;
     void select_box(const PictureMouse& mouse, const PictureState& state) const;
     void move_spheres(const PictureMouse& mouse, const PictureState& state, std::vector<Action>& actions);
-    void remember_spheres(const PictureMouse& mouse, const PictureState& state);
+    void remember_spheres(const glm::dvec2& place, const PictureState& state);
     void change_radius(const PictureMouse& mouse, const PictureState& state, std::int32_t picked, std::uint64_t& gesture,
                        std::vector<Action>& actions);
 
@@ -93,6 +95,9 @@ private:
     bool has_moved_ = false;  // spheres, which Escape takes back
     glm::dvec2 start_{0.0};
     glm::dvec2 last_{0.0};
+    // Where the picture was in the latest frame of the drag.
+    glm::dvec2 corner_{0.0};
+    PictureSize size_{};
     glm::dvec3 grabbed_point_{0.0};  // in the scene, where the button went down
     std::int32_t grabbed_ = -1;      // the sphere there
     std::optional<glm::dvec3> orbit_point_;

@@ -69,6 +69,7 @@ void perform(ViewerState& state, std::vector<Action> actions) {
             apply(state, std::move(*edit));
         } else if (auto* select = std::get_if<SelectSpheres>(&action)) {
             state.selection = std::move(select->selection);
+            if (select->shows_row) state.side_panel.scroll_to_selection = true;
             state.selection.keep_below(state.scene().spheres.size());
         } else if (const auto* command = std::get_if<RunCommand>(&action)) {
             run_command(state, command->command);

@@ -17,6 +17,7 @@
 #include "image/png.hpp"
 #include "viewer/lit_draft.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/view_marks.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -145,9 +146,12 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
     form.size = PictureSize{state.settings.export_width, state.settings.export_height};
     form.view = state.picture_size;
     form.error = fault;
-    form.accept = [&state](const std::string& path, PictureSize size) {
+    const std::string marks = shown_marks(state);
+    if (!marks.empty()) form.marks = std::make_shared<MarksChoice>(MarksChoice{marks, state.settings.marks_exported});
+    form.accept = [&state, marks = form.marks](const std::string& path, PictureSize size) {
         state.settings.export_width = size.width;
         state.settings.export_height = size.height;
+        if (marks) state.settings.marks_exported = marks->drawn;
         const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
         if (state.exporting) return ask_again(state.exporting->shown_path() + " is not exported yet");
         try {

@@ -1,8 +1,11 @@
 #include "viewer/scene_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "base/gunzip.hpp"
 #include "base/input_file.hpp"
@@ -33,12 +36,25 @@ void ask(ViewerState& state, Question question) {
     state.dialogs.push_back(std::move(question));
 }
 
+// What readers say ends with options of the command line; in a window it is done otherwise.
+std::string in_terms_of_window(std::string line) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 3> ends = {
+        {{"; --radius gives another", "; Ctrl+A and the radius of the panel Sphere give another"},
+         {"; --color-by and --size-by can use them", "; the panel Colour and size can use them"},
+         {", or not with --no-virtual", ""}}};
+    for (const auto& [option, other] : ends) {
+        if (line.ends_with(option)) line.replace(line.size() - option.size(), option.size(), other);
+    }
+    return line;
+}
+
 // What is to be said of a file that was read all the same, below `first`, if that is not "".
 void announce_reading(ViewerState& state, const std::string& first, const LoadedScene& loaded) {
     std::vector<std::string> lines = {first};
     lines.insert(lines.end(), loaded.warnings.begin(), loaded.warnings.end());
     lines.insert(lines.end(), loaded.notes.begin(), loaded.notes.end());
     std::erase(lines, "");
+    std::ranges::transform(lines, lines.begin(), in_terms_of_window);
     if (!lines.empty()) announce(state, joined(lines, "\n"));
 }
 

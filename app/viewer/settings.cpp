@@ -54,6 +54,8 @@ void each_number(Settings& settings, const Visit& visit) {
     visit("text_scale", settings.text_scale, text_scale_range);
     visit("export_width", settings.export_width, export_side_range);
     visit("export_height", settings.export_height, export_side_range);
+    visit("film_width", settings.film_width, export_side_range);
+    visit("film_height", settings.film_height, export_side_range);
     visit("samples", settings.samples, SettingRange<int>{sample_counts.front(), sample_counts.back()});
 }
 
@@ -138,10 +140,14 @@ ViewerSettings load_settings(std::string* fault) {
     read_place(json, settings.place);
     each_number(settings, [&](const char* key, auto& setting, auto range) { read(json, key, range, setting); });
     each_switch(settings, [&](const char* key, bool& on) { on = json[key].boolean().value_or(on); });
-    if (std::int64_t{settings.export_width} * settings.export_height > most_pixels) {
-        settings.export_width = ViewerSettings{}.export_width;
-        settings.export_height = ViewerSettings{}.export_height;
-    }
+    const auto keep_possible = [](int& width, int& height, int usual_width, int usual_height) {
+        if (std::int64_t{width} * height <= most_pixels) return;
+        width = usual_width;
+        height = usual_height;
+    };
+    const ViewerSettings usual;
+    keep_possible(settings.export_width, settings.export_height, usual.export_width, usual.export_height);
+    keep_possible(settings.film_width, settings.film_height, usual.film_width, usual.film_height);
     if (std::ranges::find(sample_counts, settings.samples) == sample_counts.end()) settings.samples = ViewerSettings{}.samples;
     if (const auto name = json["shading"].text()) settings.shading = shading_named(*name).value_or(settings.shading);
     read_recent(json, settings.recent);

@@ -35,6 +35,8 @@ struct ViewerSettings {
     std::vector<std::string> recent;  // absolute paths, the latest first, each once, at most `most_recent`
     int export_width = 1000;
     int export_height = 1000;
+    int film_width = 1000;
+    int film_height = 1000;
     int samples = sample_counts.back();  // points a pixel, of the window at rest and of exports: one of sample_counts
     Shading shading = Shading::studio;
     bool trackball = false;  // a drag turns the view without an upright

@@ -160,8 +160,8 @@ ExitCode run_view(const ViewOptions& options) {
     if (options.shading) state.settings.shading = *options.shading;
     if (options.light.any()) state.settings.shading = Shading::studio;
     if (options.size) {
-        state.settings.export_width = options.size->width;
-        state.settings.export_height = options.size->height;
+        state.settings.export_width = state.settings.film_width = options.size->width;
+        state.settings.export_height = state.settings.film_height = options.size->height;
     }
     if (options.samples) state.settings.samples = *options.samples;
     load_first_scene(state);

@@ -8,8 +8,10 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/legend.hpp"
+#include "base/text.hpp"
 #include "camera/navigation.hpp"
 #include "camera/projected_line.hpp"
 #include "panels/widgets.hpp"
@@ -201,6 +203,14 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
                             ImGui::GetColorU32(ImGuiCol_PopupBg, 0.92F), pad);
         draw->AddText(low, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
     }
+}
+
+std::string shown_marks(const ViewerState& state) {
+    std::vector<std::string> marks;
+    if (state.settings.axes_shown) marks.emplace_back("axes");
+    if (state.settings.scale_bar_shown) marks.emplace_back("scale bar");
+    if (state.settings.legend_shown && state.side_panel.look.shown) marks.emplace_back("legend");
+    return listed(marks, "and");
 }
 
 PictureMarks exported_marks(const ViewerState& state) {

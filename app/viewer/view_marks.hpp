@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 #include "app/picture_marks.hpp"
 #include "panels/panel_context.hpp"
@@ -24,6 +25,9 @@ void draw_view_marks(ViewerState& state, const PanelContext& context, const Rect
 
 // Draws lines between the spheres that are measured, and beside them what they measure.
 void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels);
+
+// "axes, scale bar and legend", as far as the window shows them; "" for none.
+std::string shown_marks(const ViewerState& state);
 
 // The marks that an export of the view gets.
 PictureMarks exported_marks(const ViewerState& state);

@@ -187,6 +187,7 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
     PictureMouse mouse;
     mouse.place = {(static_cast<double>(io.MousePos.x) - static_cast<double>(area_.x)) * pixels_,
                    (static_cast<double>(io.MousePos.y) - static_cast<double>(area_.y)) * pixels_};
+    mouse.corner = {static_cast<double>(area_.x) * pixels_, static_cast<double>(area_.y) * pixels_};
     mouse.available = pointer_in_picture_;
     for (int button = 0; button < 3; ++button) {
         mouse.pressed[static_cast<std::size_t>(button)] = ImGui::IsMouseClicked(button);

@@ -197,7 +197,7 @@ struct PipedProgram::Process {
         input = -1;
     }
     void kill() const {
-        if (!ended) ::kill(process, SIGKILL);
+        if (!ended) ::kill(-process, SIGKILL);  // with what it has started: it may be a script
     }
     bool wait() {
         int status = 1;

@@ -104,7 +104,7 @@ TEST_F(FilmCommand, IsWholeOrNotAtAll) {
     EXPECT_TRUE(contains(missing.errors, "found no program ffmpeg")) << missing;
 
     // A frame that is bad ends the film.
-    write_encoder("cat >\"$film\"");
+    write_encoder("exec cat >\"$film\"");
     folder_.write("a.xyz", "1\n\nO 0 0 0\n1\n\nN 0 x 0\n1\n\nC 0 0 0\n");
     const Outcome bad = run(film({"--movie", "out.mp4", "--no-fit"}));
     EXPECT_EQ(bad.status, 2) << bad;
@@ -129,7 +129,7 @@ TEST_F(FilmCommand, InterruptedSaysHowFarItCame) {
 }
 
 TEST_F(FilmCommand, IsNamedByWhatItBecomes) {
-    write_encoder("cat >\"$film\"");
+    write_encoder("exec cat >\"$film\"");
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{"--movie", "out.avi"},
                                                {"--movie", "out.mp4", "-o", "-"},

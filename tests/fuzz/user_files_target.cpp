@@ -28,7 +28,7 @@ bool are_same(const ViewerSettings& a, const ViewerSettings& b) {
     return a.place.x == b.place.x && a.place.y == b.place.y && a.place.width == b.place.width && a.place.height == b.place.height &&
            a.place.maximized == b.place.maximized && a.panel_width == b.panel_width && a.text_scale == b.text_scale &&
            a.recent == b.recent && a.export_width == b.export_width && a.export_height == b.export_height &&
-           a.samples == b.samples && a.shading == b.shading;
+           a.film_width == b.film_width && a.film_height == b.film_height && a.samples == b.samples && a.shading == b.shading;
 }
 
 }  // namespace

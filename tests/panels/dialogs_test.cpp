@@ -183,6 +183,17 @@ TEST_F(ExportDialog, HasPresets) {
     EXPECT_TRUE(accepted.empty());
 }
 
+TEST_F(ExportDialog, OffersTheMarksThatTheWindowShows) {
+    harness.put(form());
+    EXPECT_FALSE(harness.panels.has("export marks")) << "the window shows none";
+    harness.escape();
+    FileBrowser with_marks = form();
+    with_marks.marks = std::make_shared<MarksChoice>(MarksChoice{"axes and scale bar", false});
+    harness.put(with_marks);
+    harness.click("export marks");
+    EXPECT_TRUE(with_marks.marks->drawn);
+}
+
 TEST_F(ExportDialog, RefusesWhatIsNoPicture) {
     EXPECT_EQ(FileBrowser{}.most_pixels, most_pixels);
     EXPECT_EQ(fault_with(1000, 1000), "");

@@ -61,8 +61,8 @@ TEST(Inspector, ShowsTheFormulaeAndTheHitsInOrder) {
     InspectorHarness panel(scene);
     // In ASCII where the font, here ImGui's own, has no sign.
     expect_in_order(panel.text(), {"Pixel 50, 50 of 101 \u00D7 101",
-                                   "shows 'sun'",
-                                   "The plane through the ray and the centre C of 'sun'",
+                                   "shows sphere 1 'sun'",
+                                   "The plane through the ray and the centre C of sphere 1 'sun'",
                                    "P = O + t D",
                                    "O = (0, 0, 0)",
                                    "D = (0, 0, 100)",

@@ -44,18 +44,18 @@ TEST(MeasuringPanel, GivesDistancesThenAnAngleThenADihedral) {
     harness.measure_all({1});
     EXPECT_EQ(harness.words(), Words());
     harness.measure_all({1, 2});
-    EXPECT_EQ(harness.words(), Words{"distance 'sun' to sphere 2 = 3"}) << "twice the same is once";
+    EXPECT_EQ(harness.words(), Words{"distance sphere 1 'sun' to sphere 2 = 3"}) << "twice the same is once";
     harness.measure_all({3});
-    EXPECT_EQ(harness.words(), (Words{"distance 'sun' to sphere 2 = 3", "distance sphere 2 to sphere 3 = 4",
-                                      "angle 'sun', sphere 2, sphere 3 = 90\xC2\xB0"}));
-    EXPECT_NE(harness.panels.text().find("angle 'sun', sphere 2, sphere 3"), std::string::npos) << harness.panels.text();
+    EXPECT_EQ(harness.words(), (Words{"distance sphere 1 'sun' to sphere 2 = 3", "distance sphere 2 to sphere 3 = 4",
+                                      "angle sphere 1 'sun', sphere 2, sphere 3 = 90\xC2\xB0"}));
+    EXPECT_NE(harness.panels.text().find("angle sphere 1 'sun', sphere 2, sphere 3"), std::string::npos) << harness.panels.text();
     harness.measure_all({4});
     harness.measure_all({0});
     EXPECT_EQ(harness.measuring.spheres, std::vector<std::uint32_t>{0}) << "a fifth begins anew";
     harness.measure_all({1, 2, 3});
     EXPECT_EQ(harness.words().size(), 6U);
-    EXPECT_EQ(harness.words(false).back(), "dihedral sphere 0, 'sun', sphere 2, sphere 3 = 90\xC2\xB0");
-    EXPECT_EQ(harness.words(true).back(), "dihedral sphere 0, 'sun', sphere 2, sphere 3 = -90\xC2\xB0");
+    EXPECT_EQ(harness.words(false).back(), "dihedral sphere 0, sphere 1 'sun', sphere 2, sphere 3 = 90\xC2\xB0");
+    EXPECT_EQ(harness.words(true).back(), "dihedral sphere 0, sphere 1 'sun', sphere 2, sphere 3 = -90\xC2\xB0");
 }
 
 TEST(MeasuringPanel, FollowsEditsAndForgetsSpheresThatHaveOtherNumbers) {
@@ -65,7 +65,7 @@ TEST(MeasuringPanel, FollowsEditsAndForgetsSpheresThatHaveOtherNumbers) {
     moved.center.x = 7.5;
     harness.panels.document.apply(ChangeSpheres{{2}, {moved}}, "Move");
     harness.panels.frames(2);
-    EXPECT_EQ(harness.words(), Words{"distance 'sun' to sphere 2 = 7.5"});
+    EXPECT_EQ(harness.words(), Words{"distance sphere 1 'sun' to sphere 2 = 7.5"});
     harness.panels.document.apply(RemoveSpheres{{0}}, "Delete");
     harness.panels.frames(2);
     EXPECT_TRUE(harness.measuring.spheres.empty());
@@ -77,11 +77,12 @@ TEST(MeasuringPanel, CopiesBeginsAnewAndEnds) {
     EXPECT_STREQ(ImGui::GetClipboardText(), "") << "nothing is measured";
     harness.measure_all({1, 2});
     harness.panels.click("measure copy");
-    EXPECT_STREQ(ImGui::GetClipboardText(), "distance 'sun' to sphere 2 = 3\n");
+    EXPECT_STREQ(ImGui::GetClipboardText(), "distance sphere 1 'sun' to sphere 2 = 3\n");
     harness.panels.click("measure again");
     EXPECT_TRUE(harness.measuring.on && harness.measuring.spheres.empty());
     const WidgetRectangle window = harness.panels.rectangles.at("measuring");
-    EXPECT_LE(window.right, 700.0F);
+    EXPECT_LT(window.right, 600.0F) << "the legend is at the right";
+    EXPECT_GE(window.left, 100.0F);
     EXPECT_GE(window.top, 50.0F);
     harness.panels.click("measure end");
     EXPECT_FALSE(harness.measuring.on);
@@ -94,8 +95,8 @@ TEST(MeasuringPanel, IsMovedAsideAndStaysWithinThePicture) {
     const auto window = [&] { return harness.panels.rectangles.at("measuring"); };
     const WidgetRectangle first = window();
     const ImVec2 edge{first.right - 4.0F, first.bottom - 3.0F};
-    harness.panels.drag(edge, {edge.x - 100.0F, edge.y + 200.0F});
-    EXPECT_NEAR(window().left, first.left - 100.0F, 1.0F);
+    harness.panels.drag(edge, {edge.x + 100.0F, edge.y + 200.0F});
+    EXPECT_NEAR(window().left, first.left + 100.0F, 1.0F);
     EXPECT_NEAR(window().top, first.top + 200.0F, 1.0F);
     harness.area = {100.0F, 50.0F, 380.0F, 300.0F};
     harness.panels.frames(2);
@@ -110,6 +111,7 @@ TEST(MeasuringPanel, FitsANarrowPicture) {
     for (const char* widget : {"measure copy", "measure again", "measure end"}) {
         EXPECT_LT(harness.panels.rectangles.at(widget).right, window.right) << widget;
     }
+    EXPECT_LT(window.right, 260.0F) << "the legend is at the right";
     EXPECT_GE(window.left, 100.0F);
 }
 

@@ -255,7 +255,8 @@ TEST(NumberField, ShowsAsManyDigitsAsFit) {
     const std::string less = fitting_text(1.0 / 3.0, 0.6F * all);
     EXPECT_LE(width_of(less), 0.6F * all);
     EXPECT_EQ(less.substr(0, 6), "0.3333");
-    EXPECT_EQ(fitting_text(56.0, 0.0F), "6e+01");
+    EXPECT_EQ(fitting_text(144.0, 0.0F), "144") << "nothing takes less room";
+    EXPECT_EQ(fitting_text(1234567.0, 0.0F), "1e+06");
 }
 
 }  // namespace sphereview

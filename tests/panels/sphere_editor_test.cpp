@@ -242,6 +242,7 @@ TEST(SphereEditor, ADragOfAColorMovesAllByAsMuchAndLeavesTheOthers) {
     scene.spheres[1].color = {30, 40, 50};
     SidePanelHarness panel(scene);
     panel.select({0, 1});
+    panel.frames(3);  // the numbers go below each other, and the list gives them its room
     panel.drag_by("blue", 23.0F);
     const int by = panel.sphere(1).color.b - 50;
     EXPECT_GT(by, 5);
@@ -355,6 +356,27 @@ TEST(SphereEditor, ManyAreSummedUp) {
     for (const std::uint32_t i : {0U, 1U, 2U}) EXPECT_FALSE(panel.sphere(i).hidden);
 }
 
+TEST(SphereEditor, ChannelsStandBelowEachOtherWhereALineHasNoRoomForThem) {
+    Scene scene = line_of_spheres(3);
+    for (std::size_t i = 0; i < 3; ++i) scene.spheres[i].color = {static_cast<std::uint8_t>(100 + 50 * i), 144, 144};
+    const auto lines = [&](float width, const std::vector<std::uint32_t>& selected) {
+        SidePanelState state;
+        PanelHarness panel(
+            PanelHarness::in_window([&](const PanelContext& context) { draw_sphere_editor(context, state); }, width, 700.0F), scene,
+            1400.0F, 1200.0F);
+        panel.selection.set(selected);
+        panel.frames(3);
+        EXPECT_NE(panel.text().find("144"), std::string::npos) << panel.text();
+        EXPECT_GE(panel.rectangles.at("slider red").right - panel.rectangles.at("slider red").left, ImGui::GetFontSize());
+        const auto top = [&](const char* name) { return panel.rectangles.at(name).top; };
+        EXPECT_EQ(top("color"), top("slider blue"));
+        return top("slider red") == top("slider blue") ? 1 : 3;
+    };
+    EXPECT_EQ(lines(340.0F, {1}), 1);
+    EXPECT_EQ(lines(200.0F, {1}), 3);
+    EXPECT_EQ(lines(340.0F, {0, 1, 2}), 3) << "\"100 to 200\" is longer";
+}
+
 TEST(SphereEditor, TheButtonSaysWhatTheCommandDoes) {
     Scene scene = line_of_spheres(3);
     scene.spheres[1].hidden = true;
@@ -367,6 +389,22 @@ TEST(SphereEditor, TheButtonSaysWhatTheCommandDoes) {
     EXPECT_TRUE(says({1}, "Show"));
     EXPECT_TRUE(says({}, "Hide"));
     EXPECT_TRUE(says({0}, "Hide"));
+}
+
+TEST(SphereEditor, ItsHeadingSaysWhichSphereItIs) {
+    Scene scene = line_of_spheres(5);
+    scene.names[2] = "C";
+    SidePanelHarness panel(scene);
+    const auto says = [&](const std::vector<std::uint32_t>& numbers, const std::string& words) {
+        panel.select(numbers);
+        return panel.text().find(words) != std::string::npos;
+    };
+    EXPECT_TRUE(says({2}, "Sphere 2 'C'"));
+    EXPECT_TRUE(says({2}, "5 spheres, 1 selected"));
+    EXPECT_TRUE(says({3}, "Sphere 3"));
+    EXPECT_FALSE(says({2, 3}, "Sphere 2"));
+    panel.state().filter = "C";
+    EXPECT_TRUE(says({2, 3}, "1 of 5 spheres, 2 selected"));
 }
 
 TEST(SphereEditor, NameIsTyped) {

@@ -55,10 +55,10 @@ TEST(SphereList, EyeHidesAndShows) {
     panel.click("row 1 eye");
     EXPECT_TRUE(panel.sphere(1).hidden);
     EXPECT_TRUE(panel.selection.empty());
-    EXPECT_EQ(panel.document.undo_name(), "Hide 'sun'");
+    EXPECT_EQ(panel.document.undo_name(), "Hide sphere 1 'sun'");
     panel.click("row 1 eye");
     EXPECT_EQ(panel.document.scene(), scene);
-    EXPECT_EQ(panel.document.undo_name(), "Show 'sun'");
+    EXPECT_EQ(panel.document.undo_name(), "Show sphere 1 'sun'");
 }
 
 TEST(SphereList, FilterNarrowsWhileTyping) {

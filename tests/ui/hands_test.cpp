@@ -50,6 +50,9 @@ protected:
         return numbers;
     }
     Place at(double x, double y) { return window_.on_screen(x, y); }
+    void wait_for_shown_inspector(bool is) {
+        window_.wait_until("the inspector", [&](const Json& f) { return f.at("shown").at("inspector") == is; });
+    }
     void click_with_ctrl(const Place& place) {
         window_.key_down("ctrl");
         window_.click(place);
@@ -244,6 +247,18 @@ TEST_F(Pointer, MovesSizesAndSelectsSpheres) {
     window_.key("ctrl+z");
     window_.wait_for("undo", "");
     saved();
+
+    window_.step("a panel that opens under a pointer that rests moves nothing");
+    select_red();
+    window_.move_to(at(0, 0));
+    window_.press();
+    window_.key("i");
+    wait_for_shown_inspector(true);
+    window_.release();
+    window_.key("i");
+    wait_for_shown_inspector(false);
+    EXPECT_EQ(window_.at("undo"), "");
+    EXPECT_EQ(window_.at("changed"), false);
 
     window_.step("Escape takes a drag back");
     window_.move_to(at(0, 0));

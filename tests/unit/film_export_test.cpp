@@ -247,7 +247,7 @@ TEST_F(FilmExport, SaysWhatToInstallAndOffersPictures) {
 }
 
 TEST_F(FilmExport, AppearsWholeBesideTheLoop) {
-    write_encoder("cat >\"$film\"");
+    write_encoder("exec cat >\"$film\"");
     start_film(state, request("a.mkv"));
     ASSERT_TRUE(test::eventually([&] { return is_finished(); }));
     EXPECT_EQ(error(), "");
@@ -262,7 +262,7 @@ TEST_F(FilmExport, SaysInOneMessageWhatWentWrong) {
     EXPECT_TRUE(test::contains(error(), "ffmpeg has failed: no such codec")) << error();
     EXPECT_FALSE(folder.has("a.mp4"));
 
-    write_encoder("cat >\"$film\"");
+    write_encoder("exec cat >\"$film\"");
     state.dialogs.clear();
     folder.write("a.xyz", "1\n\nO 0 0 0\n1\n\nN 0 x 0\n1\n\nC 0 0 0\n");
     start_film(state, request("a.mp4"));
@@ -292,7 +292,7 @@ TEST_F(FilmExport, LeavesNothingWhenItIsCancelled) {
 }
 
 TEST_F(FilmExport, TheEndOfTheWindowEndsIt) {
-    write_encoder("cat >\"$film\"");
+    write_encoder("exec cat >\"$film\"");
     FilmRequest many = request("a.mkv", [](FilmForm& form) {
         form.chosen.takes_frames = false;
         form.chosen.turns = true;

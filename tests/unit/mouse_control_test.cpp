@@ -172,10 +172,51 @@ TEST_F(Hand, EscapeTakesAMoveBackAndOnlyThat) {
     EXPECT_TRUE(actions.empty());
 }
 
+TEST_F(Hand, APictureThatChangesUnderAPointerThatRestsMovesNothing) {
+    selection.set_only(0);
+    const std::vector<Sphere> before = scene.spheres;
+    const Camera camera_before = camera;
+    // The picture's corner moves by so much in the window, and what the pointer is over in the picture with it.
+    const auto change_picture = [&](glm::dvec2 by, PictureSize to) {
+        mouse.corner += by;
+        mouse.place -= by;
+        size = to;
+        frame();
+    };
+    for (const glm::dvec2 place : {glm::dvec2(520, 490), glm::dvec2(10, 10)}) {  // a move of the sphere, and an orbit
+        mouse.corner = {};
+        size = {1000, 1000};
+        press_at(place);
+        change_picture({300, 40}, {700, 900});
+        EXPECT_TRUE(actions.empty());
+        EXPECT_FALSE(control.is_dragging());
+        change_picture({-200, 0}, {900, 900});
+        mouse.released[0] = true;
+        frame();
+        EXPECT_EQ(scene.spheres, before);
+        EXPECT_EQ(camera, camera_before);
+    }
+    // A drag that goes on is by as much as the pointer moves on the screen.
+    selection.set_only(0);
+    mouse.corner = {};
+    size = {1000, 1000};
+    press_at({520, 490});
+    drag_to({560, 490});
+    const std::vector<Sphere> moved = scene.spheres;
+    EXPECT_NE(moved, before);
+    change_picture({300, 0}, {1000, 1000});
+    EXPECT_EQ(scene.spheres, moved);
+    drag_to(mouse.place + glm::dvec2(40, 0));
+    EXPECT_NEAR(scene.spheres[0].center.x, 2.0 * moved[0].center.x, 1.0);
+    cancel();
+    EXPECT_TRUE(undoes()) << "still one step";
+}
+
 TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     press();
     release();
     EXPECT_TRUE(selection.contains(0));
+    EXPECT_TRUE(std::get<SelectSpheres>(actions.at(0)).shows_row) << "in the list";
     press_at({10, 10});
     mouse.place = {300, 300};
     EXPECT_TRUE(frame().camera) << "an orbit";

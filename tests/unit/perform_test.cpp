@@ -97,6 +97,15 @@ TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
 }
 
+TEST_F(Commands, AClickInThePictureScrollsTheListAndOneInTheListDoesNot) {
+    Selection selection;
+    selection.set_only(1);
+    perform(state, {SelectSpheres{selection}});
+    EXPECT_FALSE(state.side_panel.scroll_to_selection);
+    perform(state, {SelectSpheres{selection, true}});
+    EXPECT_TRUE(state.side_panel.scroll_to_selection);
+}
+
 TEST_F(Commands, CopiedSpheresArePastedBesideTheirOriginals) {
     const std::string* text = use_clipboard();
     EXPECT_FALSE(is_enabled(CommandId::copy) || is_enabled(CommandId::cut));

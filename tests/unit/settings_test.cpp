@@ -37,6 +37,8 @@ TEST_F(Settings, ComeBackAsTheyWereSaved) {
     settings.shading = Shading::id;
     settings.export_width = 1920;
     settings.export_height = 1080;
+    settings.film_width = 640;
+    settings.film_height = 480;
     settings.samples = 4;
     settings.trackball = true;
     settings.light_theme = true;
@@ -94,6 +96,7 @@ TEST_F(Settings, AreTheDefaultsWhereAFieldIsWrong) {
                               R"({"export_width": 0})",
                               R"({"export_width": 65536})",
                               R"({"export_width": 65535, "export_height": 65535})",
+                              R"({"film_width": 65535, "film_height": 65535})",
                               R"({"recent": "x"})",
                               R"({"samples": 2})",
                               R"({"samples": 64})",
