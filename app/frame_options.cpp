@@ -58,7 +58,7 @@ void check_film_options(const CLI::App& command, const RenderOptions& options) {
     }
     if (options.film.movie && is_streamed) wrong("--movie", "--output -", "one of the two films");
     const std::string option = options.film.movie ? "--movie" : "--output";
-    if (!frames.several()) wrong(option, "one picture", "--frames or --turntable with it");
+    if (!frames.several()) throw CLI::ValidationError("--movie needs --frames or --turntable");
     if (options.scenes.size() != 1) wrong(option, std::to_string(options.scenes.size()) + " scenes", "one for a film");
     if (frames.part) wrong(option, "--part", "all pictures of a film");
     if (frames.skip_existing) wrong(option, "--skip-existing", "all pictures of a film");

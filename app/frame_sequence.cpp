@@ -1,6 +1,7 @@
 #include "app/frame_sequence.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/memory.hpp"
 #include "base/text.hpp"
@@ -65,7 +66,10 @@ const LoadedScene& FrameSequence::read(std::int64_t frame) {
     present_ = {};
     SphereData data = reader_->read(frame);
     // One radius for all: made of each frame's own distances it would come and go.
-    if (data.radius_of_points) reader_->set_radius(*data.radius_of_points);
+    if (data.radius_of_points) {
+        reader_->set_radius(*data.radius_of_points);
+        radius_warnings_ = data.warnings;
+    }
     const std::size_t count = data.scene.spheres.size();
     require_memory(count * bytes_to_draw_a_sphere, reader_->name() + ": " + in_groups(count) + " spheres need");
     present_ = loaded_from(std::move(data), reader_->name(), reader_->format());
@@ -127,6 +131,12 @@ Camera FrameSequence::fitted_camera(const LoadedScene& first, const ViewAxes& ax
 
 LoadedScene FrameSequence::load(const Shot& shot) {
     LoadedScene loaded = read(shot.frame);
+    // Read once more by the radius that was found, a frame says nothing of it.
+    std::vector<std::string> warnings = std::exchange(radius_warnings_, {});
+    for (std::string& warning : loaded.warnings) {
+        if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
+    }
+    loaded.warnings = std::move(warnings);
     loaded.scene.camera = camera_;
     loaded.middle = middle_;
     loaded.fitted = fitted_;

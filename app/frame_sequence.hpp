@@ -70,6 +70,7 @@ private:
     std::optional<Turn> turn_{};
     glm::dvec3 middle_{0.0};  // of what the camera is fitted to, or of the first frame
     std::set<std::string> said_{};
+    std::vector<std::string> radius_warnings_{};  // of the frame that gave all their radius, until a picture has them
 };
 
 }  // namespace sphereview

@@ -81,7 +81,7 @@ private:
         const std::string title = cut(legible(coloring_.property), letter_, room_.width);
         text(title, {right - width_of_strokes(title, letter_), room_.corner.y});
         const int without = coloring_.without_value > 0 ? pitch() : 0;
-        const int top = room_.corner.y + pitch() + 2 * letter_;
+        const int top = room_.corner.y + pitch() + 6 * letter_;  // half of the first number is above it
         const int most = std::min(longest_bar * unit_, (room_.height - pitch() - without) * 11 / 20);
         // Numbers have room between them.
         const int ticks = std::max(most / (2 * pitch()) + 1, 2);
@@ -150,16 +150,17 @@ private:
             all.resize(shown);
         }
         const int gap = 4 * letter_;
+        const int count_gap = 3 * gap;  // as wide as two letters: words that are numbers must not run into theirs
         int widest_count = 0;
         for (const Row& row : all) widest_count = std::max(widest_count, width_of_strokes(row.count, letter_));
-        const int most_name = room_.width - dot() - 2 * gap - widest_count;
+        const int most_name = room_.width - dot() - gap - count_gap - widest_count;
         int widest_name = 0;
         for (Row& row : all) {
             row.name = cut(row.name, letter_, most_name);
             widest_name = std::max(widest_name, width_of_strokes(row.name, letter_));
         }
         const std::string title = cut(legible(coloring_.property), letter_, room_.width);
-        const int width = std::max({dot() + 2 * gap + widest_name + widest_count, width_of_strokes(title, letter_),
+        const int width = std::max({dot() + gap + widest_name + count_gap + widest_count, width_of_strokes(title, letter_),
                                     more.empty() ? 0 : dot() + gap + width_of_strokes(more, letter_)});
         const int left = room_.corner.x - width;
         int y = room_.corner.y;
@@ -171,7 +172,7 @@ private:
             const StrokePlace middle{left + dot() / 2, y + height_of_letters * letter_ / 2};
             draw_dot(middle, row.color);
             text(row.name, {names, y});
-            text(row.count, {names + widest_name + gap + widest_count - width_of_strokes(row.count, letter_), y});
+            text(row.count, {names + widest_name + count_gap + widest_count - width_of_strokes(row.count, letter_), y});
         }
         if (!more.empty()) text(more, {names, y + pitch()});
     }

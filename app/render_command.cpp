@@ -236,11 +236,12 @@ private:
         const DrawnSpheres drawn = timed(report.timings, Phase::prepare, [&] { return drawn_spheres(scene); });
         const bool shows_any = std::ranges::any_of(scene.spheres, std::not_fn(&Sphere::hidden));
         work.picture = render(scene, drawn, options, report, watcher);
-        if (work.loaded.fitted && !report.facts.shows_sphere && shows_any) {
-            work.warnings.push_back(report.job.label +
-                                    ": no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
-                                    "a larger --size, or --radius where the file says none, shows them");
-        }
+        if (report.facts.shows_sphere || !shows_any) return;
+        work.warnings.push_back(report.job.label +
+                                (work.loaded.fitted
+                                     ? ": no pixel shows a sphere, though the camera sees all: they are too small for the picture; "
+                                       "a larger --size, or --radius where the file says none, shows them"
+                                     : ": no pixel shows a sphere; --fit frames all"));
     }
 
     LoadedScene read_scene(const RenderJob& job, RenderReport& report) {

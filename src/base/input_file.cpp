@@ -9,11 +9,13 @@
 #include <new>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/path.hpp"
 #include "base/standard_streams.hpp"
+#include "base/text.hpp"
 
 namespace sphereview {
 
@@ -30,6 +32,22 @@ int leave_open(std::FILE*) { return 0; }
 [[noreturn]] void fail_to_read(const std::string& name, int error) {
     if (error == ENOMEM) throw std::bad_alloc();
     throw ReadError(name, error != 0 ? std::strerror(error) : "a read error", error != 0 ? error : EIO);
+}
+
+// "; did you mean 'NAME'?" for another file of the folder; "" where none is called nearly so.
+std::string similar_file(const std::string& path) {
+    constexpr std::size_t shortest_name = 6;  // of one letter and an ending every other is near
+    constexpr std::size_t most_names = 10'000;
+    const fs::path typed = path_from(path);
+    const std::string name = text_from(typed.filename());
+    if (name.size() < shortest_name) return "";
+    std::vector<std::string> names;
+    std::error_code error;
+    fs::directory_iterator entries(typed.has_parent_path() ? typed.parent_path() : fs::path("."), error);
+    for (; !error && entries != fs::directory_iterator() && names.size() < most_names; entries.increment(error)) {
+        names.push_back(text_from(entries->path().filename()));
+    }
+    return did_you_mean(name, names);
 }
 
 // Up to `most` bytes; 0 only at the file's end.
@@ -53,7 +71,11 @@ InputStream::InputStream(const std::string& path, Content content)
     if (!from_stdin && fs::is_directory(path_from(path), ignored))
         throw ReadError(name_, "it is a folder; expected a file", EISDIR);
     std::FILE* file = from_stdin ? binary(stdin) : open_file(path, "rb");
-    if (file == nullptr) fail_to_read(name_, errno);
+    if (file == nullptr) {
+        const int error = errno;
+        if (error == ENOENT) throw ReadError(name_, std::strerror(error) + similar_file(path), error);
+        fail_to_read(name_, error);
+    }
     file_ = {file, from_stdin ? &leave_open : &std::fclose};
 
     const bool regular = !from_stdin && fs::is_regular_file(path_from(path), ignored);

@@ -248,21 +248,39 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
+std::string sorted_letters(std::string word) {
+    std::ranges::sort(word);
+    return word;
+}
+
+// The only candidate that begins with the word; "" where there are none or several.
+std::string begun_by(const std::string& word, std::span<const std::string> candidates) {
+    constexpr std::size_t fewest_letters = 3;
+    if (word.size() < fewest_letters) return "";
+    const auto begins = [&](const std::string& candidate) { return lower_case(candidate).starts_with(word); };
+    if (std::ranges::count_if(candidates, begins) != 1) return "";
+    return *std::ranges::find_if(candidates, begins);
+}
+
 }  // namespace
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
     if (word.empty() || word.size() > 64) return "";
+    const std::string typed = lower_case(word);
     std::string best;
     std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
         if (candidate.find_first_of("0123456789") == 0) continue;  // of numbers every one is like another
-        const std::size_t distance = edit_distance(lower_case(word), lower_case(candidate));
+        std::size_t distance = edit_distance(typed, lower_case(candidate));
+        if (distance >= word.size()) continue;  // every letter is another
+        if (distance > 1 && sorted_letters(typed) == sorted_letters(lower_case(candidate))) distance = 1;  // a slip of two fingers
         if (distance < best_distance) {
             best_distance = distance;
-            best = "; did you mean '" + candidate + "'?";
+            best = candidate;
         }
     }
-    return best;
+    if (best.empty()) best = begun_by(typed, candidates);
+    return best.empty() ? "" : "; did you mean '" + best + "'?";
 }
 
 std::string joined(std::span<const std::string> words, std::string_view between) {

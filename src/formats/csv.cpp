@@ -313,15 +313,16 @@ private:
 };
 
 // What to say of a column that is not there.
-std::string passed_over_in_words(const CsvTable& table) {
-    if (table.passed_over.empty()) return "";
+std::string passed_over_in_words(std::vector<std::string> columns, const DataOptions& options) {
+    std::erase_if(columns, [&](const std::string& name) { return is_wanted(options, name, 0); });
+    if (columns.empty()) return "";
     constexpr std::size_t most_listed = 20;
-    const std::size_t listed_count = std::min(table.passed_over.size(), most_listed);
+    const std::size_t listed_count = std::min(columns.size(), most_listed);
     std::vector<std::string> names;
-    for (std::size_t i = 0; i < listed_count; ++i) names.push_back(in_quotes(table.passed_over[i]));
+    for (std::size_t i = 0; i < listed_count; ++i) names.push_back(in_quotes(columns[i]));
     std::string words = joined(names, ", ");
-    if (listed_count < table.passed_over.size()) {
-        words += " and " + in_groups(table.passed_over.size() - listed_count) + " more";
+    if (listed_count < columns.size()) {
+        words += " and " + in_groups(columns.size() - listed_count) + " more";
     }
     return "columns that are passed over: " + words + "; --color-by and --size-by can use them";
 }
@@ -353,7 +354,8 @@ SphereData read_csv(std::string_view content, const std::string& name, const Dat
                                 " no coordinates and " + (counts.no_center == 1 ? "is" : "are") + " left out");
     }
     if (counts.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name);
-    if (const std::string words = passed_over_in_words(table); !words.empty()) data.notes.push_back(name + ": " + words);
+    if (const std::string words = passed_over_in_words(table.passed_over, options); !words.empty())
+        data.notes.push_back(name + ": " + words);
     return data;
 }
 

@@ -51,6 +51,13 @@ Chosen choose_columns(const ColumnNames& names, const std::vector<ColumnChoice>&
     return chosen;
 }
 
+const ColumnChoice* missing_choice(const ColumnNames& names, const std::vector<ColumnChoice>& choices) {
+    const auto missing = std::ranges::find_if(choices, [&](const ColumnChoice& choice) {
+        return !number_of(choice.field, names.size()) && !place_of(choice.field, names);
+    });
+    return missing == choices.end() ? nullptr : &*missing;
+}
+
 std::optional<std::vector<ColumnChoice>> parse_column_choices(const std::string& text) {
     std::vector<ColumnChoice> choices;
     std::string_view rest = text;

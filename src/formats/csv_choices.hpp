@@ -19,4 +19,7 @@ struct Chosen {
 
 Chosen choose_columns(const ColumnNames& names, const std::vector<ColumnChoice>& choices);
 
+// The first choice that names none of these columns; null where each names one.
+const ColumnChoice* missing_choice(const ColumnNames& names, const std::vector<ColumnChoice>& choices);
+
 }  // namespace sphereview

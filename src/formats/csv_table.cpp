@@ -368,9 +368,32 @@ private:
         }
     }
 
+    // What is wrong with the columns of --columns in the header that begins there; "" where nothing is known.
+    std::string fault_of_choices(std::size_t begin) {
+        if (choices_.empty()) return "";
+        std::string fault;
+        for (const char separator : candidates()) {
+            CsvRecords header = records(separator, begin);
+            if (!has_record(header) || header.fields().size() < 2) continue;
+            const ColumnNames names = names_of(header, separator);
+            const ColumnChoice* missing = missing_choice(names, choices_);
+            if (missing == nullptr) {
+                const CsvColumns columns = choose_columns(names, choices_).columns;
+                if (columns.has(CsvColumn::x) && columns.has(CsvColumn::y)) return "";
+                return "found no columns for both x and y, expected --columns x=NAME,y=NAME,z=NAME to name them";
+            }
+            if (fault.empty()) {
+                fault = "found no column " + in_quotes(missing->field) + ", expected a header with the columns of --columns" +
+                        did_you_mean(missing->field, names);
+            }
+        }
+        return fault;
+    }
+
     [[noreturn]] void fail(std::size_t begin) {
         CsvRecords first = records(forced_.value_or(','), begin);
         if (!first.next()) source_.fail(begin, std::string("the text ends, expected ") + header_syntax);
+        if (const std::string message = fault_of_choices(begin); !message.empty()) source_.fail(begin, message);
         const std::string expected = choices_.empty()
                                          ? std::string(header_syntax) + "; --columns x=NAME,y=NAME,z=NAME names others"
                                          : "a header with the columns of --columns, such as " + in_quotes(choices_[0].field);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
+#include <vector>
 
 #include "base/memory.hpp"
 #include "base/number.hpp"
@@ -27,6 +29,19 @@ struct MolFrame {
 // Such a line of V3000 goes on in the next one.
 bool ends_in_hyphen(std::string_view line, std::string_view) { return trimmed(line, white_space).ends_with('-'); }
 
+bool is_double(std::string_view word) {
+    double ignored = 0.0;
+    return parse_any_double(word, ignored) == NumberFault::none;
+}
+
+bool is_whole_number(std::string_view word) { return word.find_first_not_of("0123456789") == std::string_view::npos; }
+
+constexpr std::size_t words_of_atom = 4;  // of V2000: x y z SYMBOL
+
+bool is_bond(std::span<const std::string_view> words) {
+    return words.size() == words_of_atom && std::ranges::all_of(words, is_whole_number);
+}
+
 // Finds the molecules of a text without looking at their atoms.
 class MoleculeFinder {
 public:
@@ -46,6 +61,7 @@ public:
         const std::size_t count = frame.is_v3000 ? v3000_count() : v2000_count(counts);
         frame.atoms = step_over_atoms(source_, walker_, count, wanted, of_frame_, frame.is_v3000 ? ends_in_hyphen : nullptr);
         frame.behind_atoms = walker_.offset();
+        if (!frame.is_v3000) refuse_more_atoms(count);
         while (!walker_.at_end() && !step(record_end).starts_with(record_end)) {
         }
         return true;
@@ -59,6 +75,20 @@ private:
         }
         const std::size_t begin = walker_.offset();
         return source_.text.substr(0, walker_.step()).substr(begin);
+    }
+
+    // The line of counts may say fewer atoms of V2000 than there are.
+    void refuse_more_atoms(std::size_t count) {
+        LineWalker behind = walker_;
+        if (behind.at_end()) return;
+        const std::size_t begin = behind.offset();
+        std::vector<std::string_view> words;
+        split_line(source_.text.substr(0, behind.step()).substr(begin), words_of_atom, words);
+        const bool is_atom =
+            words.size() == words_of_atom && std::all_of(words.begin(), words.end() - 1, is_double) && !is_double(words.back());
+        if (!is_atom) return;
+        source_.fail(begin, "found a line of an atom behind " + std::to_string(count) + " of " + std::to_string(count) +
+                                ", expected a bond or M  END" + of_frame_);
     }
 
     // In columns, because 100100 is two numbers.
@@ -106,6 +136,7 @@ public:
 
     LineAtom read(std::size_t begin, std::size_t end, std::size_t index) {
         line_.text = text_.substr(0, end);
+        if (!frame_.is_v3000) refuse_bond(begin, index);
         const std::size_t count = frame_.atoms.count;
         TokenReader reader(line_, begin, line_ends, parse_any_double);
         const auto the = [index, count](const char* what) { return [index, count, what] { return what + of_atom(index, count); }; };
@@ -123,7 +154,16 @@ public:
     }
 
 private:
+    // The line of counts may say more atoms than there are.
+    void refuse_bond(std::size_t begin, std::size_t index) {
+        words_.clear();
+        split_line(line_.text.substr(begin), words_of_atom, words_);
+        if (!is_bond(words_)) return;
+        line_.fail(begin, "found a line of a bond, expected" + of_atom(index, frame_.atoms.count).substr(3));
+    }
+
     std::string_view text_;
+    std::vector<std::string_view> words_{};
     TextSource line_;  // the text up to the line's end
     const MolFrame& frame_;
     const DataOptions& options_;

@@ -136,6 +136,15 @@ Image decode_bmp(std::string_view bytes, const std::string& name) {
     return image;
 }
 
+// What is no picture of those that are read.
+std::string kind_in_words(std::string_view bytes) {
+    if (bytes.empty()) return "an empty file";
+    if (bytes.starts_with("\xFF\xD8\xFF")) return "a JPEG picture, whose colours are not exact";
+    if (bytes.starts_with("GIF8")) return "a GIF picture";
+    if (bytes.starts_with("RIFF") && bytes.substr(0, 12).ends_with("WEBP")) return "a WebP picture";
+    return "a file that begins with " + in_quotes(bytes.substr(0, 8));
+}
+
 }  // namespace
 
 Image decode_picture(std::string_view bytes, const std::string& name) {
@@ -144,9 +153,7 @@ Image decode_picture(std::string_view bytes, const std::string& name) {
     }
     if (bytes.starts_with("BM")) return decode_bmp(bytes, name);
     if (bytes.starts_with("\x89PNG")) return decode_png(bytes, name);
-    throw InputError(name + ": found " +
-                     (bytes.empty() ? "an empty file" : "a file that begins with " + in_quotes(bytes.substr(0, 8))) +
-                     ", expected a PNG, PPM, PGM or BMP picture");
+    throw InputError(name + ": found " + kind_in_words(bytes) + ", expected a PNG, PPM, PGM or BMP picture");
 }
 
 Image read_picture(const std::string& path) {

@@ -67,7 +67,7 @@ TEST_F(Compare, GoesThroughAClassAndReportsJson) {
     folder_.write("broken.png", "GIF89a");
     const Outcome outcome = compare({"right.png", "broken.png", "mine.ppm", "scene.txt", "--json", "--no-diff"});
     EXPECT_EQ(outcome.status, 2) << outcome;
-    EXPECT_EQ(outcome.errors, "broken.png: found a file that begins with 'GIF89a', expected a PNG, PPM, PGM or BMP picture\n");
+    EXPECT_EQ(outcome.errors, "broken.png: found a GIF picture, expected a PNG, PPM, PGM or BMP picture\n");
     std::istringstream lines(outcome.output);
     std::string line;
     std::vector<Json> reports;

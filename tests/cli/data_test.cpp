@@ -148,7 +148,21 @@ TEST_F(Data, OfPointsAloneGetsARadiusThatIsSeen) {
     EXPECT_EQ(blind.status, 0) << blind;
     EXPECT_EQ(lines(blind.errors).size(), 1U) << blind;
     EXPECT_TRUE(blind.errors.starts_with("nm.csv: no pixel shows a sphere, though the camera sees all: ")) << blind;
-    EXPECT_EQ(with({"--radius", "1e-3", "--no-fit"}).errors, "");  // it was not asked for
+    EXPECT_EQ(with({"--radius", "1e-3", "--no-fit"}).errors, "");  // the eye is in the first
+}
+
+TEST_F(Data, OfWhichNoPixelShowsASphereIsWarnedOf) {
+    const std::string said = "a.txt: no pixel shows a sphere; --fit frames all";
+    for (const char* place : {"0 0 -300", "900 0 300"}) {  // behind the eye, and beside the picture
+        folder_.write("a.txt", std::string("1  255 0 0  ") + place + " 50");
+        const Outcome outcome = sphereview({"render", "a.txt", "-s", "20x20", "--backend", "cpu", "--json"});
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_EQ(outcome.errors, said + "\n");
+        EXPECT_EQ(Json::parse(outcome.output)["warnings"], Json::parse("[\"" + said + "\"]"));
+    }
+    EXPECT_EQ(sphereview({"render", "a.txt", "-s", "20x20", "--fit"}).errors, "");
+    folder_.write("a.txt", "0\n");
+    EXPECT_EQ(sphereview({"render", "a.txt", "-s", "20x20"}).errors, "") << "there is none";
 }
 
 TEST_F(Data, SaysWhatItLeavesOutAndPassesOver) {

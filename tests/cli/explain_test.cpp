@@ -240,7 +240,7 @@ TEST(Explain, RefusesALightThatThereIsNot) {
     refused({"--light", "1", "--sky", "0"}, "sphereview: --light: found 1, expected a scene with a light");
     EXPECT_TRUE(
         fails(explain(scene, {"--shade", "studio", "--light", "one"}), 2, "sphereview: --light: found 'one', expected the number"));
-    EXPECT_TRUE(fails(explain(scene, {"--light", "1"}), 2, "sphereview: --shade: found 'flat', expected studio with --light"));
+    EXPECT_TRUE(fails(explain(scene, {"--light", "1"}), 2, "sphereview: --light needs --shade studio"));
 }
 
 TEST(Explain, TellsOfTheNearestOfThousandsOfHits) {

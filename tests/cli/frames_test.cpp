@@ -119,6 +119,25 @@ TEST_F(Frames, WarnOncePerFile) {
     EXPECT_FALSE(folder_.has("cut-00002.png"));
 }
 
+TEST_F(Frames, SayOnceWhichRadiusAllPointsGet) {
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+        text += "ITEM: TIMESTEP\n" + std::to_string(i) +
+                "\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\nITEM: ATOMS id type x y z\n1 1 0 0 0\n2 2 " +
+                std::to_string(4 + i) + " 0 0\n";
+    }
+    folder_.write("d.lammpstrj", text);
+    folder_.write("camera.toml", "[camera]\neye = [0, 0, 10]\ncenter = [0, 0, 9]\nright = [-1, 0, 0]\nup = [0, 1, 0]\n");
+    const std::string said =
+        "d.lammpstrj: no radius in the file: all get 1, a quarter of the median distance to the nearest neighbour; --radius gives "
+        "another\n";
+    for (const auto& more : {std::vector<std::string>{}, {"--camera", "camera.toml"}, {"--fit", "first"}}) {
+        std::vector<std::string> all = {"d.lammpstrj", "--frames", "all", "-s", "20x20"};
+        all.insert(all.end(), more.begin(), more.end());
+        EXPECT_EQ(render(all).errors, said);
+    }
+}
+
 TEST_F(Frames, TakeTheCameraOfAScene) {
     folder_.write("breathing.xyz", breathing);
     folder_.write(

@@ -170,9 +170,39 @@ TEST_F(Look, ALegendIsBesideOtherMarks) {
     EXPECT_EQ(sphereview({"render", "a.txt", "--legend"}).status, 2) << "of which colours?";
 }
 
+// With counts that are as numbers beside the words: 1 66 must not read as 166.
+TEST_F(Look, ALegendLeavesRoomBetweenAWordAndItsCount) {
+    std::string table = "x,y,z,radius,type\n";
+    for (int i = 0; i < 132; ++i) table += "0,0,-100,0.1," + std::to_string(1 + i % 2) + "\n";
+    folder_.write("t.csv", table);
+    const auto shown = [&](std::vector<std::string> more) {
+        for (const char* word : {"--no-fit", "-s", "500x500", "-o", "-", "--background", "transparent"}) more.emplace_back(word);
+        more.insert(more.begin(), "t.csv");
+        return decode_png(render(folder_, more).output);
+    };
+    const std::vector<bool> drawn = differing(shown({"--color-by", "type", "--legend"}), shown({}));
+    constexpr int side = 500;
+    const auto has_ink = [&](int x) {
+        for (int y = 30; y < side; ++y) {  // below the title
+            if (drawn[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x)]) return true;
+        }
+        return false;
+    };
+    // The widest room between columns with ink, from the count at the right to the dot at the left.
+    int last = side - 1;
+    while (last > 0 && !has_ink(last)) --last;
+    int widest = 0;
+    for (int x = last; x > side - 80; --x) {
+        if (!has_ink(x)) continue;
+        widest = std::max(widest, last - x - 1);
+        last = x;
+    }
+    EXPECT_GE(widest, 12);
+}
+
 TEST_F(Look, ALegendHasTheSameBytesEverywhere) {
     const Picture shown = picture({"-s", "300x300", "--fit", "--color-by", "radius", "--log", "--legend"});
-    EXPECT_EQ(sha256(shown.bytes), "37272950e7ccada866eac27111aa394714e62af97c1e54d6e03e5e85b653a5d9");
+    EXPECT_EQ(sha256(shown.bytes), "e4410d6de497655fa1b4cb3117a31c14e151f2526a583b69e400cf351563a248");
 }
 
 TEST_F(Look, ALegendHasOtherLettersInsteadOfThoseThatItsFontLacks) {

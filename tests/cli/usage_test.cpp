@@ -83,6 +83,8 @@ TEST(Usage, MistakesAreOneLineWithASuggestionAndStatus2) {
         {{"render", "a.txt", "--fit", "--no-fit"}, "--fit excludes --no-fit"},
         {{"render", "a.txt", "--view=top", "--no-fit"}, "--no-fit excludes --view"},
         {{"render", "a.txt", "--diff", "d.png"}, "--diff requires --expect"},
+        {{"render", "a.txt", "--movie", "a.mp4"}, "sphereview: --movie needs --frames or --turntable (see"},
+        {{"wiev", "a"}, "unknown command 'wiev'; did you mean 'view'? (see"},
         {{"convert", "a.txt"}, "OUT: found no value, expected the name of a file (see"},
         {{"convert", "a.txt", "b.toml", "c.toml"}, "unexpected argument 'c.toml'"},
         {{"convert", "a.txt", "b", "--to", "yaml"}, "--to: found 'yaml', expected text or toml"},
@@ -175,11 +177,11 @@ TEST(Usage, ValuesThatMakeNoSenseAreRefusedBeforeAnyWork) {
     for (const char* option : {"--lights=64", "--sky=0.5", "--key=0.5", "--sun=1,2,3", "--sun-strength=1"}) {
         const std::string name = std::string(option).substr(0, std::string(option).find('='));
         EXPECT_EQ(run({"render", "missing.txt", option}).errors,
-                  "sphereview: --shade: found 'flat', expected studio with " + name + " (see 'sphereview render --help')\n");
+                  "sphereview: " + name + " needs --shade studio (see 'sphereview render --help')\n");
     }
     // A window shows what is asked for.
     EXPECT_EQ(run({"view", "missing.txt", "--shade", "flat", "--sun", "1,2,3"}).errors,
-              "sphereview: --shade: found 'flat', expected studio with --sun (see 'sphereview view --help')\n");
+              "sphereview: --sun needs --shade studio (see 'sphereview view --help')\n");
     EXPECT_TRUE(run({"render", "missing.txt", "--size", "429496729x1"}).errors.starts_with("missing.txt: "));
 }
 

@@ -95,6 +95,9 @@ TEST(CsvColumns, ThatArePassedOverAreNamed) {
     EXPECT_EQ(table("x,y,z\n1,2,3\n").notes, Lines{});
     EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n").notes,
               Lines{"a.csv: columns that are passed over: 'b', 'r'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table("x,y,z,b,r\n1,2,3,4,5\n", {.properties = {"B"}}).notes,
+              Lines{"a.csv: columns that are passed over: 'r'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table("x,y,z,b\n1,2,3,4\n", {.properties = {"b"}}).notes, Lines{});
     EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes,
               Lines{"a.csv: columns that are passed over: 'a\\x1b[31m'; --color-by and --size-by can use them"});
 }
@@ -112,7 +115,13 @@ TEST(CsvColumns, MayBeChosen) {
     EXPECT_EQ(centers("lon,lat,depth\n1,2,3\n4,5,6\n", with_columns("x=lon,y=lat,z=depth")), two);
     EXPECT_EQ(centers("lon,lat,depth\n1,2,3\n4,5,6\n", with_columns("x=1,y=2,z=3")), two);
     EXPECT_EQ(message_of<InputError>([&] { spheres(text, with_columns("x=q")); }),
-              "a.csv:1:1: found 'a', expected a header with the columns of --columns, such as 'q'");
+              "a.csv:1:1: found no column 'q', expected a header with the columns of --columns");
+    for (const char* table : {"Xpos,Ypos,Zpos\n1,2,3\n", "Xpos;Ypos;Zpos\n1;2;3\n"}) {
+        EXPECT_EQ(message_of<InputError>([&] { spheres(table, with_columns("x=Xpos,y=Ypos,z=Zpo")); }),
+                  "a.csv:1:1: found no column 'Zpo', expected a header with the columns of --columns; did you mean 'Zpos'?");
+    }
+    EXPECT_EQ(message_of<InputError>([&] { spheres("a,b,c\n1,2,3\n", with_columns("x=a")); }),
+              "a.csv:1:1: found no columns for both x and y, expected --columns x=NAME,y=NAME,z=NAME to name them");
 
     EXPECT_EQ(parse_column_choices("x=a, b,y=c=d"), (std::vector<ColumnChoice>{{"x", "a, b"}, {"y", "c=d"}}));
     for (const char* wrong : {"", "x", "x=", "=a", "w=a", "x=a,x=b", "a,x=b", ","})

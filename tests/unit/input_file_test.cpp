@@ -34,6 +34,9 @@ TEST(InputFile, RefusesAMissingFileAndAFolder) {
     const test::TemporaryFolder folder;
     EXPECT_EQ(message_of<InputError>([&] { InputFile(folder.path("none")); }),
               folder.path("none") + ": cannot be read: No such file or directory");
+    folder.write("pep.pdb", "");
+    EXPECT_EQ(message_of<InputError>([&] { InputFile(folder.path("pep.pbd")); }),
+              folder.path("pep.pbd") + ": cannot be read: No such file or directory; did you mean 'pep.pdb'?");
     EXPECT_EQ(message_of<InputError>([] { InputFile(""); }), ": cannot be read: No such file or directory");
     EXPECT_EQ(message_of<InputError>([&] { InputFile(folder.path()); }),
               folder.path() + ": cannot be read: it is a folder; expected a file");

@@ -42,7 +42,10 @@ TEST(PictureFile, ReadsWhatOtherProgramsWrite) {
 TEST(PictureFile, SaysWhatIsWrong) {
     const std::vector<std::pair<std::string, std::string>> cases = {
         {"", "p: found an empty file, expected a PNG, PPM, PGM or BMP picture"},
-        {"GIF89a", "p: found a file that begins with 'GIF89a', expected a PNG, PPM, PGM or BMP picture"},
+        {"GIF89a", "p: found a GIF picture, expected a PNG, PPM, PGM or BMP picture"},
+        {"\xFF\xD8\xFF\xE0", "p: found a JPEG picture, whose colours are not exact, expected a PNG, PPM, PGM or BMP picture"},
+        {"RIFF1234WEBPVP8", "p: found a WebP picture, expected a PNG, PPM, PGM or BMP picture"},
+        {"sphere", "p: found a file that begins with 'sphere', expected a PNG, PPM, PGM or BMP picture"},
         {"P6 90 90 255 123", "p: found 16 bytes, expected more for a picture of 90 x 90 pixels"},
         {"P3\n1 1\n255\n1 2", "p:4:4: found the end of the file, expected a value, 0 to 255"},
         {"P3\n1 1\n255\n1 256 3", "p:4:3: found '256', expected a value, 0 to 255"},

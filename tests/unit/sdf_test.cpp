@@ -75,6 +75,11 @@ TEST(SdfErrors, SayWhatIsWrong) {
             {"\n\n\n  2  0 V2000\n0 0 0 C\n", "6:1: the text ends, expected atom 2 of 2 of frame 0"},
             {"\n\n\n  1  0 V2000\n0 nan 0 C\n", "5:3: found 'nan', expected the y of atom 1 of 1, a finite number"},
             {"\n\n\n  1  0 V2000\n0 0 0\n", "5:6: the line ends, expected the symbol of atom 1 of 1"},
+            // Wrong counts: a bond read as an atom, and an atom that would be lost.
+            {"\n\n\n  2  1 V2000\n    0.0    0.0    0.0 C   0  0\n  1  2  1  0\nM  END\n",
+             "6:1: found a line of a bond, expected atom 2 of 2"},
+            {"\n\n\n  1  0 V2000\n    0.0    0.0    0.0 C   0  0\n    1.0    0.0    0.0 O   0  0\n  1  2  1  0\nM  END\n",
+             "6:1: found a line of an atom behind 1 of 1, expected a bond or M  END of frame 0"},
             {v3000 + "M  END\n", "5:1: found 'M  END', expected M  V30 BEGIN ATOM of frame 0"},
             {v3000 + "M  V30 BEGIN ATOM\n", "5:1: found 'M  V30 BEGIN ATOM', expected M  V30 COUNTS of frame 0 above it"},
             {v3000 + "M  V30 COUNTS 1e18 0\n", "5:15: found '1e18', expected the number of atoms of frame 0"},

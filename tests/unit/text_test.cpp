@@ -159,6 +159,10 @@ TEST(DidYouMean, NamesTheClosestCandidateThatIsNear) {
     EXPECT_EQ(did_you_mean("DOCTOR", names), "; did you mean 'doctor'?");
     EXPECT_EQ(did_you_mean("convrt", names), "; did you mean 'convert'?");
     EXPECT_EQ(did_you_mean("scene", names), "");
+    EXPECT_EQ(did_you_mean("wiev", std::vector<std::string>{"view"}), "; did you mean 'view'?");
+    EXPECT_EQ(did_you_mean("Temp", std::vector<std::string>{"charge", "temperature"}), "; did you mean 'temperature'?");
+    EXPECT_EQ(did_you_mean("Temp", std::vector<std::string>{"temporary", "temperature"}), "");
+    EXPECT_EQ(did_you_mean("q", std::vector<std::string>{"x"}), "");
     EXPECT_EQ(did_you_mean("", names), "");
     EXPECT_EQ(did_you_mean(std::string(65, 'r'), names), "");  // not worth the time
     EXPECT_EQ(did_you_mean("render", {}), "");
