@@ -102,6 +102,13 @@ FrameNews show_wanted(ViewerState& state, PlayClock::Time now) {
         return FrameNews::frame;
     }
     const std::optional<std::string> fault = player.ahead->fault_of(frame);
+    if (fault && file_states(state.path) != state.stamp) {
+        // The frame may be missing in what the file holds now, which is no fault: the film goes on from what is read again.
+        player.wanted.reset();
+        player.ahead.reset();
+        look_at_file(state);
+        return FrameNews::none;
+    }
     if (!fault) {
         std::optional<PassedFrame> passed = player.ahead->take_passed();
         if (!passed || player.wanted->by_clock || !may_leave_frame(state)) return FrameNews::none;
@@ -122,7 +129,8 @@ bool note_count(ViewerState& state) {
     player.counted = count.part;
     const std::int64_t before = state.frames;
     if (count.all && count.frames > 0) state.frames = count.frames;
-    state.frames = std::max(state.frames, count.frames);
+    // Of a file that has become shorter the frame that is shown stays one of them until it is read again.
+    state.frames = std::max({state.frames, count.frames, state.frame + 1});
     if (player.all_frames || !count.all) return state.frames != before;
     player.all_frames = true;
     if (!count.fault.empty()) {

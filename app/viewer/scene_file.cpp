@@ -245,11 +245,13 @@ void reload(ViewerState& state, LoadedScene loaded) {
     const PlayClock clock = state.player.clock;
     begin_frames(state, loaded);
     state.player.clock = clock;
+    state.frame = std::min(state.frame, state.frames - 1);  // the file may have become shorter
     if (loaded.scene != state.scene()) {
         state.document.apply(ReplaceScene{std::move(loaded.scene)}, "Reload of " + in_quotes(state.name()));
         state.selection.keep_below(state.scene().spheres.size());
         state.hovered.reset();
         note_look(state, loaded);
+        shown_coloring(state.document, state.side_panel.look);  // the next frame is read with it
         announce_reading(state, "Reloaded " + state.path, loaded);
     }
     note_properties(state, loaded);
@@ -484,7 +486,8 @@ void look_at_file(ViewerState& state) {
                                   state.messages.scene_error = why;
                               },
                           .cancel = [&state] { state.document.mark_unsaved(); },
-                          .reload = true});
+                          .reload = true,
+                          .or_last_frame = true});
 }
 
 }  // namespace sphereview

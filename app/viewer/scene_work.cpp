@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "app/failure.hpp"
+#include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
+#include "formats/frame_reader.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -35,6 +37,22 @@ void end(std::optional<Work>& work) {
     ended.done();
 }
 
+// The wanted frame, or the last where the file has fewer. `options` have a control. Throws as load_scene() does.
+LoadedScene load_frame_or_last(const std::string& path, LoadOptions options) {
+    try {
+        return load_scene(path, options);
+    } catch (const InputError&) {
+        std::error_code error;
+        if (options.data.frame == 0 || !fs::is_regular_file(path_from(path), error)) throw;
+        FrameReader reader(path, options.data);
+        reader.watch([control = options.control](double) { control->check(); });
+        const std::int64_t frames = reader.count(options.data.frame + 1);
+        if (frames == 0 || frames > options.data.frame) throw;
+        options.data.frame = frames - 1;
+    }
+    return load_scene(path, options);
+}
+
 }  // namespace
 
 bool is_read_at_once(const std::string& path) {
@@ -50,10 +68,11 @@ void start_loading(ViewerState& state, LoadRequest request) {
     const bool waits = kept && !kept->ended();
     const bool at_once = !waits && is_read_at_once(request.path) && state.scene().spheres.size() <= spheres_at_once;
     auto loaded = std::make_shared<LoadedScene>();
-    BackgroundJob job([loaded, kept, path = request.path, options = request.options](WorkControl& control) mutable {
+    BackgroundJob job([loaded, kept, path = request.path, options = request.options,
+                       or_last = request.or_last_frame](WorkControl& control) mutable {
         if (kept) kept->wait();
         options.control = &control;
-        *loaded = load_scene(path, options);
+        *loaded = or_last ? load_frame_or_last(path, options) : load_scene(path, options);
     });
     state.loading.reset();
     state.loading.emplace(Work{.path = std::move(request.path),

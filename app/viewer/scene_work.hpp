@@ -25,7 +25,8 @@ struct LoadRequest {
     std::function<void(LoadedScene)> accept{};
     std::function<void(const std::string& why)> fail{};
     std::function<void()> cancel = [] {};
-    bool reload = false;  // of the file that is shown
+    bool reload = false;         // of the file that is shown
+    bool or_last_frame = false;  // where the file has fewer frames than the one that is asked for: the last it has
 };
 
 // The name that a job finds for its file; "" until then. From any thread.

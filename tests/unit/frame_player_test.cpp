@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/eventually.hpp"
 #include "support/temporary_folder.hpp"
 #include "viewer/command_table.hpp"
@@ -60,6 +62,28 @@ struct FramesInViewer : testing::Test {
     void play() {
         run(CommandId::play);
         now = PlayClock::Time::clock::now();
+    }
+    // By another program, without a question.
+    void replace_file(const std::string& text) {
+        folder.write("a.xyz", text);
+        look_at_file(state);
+        EXPECT_TRUE(test::eventually([&] {
+            finish_work(state);
+            return !state.loading;
+        }));
+        if (question() != nullptr && question()->id == "reload") answer(0);
+    }
+    // In one range for all frames.
+    void color_by_charge() {
+        LookPanelState& look = state.side_panel.look;
+        const ColorBy by{.property = "charge", .map = ColorMap::grey, .range = ValueRange{0.0, 8.0}};
+        const Property& charge = *find_property(state.scene().properties, "charge");
+        const Coloring coloring = coloring_of(state.scene(), charge, by);
+        std::vector<Sphere> spheres = state.scene().spheres;
+        for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(charge, coloring)[i];
+        note_colors(look, {by, coloring});
+        apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour"});
+        ASSERT_NE(shown_coloring(state.document, look), nullptr);
     }
     bool plays() const { return state.player.clock.plays(); }
 
@@ -251,15 +275,8 @@ TEST_F(FramesInViewer, SpheresThatComeAreThisFrames) {
 
 // Colours by a property are made of each frame's own values, in one range, and are no changes; what is coloured by hand besides is.
 TEST_F(FramesInViewer, ColoursByAPropertyDoNotFlicker) {
-    LookPanelState& look = state.side_panel.look;
-    const ColorBy by{.property = "charge", .map = ColorMap::grey, .range = ValueRange{0.0, 8.0}};
-    const Property& charge = *find_property(state.scene().properties, "charge");
-    const Coloring coloring = coloring_of(state.scene(), charge, by);
-    std::vector<Sphere> spheres = state.scene().spheres;
-    for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].color = colors_of(charge, coloring)[i];
-    note_colors(look, {by, coloring});
-    apply(state, {ChangeSpheres{{0, 1}, spheres}, "Colour"});
-    ASSERT_NE(shown_coloring(state.document, look), nullptr);
+    const LookPanelState& look = state.side_panel.look;
+    color_by_charge();
     play();
     for (int frame = 1; frame < 4; ++frame) {
         EXPECT_EQ(next(50ms), FrameNews::frame);
@@ -276,18 +293,66 @@ TEST_F(FramesInViewer, AReloadKeepsPlayingAndForgetsWhatOthersGot) {
     run(CommandId::next_frame);
     EXPECT_TRUE(sphere(0).hidden);
     play();
-    folder.write("a.xyz", moved_frames(7));
-    look_at_file(state);
-    EXPECT_TRUE(test::eventually([&] {
-        finish_work(state);
-        return !state.loading;
-    }));
-    answer(0);
+    replace_file(moved_frames(7));
     EXPECT_EQ(state.frames, 7);
     EXPECT_TRUE(plays());
     EXPECT_FALSE(sphere(0).hidden);
     EXPECT_EQ(next(50ms), FrameNews::frame);
     EXPECT_FALSE(sphere(0).hidden);
+}
+
+// As a simulation leaves it that begins again.
+TEST_F(FramesInViewer, AFileThatHasBecomeShorterIsShownFromItsNewLastFrame) {
+    run(CommandId::last_frame);
+    EXPECT_EQ(state.frame, 4);
+    replace_file(moved_frames(3));
+    EXPECT_EQ(state.messages.scene_error, "");
+    EXPECT_TRUE(state.dialogs.empty());
+    EXPECT_EQ(state.frames, 3);
+    EXPECT_EQ(state.frame, 2);
+    EXPECT_EQ(sphere(0).center.x, 2.0);
+    run(CommandId::previous_frame);
+    EXPECT_EQ(state.frame, 1);
+    EXPECT_TRUE(state.dialogs.empty());
+    replace_file("2\n\nO 0 x 1\nH 0 0 1\n");
+    EXPECT_NE(state.messages.scene_error, "") << "a broken file is no shorter one";
+    EXPECT_EQ(state.frame, 1);
+}
+
+TEST_F(FramesInViewer, AFileThatBecomesShorterWhileItPlaysIsNoFault) {
+    show_frame(state, 3);
+    run(CommandId::loop);
+    play();
+    folder.write("a.xyz", moved_frames(2));
+    EXPECT_TRUE(test::eventually([&] {
+        now += 50ms;
+        follow_player(state, now, false);
+        EXPECT_LT(state.frame, state.frames);
+        look_at_file(state);
+        finish_work(state);
+        return state.frames == 2 && !state.loading;
+    }));
+    EXPECT_TRUE(state.dialogs.empty());
+    EXPECT_TRUE(plays());
+    EXPECT_EQ(next(50ms), FrameNews::frame);
+    EXPECT_LT(state.frame, 2);
+}
+
+TEST_F(FramesInViewer, AReloadWhileItPlaysKeepsTheColoursByAProperty) {
+    color_by_charge();
+    play();
+    EXPECT_EQ(next(50ms), FrameNews::frame);
+    std::string text = moved_frames(8);
+    std::ranges::replace(text, 'O', 'N');
+    replace_file(text);
+    EXPECT_EQ(state.frames, 8);
+    EXPECT_NEAR(static_cast<double>(sphere(0).color.r), 255.0 / 8.0, 1.0);
+    for (int frame = 2; frame < 5; ++frame) {
+        EXPECT_EQ(next(50ms), FrameNews::frame);
+        EXPECT_NEAR(static_cast<double>(sphere(0).color.r), frame * 255.0 / 8.0, 1.0) << frame;
+        EXPECT_FALSE(state.document.is_changed());
+    }
+    EXPECT_EQ(state.side_panel.look.colors.property, "charge");
 }
 
 // Of a large file no more is read than the first frame needs; the others are counted meanwhile.
