@@ -2,6 +2,9 @@
 #include "formats/frame_index.hpp"
 
 #include <gtest/gtest.h>
+#ifdef __linux__
+#include <sys/stat.h>
+#endif
 
 #include <chrono>
 #include <filesystem>
@@ -139,6 +142,17 @@ TEST_F(KeptIndex, DamagedIsMadeAnew) {
     std::string again(size, '\0');
     std::ifstream(file, std::ios::binary).read(again.data(), static_cast<std::streamsize>(size));
     EXPECT_EQ(again, good);
+}
+
+TEST_F(KeptIndex, WaitsForNoFifoInItsPlace) {
+    const std::string path = write("a.xyz", frames(20));
+    EXPECT_EQ(x_of(path, 19), 19.0);
+    ASSERT_EQ(kept().size(), 1U);
+    const fs::path file = kept()[0];
+    fs::remove(file);
+    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+    EXPECT_EQ(x_of(path, 19), 19.0);
+    EXPECT_TRUE(fs::is_fifo(file));
 }
 
 TEST_F(KeptIndex, IsOnlyOfLongTextsAndWhereItMay) {
