@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "base/text.hpp"
+#include "panels/timeline.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
@@ -154,11 +155,6 @@ std::string spheres_text(std::size_t spheres, std::size_t hidden, std::size_t se
     return text;
 }
 
-// As --frame counts them.
-std::string frame_text(std::int64_t frame, std::int64_t frames) {
-    return "frame " + std::to_string(frame) + " of 0.." + std::to_string(frames - 1);
-}
-
 std::string pixel_text(int x, int y) { return std::to_string(x) + ", " + std::to_string(y); }
 
 // Seconds can be anything a driver says, also before the first frame.
@@ -216,7 +212,7 @@ void draw_status_bar(const PanelContext& context, const Status& status) {
     const float renderer = std::min(width_of(status.renderer), 0.3F * columns.rest());
     const std::string counts_now = spheres_text(spheres, context.bounds.hidden, context.selection.size());
     float counts = width_of(spheres_text(spheres, std::max<std::size_t>(spheres, 1), std::max<std::size_t>(spheres, 1)));
-    const float frame = width_of(frame_text(context.frames - 1, context.frames));
+    const float frame = width_of("frame " + frame_in_words(context.frames - 1, context.frames));
     const float time = width_of("9,999.9 ms");
     const float step = width_of("1/16");
     const float pixel = width_of(pixel_text(99'999, 99'999));
@@ -230,7 +226,7 @@ void draw_status_bar(const PanelContext& context, const Status& status) {
     const bool shows_time = fit({counts, time, step, pixel});
     if (fit({renderer, counts, time, step, pixel})) columns.put(status.renderer, renderer);
     columns.put(counts_now, counts);
-    if (context.frames > 1) columns.put(frame_text(context.frame, context.frames), frame);
+    if (context.frames > 1) columns.put("frame " + frame_in_words(context.frame, context.frames), frame);
     if (shows_time) {
         columns.put(time_text(status.frame_seconds), time, true);
         columns.put(status.step > 1 ? "1/" + std::to_string(status.step) : "", step);

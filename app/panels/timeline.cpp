@@ -19,8 +19,7 @@ ImVec4 own_edits_color() { return on_panel({0.98F, 0.76F, 0.36F, 1.0F}); }
 std::string speed_text(double speed) { return fixed(speed, 0) + " / s"; }
 
 std::string number_text(const PanelContext& context, const TimelineFacts& facts, std::int64_t frame) {
-    return in_groups(static_cast<std::uint64_t>(frame)) + " of " + in_groups(static_cast<std::uint64_t>(context.frames)) +
-           (facts.counting ? "+" : "");
+    return frame_in_words(frame, context.frames) + (facts.counting ? "+" : "");
 }
 
 std::string words_of(EditsReach reach) {
@@ -115,10 +114,13 @@ public:
         left_.x += gap();
         draw_line();
         draw_number();
+        if (shows_mark_ && !shows_reach_) draw_reach_mark();
         if (shows_reach_) draw_reach();
         if (shows_repeat_) draw_repeat_button();
         if (shows_speed_) draw_speed();
     }
+
+    float least_width() const { return shortest_line() + button() + number_width() + mark_width() + 4.0F * gap(); }
 
 private:
     float button() const { return std::round(1.1F * ImGui::GetFrameHeight()); }
@@ -129,22 +131,28 @@ private:
         return std::max(width_of(words_of(EditsReach::all_frames)), width_of(words_of(EditsReach::this_frame)));
     }
 
-    // In a narrow window what can be done otherwise yields to the line.
+    float mark_width() const { return 0.7F * ImGui::GetFontSize(); }
+    float shortest_line() const { return 30.0F * context_.scale; }
+
+    // In a narrow window what can be done otherwise yields to the line, and the line to what can be read nowhere else.
     void choose_what_fits() {
-        const float least_line = 140.0F * context_.scale;
-        float room = ImGui::GetContentRegionAvail().x - least_line - button() - 2.0F * gap();
+        const float good_line = 140.0F * context_.scale;
+        float room = ImGui::GetContentRegionAvail().x - shortest_line() - button() - 2.0F * gap();
         const auto take = [&](bool& shows, float width) {
             shows = room >= width;
             if (shows) room -= width;
         };
         take(shows_number_, number_width() + gap());
+        const bool has_edits = facts_.edits != EditsReach::none;
+        if (has_edits) take(shows_mark_, mark_width() + gap());
+        room -= good_line - shortest_line();
         take(shows_steps_, 2.0F * button());
         take(shows_speed_, speed_width() + gap());
         take(shows_repeat_, button() + gap());
         take(shows_ends_, 2.0F * button());
-        shows_reach_ = facts_.edits != EditsReach::none;
-        if (shows_reach_) take(shows_reach_, reach_width() + 2.0F * gap());
-        line_width_ = least_line + room;
+        // Instead of the mark.
+        if (shows_mark_) take(shows_reach_, reach_width() + gap() - mark_width());
+        line_width_ = good_line + room;
     }
 
     template <typename Icon>
@@ -255,25 +263,48 @@ private:
 
     void draw_number() {
         if (!shows_number_) return;
-        std::string help = "Frames are counted from 0 to " + in_groups(static_cast<std::uint64_t>(context_.frames - 1)) + ".";
+        std::string help = "The frame that is shown, of all; the first is 0.";
         if (facts_.counting) {
             help = "So many frames are found in " + fixed(100.0 * facts_.counted, 0) + " % of the file; the rest is being counted.";
         }
+        if (facts_.edits != EditsReach::none && !shows_mark_) help += "\n" + words_of(facts_.edits);
         const ImVec4 color = ImGui::GetStyleColorVec4(facts_.wanted ? ImGuiCol_TextDisabled : ImGuiCol_Text);
         draw_words(number_text(context_, facts_, facts_.wanted.value_or(context_.frame)), number_width(), color, "frame number",
                    help);
     }
 
+    bool has_own_edits() const { return facts_.edits == EditsReach::this_frame; }
+    ImVec4 reach_color() const { return has_own_edits() ? own_edits_color() : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled); }
+    std::string reach_help() const {
+        return has_own_edits()
+                   ? "Spheres were moved, added, deleted or reordered: of this frame alone.\nBefore another frame is shown you are "
+                     "asked. Colours, radii, names and what is hidden go along."
+                   : "Colours, radii, names, what is hidden, the camera, the light and the background\nare changed in all frames, "
+                     "by the spheres' numbers. Undo takes that back.";
+    }
+
     void draw_reach() {
-        const bool own = facts_.edits == EditsReach::this_frame;
-        const ImVec4 color = own ? own_edits_color() : ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
         left_.x += gap();
-        draw_words(
-            words_of(facts_.edits), reach_width(), color, "edits reach",
-            own ? "Spheres were moved, added, deleted or reordered: of this frame alone.\nBefore another frame is shown you are "
-                  "asked. Colours, radii, names and what is hidden go along."
-                : "Colours, radii, names, what is hidden, the camera, the light and the background\nare changed in all frames, "
-                  "by the spheres' numbers. Undo takes that back.");
+        draw_words(words_of(facts_.edits), reach_width(), reach_color(), "edits reach", reach_help());
+    }
+
+    // Full: of this frame alone; a ring: of all.
+    void draw_reach_mark() {
+        const ImVec2 size{mark_width(), ImGui::GetFrameHeight()};
+        ImGui::SetCursorScreenPos(left_);
+        ImGui::InvisibleButton("##edits mark", size);
+        note_widget(context_, "edits mark");
+        explain_item(words_of(facts_.edits) + "\n" + reach_help());
+        ImDrawList& draw = *ImGui::GetWindowDrawList();
+        const ImVec2 middle{left_.x + 0.5F * size.x, left_.y + 0.5F * size.y};
+        const ImU32 color = ImGui::GetColorU32(reach_color());
+        const float radius = 0.4F * size.x;
+        if (has_own_edits()) {
+            draw.AddCircleFilled(middle, radius, color, 24);
+        } else {
+            draw.AddCircle(middle, radius, color, 24, std::max(0.35F * radius, 1.0F));
+        }
+        left_.x += size.x + gap();
     }
 
     void draw_repeat_button() {
@@ -317,6 +348,7 @@ private:
     bool shows_ends_ = false;
     bool shows_speed_ = false;
     bool shows_repeat_ = false;
+    bool shows_mark_ = false;
     bool shows_reach_ = false;
 };
 
@@ -325,6 +357,15 @@ private:
 double next_speed(double speed, int by) {
     const auto at = std::ranges::find(play_speeds, speed) - play_speeds.begin();
     return play_speeds.at(static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + by, 0, std::ssize(play_speeds) - 1)));
+}
+
+std::string frame_in_words(std::int64_t frame, std::int64_t frames) {
+    return in_groups(static_cast<std::uint64_t>(frame)) + " of 0.." + in_groups(static_cast<std::uint64_t>(frames - 1));
+}
+
+float least_timeline_width(const PanelContext& context, const TimelineFacts& facts) {
+    PlayChoices choices;
+    return Timeline(context, facts, choices).least_width();
 }
 
 float timeline_height() { return ImGui::GetFrameHeight(); }

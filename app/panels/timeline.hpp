@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "panels/panel_context.hpp"
 
@@ -34,11 +35,18 @@ struct TimelineFacts {
     EditsReach edits = EditsReach::none;
 };
 
+// "39 of 0..39": as --frame counts them.
+std::string frame_in_words(std::int64_t frame, std::int64_t frames);
+
 // How high what draw_timeline() draws is, without the window's edge.
 float timeline_height();
 
+// How wide it is at least, without the window's edges, that the number is not left out.
+float least_timeline_width(const PanelContext& context, const TimelineFacts& facts);
+
 // Draws into the current ImGui window, as wide as that is; what there is no room for is left out. Widgets: "first frame",
-// "previous frame", "play", "next frame", "last frame", "timeline", "edits reach", "repeat", "speed", "speed 24".
+// "previous frame", "play", "next frame", "last frame", "timeline", "frame number",
+// "edits reach" or, where there is less room, "edits mark", "repeat", "speed", "speed 24".
 void draw_timeline(const PanelContext& context, const TimelineFacts& facts, PlayChoices& choices);
 
 }  // namespace sphereview

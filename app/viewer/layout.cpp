@@ -25,6 +25,7 @@ constexpr float narrowest_picture = 100.0F;
 // What is smaller yields to the picture: nothing could be read in it.
 constexpr float narrowest_panel = 200.0F;
 constexpr float narrowest_inspector = 120.0F;
+constexpr float timeline_margin = 10.0F;  // at the sides
 constexpr float lowest_picture = 100.0F;  // above the status bar
 // Where a tool's words lie over the picture, it has to be wide enough for them and for what they are about.
 constexpr float narrowest_under_tool = 280.0F;
@@ -96,7 +97,7 @@ Rectangle draw_timeline_below(ViewerState& state, const PanelContext& context, R
     }
     picture.height -= height;
     place_window({picture.x, picture.y + picture.height, picture.width, height});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10.0F * context.scale, padding));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(timeline_margin * context.scale, padding));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0F, 1.0F));
     ImGui::Begin("##timeline", nullptr, fixed_window | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_timeline(context, timeline_facts(state), state.player.choices);
@@ -143,10 +144,15 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
     const float splitter = splitter_width * context.scale;
-    const float room = whole.x - splitter - room_beside_panel(state, whole.x, context.scale);
+    float room = whole.x - splitter - room_beside_panel(state, whole.x, context.scale);
     // A comparison takes the side panel's place: so it covers neither the picture nor the inspector, in which it explains pixels.
     const bool compares = state.comparison && state.comparison->open;
     const bool has_room = room >= narrowest_panel * context.scale;
+    // The panel narrows for the number of the frame under the picture, as far as it can be read itself.
+    if (has_room && has_several_frames(state)) {
+        const float line = least_timeline_width(context, timeline_facts(state)) + 2.0F * timeline_margin * context.scale;
+        room = std::min(room, std::max(whole.x - splitter - line, narrowest_panel * context.scale));
+    }
     const float covering = std::min(narrowest_under_tool * context.scale, whole.x);
     Rectangle comparison{whole.x - covering, picture.y, covering, picture.height};
     state.panel_drawn = state.panel_shown && has_room && !compares;
