@@ -133,7 +133,7 @@ FilmForm new_form(const ViewerState& state) {
     form.counting = !state.player.all_frames;
     form.marks = shown_marks(state);
     form.from_file = "The file's frames. Colours, radii and hiding changed here hold in all, moves do not.";
-    if (state.document.order_revision() != state.file_order) {
+    if (!has_numbers_of_file(state)) {
         form.from_file = "The file's frames. Spheres were added, deleted or reordered here: what was changed since is not in them.";
     }
     form.from_window = "The scene as the window shows it, with what is not saved.";

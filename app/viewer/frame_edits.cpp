@@ -73,10 +73,8 @@ SharedEdits shared_edits(const Scene& before, const Scene& after) {
 
 SharedEdits shared_edits_now(ViewerState& state) {
     const FrameEdits& edits = state.player.edits;
-    if (!edits.before) return edits.shared;
     // Once spheres have come, gone or changed places no number tells anything: what was noted before that stays.
-    const bool same_numbers = same_places(*edits.before, state.scene()) || state.document.order_revision() == state.file_order;
-    if (!same_numbers) return edits.shared;
+    if (!edits.before || !has_numbers_of_file(state)) return edits.shared;
     SharedEdits shared = shared_edits(with_chosen_look(state), state.scene());
     // A frame of another size in between has got nothing, and takes nothing away.
     if (shared.frame_size != edits.shared.frame_size && shared.spheres.empty() && shared.names.empty()) {
@@ -96,6 +94,13 @@ void note_frame_before_edit(ViewerState& state, bool renumbers) {
     } else if (renumbers) {
         edits.shared = shared_edits_now(state);
     }
+}
+
+// Undoing a deletion brings the numbers back, but no revision.
+bool has_numbers_of_file(const ViewerState& state) {
+    if (state.document.order_revision() == state.file_order) return true;
+    const auto& before = state.player.edits.before;
+    return before && same_places(*before, state.scene());
 }
 
 EditsReach reach_of_edits(ViewerState& state) {

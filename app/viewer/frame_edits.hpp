@@ -49,6 +49,9 @@ void note_frame_before_edit(ViewerState& state, bool renumbers);
 // What the edits of the frame that is shown apply to, those included that it got from others.
 EditsReach reach_of_edits(ViewerState& state);
 
+// Whether a sphere's number means here what it means in the file, so that what was changed by number holds in other frames.
+bool has_numbers_of_file(const ViewerState& state);
+
 // What the frame that is shown shares with all others, what it got from them included.
 SharedEdits shared_edits_now(ViewerState& state);
 

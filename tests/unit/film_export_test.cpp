@@ -189,6 +189,20 @@ TEST_F(FilmExport, MakesColoursRadiiAndWhatIsHiddenInAllFramesButNoPlaces) {
     EXPECT_EQ(bytes("later"), bytes("made"));
 }
 
+// As in the frames of the window: undoing brings the numbers back.
+TEST_F(FilmExport, MakesChangesInAllFramesOnceADeletionIsUndone) {
+    state.selection.set_only(1);
+    run_command(state, CommandId::remove);
+    EXPECT_TRUE(test::contains(form().from_file, "added, deleted or reordered"));
+    undo(state);
+    Sphere hidden = state.scene().spheres[0];
+    hidden.hidden = true;
+    apply(state, {ChangeSpheres{{0}, {hidden}}, "Hide", 0});
+    EXPECT_EQ(reach_of_edits(state), EditsReach::all_frames);
+    EXPECT_TRUE(test::contains(form().from_file, "hold in all"));
+    EXPECT_EQ(request("again/{frame:05}.png").changes.spheres.size(), 1U);
+}
+
 TEST_F(FilmExport, GoesRoundWhatTheWindowShows) {
     run_command(state, CommandId::add_sphere);
     const auto around = [](FilmForm& form) {
