@@ -136,7 +136,13 @@ void Film::start(const Image& first) {
 void Film::fail() {
     { const std::lock_guard lock(mutex_); }  // an interruption that has ended the encoder ends this process as well
     encoder_->finish();
-    const std::string why = on_one_line(trimmed(encoder_->errors()));
+    std::string_view errors = encoder_->errors();
+    Words lines;
+    while (!errors.empty()) {
+        const std::string_view line = trimmed(take_line(errors));
+        if (!line.empty()) lines.emplace_back(line);
+    }
+    const std::string why = on_one_line(joined(lines, "; "));
     throw OutputError(*options_.movie, "ffmpeg has failed" + (why.empty() ? "" : ": " + why), EIO);
 }
 

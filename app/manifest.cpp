@@ -79,7 +79,8 @@ std::vector<ManifestEntry> read_manifest(const std::string& path) {
     return entries_of(file.bytes(), file.name());
 }
 
-Manifest::Manifest(const RenderOptions& options) : options_(options), file_(nullptr, &std::fclose) {
+Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs)
+    : options_(options), file_(nullptr, &std::fclose) {
     const std::string& path = *options.frames.manifest;
     for (const std::string& scene : options.scenes) {
         if (scene == standard_stream)
@@ -93,8 +94,7 @@ Manifest::Manifest(const RenderOptions& options) : options_(options), file_(null
         if (there != nullptr) {
             std::fclose(there);
             const InputFile file(path);
-            kept = whole_lines_of(file.bytes());
-            for (const ManifestEntry& entry : entries_of(kept, path)) known_.insert(entry.picture.value_or(""));
+            kept = kept_of(whole_lines_of(file.bytes()), jobs);
         }
     }
     write_output(path, kept, Durability::on_disk, MissingFolder::made);
@@ -103,9 +103,37 @@ Manifest::Manifest(const RenderOptions& options) : options_(options), file_(null
     std::setvbuf(file_.get(), nullptr, _IOFBF, longest_line);
 }
 
+std::int64_t Manifest::number_of(const RenderJob& job) const {
+    return job.sequence ? job.sequence->shots()[job.shot].number : options_.data.frame;
+}
+
+bool Manifest::is_of(const ManifestEntry& entry, const RenderJob& job) const {
+    return entry.frame == number_of(job) && entry.place == job.shot && entry.scene == job.scene &&
+           entry.scene_sum == scene_sums_.at(job.scene) && entry.camera_sum == camera_sum_ && entry.options == options_.words;
+}
+
+std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob> jobs) {
+    std::map<std::string, const RenderJob*> wanted;
+    for (const RenderJob& job : jobs) {
+        if (job.output) wanted.emplace(*job.output, &job);
+    }
+    std::string kept;
+    for (const ManifestEntry& entry : entries_of(lines, *options_.frames.manifest)) {
+        const std::string_view line = take_line(lines);
+        const std::string picture = entry.picture.value_or("");
+        const auto job = wanted.find(picture);
+        if (job != wanted.end() && !is_of(entry, *job->second)) {
+            outdated_.insert(picture);
+        } else {
+            known_.insert(picture);
+            kept += std::string(line) + "\n";
+        }
+    }
+    return kept;
+}
+
 void Manifest::add(const RenderJob& job, const PictureSums& sums) {
-    const std::int64_t frame = job.sequence ? job.sequence->shots()[job.shot].number : options_.data.frame;
-    const Json line = {{"frame", frame},
+    const Json line = {{"frame", number_of(job)},
                        {"picture", job.output},
                        {"place", job.shot},
                        {"scene", job.scene},

@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/options.hpp"
@@ -46,21 +48,31 @@ std::vector<ManifestEntry> read_manifest(const std::string& path);
 
 class Manifest {
 public:
-    // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there. Throws
-    // OutputError, and InputError for scenes without a name.
-    explicit Manifest(const RenderOptions& options);
+    // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there, without
+    // those that say of a job's picture that it was made of something else. Throws OutputError, and InputError for scenes without a
+    // name.
+    Manifest(const RenderOptions& options, std::span<const RenderJob> jobs);
 
     // Whether there is a line for that picture.
     bool has(const std::string& picture) const { return known_.contains(picture); }
+    // How many pictures of the jobs had been made of something else.
+    std::size_t outdated() const { return outdated_.size(); }
 
     // Appends the line of a job's picture, whole or not at all. Throws OutputError.
     void add(const RenderJob& job, const PictureSums& sums);
 
 private:
+    // Whether the line is what add() would write of the job, but for the sums of its picture.
+    bool is_of(const ManifestEntry& entry, const RenderJob& job) const;
+    std::int64_t number_of(const RenderJob& job) const;
+    // The lines of a manifest that are to stay.
+    std::string kept_of(std::string_view lines, std::span<const RenderJob> jobs);
+
     const RenderOptions& options_;
     std::map<std::string, std::string> scene_sums_{};
     std::optional<std::string> camera_sum_{};
     std::set<std::string> known_{};
+    std::set<std::string> outdated_{};
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 

@@ -70,15 +70,27 @@ public:
             for (std::size_t i = 0; i < jobs_.size() && run(i); ++i) {
             }
         }
-        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film()) {
-            const bool pictures = std::ranges::any_of(jobs_, [](const RenderJob& job) { return job.sequence || job.pixels_sum; });
-            say("sphereview: " + std::to_string(failed_.size()) + " of " + std::to_string(jobs_.size()) +
-                (pictures ? " pictures failed: " : " scenes failed: ") + joined(failed_, pictures ? "; " : " "));
-        }
+        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film()) say_what_failed();
         return report_failed_ ? std::max(worst_, ExitCode::no_output) : worst_;
     }
 
 private:
+    void say_what_failed() const {
+        if (cannot_write_) {
+            say("sphereview: ended where a picture could not be written; " + in_groups(done_) + " of " + in_groups(jobs_.size()) +
+                " pictures were done");
+            return;
+        }
+        const bool pictures = std::ranges::any_of(jobs_, [](const RenderJob& job) { return job.sequence || job.pixels_sum; });
+        std::vector<std::string> named(failed_.begin(), failed_.begin() + static_cast<std::ptrdiff_t>(named_count()));
+        if (named.size() < failed_.size()) named.push_back("and " + in_groups(failed_.size() - named.size()) + " more");
+        say("sphereview: " + std::to_string(failed_.size()) + " of " + std::to_string(jobs_.size()) +
+            (pictures ? " pictures failed: " : " scenes failed: ") + joined(named, pictures ? "; " : " "));
+    }
+
+    // Of those that failed, in a line that people read.
+    std::size_t named_count() const { return failed_.size() <= most_named + 1 ? failed_.size() : most_named; }
+
     bool run(std::size_t place) {
         Work work;
         begin(place, work);
@@ -212,9 +224,15 @@ private:
         });
         print_words(report, options_);
         if (options_.json && !report_failed_) print_json_if_possible(report);
-        if (report.status != ExitCode::done) failed_.push_back(job.label);
+        if (report.status == ExitCode::done) {
+            ++done_;
+        } else {
+            failed_.push_back(job.label);
+        }
         worst_ = std::max(worst_, report.status);
-        return !has_ended_film();
+        // What one picture of a sequence met, the next ones would meet as well.
+        cannot_write_ = job.sequence && report.status == ExitCode::no_output;
+        return !has_ended_film() && !cannot_write_;
     }
 
     bool has_ended_film() const { return sinks_.film != nullptr && worst_ != ExitCode::done; }
@@ -323,6 +341,7 @@ private:
     static constexpr std::uint64_t bytes_of_a_sphere = 250;
     static constexpr std::uint64_t bytes_of_a_pixel = 12;
     static constexpr std::uint64_t usual_room = std::uint64_t{1} << 29;  // for all frames on their way
+    static constexpr std::size_t most_named = 10;                        // of what failed
 
     const RenderOptions& options_;
     std::span<const RenderJob> jobs_;
@@ -331,7 +350,9 @@ private:
     Errands* errands_ = nullptr;  // of other threads, where several frames are on their way
     std::size_t spheres_of_last_ = 0;
     ExitCode worst_ = ExitCode::done;
+    std::size_t done_ = 0;
     std::vector<std::string> failed_{};
+    bool cannot_write_ = false;  // a picture of a sequence, which ends it
     bool report_failed_ = false;
 };
 

@@ -19,8 +19,8 @@ struct RenderSinks {
     Manifest* manifest = nullptr;
 };
 
-// Does the jobs one after the other, whose sequences are prepared; what concerns one alone does not stop the others. Returns the
-// highest status.
+// Does the jobs one after the other, whose sequences are prepared; what concerns one alone does not stop the others, but a picture
+// of a sequence that cannot be written does. Returns the highest status.
 ExitCode run_jobs(const RenderOptions& options, std::span<const RenderJob> jobs, const RenderSinks& sinks, Progress& progress);
 
 }  // namespace sphereview

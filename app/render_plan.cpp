@@ -100,9 +100,15 @@ private:
         const RenderJob* job;
     };
 
+    static std::int64_t number_of(const RenderJob& job) { return job.sequence->shots()[job.shot].number; }
+
     static std::string advice(const RenderJob& first, const RenderJob& second, const std::string& pattern) {
         if (&first == &second) return "; they need two names";
-        if (first.sequence && first.sequence == second.sequence) return "; use {frame} for each picture's number";
+        if (first.sequence && first.sequence == second.sequence) {
+            const bool has_number = pattern.find(frame_placeholder) != std::string::npos;
+            return has_number ? "; frame " + std::to_string(number_of(second)) + " is named twice"
+                              : "; use {frame} for each picture's number";
+        }
         if (first.name == second.name) return "; both scenes are called " + in_quotes(first.name) + ": render them one at a time";
         return pattern.find(placeholder) == std::string::npos ? "; use {name} for each scene's own name"
                                                               : "; choose another pattern";

@@ -32,13 +32,21 @@ std::vector<std::shared_ptr<FrameSequence>> open_sequences(const RenderOptions& 
     return sequences;
 }
 
-// Leaves out what others render, and what is there. Of pictures whose manifest is wanted only those are there that it knows.
-void leave_out(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
+// Leaves out what others render.
+void leave_out_other_parts(std::vector<RenderJob>& jobs, const RenderOptions& options) {
     if (const auto& part = options.frames.part) {
         std::size_t place = 0;
         std::erase_if(jobs, [&](const RenderJob&) { return !part->has(place++); });
     }
+}
+
+// Leaves out what is there. Of pictures whose manifest is wanted only those are there that it knows.
+void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
     if (!options.frames.skip_existing) return;
+    if (manifest != nullptr && manifest->outdated() > 0) {
+        say(*options.frames.manifest + ": rendered anew are " + in_groups(manifest->outdated()) +
+            " pictures that were made of another file or with other options");
+    }
     const std::size_t all = jobs.size();
     std::erase_if(jobs, [&](const RenderJob& job) {
         return job.output && is_whole_png(*job.output, options.size.width, options.size.height) &&
@@ -49,15 +57,18 @@ void leave_out(std::vector<RenderJob>& jobs, const RenderOptions& options, const
 
 }  // namespace
 
-ExitCode run_render(const RenderOptions& options) {
+ExitCode run_render(const RenderOptions& asked_for) {
+    RenderOptions options = asked_for;
+    if (std::optional<std::string>& movie = options.film.movie) movie = fill_in(*movie, name_in_patterns(options.scenes.front()));
     // Light needs megabytes of its own, when what was needed before it is given back.
     if (options.shading == Shading::studio) return_large_blocks();
     Progress progress;
     const auto sequences = open_sequences(options, progress);
     std::vector<RenderJob> jobs = plan_render(options, sequences);
     std::optional<Manifest> manifest;
-    if (options.frames.manifest) manifest.emplace(options);
-    leave_out(jobs, options, manifest ? &*manifest : nullptr);
+    leave_out_other_parts(jobs, options);
+    if (options.frames.manifest) manifest.emplace(options, jobs);
+    leave_out_existing(jobs, options, manifest ? &*manifest : nullptr);
     if (jobs.empty()) return ExitCode::done;
     std::optional<Film> film;
     const bool is_streamed = options.frames.several() && options.output == standard_stream;

@@ -159,5 +159,35 @@ TEST_F(Farm, AManifestGoesOnWhereItWasCutOff) {
     EXPECT_EQ(verify().status, 0);
 }
 
+// As make does: what was made of something else is made anew, and the rest stays.
+TEST_F(Farm, WhatWasMadeOfSomethingElseIsMadeAnew) {
+    const std::string other_line = [] {
+        std::string line = R"({"frame":0,"picture":"other.png","place":0,"scene":"b.xyz","scene_sha256":"1","camera_sha256":null,)";
+        return line + R"("options":[],"pixels_sha256":"2","file_sha256":"3","version":"1"})" + "\n";
+    }();
+    folder_.write("made.jsonl", other_line);
+    expect_done({"--manifest", "made.jsonl", "--skip-existing"});
+    const std::string first = folder_.read("made.jsonl");
+    EXPECT_TRUE(first.starts_with(other_line)) << first;
+    const std::string picture = folder_.read("out/3.png");
+    const auto expect_anew = [&](const std::vector<std::string>& more, const std::string& what) {
+        std::vector<std::string> arguments = {"--manifest", "made.jsonl", "--skip-existing"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = farm(arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_EQ(outcome.errors, what.empty() ? "" : "made.jsonl: rendered anew are " + what + "\n");
+        EXPECT_EQ(lines().size(), 7U);
+    };
+    expect_anew({}, "");
+    EXPECT_EQ(folder_.read("made.jsonl"), first);
+    const std::string differ = " pictures that were made of another file or with other options";
+    expect_anew({"--view", "30,20", "--part", "2/2"}, "3" + differ);
+    EXPECT_NE(folder_.read("out/3.png"), picture);
+    expect_anew({}, "3" + differ);
+    EXPECT_EQ(folder_.read("out/3.png"), picture);
+    folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
+    expect_anew({}, "6" + differ);
+}
+
 }  // namespace
 }  // namespace sphereview::test

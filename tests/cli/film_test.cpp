@@ -82,14 +82,16 @@ TEST_F(FilmCommand, IsMadeByFfmpeg) {
     EXPECT_EQ(folder_.read("out.mp4"), pixels());
     EXPECT_EQ(folder_.read("out.mkv"), pixels());
     EXPECT_TRUE(contains(folder_.read("words"), " -c:v libx264 -crf 18 "));
+    ASSERT_EQ(run(film({"--movie", "{name}.mkv"})).status, 0);
+    EXPECT_EQ(folder_.read("a.mkv"), pixels());
 }
 
 TEST_F(FilmCommand, IsWholeOrNotAtAll) {
     folder_.write("out.mp4", "old");
-    write_encoder("head -c 20 >\"$film\"\necho 'no such codec' >&2\nexit 3");
+    write_encoder("head -c 20 >\"$film\"\nprintf 'no such codec\\n  bad\\n' >&2\nexit 3");
     const Outcome failed = run(film({"--movie", "out.mp4"}));
     EXPECT_EQ(failed.status, 4) << failed;
-    EXPECT_TRUE(contains(failed.errors, "out.mp4: cannot be written: ffmpeg has failed: no such codec\n")) << failed;
+    EXPECT_TRUE(contains(failed.errors, "out.mp4: cannot be written: ffmpeg has failed: no such codec; bad\n")) << failed;
     EXPECT_EQ(folder_.read("out.mp4"), "old");
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin", "out.mp4"}));
 

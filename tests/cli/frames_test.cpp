@@ -104,9 +104,42 @@ TEST_F(Frames, AreNamedByNumber) {
     expect_fault(
         {"a.xyz", "--frames", "all", "-o", "a.png"},
         "a.png: cannot be both the picture of a.xyz, 1 and the picture of a.xyz, 0; use {frame} for each picture's number");
+    expect_fault({"a.xyz", "--frames", "all,0", "-o", "{frame}.png"},
+                 "0.png: cannot be both the picture of a.xyz, 0 and the picture of a.xyz, 0; frame 0 is named twice");
     expect_fault({"a.xyz", "--frames", "all", "-o", "{frame:5}"},
                  "sphereview: --output: found '{frame:5}', expected {frame}, or {frame:0N} with N from 1 to 18 for so many digits");
     EXPECT_EQ(render({"a.xyz", "--fit", "first"}).status, 2);
+}
+
+// A folder in the place of the second picture, which the third one would not meet: but disks that are full stay so.
+TEST_F(Frames, EndWhereAPictureCannotBeWritten) {
+    std::string text;
+    for (int i = 0; i < 30; ++i) text += "1\n\nO " + std::to_string(i) + " 0 0\n";
+    folder_.write("a.xyz", text);
+    folder_.write("out/1.png/file", "");
+    const std::string end = "\nsphereview: ended where a picture could not be written; 1 of 30 pictures were done\n";
+    const Outcome outcome = render({"a.xyz", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"});
+    EXPECT_EQ(outcome.status, 4) << outcome;
+    EXPECT_EQ(outcome.errors, "out/1.png: cannot be written: it is a folder" + end);
+    EXPECT_TRUE(folder_.has("out/0.png"));
+    EXPECT_FALSE(folder_.has("out/2.png"));
+#ifdef __linux__
+    const Outcome full = render({"a.xyz", "--frames", "all", "-s", "9x9", "--manifest", "/dev/full"});
+    EXPECT_EQ(full.status, 4) << full;
+    EXPECT_TRUE(contains(full.errors, "/dev/full: cannot be written: ")) << full;
+    EXPECT_TRUE(contains(full.errors, "; 0 of 30 pictures were done\n")) << full;
+#endif
+}
+
+// Of many that fail each for itself, the last line names some.
+TEST_F(Frames, NameSomeOfManyThatFail) {
+    std::string text;
+    for (int i = 0; i < 14; ++i) text += "1\n\nO " + std::to_string(i) + " x 0\n";
+    folder_.write("a.xyz", "1\n\nO 0 0 0\n" + text);
+    const Outcome outcome = render({"a.xyz", "--frames", "all", "-s", "9x9", "--fit", "first", "-o", "out/{frame}.png"});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "\nsphereview: 14 of 15 pictures failed: a.xyz, 1; a.xyz, 2; ")) << outcome;
+    EXPECT_TRUE(outcome.errors.ends_with("; a.xyz, 10; and 4 more\n")) << outcome;
 }
 
 TEST_F(Frames, WarnOncePerFile) {
