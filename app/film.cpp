@@ -120,17 +120,13 @@ void Film::start(const Image& first) {
                    "-an",
                    "-bitexact"};
     append(words, encoding(film_kind(*options_.movie)->ending, options_.quality.value_or(usual_film_quality), alpha));
-    // As a path: ffmpeg takes what stands before a colon for a protocol.
-    const std::string file = [this] {
-        const std::lock_guard lock(mutex_);
-        if (!place_) throw Cancelled();
-        return place_->temporary();
-    }();
-    append(words, {"-y", path_from(file).is_absolute() ? file : "./" + file});
-    auto encoder = std::make_unique<PipedProgram>(program_, words);
+    // Who gives up meanwhile waits until there is an encoder to end: it would leave its file behind.
     const std::lock_guard lock(mutex_);
     if (!place_) throw Cancelled();
-    encoder_ = std::move(encoder);
+    const std::string& file = place_->temporary();
+    // As a path: ffmpeg takes what stands before a colon for a protocol.
+    append(words, {"-y", path_from(file).is_absolute() ? file : "./" + file});
+    encoder_ = std::make_unique<PipedProgram>(program_, words);
 }
 
 void Film::fail() {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <thread>
@@ -34,6 +35,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_errors = 4096;
+constexpr int most_wait = 1000;  // milliseconds, for a program that was killed: one whose disk hangs stays
 
 #ifdef _WIN32
 constexpr char path_separator = ';';
@@ -114,7 +116,10 @@ struct PipedProgram::Process {
         return good && read > 0;
     }
     void end_input() { close_handle(input); }
-    void kill() const { TerminateProcess(process, 1); }
+    void kill() const {
+        TerminateProcess(process, 1);
+        WaitForSingleObject(process, most_wait);
+    }
     bool wait() {
         WaitForSingleObject(process, INFINITE);
         DWORD status = 1;
@@ -197,7 +202,14 @@ struct PipedProgram::Process {
         input = -1;
     }
     void kill() const {
-        if (!ended) ::kill(-process, SIGKILL);  // with what it has started: it may be a script
+        if (ended) return;
+        ::kill(-process, SIGKILL);  // with what it has started: it may be a script
+        // Until it is gone it may still make a file. It stays known to who waits for it.
+        for (int waited = 0; waited < most_wait; ++waited) {
+            siginfo_t end{};
+            if (waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOHANG | WNOWAIT) != 0 || end.si_pid != 0) return;
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
     }
     bool wait() {
         int status = 1;

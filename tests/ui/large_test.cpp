@@ -114,13 +114,18 @@ TEST(MillionSpheres, AreCoarseWhileTheyTurnThenExactAndDraggedWithoutBuilding) {
     window.wait_for_other("camera", home);
     const Json turned = take_marks_away(window);
     EXPECT_EQ(turned.at("step"), 1);
-    int moving = 0;
+    // After a redraw that took long, what still moves is coarse. How many redraws the drag has is the machine's affair.
+    constexpr double long_time = 0.1;  // seconds
+    bool was_slow = false;
+    Json camera = home;
     std::istringstream log(folder.read("frames.log"));
     for (std::string line; std::getline(log, line);) {
         const Json redraw = Json::parse(line);
-        if (redraw.at("camera") != home && redraw.at("step") != 1) ++moving;
+        const bool moves = redraw.at("camera") != camera;
+        EXPECT_FALSE(moves && was_slow && redraw.at("step") == 1) << line;
+        was_slow = moves && redraw.at("step") == 1 && redraw.at("seconds") > long_time;
+        camera = redraw.at("camera");
     }
-    EXPECT_GE(moving, 1);
     window.key("Home");
     window.wait_for("camera", home);
 
