@@ -294,6 +294,14 @@ std::string listed(std::span<const std::string> words, std::string_view last) {
     return joined(words.first(words.size() - 1), ", ") + " " + std::string(last) + " " + words.back();
 }
 
+std::vector<std::string> first_of(std::vector<std::string> words, std::size_t most) {
+    if (words.size() <= most) return words;
+    const std::size_t more = words.size() - most;
+    words.resize(most);
+    words.push_back(in_groups(more) + " more");
+    return words;
+}
+
 std::vector<std::string> words_listed(std::string_view list) {
     std::vector<std::string> words;
     while (!list.empty()) {
