@@ -114,8 +114,9 @@ bool write_to_stdout(std::string_view bytes) {
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     good = std::fflush(file) == 0 && good;
-    // The library has no number of its own for a pipe whose reader is gone.
-    if (!good && errno == EINVAL && GetLastError() == ERROR_NO_DATA) errno = EPIPE;
+    // The library has no number of its own for a pipe whose reader is gone, and it may clear what GetLastError() would tell.
+    const auto handle = reinterpret_cast<HANDLE>(_get_osfhandle(_fileno(file)));
+    if (!good && errno == EINVAL && GetFileType(handle) == FILE_TYPE_PIPE) errno = EPIPE;
     return good;
 }
 
