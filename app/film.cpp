@@ -1,7 +1,6 @@
 #include "app/film.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <string_view>
@@ -190,7 +189,7 @@ void InterruptibleFilm::interrupt(int signal_number) {
         if (stderr_is_terminal()) say("");  // behind the progress bar
         say(current->how_far());
     }
-    std::_Exit(128 + signal_number);
+    end_interrupted(signal_number);  // a picture beside the film may be half written
 }
 
 }  // namespace sphereview

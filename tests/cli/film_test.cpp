@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "support/eventually.hpp"
+#include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -128,6 +130,32 @@ TEST_F(FilmCommand, InterruptedSaysHowFarItCame) {
     EXPECT_EQ(outcome.errors, "out.mp4: not written; 0 of 3 pictures were done\n");
     EXPECT_FALSE(folder_.has("out.mp4"));
     for (const std::string& name : folder_.names()) EXPECT_FALSE(contains(name, ".tmp")) << name;
+}
+
+// The disk of the pictures beside the film is slow, so that the interruption comes while one of them is written.
+TEST_F(FilmCommand, InterruptedWhileAPictureIsWrittenLeavesNothingHidden) {
+    write_encoder("exec cat >\"$film\"");
+    Command command = film({"--movie", "out.mp4", "-o", "{name}-{frame:05}"});
+    std::vector<std::string> traced = {"strace", "-D", "-f", "-qq", "-o", "/dev/null", "-e", "trace=fsync"};
+    Command trial{.arguments = traced, .program = "/usr/bin/env"};
+    trial.arguments.emplace_back("true");
+    if (run(trial).status != 0) GTEST_SKIP() << "no program can be traced here";
+    for (const char* word : {"-e", "inject=fsync:delay_enter=500000"}) traced.emplace_back(word);
+    traced.push_back(build_file("sphereview"));
+    command.program = "/usr/bin/env";
+    command.arguments.insert(command.arguments.begin(), traced.begin(), traced.end());
+    command.environment.emplace_back("LSAN_OPTIONS", "detect_leaks=0");  // it, too, would want to trace the program
+    Running program(command);
+    const auto is_hidden = [](const std::string& name) { return name.ends_with(".tmp"); };
+    ASSERT_TRUE(eventually([&] {
+        return std::ranges::any_of(folder_.names(),
+                                   [&](const std::string& name) { return is_hidden(name) && contains(name, ".png."); });
+    }));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, 130) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "out.mp4: not written; ")) << outcome;
+    EXPECT_TRUE(std::ranges::none_of(folder_.names(), is_hidden)) << testing::PrintToString(folder_.names());
 }
 
 TEST_F(FilmCommand, IsNamedByWhatItBecomes) {
