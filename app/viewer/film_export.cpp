@@ -315,17 +315,16 @@ void start_film(ViewerState& state, const FilmRequest& request) {
                                            announce(state, far.empty() ? "Cancelled" : "Cancelled: " + far);
                                        },
                                    .words = [path, status] { return words_of(path, *status); },
-                                   .stop = [status] { status->give_up_film(); }});
+                                   .stop = [status] { return status->give_up_film(); }});
     } catch (...) {
         fail(describe_current_exception().message);
     }
 }
 
 void cancel_film(ViewerState& state) {
-    if (!state.filming) return;
+    if (!state.filming || state.filming->job.ended()) return;
     state.filming->job.cancel();
-    state.filming->stop();
-    const bool may_appear = state.filming->job.control().writes && !state.filming->job.ended();
+    const bool may_appear = !state.filming->stop() && state.filming->job.control().writes;
     const Work cancelled = *std::exchange(state.filming, std::nullopt);
     if (may_appear) return announce(state, "Cancelled too late: the film may be written all the same");
     cancelled.cancel();

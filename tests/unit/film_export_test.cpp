@@ -305,6 +305,28 @@ TEST_F(FilmExport, LeavesNothingWhenItIsCancelled) {
     })) << "an encoder that takes no more is not waited for";
 }
 
+// The encoder has all pictures, and is not done with them.
+TEST_F(FilmExport, CanBeCancelledUntilItHasItsName) {
+    write_encoder("cat >\"$film\"\necho >'" + folder.path("has-all") + "'\nexec sleep 60");
+    start_film(state, request("a.mkv"));
+    ASSERT_TRUE(test::eventually([&] { return folder.has("has-all"); }));
+    cancel_film(state);
+    EXPECT_EQ(state.messages.announcement, "Cancelled: 3 of 3 pictures were done, and nothing is left of the film");
+    EXPECT_TRUE(test::eventually([&] {
+        return folder.names() == std::vector<std::string>{"a.xyz", "bin", "has-all"};
+    }));
+}
+
+// What has ended is not cancelled any more.
+TEST_F(FilmExport, CancelledAtItsEndIsExported) {
+    write_encoder("exec cat >\"$film\"");
+    start_film(state, request("a.mkv"));
+    state.filming->job.wait();
+    cancel_film(state);
+    EXPECT_TRUE(is_finished());
+    EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("a.mkv") + " (3 pictures, 40 x 30)");
+}
+
 TEST_F(FilmExport, TheEndOfTheWindowEndsIt) {
     write_encoder("exec cat >\"$film\"");
     FilmRequest many = request("a.mkv", [](FilmForm& form) {
