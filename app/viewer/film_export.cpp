@@ -27,6 +27,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int64_t most_of_turn = 1'000'000;  // as --turntable has it
+// Frames of a range that a dialog takes for granted while the file is still looked through: as many numbers are kept.
+constexpr std::int64_t most_expected = 1'000'000;
 constexpr const char* no_encoder =
     "A film needs the program ffmpeg, and the folders of PATH have none. Install it (Debian, Ubuntu: apt install ffmpeg; Fedora: "
     "dnf "
@@ -78,8 +80,13 @@ std::vector<Shot> chosen_shots(const FilmForm& form, const std::string& scene) {
     }
     std::vector<std::int64_t> frames = {0};
     if (form.takes_frames()) {
-        const auto ranges = parse_frames(form.chosen.frames);
+        auto ranges = parse_frames(form.chosen.frames);
         if (!ranges) throw InputError("The frames are " + in_quotes(form.chosen.frames) + ", expected " + frames_syntax + ".");
+        for (FrameRange& range : *ranges) {
+            if (!form.counting || !range.last) continue;
+            const std::int64_t first = std::clamp(range.first.value_or(0), std::int64_t{0}, FrameReader::most_frames);
+            range.last = std::min(*range.last, std::max(form.frames, first + most_expected));
+        }
         frames = frames_in(*ranges, text_from(path_from(scene).filename()), [&](std::int64_t enough) {
             const bool may_have = form.counting && enough < FrameReader::most_frames;
             return may_have ? enough : std::min(enough, form.frames);

@@ -249,7 +249,13 @@ TEST_F(FilmExport, KnowsThatThereMayBeMoreFrames) {
     write_encoder("exit 1");
     state.player.all_frames = false;
     EXPECT_TRUE(test::contains(judged("a.mp4").summary, "At least 3 pictures"));
-    EXPECT_EQ(judged("a.mp4", [](FilmForm& f) { f.chosen.frames = "9"; }).fault, "");
+    const auto judged_frames = [&](const char* frames) { return judged("a.mp4", [=](FilmForm& f) { f.chosen.frames = frames; }); };
+    EXPECT_EQ(judged_frames("9").fault, "");
+    EXPECT_EQ(judged_frames("2000000").fault, "");
+    EXPECT_TRUE(test::contains(judged_frames("0:100").summary, "At least 100 pictures"));
+    // More than memory holds numbers.
+    EXPECT_TRUE(test::contains(judged_frames("0:1000000000000").summary, "At least 1,000,000 pictures"));
+    EXPECT_TRUE(test::contains(judged_frames("9223372036854775806:9223372036854775807").fault, "found no frame"));
 }
 
 TEST_F(FilmExport, SaysWhatToInstallAndOffersPictures) {
@@ -312,9 +318,7 @@ TEST_F(FilmExport, CanBeCancelledUntilItHasItsName) {
     ASSERT_TRUE(test::eventually([&] { return folder.has("has-all"); }));
     cancel_film(state);
     EXPECT_EQ(state.messages.announcement, "Cancelled: 3 of 3 pictures were done, and nothing is left of the film");
-    EXPECT_TRUE(test::eventually([&] {
-        return folder.names() == std::vector<std::string>{"a.xyz", "bin", "has-all"};
-    }));
+    EXPECT_TRUE(test::eventually([&] { return folder.names() == std::vector<std::string>{"a.xyz", "bin", "has-all"}; }));
 }
 
 // What has ended is not cancelled any more.
