@@ -103,7 +103,7 @@ void draw_quality(const PanelContext& context, FilmForm& form) {
         ImGui::TextUnformatted("Quality");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(-1.0F);
-        ImGui::SliderInt("##quality", &form.chosen.quality, 1, 100);
+        ImGui::SliderInt("##quality", &form.chosen.quality, 1, 100, "%d", ImGuiSliderFlags_AlwaysClamp);  // Ctrl+click: also typed
         note_widget(context, "film quality");
         explain_item("1 to 100: the better, the larger");
     }
