@@ -149,7 +149,8 @@ float height_of_film_form(const FilmForm& form, float width) {
 }
 
 void judge(FilmForm& form, const std::string& path) {
-    if (form.judged_choices == form.chosen && form.judged_path == path) return;
+    const bool frames_found = form.refresh(form);
+    if (!frames_found && form.judged_choices == form.chosen && form.judged_path == path) return;
     form.judged_choices = form.chosen;
     form.judged_path = path;
     form.judged = form.judge(form, path);

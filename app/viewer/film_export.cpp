@@ -128,16 +128,26 @@ FilmJudgement judgement(const FilmForm& form, const std::string& path, const std
     return judged;
 }
 
+// The dialog stands while the file is looked through.
+bool note_frames(const ViewerState& state, FilmForm& form) {
+    const std::int64_t frames = has_several_frames(state) ? std::max<std::int64_t>(state.frames, 2) : 1;
+    const bool counting = !state.player.all_frames;
+    const bool are_others = frames != form.frames || counting != form.counting;
+    form.frames = frames;
+    form.counting = counting;
+    return are_others;
+}
+
 FilmForm new_form(const ViewerState& state) {
     FilmForm form;
     const std::string scene = name_of_scene(state);
     const bool has_encoder = !find_film_encoder().empty();
-    form.frames = has_several_frames(state) ? std::max<std::int64_t>(state.frames, 2) : 1;
+    form.refresh = [&state](FilmForm& shown) { return note_frames(state, shown); };
+    form.refresh(form);
     form.chosen.samples = state.settings.samples;
     form.chosen.marks = state.settings.marks_exported;
     form.chosen.transparent = state.shown_background().transparent;
     form.chosen = state.film_choices.value_or(form.chosen);
-    form.counting = !state.player.all_frames;
     form.marks = shown_marks(state);
     form.from_file = "The file's frames. Colours, radii and hiding changed here hold in all, moves do not.";
     if (!has_numbers_of_file(state)) {
@@ -198,6 +208,7 @@ void ask_for_film(ViewerState& state, const std::string& path, const std::string
         state.settings.film_width = size.width;
         state.settings.film_height = size.height;
         state.film_choices = form->chosen;
+        form->refresh(*form);
         const auto ask_again = [&](const std::string& why) { ask_for_film(state, chosen, why); };
         if (state.filming) return ask_again(state.filming->path + " is not exported yet");
         try {

@@ -258,6 +258,26 @@ TEST_F(FilmExport, KnowsThatThereMayBeMoreFrames) {
     EXPECT_TRUE(test::contains(judged_frames("9223372036854775806:9223372036854775807").fault, "found no frame"));
 }
 
+// Also while its dialog stands.
+TEST_F(FilmExport, LearnsOfFramesThatAreFoundMeanwhile) {
+    folder.write("a-00002.png", "mine");
+    const std::string pictures = folder.path("{name}-{frame:05}.png");
+    state.frames = 2;
+    state.player.all_frames = false;
+    run_command(state, CommandId::export_film);
+    const auto accept = std::get<FileBrowser>(state.dialogs.back()).accept;
+    FilmForm& shown = *std::get<FileBrowser>(state.dialogs.back()).film;
+    judge(shown, pictures);
+    EXPECT_TRUE(test::contains(shown.judged.summary, "At least 2 pictures")) << shown.judged.summary;
+    state.frames = 3;
+    state.player.all_frames = true;
+    judge(shown, pictures);
+    EXPECT_EQ(shown.judged.summary, "3 pictures: a-00000.png to a-00002.png");
+    state.dialogs.clear();
+    accept(pictures, size);
+    EXPECT_EQ(id_of(state.dialogs.back()), "replace");
+}
+
 TEST_F(FilmExport, SaysWhatToInstallAndOffersPictures) {
     setenv("PATH", "/nowhere", 1);
     EXPECT_TRUE(test::contains(judged("a.mp4").fault, "A film needs the program ffmpeg"));
