@@ -228,10 +228,10 @@ PipedProgram::PipedProgram(const std::string& path, const std::vector<std::strin
     std::array<int, 2> input{-1, -1};
     std::array<int, 2> errors{-1, -1};
     const bool piped = pipe(input.data()) == 0 && pipe(errors.data()) == 0;
+    int error = piped ? 0 : errno;
     for (const int end : {input[0], input[1], errors[0], errors[1]}) fcntl(end, F_SETFD, FD_CLOEXEC);
     process_->input = input[1];
     process_->errors_end = errors[0];
-    int error = piped ? 0 : errno;
     if (piped) {
         std::vector<char*> words{const_cast<char*>(path.c_str())};
         for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));

@@ -1,0 +1,25 @@
+// Programs that cannot be started, and what is left of them.
+#include "base/piped_program.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "unit/message_of.hpp"
+
+namespace sphereview {
+
+TEST(PipedProgram, SaysThatThereAreTooManyOpenFiles) {
+    rlimit usual{};
+    getrlimit(RLIMIT_NOFILE, &usual);
+    const rlimit none{0, usual.rlim_max};
+    setrlimit(RLIMIT_NOFILE, &none);
+    const std::string said = message_of<OutputError>([] { const PipedProgram program("/bin/sh", {"-c", "exit"}); });
+    setrlimit(RLIMIT_NOFILE, &usual);
+    EXPECT_TRUE(said.ends_with(std::strerror(EMFILE))) << said;
+}
+
+}  // namespace sphereview
