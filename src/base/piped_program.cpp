@@ -19,6 +19,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "base/error.hpp"
@@ -163,12 +164,7 @@ PipedProgram::PipedProgram(const std::string& path, const std::vector<std::strin
     close_handle(its_errors);
     close_handle(null);
     if (!good) throw OutputError(path, "the program cannot be started", error);
-    process_->reader = std::thread([process = process_.get()] {
-        std::array<char, 4096> buffer{};
-        std::size_t count = 0;
-        while (process->read(buffer, count))
-            process->errors.append(buffer.data(), std::min(count, most_errors - process->errors.size()));
-    });
+    read_errors(path);
 }
 
 #else
@@ -260,15 +256,26 @@ PipedProgram::PipedProgram(const std::string& path, const std::vector<std::strin
         process_->ended = true;
         throw OutputError(path, std::string("the program cannot be started: ") + std::strerror(error), error);
     }
-    process_->reader = std::thread([process = process_.get()] {
-        std::array<char, 4096> buffer{};
-        std::size_t count = 0;
-        while (process->read(buffer, count))
-            process->errors.append(buffer.data(), std::min(count, most_errors - process->errors.size()));
-    });
+    read_errors(path);
 }
 
 #endif
+
+void PipedProgram::read_errors(const std::string& path) {
+    try {
+        process_->reader = std::thread([process = process_.get()] {
+            std::array<char, 4096> buffer{};
+            std::size_t count = 0;
+            while (process->read(buffer, count))
+                process->errors.append(buffer.data(), std::min(count, most_errors - process->errors.size()));
+        });
+    } catch (const std::system_error& error) {
+        process_->kill();
+        process_->end_input();
+        process_->wait();
+        throw OutputError(path, "the program cannot be started: the system allows no more threads", error.code().value());
+    }
+}
 
 PipedProgram::~PipedProgram() {
     if (!process_->reader.joinable()) return;
