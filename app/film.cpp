@@ -1,10 +1,10 @@
 #include "app/film.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/background_job.hpp"
@@ -89,6 +89,7 @@ std::string Film::how_far() const {
 
 std::unique_lock<std::mutex> Film::give_up() {
     std::unique_lock lock(mutex_);
+    if (!place_) return {};
     if (encoder_) encoder_->kill();
     place_.reset();
     return lock;
@@ -158,13 +159,19 @@ void Film::finish() {
     if (encoder_) {
         std::error_code unknown;
         bool is_film = encoder_->finish();
+        std::optional<Unfinished> unfinished;
+        std::unique_ptr<OutputPlace> taken;
         {
             const std::lock_guard lock(mutex_);
             if (!place_) throw Cancelled();
             is_film = is_film && std::filesystem::file_size(path_from(place_->temporary()), unknown) > 0;
-            if (is_film) place_->take(durability_);
+            if (is_film) {
+                unfinished.emplace();  // only behind the lock: an interruption that holds it waits for what is unfinished
+                taken = std::move(place_);
+            }
         }
         if (!is_film) fail();
+        taken->take(durability_);  // without the lock: a disk may take long
     }
     finished_ = true;
 }
@@ -185,12 +192,12 @@ InterruptibleFilm::~InterruptibleFilm() {
 void InterruptibleFilm::interrupt(int signal_number) {
     const std::lock_guard lock(current_mutex);
     std::unique_lock<std::mutex> given_up;
-    if (current != nullptr) {
-        given_up = current->give_up();
+    if (current != nullptr) given_up = current->give_up();
+    if (given_up) {
         if (stderr_is_terminal()) say("");  // behind the progress bar
         say(current->how_far());
     }
-    std::_Exit(128 + signal_number);
+    end_interrupted(signal_number);  // a picture beside the film may be half written
 }
 
 }  // namespace sphereview

@@ -3,8 +3,12 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "app/frame_sequence.hpp"
 #include "app/manifest.hpp"
@@ -52,7 +56,7 @@ bool is_file_unchanged(const ManifestEntry& entry) {
     return false;
 }
 
-// Pictures of one scene by the same options.
+// Pictures of one scene and one camera by the same options.
 ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOptions& verify, Progress& progress) {
     const ManifestEntry& first = entries.front();
     RenderOptions options = verify.parse_render(first.scene, first.options);
@@ -104,8 +108,12 @@ ExitCode run_verify(const VerifyOptions& options) {
     }
     const std::size_t all = entries.size();
     entries = sample_of(std::move(entries), options.sample);
-    std::map<std::pair<std::string, std::vector<std::string>>, std::vector<ManifestEntry>> groups;
-    for (const ManifestEntry& entry : entries) groups[{entry.scene, entry.options}].push_back(entry);
+    // With the sums: manifests may be from before and after a change of a file.
+    using MadeOf = std::tuple<std::string, std::string, std::optional<std::string>, std::vector<std::string>>;
+    std::map<MadeOf, std::vector<ManifestEntry>> groups;
+    for (const ManifestEntry& entry : entries) {
+        groups[{entry.scene, entry.scene_sum, entry.camera_sum, entry.options}].push_back(entry);
+    }
     Progress progress;
     ExitCode worst = ExitCode::done;
     for (const auto& [made_of, alike] : groups) worst = std::max(worst, verify_alike(alike, options, progress));

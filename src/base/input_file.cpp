@@ -85,7 +85,17 @@ InputStream::InputStream(const std::string& path, Content content)
     if (ignored || size == 0) return;
     may_be_endless_ = false;
     look_for_gzip();
-    if (!gunzip_) size_ = static_cast<std::size_t>(size);
+    if (gunzip_) {
+        packed_size_ = size;
+    } else {
+        size_ = static_cast<std::size_t>(size);
+    }
+}
+
+std::optional<double> InputStream::unpacked_part() const {
+    if (packed_size_ == 0) return std::nullopt;
+    // One that grows meanwhile is read on.
+    return std::min(static_cast<double>(gunzip_->packed_size()) / static_cast<double>(packed_size_), 1.0);
 }
 
 void InputStream::drop_first(std::size_t count) {

@@ -19,6 +19,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 #include <thread>
 
 #include "base/error.hpp"
@@ -163,12 +164,7 @@ PipedProgram::PipedProgram(const std::string& path, const std::vector<std::strin
     close_handle(its_errors);
     close_handle(null);
     if (!good) throw OutputError(path, "the program cannot be started", error);
-    process_->reader = std::thread([process = process_.get()] {
-        std::array<char, 4096> buffer{};
-        std::size_t count = 0;
-        while (process->read(buffer, count))
-            process->errors.append(buffer.data(), std::min(count, most_errors - process->errors.size()));
-    });
+    read_errors(path);
 }
 
 #else
@@ -228,10 +224,10 @@ PipedProgram::PipedProgram(const std::string& path, const std::vector<std::strin
     std::array<int, 2> input{-1, -1};
     std::array<int, 2> errors{-1, -1};
     const bool piped = pipe(input.data()) == 0 && pipe(errors.data()) == 0;
+    int error = piped ? 0 : errno;
     for (const int end : {input[0], input[1], errors[0], errors[1]}) fcntl(end, F_SETFD, FD_CLOEXEC);
     process_->input = input[1];
     process_->errors_end = errors[0];
-    int error = piped ? 0 : errno;
     if (piped) {
         std::vector<char*> words{const_cast<char*>(path.c_str())};
         for (const std::string& argument : arguments) words.push_back(const_cast<char*>(argument.c_str()));
@@ -260,15 +256,26 @@ PipedProgram::PipedProgram(const std::string& path, const std::vector<std::strin
         process_->ended = true;
         throw OutputError(path, std::string("the program cannot be started: ") + std::strerror(error), error);
     }
-    process_->reader = std::thread([process = process_.get()] {
-        std::array<char, 4096> buffer{};
-        std::size_t count = 0;
-        while (process->read(buffer, count))
-            process->errors.append(buffer.data(), std::min(count, most_errors - process->errors.size()));
-    });
+    read_errors(path);
 }
 
 #endif
+
+void PipedProgram::read_errors(const std::string& path) {
+    try {
+        process_->reader = std::thread([process = process_.get()] {
+            std::array<char, 4096> buffer{};
+            std::size_t count = 0;
+            while (process->read(buffer, count))
+                process->errors.append(buffer.data(), std::min(count, most_errors - process->errors.size()));
+        });
+    } catch (const std::system_error& error) {
+        process_->kill();
+        process_->end_input();
+        process_->wait();
+        throw OutputError(path, "the program cannot be started: the system allows no more threads", error.code().value());
+    }
+}
 
 PipedProgram::~PipedProgram() {
     if (!process_->reader.joinable()) return;

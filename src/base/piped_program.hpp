@@ -31,6 +31,9 @@ public:
 
 private:
     struct Process;
+    // On a thread of its own, until the program ends. Throws OutputError, and the program is gone.
+    void read_errors(const std::string& path);
+
     std::unique_ptr<Process> process_;
     bool done_ = false;
 };
