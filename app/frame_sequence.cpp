@@ -139,7 +139,7 @@ LoadedScene FrameSequence::load(const Shot& shot) {
     loaded.warnings = std::move(warnings);
     loaded.scene.camera = camera_;
     loaded.middle = middle_;
-    loaded.fitted = fitted_;
+    loaded.fitted = fitted_ && (!options_.frames.fit_first || shot.frame == shots_.front().frame);
     if (turn_) {
         loaded.scene.camera = turn_->camera(camera_, middle_, shot.degrees);
         loaded.scene.light.toward_key = key_direction(camera_axes(camera_));

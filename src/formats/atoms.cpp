@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/memory.hpp"
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -33,6 +34,16 @@ void remove_spheres(Scene& scene, std::span<const std::size_t> numbers) {
     if (scene.properties.empty()) return;
     const std::vector<std::uint32_t> gone(numbers.begin(), numbers.end());
     for (Property& property : scene.properties) remove_values(property, gone);
+}
+
+void require_memory_for_spheres(const std::string& name, std::size_t count, std::size_t bytes_of_each) {
+    require_memory(count * bytes_of_each, name + ": " + in_groups(count) + " spheres need");
+}
+
+void warn_of_left_out(SphereData& data, std::size_t count, const std::string& name, const char* one, const char* several) {
+    if (count == 0) return;
+    data.warnings.push_back(name + ": " + in_groups(count) + " " + (count == 1 ? one : several) + (count == 1 ? " has" : " have") +
+                            " no coordinates and " + (count == 1 ? "is" : "are") + " left out");
 }
 
 void warn_of_virtual_sites(SphereData& data, std::size_t count, const std::string& name, const DataOptions& options) {

@@ -298,10 +298,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
     atoms.properties = properties.take();
     SphereData data = data_of(std::move(atoms), source.name, options, as_utf8);
     data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
-    if (nowhere > 0) {
-        data.warnings.push_back(source.name + ": " + in_groups(nowhere) + (nowhere == 1 ? " atom has" : " atoms have") +
-                                " no coordinates and " + (nowhere == 1 ? "is" : "are") + " left out");
-    }
+    warn_of_left_out(data, nowhere, source.name, "atom", "atoms");
     if (others > 0) {
         data.notes.push_back(source.name + ": " + in_groups(others) + (others == 1 ? " atom is" : " atoms are") +
                              " left out: of disordered groups the fullest is shown");

@@ -6,8 +6,6 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "formats/csv_choices.hpp"
-#include "formats/csv_columns.hpp"
 #include "formats/csv_values.hpp"
 #include "formats/elements.hpp"
 
@@ -58,11 +56,10 @@ public:
         std::optional<std::size_t> first_line;
         for (LineWalker lines(source_.text, table_.layout.line_end, begin); !lines.at_end() && titles >= 0;) {
             begin = lines.offset();
-            const std::size_t end = lines.step();
-            const std::string_view line = trimmed(source_.text.substr(begin, end - begin), white_space);
+            const std::string_view line = trimmed(lines.step(), white_space);
             if (line.empty()) continue;
             if (const std::string_view mark = comment_mark(line); !mark.empty()) {
-                look_at_comment(line.substr(mark.size()), end);
+                look_at_comment(line.substr(mark.size()));
                 continue;
             }
             if (!first_line) first_line = begin;
@@ -101,21 +98,17 @@ private:
 
     std::string_view candidates() const { return forced_ ? std::string_view(&*forced_, 1) : separators; }
 
-    static bool is_whole_header(const Chosen& chosen) {
-        return chosen.all_found && chosen.columns.has(CsvColumn::x) && chosen.columns.has(CsvColumn::y);
-    }
-
     // Programs of numbers write the header as a comment: the last one counts.
-    void look_at_comment(std::string_view text, std::size_t end) {
-        const auto begin = static_cast<std::size_t>(text.data() - source_.text.data());
-        const TextSource line{source_.name, source_.text.substr(0, std::min(begin + text.size(), end))};
+    void look_at_comment(std::string_view text) {
+        const std::size_t begin = source_.offset_of(text);
+        const TextSource up_to_end{source_.name, source_.text.substr(0, begin + text.size())};
         for (const char separator : candidates()) {
             table_.layout.separator = separator;
-            CsvRecords header(line, table_.layout, begin, line.text.size(), most_csv_columns);
+            CsvRecords header(up_to_end, table_.layout, begin, up_to_end.text.size(), most_csv_columns);
             if (!has_record(header) || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
             ColumnNames names = names_of(header, separator);
-            const Chosen chosen = choose_columns(names, choices_);
-            if (!is_whole_header(chosen) || chosen.places_by_number) continue;
+            const ChosenColumns chosen = choose_columns(names, choices_);
+            if (!chosen.has_places() || chosen.places_by_number) continue;
             comment_.emplace(CommentHeader{std::move(names), separator});
             return;
         }
@@ -130,8 +123,12 @@ private:
         }
     }
 
-    // Whether the table begins with the line at `begin`: its header, or the first row where there is none.
+    // Whether the table begins with the line at `begin`: its header, or the first row where there is none, or only a comment.
     bool begins_at(std::size_t begin) {
+        return has_header_at(begin) || (comment_ && fits_comment(begin)) || (choices_.empty() && is_headless(begin));
+    }
+
+    bool has_header_at(std::size_t begin) {
         for (const char separator : candidates()) {
             CsvRecords header = records(separator, begin);
             if (!has_record(header) || header.fields().size() < 2) continue;
@@ -139,9 +136,8 @@ private:
                 header.fail(header.fields()[most_csv_columns], "at most " + std::to_string(most_csv_columns) + " columns");
             }
             const ColumnNames names = names_of(header, separator);
-            const Chosen chosen = choose_columns(names, choices_);
-            if (!is_whole_header(chosen)) continue;
-            if (chosen.places_by_number && !is_row(header, chosen.columns)) continue;
+            const ChosenColumns chosen = choose_columns(names, choices_);
+            if (!chosen.has_places() || (chosen.places_by_number && !is_row(header, chosen.columns))) continue;
             take(chosen, separator);
             if (chosen.places_by_number) {
                 table_.has_header = false;
@@ -157,18 +153,20 @@ private:
             finish(names);
             return true;
         }
-        if (comment_) {
-            for (const char separator : candidates()) {
-                CsvRecords row = records(separator, begin);
-                if (!has_record(row)) continue;
-                const std::size_t extra = row.fields().size() - std::min(row.fields().size(), comment_->names.size());
-                const bool trails = extra == 1 && row.fields().back().text.empty();
-                if ((row.fields().size() != comment_->names.size() && !trails) || row.fields().size() < 2) continue;
-                from_comment(separator, begin);
-                return true;
-            }
+        return false;
+    }
+
+    bool fits_comment(std::size_t begin) {
+        for (const char separator : candidates()) {
+            CsvRecords row = records(separator, begin);
+            if (!has_record(row) || row.fields().size() < 2) continue;
+            const std::size_t named = comment_->names.size();
+            const bool trails = row.fields().size() == named + 1 && row.fields().back().text.empty();
+            if (row.fields().size() != named && !trails) continue;
+            from_comment(separator, begin);
+            return true;
         }
-        return choices_.empty() && is_headless(begin);
+        return false;
     }
 
     CsvTable from_comment(char separator, std::size_t begin) {
@@ -201,17 +199,19 @@ private:
                 return is_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
             };
             if (count < 2 || !std::all_of(fields.begin(), fields.end() - (trails ? 1 : 0), is_value)) continue;
-            // ColumnNames that nobody knows are no reason to guess.
+            // Names that nobody knows are no reason to guess.
             if (unknown_header_) {
                 CsvRecords header = records(separator, *unknown_header_);
                 if (has_record(header) && header.offset() <= begin && names_of(header, separator).size() == count) continue;
                 table_.layout.separator = separator;
             }
-            Chosen chosen;
+            ChosenColumns chosen;
             chosen.columns.places = {0, 1, count > 2 ? std::optional<std::size_t>(2) : std::nullopt};
             table_.fields = count;
-            if (count >= 6 && has_colors(begin, 3)) {
-                for (std::size_t i = 3; i < 6; ++i) chosen.columns.places[static_cast<std::size_t>(CsvColumn::red) + i - 3] = i;
+            if (count >= 6 && has_colors_behind_places(begin)) {
+                chosen.columns[CsvColumn::red] = 3;
+                chosen.columns[CsvColumn::green] = 4;
+                chosen.columns[CsvColumn::blue] = 5;
             }
             ColumnNames numbers;
             for (std::size_t i = 1; i <= count; ++i) numbers.push_back(std::to_string(i));
@@ -224,11 +224,11 @@ private:
         return false;
     }
 
-    // Whether three columns from `first` on hold nothing but whole numbers from 0 to 255.
-    bool has_colors(std::size_t begin, std::size_t first) {
+    // Whether the fourth to sixth column hold nothing but whole numbers from 0 to 255.
+    bool has_colors_behind_places(std::size_t begin) {
         CsvRecords rows = rows_from(begin);
         for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
-            for (std::size_t k = first; k < first + 3; ++k) {
+            for (std::size_t k = 3; k < 6; ++k) {
                 std::uint8_t ignored = 0;
                 if (k >= rows.fields().size() || !parse_whole(rows.fields()[k].text, ignored)) return false;
             }
@@ -236,7 +236,7 @@ private:
         return true;
     }
 
-    void take(const Chosen& chosen, char separator) {
+    void take(const ChosenColumns& chosen, char separator) {
         shifted_ = false;
         table_.layout.separator = separator;
         table_.columns = chosen.columns;
@@ -295,9 +295,7 @@ private:
         bool any_color = false;
         bool fractions = false;
         bool above_1 = false;
-        const std::string element_key = elements ? column_key(name_at(names, *columns[CsvColumn::element])) : "";
-        const bool is_type = element_key != "element" && element_key != "species" && element_key != "symbol" &&
-                             element_key != "atomsymbol" && element_key != "elementsymbol" && !is_chosen("element");
+        const bool is_type = elements && may_be_type(names);
         CsvRecords rows = rows_from(table_.begin);
         for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
             const auto field = [&](CsvColumn column) -> std::string_view {
@@ -345,13 +343,12 @@ private:
         add_column(table_.properties, is_element ? "element" : table_.has_header ? name : "column" + name, kind, place);
     }
 
-    bool is_chosen(std::string_view column) const {
-        return std::ranges::find(choices_, column, &ColumnChoice::column) != choices_.end();
-    }
-
-    std::string name_at(const ColumnNames& names, std::size_t place) const {
-        const std::size_t i = place - (shifted_ ? 1 : 0);
-        return i < names.size() ? names[i] : "";
+    // Whether nothing says that the column of elements holds these, and not numbers or names of types.
+    bool may_be_type(const ColumnNames& names) const {
+        constexpr auto sure = std::to_array<std::string_view>({"element", "species", "symbol", "atomsymbol", "elementsymbol"});
+        const std::size_t i = *table_.columns[CsvColumn::element] - (shifted_ ? 1 : 0);
+        const bool is_sure = i < names.size() && std::ranges::find(sure, column_key(names[i])) != sure.end();
+        return !is_sure && std::ranges::find(choices_, "element", &ColumnChoice::column) == choices_.end();
     }
 
     // A first column may hold names or colours that begin like comments.
@@ -376,15 +373,14 @@ private:
             CsvRecords header = records(separator, begin);
             if (!has_record(header) || header.fields().size() < 2) continue;
             const ColumnNames names = names_of(header, separator);
-            const ColumnChoice* missing = missing_choice(names, choices_);
-            if (missing == nullptr) {
-                const CsvColumns columns = choose_columns(names, choices_).columns;
-                if (columns.has(CsvColumn::x) && columns.has(CsvColumn::y)) return "";
+            const ChosenColumns chosen = choose_columns(names, choices_);
+            if (chosen.has_places()) return "";
+            if (chosen.missing == nullptr) {
                 return "found no columns for both x and y, expected --columns x=NAME,y=NAME,z=NAME to name them";
             }
             if (fault.empty()) {
-                fault = "found no column " + in_quotes(missing->field) + ", expected a header with the columns of --columns" +
-                        did_you_mean(missing->field, names);
+                fault = "found no column " + in_quotes(chosen.missing->field) +
+                        ", expected a header with the columns of --columns" + did_you_mean(chosen.missing->field, names);
             }
         }
         return fault;
@@ -424,7 +420,7 @@ bool is_clearly_csv(std::string_view head) {
         // Between white space a scene's text may begin with its number of spheres.
         if (table.layout.separator == ',' || table.layout.separator == ';') return true;
         const std::string_view row = trimmed(head.substr(table.begin), white_space);
-        return words_of(row.substr(0, row.find_first_of("\r\n")))[0].find_first_not_of("0123456789") != std::string_view::npos;
+        return !is_digits(row.substr(0, row.find_first_of(white_space)));
     } catch (const InputError&) {
         return false;
     }

@@ -1,32 +1,18 @@
 // What a table in text is: what divides it, which of its columns are drawn, and where its rows begin.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "formats/csv_columns.hpp"
 #include "formats/csv_records.hpp"
 #include "formats/lines.hpp"
 #include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
-
-enum class CsvColumn : std::size_t { x, y, z, radius, diameter, red, green, blue, color, element, name };
-inline constexpr std::array<const char*, 11> csv_column_names = {"x", "y", "z",     "radius",  "diameter", "r",
-                                                                 "g", "b", "color", "element", "name"};
-
-// Which field of a record each column is.
-struct CsvColumns {
-    std::array<std::optional<std::size_t>, csv_column_names.size()> places{};
-
-    std::optional<std::size_t>& operator[](CsvColumn column) { return places[static_cast<std::size_t>(column)]; }
-    const std::optional<std::size_t>& operator[](CsvColumn column) const { return places[static_cast<std::size_t>(column)]; }
-    bool has(CsvColumn column) const { return (*this)[column].has_value(); }
-};
 
 struct CsvTable {
     CsvLayout layout{};

@@ -235,7 +235,6 @@ WantedModel find_model(std::vector<AtomTable>& tables, std::int64_t wanted) {
 }
 
 SphereData read_model(const TextSource& source, cif::Table& table, const WantedModel& wanted, const DataOptions& options) {
-    require_memory(wanted.atoms * sizeof(Sphere), source.name + ": " + in_groups(wanted.atoms) + " spheres need");
     MoleculeScene scene(wanted.atoms, options, source.name);
     for (const auto row : table) {
         if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row, scene.wants_texts()));
