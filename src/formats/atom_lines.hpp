@@ -132,7 +132,7 @@ SphereData read_wanted_frame(const TextSource& source, const DataOptions& option
             if (!finder.next(frame, frames, frames == options.frame)) break;
         } catch (const InputError& error) {
             if (frames <= options.frame) throw;
-            fault = std::string(error.what()) + "; what follows frame " + std::to_string(frames - 1) + " is passed over";
+            fault = early_end(error.what(), frames);
             break;
         }
         if (frames == options.frame) wanted = std::move(frame);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <gemmi/numb.hpp>
 #include <gemmi/symmetry.hpp>
 #include <map>
 #include <optional>
@@ -245,8 +244,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
         glm::dvec3 parts;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::string& value = row[axis];
-            double number = cif::as_number(value);
-            if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));  // in quotes
+            const double number = number_in(value);
             if (!std::isfinite(number) && !cif::is_null(value)) {
                 fail_at_value(source, row, axis,
                               found_expected(value, std::string("fract_") + "xyz"[axis] + " of atom " +

@@ -228,7 +228,7 @@ public:
         if (source_.text.find('"', table_.begin) != std::string_view::npos) {
             // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
             constexpr std::size_t rows_at_once = 4096;
-            CsvRecords records(source_, table_.layout, table_.begin, source_.text.size(), table_.fields + 1);
+            CsvRecords records = rows_from(source_, table_, table_.begin);
             bool more = true;
             while (more) counts += append(scene, read_records(records, colors_to_1, rows_at_once, more));
             return counts;
@@ -250,7 +250,7 @@ public:
     // The values of the spheres, `count` of them, that were read.
     FileProperties read_properties_of(std::size_t count) const {
         const auto walk = [&](PropertyTable& properties) {
-            CsvRecords records(source_, table_.layout, table_.begin, source_.text.size(), table_.fields + 1);
+            CsvRecords records = rows_from(source_, table_, table_.begin);
             const RowReader row(records, table_, options_, false, false);
             glm::dvec3 ignored;
             std::string text;

@@ -57,6 +57,15 @@ public:
     // False when there is none; the fields are valid until the next call. Throws InputError where quotes are wrong.
     bool next() { return in_runs_ ? next_record<true>() : next_record<false>(); }
 
+    // The same, and false where quotes are wrong: comments may hold some that nothing closes.
+    bool try_next() {
+        try {
+            return next();
+        } catch (const InputError&) {
+            return false;
+        }
+    }
+
     std::span<const CsvField> fields() const { return {fields_.data(), count_}; }
     // Where the line of the last record begins.
     std::size_t begin() const { return begin_; }

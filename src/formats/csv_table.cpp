@@ -7,7 +7,6 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/csv_values.hpp"
-#include "formats/elements.hpp"
 
 namespace sphereview {
 
@@ -16,7 +15,6 @@ namespace {
 constexpr const char* header_syntax = "a header with x, y, z, and perhaps radius, r, g, b, name";
 constexpr int most_titles = 100;   // lines before a header
 constexpr int most_unit_rows = 3;  // behind it: TrackMate has three
-constexpr std::size_t rows_looked_at = 1000;
 
 // By which a line may be divided: what stands between fields before what may stand inside of them.
 constexpr std::string_view separators = ";\t, ";
@@ -82,11 +80,6 @@ private:
         return CsvRecords(source_, table_.layout, begin, source_.text.size(), most_csv_columns);
     }
 
-    // The rows of the table from `begin` on, once it is known how many fields they have.
-    CsvRecords rows_from(std::size_t begin) const {
-        return CsvRecords(source_, table_.layout, begin, source_.text.size(), table_.fields + 1);
-    }
-
     // Spreadsheets say in a line of its own what divides the others: sep=;
     std::size_t take_separator_line() {
         std::string_view rest = source_.text;
@@ -105,21 +98,12 @@ private:
         for (const char separator : candidates()) {
             table_.layout.separator = separator;
             CsvRecords header(up_to_end, table_.layout, begin, up_to_end.text.size(), most_csv_columns);
-            if (!has_record(header) || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
+            if (!header.try_next() || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
             ColumnNames names = names_of(header, separator);
             const ChosenColumns chosen = choose_columns(names, choices_);
             if (!chosen.has_places() || chosen.places_by_number) continue;
             comment_.emplace(CommentHeader{std::move(names), separator});
             return;
-        }
-    }
-
-    // Comments may hold quotes that nothing closes.
-    static bool has_record(CsvRecords& records) {
-        try {
-            return records.next();
-        } catch (const InputError&) {
-            return false;
         }
     }
 
@@ -131,7 +115,7 @@ private:
     bool has_header_at(std::size_t begin) {
         for (const char separator : candidates()) {
             CsvRecords header = records(separator, begin);
-            if (!has_record(header) || header.fields().size() < 2) continue;
+            if (!header.try_next() || header.fields().size() < 2) continue;
             if (header.fields().size() > most_csv_columns) {
                 header.fail(header.fields()[most_csv_columns], "at most " + std::to_string(most_csv_columns) + " columns");
             }
@@ -139,6 +123,7 @@ private:
             const ChosenColumns chosen = choose_columns(names, choices_);
             if (!chosen.has_places() || (chosen.places_by_number && !is_row(header, chosen.columns))) continue;
             take(chosen, separator);
+            std::size_t first = 0;  // that has a name
             if (chosen.places_by_number) {
                 table_.has_header = false;
                 table_.begin = begin;
@@ -147,10 +132,10 @@ private:
                 refuse_twice(header, names);
                 table_.fields = names.size();
                 table_.begin = behind_units(header.offset());
-                shift_behind_row_names();
+                if (rows_have_names()) first = shift_columns();
                 if (separator == ' ' && !fits_rows()) continue;
             }
-            finish(names);
+            look_at_first_rows(source_, names, first, choices_, table_);
             return true;
         }
         return false;
@@ -159,7 +144,7 @@ private:
     bool fits_comment(std::size_t begin) {
         for (const char separator : candidates()) {
             CsvRecords row = records(separator, begin);
-            if (!has_record(row) || row.fields().size() < 2) continue;
+            if (!row.try_next() || row.fields().size() < 2) continue;
             const std::size_t named = comment_->names.size();
             const bool trails = row.fields().size() == named + 1 && row.fields().back().text.empty();
             if (row.fields().size() != named && !trails) continue;
@@ -173,25 +158,15 @@ private:
         take(choose_columns(comment_->names, choices_), separator);
         table_.fields = comment_->names.size();
         table_.begin = begin;
-        finish(comment_->names);
+        look_at_first_rows(source_, comment_->names, 0, choices_, table_);
         return table_;
-    }
-
-    // Whether the record has numbers, or marks for none, where x and y are.
-    static bool is_row(const CsvRecords& record, const CsvColumns& columns) {
-        const auto is_place = [&](CsvColumn column) {
-            const std::size_t place = *columns[column];
-            return place < record.fields().size() &&
-                   (is_missing(record.fields()[place].text) || is_number(record.fields()[place].text, true));
-        };
-        return is_place(CsvColumn::x) && is_place(CsvColumn::y);
     }
 
     // Rows of numbers alone, of which the first three are a place.
     bool is_headless(std::size_t begin) {
         for (const char separator : candidates()) {
             CsvRecords row = records(separator, begin);
-            if (!has_record(row)) continue;
+            if (!row.try_next()) continue;
             const auto fields = row.fields();
             const bool trails = fields.size() > 1 && fields.back().text.empty();
             const std::size_t count = fields.size() - (trails ? 1 : 0);
@@ -202,7 +177,7 @@ private:
             // Names that nobody knows are no reason to guess.
             if (unknown_header_) {
                 CsvRecords header = records(separator, *unknown_header_);
-                if (has_record(header) && header.offset() <= begin && names_of(header, separator).size() == count) continue;
+                if (header.try_next() && header.offset() <= begin && names_of(header, separator).size() == count) continue;
                 table_.layout.separator = separator;
             }
             ChosenColumns chosen;
@@ -218,7 +193,7 @@ private:
             take(chosen, separator);
             table_.has_header = false;
             table_.begin = begin;
-            finish(numbers);
+            look_at_first_rows(source_, numbers, 0, choices_, table_);
             return true;
         }
         return false;
@@ -226,8 +201,8 @@ private:
 
     // Whether the fourth to sixth column hold nothing but whole numbers from 0 to 255.
     bool has_colors_behind_places(std::size_t begin) {
-        CsvRecords rows = rows_from(begin);
-        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
+        CsvRecords rows = rows_from(source_, table_, begin);
+        for (std::size_t i = 0; i < csv_rows_looked_at && rows.try_next(); ++i) {
             for (std::size_t k = 3; k < 6; ++k) {
                 std::uint8_t ignored = 0;
                 if (k >= rows.fields().size() || !parse_whole(rows.fields()[k].text, ignored)) return false;
@@ -237,7 +212,6 @@ private:
     }
 
     void take(const ChosenColumns& chosen, char separator) {
-        shifted_ = false;
         table_.layout.separator = separator;
         table_.columns = chosen.columns;
     }
@@ -256,8 +230,8 @@ private:
 
     // Where the rows begin: units, or other names, may stand in rows of their own.
     std::size_t behind_units(std::size_t begin) {
-        CsvRecords rows = rows_from(begin);
-        for (int skipped = 0; skipped <= most_unit_rows && has_record(rows); ++skipped) {
+        CsvRecords rows = rows_from(source_, table_, begin);
+        for (int skipped = 0; skipped <= most_unit_rows && rows.try_next(); ++skipped) {
             if (is_row(rows, table_.columns)) return skipped == 0 ? begin : rows.begin();
             const auto is_word = [](const CsvField& field) { return !is_number(field.text, true); };
             if (!std::ranges::all_of(rows.fields(), is_word)) break;
@@ -266,103 +240,26 @@ private:
     }
 
     // R's write.table names the rows in a column that the header leaves out.
-    void shift_behind_row_names() {
-        CsvRecords rows = rows_from(table_.begin);
-        if (!has_record(rows) || rows.fields().size() != table_.fields + 1 || rows.fields().back().text.empty()) return;
+    bool rows_have_names() const {
+        CsvRecords rows = rows_from(source_, table_, table_.begin);
+        if (!rows.try_next() || rows.fields().size() != table_.fields + 1 || rows.fields().back().text.empty()) return false;
         const CsvField& first = rows.fields()[0];
-        if (table_.layout.separator != ' ' && !first.quoted && is_number(first.text, true)) return;
+        return table_.layout.separator == ' ' || first.quoted || !is_number(first.text, true);
+    }
+
+    // Behind a field without a name; returns by how many.
+    std::size_t shift_columns() {
         for (auto& place : table_.columns.places) {
             if (place) ++*place;
         }
         ++table_.fields;
-        shifted_ = true;
+        return 1;
     }
 
     // Words between blanks may be a sentence: a header has a row below it, or nothing.
     bool fits_rows() {
-        CsvRecords rows = rows_from(table_.begin);
-        return !has_record(rows) || (rows.fields().size() == table_.fields && is_row(rows, table_.columns));
-    }
-
-    // Looks at the first rows for what the header does not say.
-    void finish(const ColumnNames& names) {
-        CsvColumns& columns = table_.columns;
-        if (columns.has(CsvColumn::radius)) columns[CsvColumn::diameter].reset();
-        look_for_data_behind_marks();
-        bool decimal_points = false;
-        bool elements = columns.has(CsvColumn::element);
-        bool any_element = false;
-        bool any_color = false;
-        bool fractions = false;
-        bool above_1 = false;
-        const bool is_type = elements && may_be_type(names);
-        CsvRecords rows = rows_from(table_.begin);
-        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
-            const auto field = [&](CsvColumn column) -> std::string_view {
-                const auto place = columns[column];
-                return place && *place < rows.fields().size() ? rows.fields()[*place].text : std::string_view();
-            };
-            for (const CsvColumn column : {CsvColumn::x, CsvColumn::y, CsvColumn::z}) {
-                decimal_points = decimal_points || field(column).find('.') != std::string_view::npos;
-            }
-            if (const std::string_view element = field(CsvColumn::element); !is_missing(element)) {
-                const bool known = is_type ? find_element(element) != nullptr && element[0] >= 'A' && element[0] <= 'Z'
-                                           : &element_of_species(element) != &unknown_element();
-                any_element = any_element || known;
-                elements = elements && (known || !is_type);
-            }
-            any_color = any_color || parse_hex_color(field(CsvColumn::color));
-            for (const CsvColumn column : {CsvColumn::red, CsvColumn::green, CsvColumn::blue}) {
-                double value = 0.0;
-                if (parse_csv_number(field(column), true, value) != NumberFault::none) continue;
-                fractions = fractions || field(column).find_first_of(".,eE") != std::string_view::npos;
-                above_1 = above_1 || value > 1.0;
-            }
-        }
-        table_.decimal_commas = !decimal_points;
-        table_.colors_to_1 = fractions && !above_1;
-        if (!elements || !any_element) columns[CsvColumn::element].reset();
-        if (!any_color || columns.has(CsvColumn::red)) columns[CsvColumn::color].reset();
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const std::size_t place = i + (shifted_ ? 1 : 0);
-            const auto drawn = std::ranges::find(columns.places, std::optional(place));
-            if (drawn == columns.places.end() && !names[i].empty()) table_.passed_over.push_back(names[i]);
-            const auto column =
-                drawn == columns.places.end() ? std::optional<CsvColumn>() : static_cast<CsvColumn>(drawn - columns.places.begin());
-            add_property(names[i], place, column);
-        }
-    }
-
-    void add_property(const std::string& name, std::size_t place, std::optional<CsvColumn> column) {
-        if (column && *column != CsvColumn::radius && *column != CsvColumn::diameter && *column != CsvColumn::element) return;
-        const std::string key = column_key(name);
-        const PropertyKind kind = column == CsvColumn::element      ? PropertyKind::element
-                                  : key == "type" || key == "chain" ? PropertyKind::words
-                                                                    : PropertyKind::found;
-        const bool is_element = column == CsvColumn::element && key != "type";
-        add_column(table_.properties, is_element ? "element" : table_.has_header ? name : "column" + name, kind, place);
-    }
-
-    // Whether nothing says that the column of elements holds these, and not numbers or names of types.
-    bool may_be_type(const ColumnNames& names) const {
-        constexpr auto sure = std::to_array<std::string_view>({"element", "species", "symbol", "atomsymbol", "elementsymbol"});
-        const std::size_t i = *table_.columns[CsvColumn::element] - (shifted_ ? 1 : 0);
-        const bool is_sure = i < names.size() && std::ranges::find(sure, column_key(names[i])) != sure.end();
-        return !is_sure && std::ranges::find(choices_, "element", &ColumnChoice::column) == choices_.end();
-    }
-
-    // A first column may hold names or colours that begin like comments.
-    void look_for_data_behind_marks() {
-        const CsvLayout plain{table_.layout.separator, table_.layout.line_end, false};
-        CsvRecords rows(source_, plain, table_.begin, source_.text.size(), table_.fields + 1);
-        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
-            const bool marked = !rows.fields()[0].quoted && !comment_mark(rows.fields()[0].text).empty();
-            if (!marked) continue;
-            if (rows.fields().size() == table_.fields && table_.columns[CsvColumn::x] != 0 && is_row(rows, table_.columns)) {
-                table_.layout.comments = false;
-            }
-            return;
-        }
+        CsvRecords rows = rows_from(source_, table_, table_.begin);
+        return !rows.try_next() || (rows.fields().size() == table_.fields && is_row(rows, table_.columns));
     }
 
     // What is wrong with the columns of --columns in the header that begins there; "" where nothing is known.
@@ -371,7 +268,7 @@ private:
         std::string fault;
         for (const char separator : candidates()) {
             CsvRecords header = records(separator, begin);
-            if (!has_record(header) || header.fields().size() < 2) continue;
+            if (!header.try_next() || header.fields().size() < 2) continue;
             const ColumnNames names = names_of(header, separator);
             const ChosenColumns chosen = choose_columns(names, choices_);
             if (chosen.has_places()) return "";
@@ -402,10 +299,18 @@ private:
     std::optional<char> forced_{};
     std::optional<CommentHeader> comment_{};
     std::optional<std::size_t> unknown_header_{};  // where a line with several fields begins that may be one
-    bool shifted_ = false;
 };
 
 }  // namespace
+
+bool is_row(const CsvRecords& record, const CsvColumns& columns) {
+    const auto is_place = [&](CsvColumn column) {
+        const std::size_t place = *columns[column];
+        return place < record.fields().size() &&
+               (is_missing(record.fields()[place].text) || is_number(record.fields()[place].text, true));
+    };
+    return is_place(CsvColumn::x) && is_place(CsvColumn::y);
+}
 
 CsvTable find_csv_table(const TextSource& source, const std::vector<ColumnChoice>& choices) {
     return TableFinder(source, choices).find(most_titles);
