@@ -9,7 +9,7 @@
 
 #include "app/film_options.hpp"
 #include "base/output_file.hpp"
-#include "base/piped_program.hpp"
+#include "base/program.hpp"
 #include "image/image.hpp"
 #include "scene/camera.hpp"
 
