@@ -59,8 +59,7 @@ BOOL WINAPI on_event(DWORD event) {
     if (act) {
         act(signal_number);
     } else {
-        interruption = signal_number;
-        if (unfinished == 0) end();
+        end_by_signal(signal_number);
     }
     if (!pressed) Sleep(INFINITE);
     return TRUE;
@@ -74,9 +73,7 @@ extern "C" void on_interrupt(int signal_number) {
         const auto number = static_cast<unsigned char>(signal_number);
         if (write(pipe_end, &number, 1) == 1) return;
     }
-    // In this order, the reverse of Unfinished's: one of the two sees the other.
-    interruption = signal_number;
-    if (unfinished == 0) end();
+    end_by_signal(signal_number);
 }
 
 void handle_unless_ignored(int signal_number) {
@@ -117,6 +114,12 @@ void pass_interrupts_to(std::function<void(int)> act) {
     }).detach();
     passing_pipe = ends[1];
 #endif
+}
+
+void end_by_signal(int signal_number) {
+    // In this order, the reverse of Unfinished's: one of the two sees the other.
+    interruption = signal_number;
+    if (unfinished == 0) end();
 }
 
 Unfinished::Unfinished() {
