@@ -10,6 +10,7 @@
 #include "base/background_job.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/interrupt.hpp"
 #include "base/path.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
