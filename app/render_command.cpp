@@ -70,7 +70,7 @@ public:
             for (std::size_t i = 0; i < jobs_.size() && run(i); ++i) {
             }
         }
-        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film()) say_what_failed();
+        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film() && !sinks_.reported) say_what_failed();
         return report_failed_ ? std::max(worst_, ExitCode::no_output) : worst_;
     }
 
@@ -121,6 +121,7 @@ private:
         const OrderedWork steps{jobs_.size(),
                                 [&](std::size_t place) {
                                     all[place] = std::make_unique<Work>();
+                                    if (sinks_.reported) give_way();
                                     begin(place, *all[place]);
                                     // Where all cores can have a frame of their own, no thread waits for another.
                                     keep_loops_on_this_thread(most_at_once(memory, threads) >= static_cast<std::size_t>(cores));
@@ -202,16 +203,8 @@ private:
     bool deliver(Work& work) {
         RenderReport& report = work.report;
         const RenderJob& job = report.job;
-        if (job.sequence) {
-            for (const std::string& line : job.sequence->not_said(work.loaded.warnings)) say(line);
-            for (const std::string& line : job.sequence->not_said(work.loaded.look.lines)) say(line);
-        } else {
-            say_warnings(work.loaded);
-        }
-        for (const std::string& warning : work.warnings) {
-            say(warning);
-            report.warnings.push_back(warning);
-        }
+        if (!sinks_.reported) say_what_was_found(work);
+        report.warnings.insert(report.warnings.end(), work.warnings.begin(), work.warnings.end());
         attempt(work, [&] {
             if (sinks_.film != nullptr) timed(report.timings, Phase::encode, [&] { sinks_.film->add(work.picture); });
             if (job.output) {
@@ -222,7 +215,11 @@ private:
             if (sinks_.manifest != nullptr) sinks_.manifest->add(job, work.sums);
             if (job.diff) write_output(*job.diff, encode_png(work.difference), options_.durability, missing_folder(*options_.diff));
         });
-        print_words(report, options_);
+        if (sinks_.reported) {
+            sinks_.reported(report);
+        } else {
+            print_words(report, options_);
+        }
         if (options_.json && !report_failed_) print_json_if_possible(report);
         if (report.status == ExitCode::done) {
             ++done_;
@@ -233,6 +230,16 @@ private:
         // What one picture of a sequence met, the next ones would meet as well.
         cannot_write_ = job.sequence && report.status == ExitCode::no_output;
         return !has_ended_film() && !cannot_write_;
+    }
+
+    static void say_what_was_found(const Work& work) {
+        if (const auto& sequence = work.report.job.sequence) {
+            for (const std::string& line : sequence->not_said(work.loaded.warnings)) say(line);
+            for (const std::string& line : sequence->not_said(work.loaded.look.lines)) say(line);
+        } else {
+            say_warnings(work.loaded);
+        }
+        for (const std::string& warning : work.warnings) say(warning);
     }
 
     bool has_ended_film() const { return sinks_.film != nullptr && worst_ != ExitCode::done; }

@@ -254,6 +254,7 @@ FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::st
                          in_groups(static_cast<std::uint64_t>(longest_side(chosen.samples))) + " pixels wide and high.");
     }
     options.scenes = {scene};
+    options.backend = Backend::cpu;
     options.size = size;
     options.samples = chosen.samples;
     options.shading = state.settings.shading;

@@ -90,20 +90,18 @@ public:
     }
 
 private:
-    // The first error ends all.
+    // The first error ends all, and so does the first step that is cancelled.
     template <typename Part>
     void run(const Part& part) {
         try {
-            part();
+            return part();
         } catch (const Cancelled&) {
             // Nobody waits for what is not made.
         } catch (...) {
-            {
-                const std::lock_guard lock(mutex_);
-                if (!error_) error_ = std::current_exception();
-            }
-            end();
+            const std::lock_guard lock(mutex_);
+            if (!error_) error_ = std::current_exception();
         }
+        end();
     }
 
     // Until nothing is left to begin.
