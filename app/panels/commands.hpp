@@ -1,4 +1,4 @@
-// Everything a menu offers, with its shortcut: for the menus, the keys and the help. The table is in viewer/perform.cpp, beside
+// Everything a menu offers, with its shortcut: for the menus, the keys and the help. The table is in viewer/command_table.cpp, beside
 // what each command does.
 #pragma once
 

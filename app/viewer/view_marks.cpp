@@ -24,9 +24,8 @@ namespace {
 
 constexpr double unit_on_screen = 2.0;  // screen coordinates, at the usual scale
 
-constexpr ImGuiWindowFlags marks_window = bare_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                                          ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing |
-                                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags marks_window = quiet_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                                          ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::string name_of_end(const AxisEnd& end) { return std::string(end.positive ? "+" : "-") + "xyz"[end.axis]; }
 
