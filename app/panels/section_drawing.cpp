@@ -217,6 +217,7 @@ private:
         if (of_.from_eye) return;
         const ImVec2 sun{canvas_.high().x - 12.0F * s, at.y};
         canvas_.list().AddCircleFilled(sun, 6.0F * s, faded(sun_color, 1.0F));
+        canvas_.keep_free(sun, 6.0F);
         canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, of_.name_of_sun, faded(sun_color, 1.0F), Importance::some);
     }
 
@@ -227,7 +228,7 @@ private:
             const ImVec2 tip{canvas_.low().x + 5.0F * s, middle};
             canvas_.list().AddTriangleFilled(tip, {tip.x + 8.0F * s, tip.y - 5.0F * s}, {tip.x + 8.0F * s, tip.y + 5.0F * s},
                                              text_color(0.95F));
-            const std::string what = section_.screen_outside ? "eye and screen" : "eye";
+            const std::string what = !of_.from_eye ? "P" : section_.screen_outside ? "eye and screen" : "eye";
             canvas_.text({tip.x, tip.y + 8.0F * s}, 0.0F, 0.0F,
                          what + ", " + number_text(std::fabs(canvas_.window().low.x), 3) + " away", text_color(0.85F),
                          Importance::more);
