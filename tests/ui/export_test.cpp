@@ -74,6 +74,7 @@ TEST(Exporting, WritesTheBytesOfRenderAndReplacesNothing) {
     window.click_widget("browser name");
     window.key("ctrl+a");
     window.type("scene.png");
+    window.click_widget("export sizes");
     window.click_widget("export 1920 x 1080");
     window.click_widget("browser ok");
     answer(window, "replace", "Cancel");
@@ -122,7 +123,7 @@ TEST(Exporting, MakesPicturesOfAllFrames) {
     window.key("shift+F12");
     window.wait_for("dialogs", Json::array({"film"}));
     window.click_widget("browser kind");
-    window.click_widget("kind Pictures");
+    window.click_widget("browser kind Pictures (.png)");
     window.click_widget("browser ok");
     announced(window, "a-{frame:05}.png (2 pictures, 64 x 48)");
     EXPECT_EQ(window.at("filming"), nullptr);

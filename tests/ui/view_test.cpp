@@ -260,7 +260,7 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
         window.key("Home");
         window.wait_for("camera", camera);
 
-        window.step("frames by keys, menu and slider");
+        window.step("frames by keys, menu and number");
         window.key("Page_Up");
         window.wait_for("scene_frame", {0, 3});
         take_marks_away(window);
@@ -277,7 +277,10 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
         EXPECT_EQ(window.at("spheres"), 4);
         EXPECT_EQ(window.at("camera"), camera);
         EXPECT_EQ(window.at("changed"), false);
-        window.click(window.widget("frame", 0.05));
+        window.click_widget("slider frame");
+        window.widget("typed frame");
+        window.type("0");
+        window.key("Return");
         window.wait_for("scene_frame", {0, 3});
         edit(window);
         window.key("Page_Down");
