@@ -1,15 +1,16 @@
 #include "app/film.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/background_job.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/interrupt.hpp"
 #include "base/path.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
@@ -84,6 +85,7 @@ std::string Film::how_far() const {
 
 std::unique_lock<std::mutex> Film::give_up() {
     std::unique_lock lock(mutex_);
+    if (!place_) return {};
     if (encoder_) encoder_->kill();
     place_.reset();
     return lock;
@@ -153,13 +155,19 @@ void Film::finish() {
     if (encoder_) {
         std::error_code unknown;
         bool is_film = encoder_->finish();
+        std::optional<Unfinished> unfinished;
+        std::unique_ptr<OutputPlace> taken;
         {
             const std::lock_guard lock(mutex_);
             if (!place_) throw Cancelled();
             is_film = is_film && std::filesystem::file_size(path_from(place_->temporary()), unknown) > 0;
-            if (is_film) place_->take(durability_);
+            if (is_film) {
+                unfinished.emplace();  // only behind the lock: an interruption that holds it waits for what is unfinished
+                taken = std::move(place_);
+            }
         }
         if (!is_film) fail();
+        taken->take(durability_);  // without the lock: a disk may take long
     }
     finished_ = true;
 }
@@ -167,7 +175,7 @@ void Film::finish() {
 InterruptibleFilm::InterruptibleFilm(Film& film) : film_(film) {
     interruptible_.emplace([this] {
         given_up_ = film_.give_up();
-        return film_.how_far();
+        return given_up_ ? film_.how_far() : "";
     });
 }
 

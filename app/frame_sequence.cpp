@@ -8,6 +8,7 @@
 #include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "camera/fit.hpp"
+#include "formats/atoms.hpp"
 #include "light/light_set.hpp"
 #include "tiles/build_lists.hpp"
 
@@ -59,7 +60,7 @@ FrameSequence::FrameSequence(const std::string& path, const RenderOptions& optio
     reader_->watch({});
     progress.clear();
     if (!reader_->fault().empty()) {
-        early_end_ = reader_->fault() + "; what follows frame " + std::to_string(reader_->count() - 1) + " is passed over";
+        early_end_ = sphereview::early_end(reader_->fault(), reader_->count());
     }
     shots_ = shots_of(frames, options.frames.turntable);
 }
@@ -165,7 +166,7 @@ LoadedScene FrameSequence::load(const Shot& shot) {
     loaded.warnings = std::move(warnings);
     loaded.scene.camera = camera_of(shot);
     loaded.middle = middle_;
-    loaded.fitted = fitted_;
+    loaded.fitted = fitted_ && (!options_.frames.fit_first || shot.frame == shots_.front().frame);
     if (turn_) loaded.scene.light.toward_key = key_direction(camera_axes(camera_));
     return loaded;
 }

@@ -32,10 +32,10 @@ void Interruptible::interrupt(int signal_number) {
     const std::lock_guard lock(current_mutex);
     if (current != nullptr) {
         const std::string words = current->last_words_();
-        if (stderr_is_terminal()) say("");  // behind the progress bar
-        say(words);
+        if (!words.empty() && stderr_is_terminal()) say("");  // behind the progress bar
+        if (!words.empty()) say(words);
     }
-    end_by_signal(signal_number);
+    end_interrupted(signal_number);  // with the lock: what lives as long as `current` does waits
 }
 
 }  // namespace sphereview

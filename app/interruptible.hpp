@@ -6,7 +6,7 @@
 
 namespace sphereview {
 
-// While this lives, an interruption says what `last_words` returns, which is called on a thread of its own, and ends the process:
+// While this lives, an interruption says what `last_words` returns, unless that is empty, which is called on a thread of its own, and ends the process:
 // at once, or where an output is written, behind that. One at a time.
 class Interruptible {
 public:

@@ -57,7 +57,6 @@ struct Work {
     std::string png{};  // where there is an output
     PictureSums sums{};
     std::vector<std::string> warnings{};  // of the picture
-    std::atomic<double> done = 0.0;       // 0..1
 };
 
 bool is_lack_of_memory(const std::exception_ptr& error) {
@@ -142,12 +141,13 @@ private:
         Errands errands;
         errands_ = &errands;
         std::vector<std::unique_ptr<Work>> all(jobs_.size());
+        // How much of each picture is made, 0..1. Not in its Work, which another thread may just set up.
+        std::vector<std::atomic<double>> parts(jobs_.size());
         const std::uint64_t memory = available_memory().value_or(usual_room * 4);
         std::size_t next = 0;
         const auto part_done = [&](double places) { return places / static_cast<double>(jobs_.size()); };
         const auto make_one = [&](std::size_t place) {
-            Work& work = *all[place];
-            make(work, [&work](double done, const std::string&) { work.done = done; });
+            make(*all[place], [&part = parts[place]](double done, const std::string&) { part = done; });
         };
         progress_.start(jobs_.front().name, static_cast<double>(jobs_.size()), "picture");
         const OrderedWork steps{jobs_.size(),
@@ -167,10 +167,7 @@ private:
                                     progress_.update(part_done(static_cast<double>(place + 1)));
                                     return goes_on;
                                 },
-                                [&](std::size_t place) {
-                                    const double done = all[place] ? all[place]->done.load() : 0.0;
-                                    progress_.update(part_done(static_cast<double>(place) + done));
-                                },
+                                [&](std::size_t place) { progress_.update(part_done(static_cast<double>(place) + parts[place])); },
                                 [&] { return most_at_once(memory, threads); }};
         try {
             do_in_order(steps, threads, errands);

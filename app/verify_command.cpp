@@ -3,9 +3,13 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 #include <random>
 #include <set>
+#include <string>
+#include <tuple>
 #include <utility>
+#include <vector>
 
 #include "app/frame_sequence.hpp"
 #include "app/manifest.hpp"
@@ -61,9 +65,7 @@ bool is_file_unchanged(const ManifestEntry& entry) {
 void say_which(const std::vector<std::string>& some, std::size_t all, const std::string& what) {
     constexpr std::size_t most_named = 10;
     if (some.empty()) return;
-    std::vector<std::string> named(some.begin(), some.begin() + static_cast<std::ptrdiff_t>(std::min(some.size(), most_named)));
-    if (named.size() < some.size()) named.push_back("and " + in_groups(some.size() - named.size()) + " more");
-    say(in_groups(some.size()) + " of " + in_groups(all) + " pictures " + what + ": " + joined(named, "; "));
+    say(in_groups(some.size()) + " of " + in_groups(all) + " pictures " + what + ": " + joined(first_of(some, most_named), "; "));
 }
 
 // They may be elsewhere: that is no difference.
@@ -89,7 +91,7 @@ void say_which_have_no_line(const FrameSequence& sequence, const ManifestEntry& 
     say_which(missing, sequence.shots().size(), "have no line");
 }
 
-// Pictures of one scene by the same options, some of `all` entries.
+// Pictures of one scene and one camera by the same options, some of `all` entries.
 ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vector<ManifestEntry>& all, const VerifyOptions& verify,
                       Progress& progress) {
     const ManifestEntry& first = entries.front();
@@ -144,8 +146,12 @@ ExitCode run_verify(const VerifyOptions& options) {
     }
     say_which_are_not_here(all);
     const std::vector<ManifestEntry> entries = sample_of(all, options.sample);
-    std::map<std::pair<std::string, std::vector<std::string>>, std::vector<ManifestEntry>> groups;
-    for (const ManifestEntry& entry : entries) groups[{entry.scene, entry.options}].push_back(entry);
+    // With the sums: manifests may be from before and after a change of a file.
+    using MadeOf = std::tuple<std::string, std::string, std::optional<std::string>, std::vector<std::string>>;
+    std::map<MadeOf, std::vector<ManifestEntry>> groups;
+    for (const ManifestEntry& entry : entries) {
+        groups[{entry.scene, entry.scene_sum, entry.camera_sum, entry.options}].push_back(entry);
+    }
     Progress progress;
     ExitCode worst = ExitCode::done;
     for (const auto& [made_of, alike] : groups) worst = std::max(worst, verify_alike(alike, all, options, progress));

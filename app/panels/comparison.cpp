@@ -10,12 +10,12 @@ namespace sphereview {
 
 namespace {
 
-void go_to(const PanelContext& context, const Comparison& comparison, Pixel pixel) {
+void go_to(const PanelContext& context, const ComparisonWords& comparison, Pixel pixel) {
     context.actions.emplace_back(RunCommand{CommandId::go_home});
     context.actions.emplace_back(PinPixel{pixel, comparison.size});
 }
 
-void draw_difference(const PanelContext& context, const Comparison& comparison, ImTextureID difference) {
+void draw_difference(const PanelContext& context, const ComparisonWords& comparison, ImTextureID difference) {
     const float width = ImGui::GetContentRegionAvail().x;
     const float most = 18.0F * ImGui::GetFontSize();
     const auto sides = ImVec2(static_cast<float>(comparison.size.width), static_cast<float>(comparison.size.height));
@@ -32,17 +32,17 @@ void draw_difference(const PanelContext& context, const Comparison& comparison, 
     if (ImGui::IsItemClicked()) go_to(context, comparison, pixel);
 }
 
-void draw_shares(const PanelContext& context, const Comparison& comparison) {
+void draw_shares(const PanelContext& context, const ComparisonWords& comparison) {
     if (!ImGui::BeginTable("shares", 3, ImGuiTableFlags_None)) return;
     const float side = ImGui::GetTextLineHeight();
     float widest = 0.0F;
-    for (const Comparison::Share& share : comparison.shares) {
+    for (const ComparisonWords::Share& share : comparison.shares) {
         widest = std::max(widest, width_of(in_groups(static_cast<std::uint64_t>(share.pixels))));
     }
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, side);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
-    for (const Comparison::Share& share : comparison.shares) {
+    for (const ComparisonWords::Share& share : comparison.shares) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         draw_swatch(share.mark, ImGui::GetCursorScreenPos(), side, context.scale);
@@ -55,9 +55,9 @@ void draw_shares(const PanelContext& context, const Comparison& comparison) {
     ImGui::EndTable();
 }
 
-void draw_examples(const PanelContext& context, const Comparison& comparison) {
+void draw_examples(const PanelContext& context, const ComparisonWords& comparison) {
     for (std::size_t i = 0; i < comparison.examples.size(); ++i) {
-        const Comparison::Example& example = comparison.examples[i];
+        const ComparisonWords::Example& example = comparison.examples[i];
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Button("Explain")) go_to(context, comparison, example.pixel);
         note_widget(context, "example " + std::to_string(i));
@@ -70,7 +70,7 @@ void draw_examples(const PanelContext& context, const Comparison& comparison) {
 
 }  // namespace
 
-void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
+void draw_comparison(const PanelContext& context, const ComparisonWords& comparison, const ImTextureID* difference,
                      const Rectangle& area, bool& open) {
     ImGui::SetNextWindowPos({area.x, area.y});
     ImGui::SetNextWindowSize({area.width, area.height});

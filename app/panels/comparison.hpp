@@ -11,7 +11,7 @@
 
 namespace sphereview {
 
-struct Comparison {
+struct ComparisonWords {
     std::string picture;                 // its file's name
     PictureSize size{};                  // of the picture
     std::string counts{};                // "1,234 of 10,000 pixels differ from the right picture."
@@ -32,7 +32,7 @@ struct Comparison {
 // As a window that fills `area`; its close button makes `open` false. `difference`: the picture of the
 // difference as a texture of ImGui's, if it is there. A click on an example, or into the difference, pins that pixel and returns to
 // the scene's own camera, which pictures are compared by. Widgets: "comparison", "difference", "example 0".
-void draw_comparison(const PanelContext& context, const Comparison& comparison, const ImTextureID* difference,
+void draw_comparison(const PanelContext& context, const ComparisonWords& comparison, const ImTextureID* difference,
                      const Rectangle& area, bool& open);
 
 }  // namespace sphereview

@@ -60,10 +60,9 @@ std::vector<std::string> FilmStatus::warnings() const {
     return warnings_;
 }
 
-void FilmStatus::give_up_film() {
+bool FilmStatus::give_up_film() {
     const std::lock_guard lock(mutex_);
-    if (film_ == nullptr) return;
-    const auto given_up = film_->give_up();
+    return film_ != nullptr && film_->give_up().owns_lock();
 }
 
 void FilmStatus::set_film(Film* film) {

@@ -15,8 +15,8 @@ namespace sphereview {
 
 namespace {
 
-Comparison in_words(const Diagnosis& diagnosis, const Scene& scene, const std::string& path, PictureSize size) {
-    Comparison words{.picture = text_from(path_from(path).filename()), .size = size};
+ComparisonWords in_words(const Diagnosis& diagnosis, const Scene& scene, const std::string& path, PictureSize size) {
+    ComparisonWords words{.picture = text_from(path_from(path).filename()), .size = size};
     const auto count = [](std::int64_t pixels) { return in_groups(static_cast<std::uint64_t>(pixels)); };
     if (diagnosis.different == 0) {
         words.counts = "Equal to the right picture: all " + count(diagnosis.pixels) + " pixels.";

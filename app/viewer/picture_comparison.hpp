@@ -13,7 +13,7 @@ struct ViewerState;
 
 // What is shown of a comparison.
 struct ShownComparison {
-    Comparison words;
+    ComparisonWords words;
     std::shared_ptr<const Image> difference{};  // null for an equal picture
     bool open = true;
 };

@@ -90,17 +90,15 @@ public:
     }
 
 private:
-    // The first error ends all.
+    // The first error ends all. Nobody hears of what is thrown behind the end, as Cancelled by a loop that this ends.
     template <typename Part>
     void run(const Part& part) {
         try {
             part();
-        } catch (const Cancelled&) {
-            // Nobody waits for what is not made.
         } catch (...) {
             {
                 const std::lock_guard lock(mutex_);
-                if (!error_) error_ = std::current_exception();
+                if (!ended_ && !error_) error_ = std::current_exception();
             }
             end();
         }

@@ -128,6 +128,17 @@ TEST_F(Farm, AManifestSaysWhatPicturesAreMadeOf) {
     EXPECT_EQ(verify().status, 2);
 }
 
+TEST_F(Farm, AManifestFromBeforeAChangeOfTheSceneIsOfAnotherFile) {
+    expect_done({"--manifest", "old.jsonl"});
+    const std::string old = sha256(folder_.read("a.xyz"));
+    folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
+    expect_done({"--manifest", "made.jsonl"});
+    const std::string now = sha256(folder_.read("a.xyz"));
+    const std::string said =
+        "a.xyz: found another file than the pictures were made of: its SHA-256 is " + now + ", expected " + old;
+    EXPECT_TRUE(fails(verify({"old.jsonl"}), 2, said));
+}
+
 // It may lie where the pictures will be. Of a line that lacks its place nobody is accused.
 TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
     EXPECT_EQ(farm({"--manifest", "-"}).status, 2);

@@ -66,6 +66,13 @@ TEST_F(Frames, HaveOneCamera) {
     EXPECT_EQ(red_pixels("breathing-00001.png"), red_pixels("breathing-00000.png"));
 }
 
+// The camera of the first frame need not see the others.
+TEST_F(Frames, SayThatNoPixelShowsASphere) {
+    folder_.write("a.xyz", "1\n\nH 0 0 0\n1\n\nH 900 900 900\n");
+    EXPECT_EQ(render({"a.xyz", "--frames", "all", "-s", "9x9", "--fit", "first"}).errors,
+              "a.xyz, 1: no pixel shows a sphere; --fit frames all\n");
+}
+
 // By the first frame's range and scale: made of each frame's own values, colours and sizes would come and go.
 TEST_F(Frames, HaveOneRangeOfColoursAndSizes) {
     const auto frame = [](const char* first, const char* second) {

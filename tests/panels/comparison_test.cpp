@@ -10,12 +10,12 @@ namespace sphereview {
 namespace {
 
 struct ComparisonHarness {
-    Comparison comparison{"mine.png",
-                          {200, 100},
-                          "12 of 20,000 pixels differ from the right picture.",
-                          {"likeliest mistake: y points down", "explains 12 of the pixels that differ"},
-                          {{"y points down", 12, {255, 255, 255}}},
-                          {{{3, 4}, "pixel 3,4: found 1 2 3"}, {{5, 6}, "pixel 5,6: found 1 2 3"}}};
+    ComparisonWords comparison{"mine.png",
+                               {200, 100},
+                               "12 of 20,000 pixels differ from the right picture.",
+                               {"likeliest mistake: y points down", "explains 12 of the pixels that differ"},
+                               {{"y points down", 12, {255, 255, 255}}},
+                               {{{3, 4}, "pixel 3,4: found 1 2 3"}, {{5, 6}, "pixel 5,6: found 1 2 3"}}};
     bool open = true;
     ImTextureID difference{};
     Rectangle area{0.0F, 0.0F, 700.0F, 590.0F};

@@ -206,7 +206,7 @@ TEST_F(Inspecting, ComparesAPictureAndNamesTheMistake) {
     state.dialogs.clear();
     accept(folder.path("mine.png"), {});
     EXPECT_TRUE(test::eventually([&] { return finish_work(state); }));
-    const Comparison& words = state.comparison->words;
+    const ComparisonWords& words = state.comparison->words;
     EXPECT_EQ(words.picture, "mine.png");
     EXPECT_EQ(words.size, (PictureSize{60, 40}));
     ASSERT_FALSE(words.verdict.empty());
