@@ -18,6 +18,8 @@ namespace {
 
 class PictureAtRest : public Editing {
 protected:
+    PictureAtRest() : Editing("scene.txt", {.width = 700, .height = 800}) {}
+
     // The window at rest shows the file's scene so.
     void expect_rest(int samples, const std::string& shading = "flat") {
         SCOPED_TRACE(shading + " with " + std::to_string(samples));

@@ -292,7 +292,7 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
     // A scene that has a camera is fitted as a view only, and text is as large as the screen wants it: no panel reaches into
     // the picture.
     const std::string scene = folder.write("scene.txt", two_spheres);
-    ViewerWindow window(folder, {scene, "--view", "right"}, {2000, 1400, 192});
+    ViewerWindow window(folder, {scene, "--view", "right"}, {1400, 1000, 192});
     EXPECT_NEAR(height_of_add(window) / usual, 2.0, 0.15);
     window.key("m");
     expect_rendered(window, folder, scene, {"--view", "right"});
