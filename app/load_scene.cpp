@@ -133,13 +133,13 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name) {
     const auto view = std::ranges::find(views, name, &SavedView::name);
     if (view != views.end()) return view->camera;
     std::vector<std::string> candidates(view_sides.begin(), view_sides.end());
-    constexpr std::size_t most_listed = 10;
     std::vector<std::string> saved;
     for (const SavedView& one : views) {
         candidates.push_back(one.name);
-        if (saved.size() < most_listed) saved.push_back(in_quotes(one.name));
+        saved.push_back(in_quotes(one.name));
     }
-    if (views.size() > most_listed) saved.push_back(in_groups(views.size() - most_listed) + " more");
+    constexpr std::size_t most_listed = 10;
+    saved = first_of(std::move(saved), most_listed);
     throw InputError(loaded.name + ": found no view " + in_quotes(name) + ", expected " +
                      (saved.empty() ? std::string(view_syntax) + "; it has no saved views"
                                     : "one of its saved views, " + joined(saved, ", ") + ", or " + std::string(view_syntax)) +
@@ -195,15 +195,10 @@ void require_properties(const LoadedScene& loaded, const DataOptions& asked) {
         const auto is_it = [&](const Property& property) { return lower_case(property.name) == lower_case(name); };
         if (std::ranges::any_of(loaded.scene.properties, is_it)) continue;
         constexpr std::size_t most_listed = 20;
-        std::vector<std::string> listed_names;
-        for (const std::string& one : loaded.property_names) {
-            if (listed_names.size() < most_listed) listed_names.push_back(in_quotes(one));
-        }
-        if (loaded.property_names.size() > most_listed) {
-            listed_names.push_back(in_groups(loaded.property_names.size() - most_listed) + " more");
-        }
+        std::vector<std::string> has;
+        for (const std::string& one : loaded.property_names) has.push_back(in_quotes(one));
         throw InputError(loaded.name + ": found no property " + in_quotes(name) + ", expected " +
-                         (listed_names.empty() ? "none: the file has no properties" : "one of " + joined(listed_names, ", ")) +
+                         (has.empty() ? "none: the file has no properties" : "one of " + joined(first_of(has, most_listed), ", ")) +
                          did_you_mean(name, loaded.property_names));
     }
 }
