@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
+#include <thread>
+
 #include "support/eventually.hpp"
 #include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
@@ -59,6 +62,8 @@ TEST_F(AheadFile, WhatWasReadWhileAnotherCameToBeWantedIsThereOnce) {
         for (int i = 0; i < 1000 && !passed; ++i) {
             frame = (frame + 1) % 50;
             ahead.want({frame});
+            // Now and then as long as it takes to begin with a frame, and not to end.
+            std::this_thread::sleep_for(std::chrono::microseconds(i % 300));
             passed = ahead.take_passed();
         }
         return passed.has_value();
