@@ -83,13 +83,13 @@ public:
     // Does the jobs and tells the person; never throws for what concerns one job alone. Returns the highest status.
     ExitCode run() {
         std::optional<Interruptible> interruptible;
-        if (jobs_.size() > 1 && jobs_.front().sequence && jobs_.front().output && sinks_.film == nullptr) {
+        if (jobs_.size() > 1 && jobs_.front().sequence && jobs_.front().output && sinks_.film == nullptr && !sinks_.reported) {
             interruptible.emplace([this] { return how_far(); });
         }
         const bool are_frames = std::ranges::all_of(jobs_, [](const RenderJob& job) { return job.sequence != nullptr; });
         std::size_t next = are_frames && jobs_.size() > 1 && worker_count() > 1 ? run_several_at_once() : 0;
         while (next < jobs_.size() && run(next)) ++next;
-        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film()) say_what_failed();
+        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film() && !sinks_.reported) say_what_failed();
         return report_failed_ ? std::max(worst_, ExitCode::no_output) : worst_;
     }
 
@@ -153,6 +153,7 @@ private:
         const OrderedWork steps{jobs_.size(),
                                 [&](std::size_t place) {
                                     all[place] = std::make_unique<Work>();
+                                    if (sinks_.reported) give_way();
                                     begin(place, *all[place]);
                                     // Where all cores can have a frame of their own, no thread waits for another.
                                     keep_loops_on_this_thread(most_at_once(memory, threads) >= static_cast<std::size_t>(cores));
@@ -239,16 +240,8 @@ private:
         const std::lock_guard lock(delivering_);
         RenderReport& report = work.report;
         const RenderJob& job = report.job;
-        if (job.sequence) {
-            for (const std::string& line : job.sequence->not_said(work.loaded.warnings)) say(line);
-            for (const std::string& line : job.sequence->not_said(work.loaded.look.lines)) say(line);
-        } else {
-            say_warnings(work.loaded);
-        }
-        for (const std::string& warning : work.warnings) {
-            say(warning);
-            report.warnings.push_back(warning);
-        }
+        if (!sinks_.reported) say_what_was_found(work);
+        report.warnings.insert(report.warnings.end(), work.warnings.begin(), work.warnings.end());
         attempt(work, [&] {
             if (sinks_.film != nullptr) timed(report.timings, Phase::encode, [&] { sinks_.film->add(work.picture); });
             if (job.output) {
@@ -259,7 +252,11 @@ private:
             if (sinks_.manifest != nullptr) sinks_.manifest->add(job, work.sums);
             if (job.diff) write_output(*job.diff, encode_png(work.difference), options_.durability, missing_folder(*options_.diff));
         });
-        print_words(report, options_);
+        if (sinks_.reported) {
+            sinks_.reported(report);
+        } else {
+            print_words(report, options_);
+        }
         if (options_.json && !report_failed_) print_json_if_possible(report);
         if (report.status == ExitCode::done) {
             ++done_;
@@ -270,6 +267,16 @@ private:
         // What one picture of a sequence met, the next ones would meet as well.
         cannot_write_ = job.sequence && report.status == ExitCode::no_output;
         return !has_ended_film() && !cannot_write_;
+    }
+
+    static void say_what_was_found(const Work& work) {
+        if (const auto& sequence = work.report.job.sequence) {
+            for (const std::string& line : sequence->not_said(work.loaded.warnings)) say(line);
+            for (const std::string& line : sequence->not_said(work.loaded.look.lines)) say(line);
+        } else {
+            say_warnings(work.loaded);
+        }
+        for (const std::string& warning : work.warnings) say(warning);
     }
 
     bool has_ended_film() const { return sinks_.film != nullptr && worst_ != ExitCode::done; }

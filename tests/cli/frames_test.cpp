@@ -272,13 +272,9 @@ TEST_F(Frames, AreDoneOneAtATimeWhereThereIsNoMemoryForSeveral) {
         for (int i = 0; i < 20'000; ++i) text += "O " + std::to_string(i % 100) + " " + std::to_string(i / 100 + frame) + " 0\n";
     }
     folder_.write("a.xyz", text);
-    const std::vector<std::string> arguments = {"a.xyz", "--frames", "all", "-s", "700x700", "--no-sync", "-o", "{frame}.png"};
-    const auto run_with = [&](rlim_t memory) {
-        Command command = cpu_render(folder_, arguments);
-        command.most_memory = memory;
-        return run(command);
-    };
-    const Outcome outcome = run_with(130'000'000);
+    Command command = cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "700x700", "--no-sync", "-o", "{frame}.png"});
+    command.most_memory = 130'000'000;
+    const Outcome outcome = run(command);
     EXPECT_EQ(outcome.status, 0) << outcome;
     EXPECT_EQ(outcome.errors, "");
 }
