@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/sha256.hpp"
-#include "base/text.hpp"
 #include "camera/fit.hpp"
 #include "formats/atoms.hpp"
 #include "light/light_set.hpp"
@@ -84,7 +82,7 @@ const LoadedScene& FrameSequence::read(std::int64_t frame) {
         radius_warnings_ = data.warnings;
     }
     const std::size_t count = data.scene.spheres.size();
-    require_memory(count * bytes_to_draw_a_sphere, reader_->name() + ": " + in_groups(count) + " spheres need");
+    require_memory_for_spheres(reader_->name(), count, bytes_to_draw_a_sphere);
     present_ = loaded_from(std::move(data), reader_->name(), reader_->format());
     hide_and_light(present_.scene, changes_);  // what is hidden counts for no range
     if (look_.any()) {

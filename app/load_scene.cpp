@@ -11,14 +11,12 @@
 #include "base/path.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
+#include "formats/atoms.hpp"
 #include "formats/frame_reader.hpp"
 
 namespace sphereview {
 
 namespace {
-
-// Enough to tell the format by, and what a format that is read as a stream begins with.
-constexpr std::size_t first_bytes = std::size_t{1} << 22;
 
 // Whether a later frame of a long text is wanted, or a text that does not fit in memory may have several.
 bool is_read_by_frames(const InputStream& stream, const SceneFormat& format, const DataOptions& wanted) {
@@ -45,9 +43,7 @@ SphereData read_frame(FrameReader& reader, const LoadOptions& options, std::int6
     });
     SphereData data = reader.read(options.data.frame);
     data.frames = reader.count(enough);
-    if (!reader.fault().empty()) {
-        data.warnings.push_back(reader.fault() + "; what follows frame " + std::to_string(data.frames - 1) + " is passed over");
-    }
+    if (!reader.fault().empty()) data.warnings.push_back(early_end(reader.fault(), data.frames));
     return data;
 }
 
@@ -63,12 +59,9 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
     }
     Progress* progress = options.progress;
     if (progress != nullptr) progress->start(stream.name(), 1e-6 * static_cast<double>(stream.size().value_or(0)), "MB");
-    stream.fill(std::min(first_bytes, stream.size().value_or(first_bytes) + 1));
     LoadedScene loaded;
     loaded.name = stream.name();
-    loaded.format = detect_format(stream.bytes(), stream.name());
-    // Only a table has columns: a name that says nothing does not speak against one.
-    if (!options.data.columns.empty() && loaded.format == SceneFormat::text) loaded.format = *find_format("CSV");
+    loaded.format = format_of_stream(stream, options.data);
     if (!loaded.format.has_frames) require_frame(loaded.name, options.data.frame, 1);
     if (loaded.format.stream != nullptr) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
@@ -85,7 +78,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
         data = loaded.format.read(stream.bytes(), loaded.name, wanted);
     }
     const std::size_t count = data.scene.spheres.size();
-    require_memory(count * options.more_per_sphere, loaded.name + ": " + in_groups(count) + " spheres need");
+    require_memory_for_spheres(loaded.name, count, options.more_per_sphere);
     return loaded_from(std::move(data), loaded.name, loaded.format);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "formats/atoms.hpp"
 #include "viewer/scene_file.hpp"
 #include "viewer/scene_saving.hpp"
 #include "viewer/viewer_state.hpp"
@@ -135,7 +136,7 @@ bool note_count(ViewerState& state) {
     if (player.all_frames || !count.all) return state.frames != before;
     player.all_frames = true;
     if (!count.fault.empty()) {
-        announce(state, count.fault + "; what follows frame " + std::to_string(state.frames - 1) + " is passed over");
+        announce(state, early_end(count.fault, state.frames));
     }
     return true;
 }

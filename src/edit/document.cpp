@@ -27,16 +27,12 @@ bool moves_view(const HistoryStep* step) {
            });
 }
 
-bool changes_names(const Edit& edit) {
-    return !std::holds_alternative<ChangeSpheres>(edit) && !std::holds_alternative<ChangeCamera>(edit) &&
-           !std::holds_alternative<ChangeBackground>(edit) && !std::holds_alternative<ChangeLight>(edit) &&
-           !std::holds_alternative<ChangeViews>(edit);
-}
-
 bool changes_order(const Edit& edit) {
     return std::holds_alternative<InsertSpheres>(edit) || std::holds_alternative<RemoveSpheres>(edit) ||
            std::holds_alternative<ReorderSphere>(edit) || std::holds_alternative<ReplaceScene>(edit);
 }
+
+bool changes_names(const Edit& edit) { return changes_order(edit) || std::holds_alternative<RenameSphere>(edit); }
 
 }  // namespace
 
@@ -54,20 +50,25 @@ void Document::advance(LoggedChange change) {
     revision_ = next_revision();
 }
 
-Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
-    Touched touched = numbers_concerned(edit);
-    if (changes_nothing(edit, scene_)) return touched;
+Edit Document::carry_out(Edit edit) {
     const bool names = changes_names(edit);
     const bool order = changes_order(edit);
     Edit inverse = sphereview::apply(std::move(edit), scene_);
     advance(change_undone_by(inverse, scene_));
+    if (names) names_revision_ = revision_;
+    if (order) order_revision_ = revision_;
+    return inverse;
+}
+
+Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
+    Touched touched = numbers_concerned(edit);
+    if (changes_nothing(edit, scene_)) return touched;
+    Edit inverse = carry_out(std::move(edit));
     if (history_.covers(inverse, gesture)) {
         history_.drop_idle_step(scene_);
     } else {
         history_.add(std::move(inverse), std::move(name), gesture);
     }
-    if (names) names_revision_ = revision_;
-    if (order) order_revision_ = revision_;
     return touched;
 }
 
@@ -87,12 +88,7 @@ Touched Document::apply_step(HistoryStep& step) {
         const Touched more = numbers_concerned(*edit);
         touched.clear();
         std::ranges::set_union(before, more, std::back_inserter(touched));
-        const bool names = changes_names(*edit);
-        const bool order = changes_order(*edit);
-        inverses.push_back(sphereview::apply(std::move(*edit), scene_));
-        advance(change_undone_by(inverses.back(), scene_));
-        if (names) names_revision_ = revision_;
-        if (order) order_revision_ = revision_;
+        inverses.push_back(carry_out(std::move(*edit)));
     }
     step.edits = std::move(inverses);
     return touched;

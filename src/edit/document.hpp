@@ -70,6 +70,8 @@ public:
 
 private:
     void advance(LoggedChange change);
+    // Applies an edit to the scene, notes what it changed, and returns its inverse.
+    Edit carry_out(Edit edit);
     // Applies the step's edits and makes it the one that takes them back.
     Touched apply_step(HistoryStep& step);
 

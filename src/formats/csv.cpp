@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -53,9 +52,7 @@ class RowReader {
 public:
     // colors_to_1: red, green and blue are parts of 1; else of 255. names_elements: an atom without a name gets its element's.
     RowReader(const CsvRecords& records, const CsvTable& table, const DataOptions& options, bool colors_to_1, bool names_elements)
-        : records_(records), table_(table), options_(options), colors_to_1_(colors_to_1), names_elements_(names_elements) {
-        std::ranges::transform(table.columns.places, places_.begin(), [](const auto& place) { return place.value_or(nowhere); });
-    }
+        : records_(records), table_(table), options_(options), colors_to_1_(colors_to_1), names_elements_(names_elements) {}
 
     // Appends the record's sphere and name, unless it has no centre.
     void read(Spheres& read) const {
@@ -92,14 +89,13 @@ public:
     }
 
 private:
-    static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
-
     static std::string name_of(CsvColumn column) { return csv_column_names[static_cast<std::size_t>(column)]; }
 
-    bool has(CsvColumn column) const { return places_[static_cast<std::size_t>(column)] != nowhere; }
+    bool has(CsvColumn column) const { return table_.columns.has(column); }
 
+    // Of a column that there is.
     const CsvField& field(CsvColumn column) const {
-        const std::size_t place = places_[static_cast<std::size_t>(column)];
+        const std::size_t place = *table_.columns[column];
         if (place >= records_.fields().size()) records_.fail_at_end(name_of(column));
         return records_.fields()[place];
     }
@@ -176,7 +172,6 @@ private:
     const DataOptions& options_;
     bool colors_to_1_;
     bool names_elements_;
-    std::array<std::size_t, csv_column_names.size()> places_{};  // of the columns among the fields, for each row
 };
 
 // Where pieces of the text from `begin` on begin, at the beginning of a line, and where the last ends.
@@ -307,14 +302,9 @@ std::string passed_over_in_words(std::vector<std::string> columns, const DataOpt
     std::erase_if(columns, [&](const std::string& name) { return is_wanted(options, name, 0); });
     if (columns.empty()) return "";
     constexpr std::size_t most_listed = 20;
-    const std::size_t listed_count = std::min(columns.size(), most_listed);
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < listed_count; ++i) names.push_back(in_quotes(columns[i]));
-    std::string words = joined(names, ", ");
-    if (listed_count < columns.size()) {
-        words += " and " + in_groups(columns.size() - listed_count) + " more";
-    }
-    return "columns that are passed over: " + words + "; --color-by and --size-by can use them";
+    for (std::string& column : columns) column = in_quotes(column);
+    return "columns that are passed over: " + joined(first_of(std::move(columns), most_listed), ", ") +
+           "; --color-by and --size-by can use them";
 }
 
 }  // namespace

@@ -15,17 +15,17 @@ constexpr std::size_t read_at_once = std::size_t{1} << 22;
 constexpr std::size_t byte_order_mark_size = 3;
 constexpr std::uint64_t most_expected_expansion = 32;  // of a packed text
 
-// By what a file begins with, as for a single scene (app/load_scene.cpp).
-SceneFormat format_of(InputStream& stream, const DataOptions& options) {
+}  // namespace
+
+const SceneFormat& format_of_stream(InputStream& stream, const DataOptions& options) {
     stream.fill(std::min(read_at_once, stream.size().value_or(read_at_once) + 1));
     const SceneFormat& format = detect_format(stream.bytes(), stream.name());
+    // Only a table has columns: a name that says nothing does not speak against one.
     return !options.columns.empty() && format == SceneFormat::text ? *find_format("CSV") : format;
 }
 
-}  // namespace
-
 FrameReader::FrameReader(const std::string& path, DataOptions options)
-    : path_(path), options_(std::move(options)), stream_(path), format_(format_of(stream_, options_)) {
+    : path_(path), options_(std::move(options)), stream_(path), format_(format_of_stream(stream_, options_)) {
     begin_at_the_beginning();
     if (holds_all()) return;
     stream_.remember_places();

@@ -16,6 +16,9 @@
 
 namespace sphereview {
 
+// Reads what a stream begins with, and tells its format by that. Throws InputError.
+const SceneFormat& format_of_stream(InputStream& stream, const DataOptions& options);
+
 // Of formats that step over frames (scene_format.hpp) only a part of the text is in memory, and the place of each frame that was
 // passed is remembered; of the other formats, and of pipes, all that was read. A packed file is unpacked from the last place before
 // the frame that was remembered, of one every few megabytes (base/gzip_places.hpp).

@@ -145,22 +145,15 @@ public:
     // A finite number.
     template <typename Expected>
     double number(const Expected& expected) {
-        const auto is_good = [](double) { return true; };
-        return number(expected, is_good, "");
+        const NextNumber next = next_finite_number(expected);
+        step_to(next.end);
+        return next.value;
     }
 
     template <typename Expected>
     double positive_number(const Expected& expected) {
-        const auto is_good = [](double value) { return value > 0.0; };
-        return number(expected, is_good, " above 0");
-    }
-
-    // A finite number that `is_good`, which `what_is_good` says in words: " above 0".
-    template <typename Expected, typename IsGood>
-    double number(const Expected& expected, const IsGood& is_good, const char* what_is_good) {
-        const NextNumber next = next_number(expected);
-        if (next.fault != NumberFault::none) fail(expected() + ", " + expected_instead_of(next.fault));
-        if (!is_good(next.value)) fail(expected() + what_is_good);
+        const NextNumber next = next_finite_number(expected);
+        if (!(next.value > 0.0)) fail(expected() + " above 0");
         step_to(next.end);
         return next.value;
     }
@@ -224,6 +217,13 @@ private:
             next.end = next_ + token().size();
             next.fault = parse_(token(), next.value);
         }
+        return next;
+    }
+
+    template <typename Expected>
+    NextNumber next_finite_number(const Expected& expected) const {
+        const NextNumber next = next_number(expected);
+        if (next.fault != NumberFault::none) fail(expected() + ", " + expected_instead_of(next.fault));
         return next;
     }
 

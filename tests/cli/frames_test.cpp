@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "support/eventually.hpp"
+#include "support/gzip.hpp"
 #include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
@@ -161,6 +162,19 @@ TEST_F(Frames, WarnOncePerFile) {
               "cut.xyz:10:1: the text ends, expected atom 2 of 2 of frame 2; what follows frame 1 is passed over\n");
     EXPECT_TRUE(folder_.has("cut-00001.png"));
     EXPECT_FALSE(folder_.has("cut-00002.png"));
+}
+
+// Nobody can tell how many frames it had.
+TEST_F(Frames, RefuseAPackedFileThatIsCutOff) {
+    const std::string packed = gzipped("1\n\nO 0 0 0\n1\n\nO 1 0 0\n");
+    folder_.write("a.xyz.gz", packed.substr(0, packed.size() - 9));
+    for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--fit", "first"}}) {
+        std::vector<std::string> arguments = {"a.xyz.gz", "--frames", "all", "-s", "9x9"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = render(arguments);
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.errors, "a.xyz.gz: cannot be unpacked: its gzip data end too early\n");
+    }
 }
 
 TEST_F(Frames, SayOnceWhichRadiusAllPointsGet) {
