@@ -81,9 +81,10 @@ void read_place(const Json& json, WindowPlace& place) {
 }
 
 void read_recent(const Json& json, std::vector<std::string>& recent) {
+    constexpr std::size_t longest_path = 32'768;  // bytes; no system opens a longer one, and its parts would take seconds
     for (const Json& entry : json["recent"].list()) {
         const auto path = entry.text();
-        if (!path || recent.size() == most_recent) continue;
+        if (!path || path->size() > longest_path || recent.size() == most_recent) continue;
         const fs::path file = path_from(*path);
         const bool whole = file.is_absolute() || is_network_name(file);
         if (whole && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);

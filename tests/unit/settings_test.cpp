@@ -133,6 +133,15 @@ TEST_F(Settings, AreNotSavedWhereThatIsImpossible) {
     EXPECT_EQ(load_settings(), defaults);
 }
 
+TEST_F(Settings, ForgetAPathThatNoFileCanHave) {
+    std::string longest;
+    while (longest.size() < 100'000) longest += "/x";
+    const ViewerSettings settings = loaded_from("{\"recent\": [\"" + longest + "\", \"/a\"]}");
+    EXPECT_EQ(settings.recent, std::vector<std::string>{"/a"});
+    EXPECT_TRUE(save_settings(settings));
+    EXPECT_LT(folder.read("config/sphereview/viewer.json").size(), 1000U) << "it would take its time again and again";
+}
+
 TEST_F(Settings, LeaveOutAPathThatIsNotUtf8) {
     ViewerSettings settings;
     settings.recent = {"/a", "/\xFF", "/b"};
