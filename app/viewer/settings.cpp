@@ -162,7 +162,7 @@ bool save_settings(const ViewerSettings& settings) noexcept {
         std::string ignored;
         Json json = read_file(file, ignored);
         update(json, settings);
-        write_output(text_from(file), json.dump(4) + "\n");
+        write_regular_file(text_from(file), json.dump(4) + "\n");
         return true;
     } catch (const std::exception&) {
         return false;

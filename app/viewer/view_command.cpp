@@ -224,8 +224,8 @@ ExitCode run_view(const ViewOptions& options) {
         open_state = nullptr;
         if (interrupted != 0) {
             say_of_edits(keep_unsaved(state));
-            save_settings(state.settings);
             edits_kept.set_value();
+            save_settings(state.settings);
             return static_cast<ExitCode>(128 + interrupted.load());
         }
         remove_own_recovery();  // saved, or not wanted

@@ -306,6 +306,13 @@ Target checked_target_of(const std::string& path, MissingFolder missing) {
     return target;
 }
 
+// The same, and throws OutputError where something other than a regular file stands.
+Target regular_target_of(const std::string& path) {
+    Target target = checked_target_of(path, MissingFolder::refused);
+    if (is_special(target.status)) fail(path, "it is no regular file", std::errc::invalid_argument);
+    return target;
+}
+
 }  // namespace
 
 bool is_device_name([[maybe_unused]] const fs::path& path) {
@@ -334,9 +341,12 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
     }
 }
 
+void write_regular_file(const std::string& path, std::string_view bytes, Durability durability) {
+    replace(path, regular_target_of(path), bytes, durability);
+}
+
 OutputPlace::OutputPlace(const std::string& path) : path_(path) {
-    const Target target = checked_target_of(path, MissingFolder::refused);
-    if (is_special(target.status)) fail(path, "it is no regular file", std::errc::invalid_argument);
+    const Target target = regular_target_of(path);
     target_ = target.path;
     temporary_ = hidden_sibling(target.path);
     const Unfinished unfinished;

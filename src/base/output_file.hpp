@@ -21,6 +21,10 @@ enum class MissingFolder { refused, made };
 void write_output(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk,
                   MissingFolder missing = MissingFolder::refused);
 
+// The same for what must become a regular file, such as the program's own: throws OutputError where anything else stands. A device
+// would swallow the bytes, and a FIFO that nobody reads would be waited for.
+void write_regular_file(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk);
+
 // Where another program writes an output, which appears whole or not at all as well.
 class OutputPlace {
 public:
