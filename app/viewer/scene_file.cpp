@@ -149,7 +149,7 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         for (const Property& property : state.scene().properties) state.property_names.push_back(property.name);
         forget_file_messages(state);
         add_recent(state.settings, path);
-        announce(state, "Saved " + path);
+        announce(state, "Saved " + on_one_line(path));
         then();
     };
     const auto fail = [&state](const std::string& why) {
@@ -252,7 +252,7 @@ void reload(ViewerState& state, LoadedScene loaded) {
         state.hovered.reset();
         note_look(state, loaded);
         shown_coloring(state.document, state.side_panel.look);  // the next frame is read with it
-        announce_reading(state, "Reloaded " + state.path, loaded);
+        announce_reading(state, "Reloaded " + on_one_line(state.path), loaded);
     }
     note_properties(state, loaded);
     state.document.mark_saved();
@@ -270,7 +270,7 @@ void note_back(ViewerState& state) {
     if (*state.gone_at == state.document.revision()) state.document.mark_saved();
     state.gone_at.reset();
     state.messages.scene_gone.clear();
-    announce(state, state.path + " is there again");
+    announce(state, on_one_line(state.path) + " is there again");
 }
 
 void offer_reload(ViewerState& state, LoadedScene loaded) {

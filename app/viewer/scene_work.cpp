@@ -117,10 +117,10 @@ bool is_working(const ViewerState& state) {
 }
 
 std::optional<WorkShown> work_of(const ViewerState& state) {
-    if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
+    if (state.saving) return WorkShown{"Saving " + on_one_line(state.saving->path), {}, false};
     if (!state.loading && !state.exporting) {
         if (!state.comparing) return {};
-        return WorkShown{"Comparing " + state.comparing->path, {}, true};
+        return WorkShown{"Comparing " + on_one_line(state.comparing->path), {}, true};
     }
     const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
@@ -128,7 +128,7 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
     if (!state.loading) {
         return WorkShown{"Exporting " + state.exporting->shown_path(), total > 0.0 ? done / total : 0.0, true};
     }
-    std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
+    std::string text = "Reading " + on_one_line(state.loading->path) + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
 }

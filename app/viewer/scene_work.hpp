@@ -11,6 +11,7 @@
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
+#include "base/text.hpp"
 #include "panels/status.hpp"
 
 namespace sphereview {
@@ -64,7 +65,7 @@ struct Work {
 
     std::string shown_path() const {
         const std::string shown = found_path ? found_path->get() : path;
-        return shown.empty() ? "the view" : shown;  // its name is not found yet
+        return shown.empty() ? "the view" : on_one_line(shown);  // its name is not found yet
     }
 };
 

@@ -141,6 +141,15 @@ TEST(Recovery, SaysWhatItCannotOffer) {
     EXPECT_TRUE(contains(outcome.errors, folder.path(name + ".toml: these unsaved changes are not offered"))) << outcome;
 }
 
+TEST(Recovery, OfAForgedNameIsToldOnOneLine) {
+    const TemporaryFolder folder;
+    folder.write("home/state/sphereview/recovery-1.toml",
+                 "# sphereview recovery, milliseconds since 1970: 1\n# of: /a%0AFORGED.toml\nbackground = 'white'\n");
+    ViewerWindow window(folder, {});
+    answer(window, "recover", "Recover");
+    EXPECT_EQ(announced(window, "Recovered"), "Recovered the unsaved changes of a\\x0aFORGED.toml");
+}
+
 // Nobody reads what the window's end would write there.
 TEST(Settings, ThatAreAFifoAreNotWaitedFor) {
     const TemporaryFolder folder;
