@@ -262,7 +262,10 @@ void reload(ViewerState& state, LoadedScene loaded) {
 void note_gone(ViewerState& state) {
     state.gone_at = state.document.is_changed() ? 0 : state.document.revision();
     state.document.mark_unsaved();
-    state.messages.scene_gone = state.path;
+    std::error_code error;
+    const bool replaced = fs::exists(path_from(state.path), error);
+    state.messages.scene_gone =
+        on_one_line(state.path) + (replaced ? ": what stands there now is no regular file; save under another name" : "");
 }
 
 void note_back(ViewerState& state) {

@@ -99,11 +99,16 @@ void cancel_work(ViewerState& state) {
 
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail) {
+    const bool was_regular = path == state.path && (!state.stamp.empty() || state.gone_at);
     try {
-        BackgroundJob job([scene = std::make_shared<Scene>(state.scene()), path, format](WorkControl&) mutable {
+        BackgroundJob job([scene = std::make_shared<Scene>(state.scene()), path, format, was_regular](WorkControl&) mutable {
             const std::string text = write_scene(*scene, format);
             scene.reset();
-            write_output(path, text);
+            if (was_regular) {
+                write_regular_file(path, text);
+            } else {
+                write_output(path, text);
+            }
         });
         state.saving.emplace(Work{.path = path, .job = std::move(job), .done = std::move(done), .fail = fail});
     } catch (...) {

@@ -81,7 +81,8 @@ void cancel_work(ViewerState& state);
 
 // Writes the scene as it is now, from a copy (10 ms for a million spheres), so that edits need not wait and cannot tear what is
 // written. A small one is usually written when this returns; a FIFO that nobody reads, or a disk that hangs, is not waited for.
-// None may be under way. `done` is called once the file is whole.
+// None may be under way. `done` is called once the file is whole. A FIFO or a device that came in the place of the scene's own
+// regular file is refused: nobody chose it.
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 
