@@ -65,8 +65,12 @@ std::string sum_of_pixels(const Image& picture) {
 }
 
 std::string sum_of_file(const std::string& path) {
+    const auto require_regular = [&](bool regular) {
+        if (!regular) throw InputError(path + ": found no regular file, expected one: a device may have no end");
+    };
+    require_regular(!file_identity(path, FileUse::input).empty());  // not opened before: a FIFO would be waited for
     InputStream stream(path, Content::binary);
-    if (!stream.is_regular()) throw InputError(stream.name() + ": found no regular file, expected one: a device may have no end");
+    require_regular(stream.is_regular());
     return sha256([&] {
         stream.drop_first(stream.bytes().size());
         stream.fill(read_at_once);

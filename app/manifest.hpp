@@ -21,7 +21,7 @@ namespace sphereview {
 
 // Of a picture's bytes, the top row first, 3 or 4 a pixel.
 std::string sum_of_pixels(const Image& picture);
-// Throws InputError.
+// Of a regular file. Throws InputError.
 std::string sum_of_file(const std::string& path);
 
 // What a manifest says of a picture's bytes.

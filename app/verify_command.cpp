@@ -48,9 +48,11 @@ void require_sum(const std::string& file, const std::string& sum) {
 // Whether the picture's file, if it is here, is as it was written.
 bool is_file_unchanged(const ManifestEntry& entry) {
     if (!entry.picture || !entry.file_sum) return true;
-    std::FILE* there = open_file(*entry.picture, "rb");
-    if (there == nullptr) return true;
-    std::fclose(there);
+    if (!file_identity(*entry.picture, FileUse::input).empty()) {  // else it is refused below: a FIFO would be waited for
+        std::FILE* there = open_file(*entry.picture, "rb");
+        if (there == nullptr) return true;
+        std::fclose(there);
+    }
     if (sum_of_file(*entry.picture) == *entry.file_sum) return true;
     say(*entry.picture + ": the file differs from the one that was written");
     return false;
@@ -62,7 +64,10 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOpt
     RenderOptions options = verify.parse_render(first.scene, first.options);
     if (verify.backend) options.backend = *verify.backend;
     require_sum(first.scene, first.scene_sum);
-    if (options.fit.camera && first.camera_sum) require_sum(*options.fit.camera, *first.camera_sum);
+    if (options.fit.camera) {
+        if (!first.camera_sum) throw InputError(first.scene + ": found '--camera' in a manifest, expected 'camera_sha256' with it");
+        require_sum(*options.fit.camera, *first.camera_sum);
+    }
     std::shared_ptr<FrameSequence> sequence;
     if (options.frames.several()) {
         sequence = std::make_shared<FrameSequence>(first.scene, options, progress);

@@ -1,5 +1,6 @@
 // Renders that are spread, go on after an end, and are proved.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <sstream>
 
@@ -154,6 +155,34 @@ TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
     for (std::size_t at = 0; (at = text.find("\"a.xyz\"", at)) != std::string::npos;) text.replace(at, 7, "\"/dev/zero\"");
     folder_.write("made.jsonl", text);
     EXPECT_TRUE(fails(verify(), 2, "/dev/zero: found no regular file, expected one: a device may have no end"));
+}
+
+// Somebody else may have made it.
+TEST_F(Farm, AManifestCannotMakeVerifyWaitOrDoSomethingElse) {
+    folder_.write("c.toml", "background = 'white'\n");
+    ASSERT_EQ(mkfifo(folder_.path("fifo").c_str(), 0600), 0);
+    expect_done({"--manifest", "made.jsonl", "--camera", "c.toml"});
+    EXPECT_EQ(verify().status, 0);
+    const std::string text = folder_.read("made.jsonl");
+    const auto expect_refused = [&](const std::string& old, const std::string& changed, const std::string& said) {
+        std::string other = text;
+        ASSERT_TRUE(contains(other, old)) << other;
+        for (std::size_t at = 0; (at = other.find(old, at)) != std::string::npos; at += changed.size()) {
+            other.replace(at, old.size(), changed);
+        }
+        folder_.write("made.jsonl", other);
+        EXPECT_TRUE(fails(verify(), 2, said)) << changed;
+    };
+    const std::string no_file = "fifo: found no regular file, expected one: a device may have no end";
+    expect_refused("\"c.toml\"", "\"fifo\"", no_file);
+    expect_refused("\"a.xyz\"", "\"fifo\"", no_file);
+    expect_refused("\"out/3.png\"", "\"fifo\"", no_file);
+    expect_refused("\"" + sha256(folder_.read("c.toml")) + "\"", "null",
+                   "a.xyz: found '--camera' in a manifest, expected 'camera_sha256' with it");
+    for (const char* word : {"--help", "-h", "--output", "-o", "-ox", "--manifest", "--json", "--nothing", "SCENE", "--", "x"}) {
+        expect_refused("[\"--size\"", std::string("[\"") + word + "\",\"--size\"",
+                       std::string("the manifest: found '") + word + "', expected options that say what a picture looks like");
+    }
 }
 
 TEST_F(Farm, AManifestGoesOnWhereItWasCutOff) {
