@@ -148,7 +148,9 @@ void Manifest::add(const RenderJob& job, const PictureSums& sums) {
                        {"file_sha256", sums.file},
                        {"version", std::string(version)}};
     const std::string text = line.dump() + "\n";
-    const bool good = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0;
+    errno = 0;
+    const bool good =
+        std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && flush(file_.get(), options_.durability);
     if (!good) throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
 }
 

@@ -58,7 +58,7 @@ public:
     // How many pictures of the jobs had been made of something else.
     std::size_t outdated() const { return outdated_.size(); }
 
-    // Appends the line of a job's picture, whole or not at all. Throws OutputError.
+    // Appends the line of a job's picture, whole or not at all, as durable as the picture. Throws OutputError.
     void add(const RenderJob& job, const PictureSums& sums);
 
 private:

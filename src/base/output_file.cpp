@@ -138,12 +138,15 @@ Opened create(const fs::path& path, const fs::file_status&) {
 Opened open_special(const std::string& path) { return open_file(path, "wb"); }
 Opened open_written(const fs::path& path) { return open_file(text_from(path), "r+b"); }
 
+// Puts on the disk what was written; false, with errno set, if that fails.
+bool sync(std::FILE* file) { return _commit(_fileno(file)) == 0; }
+
 // Writes all bytes and closes; false, with errno set, if any step fails.
 bool write_and_close(Opened file, std::string_view bytes, Durability durability) {
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     good = std::fflush(file) == 0 && good;
-    good = good && (durability == Durability::in_system || _commit(_fileno(file)) == 0);
+    good = good && (durability == Durability::in_system || sync(file));
     const int first_error = errno;
     const bool closed = std::fclose(file) == 0;
     if (!good) errno = first_error;
@@ -203,6 +206,7 @@ bool sync(int handle) {
 #endif
     return result_of([&] { return fsync(handle); }) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
+bool sync(std::FILE* file) { return sync(fileno(file)); }
 
 // Writes all bytes and closes; false, with errno set, if any step fails.
 bool write_and_close(Opened handle, std::string_view bytes, Durability durability) {
@@ -343,6 +347,11 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
 
 void write_regular_file(const std::string& path, std::string_view bytes, Durability durability) {
     replace(path, regular_target_of(path), bytes, durability);
+}
+
+bool flush(std::FILE* file, Durability durability) {
+    errno = 0;
+    return std::fflush(file) == 0 && (durability == Durability::in_system || sync(file));
 }
 
 OutputPlace::OutputPlace(const std::string& path) : path_(path) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "cli/fails.hpp"
+#include "support/folders.hpp"
 #include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/sha256.hpp"
@@ -183,6 +184,33 @@ TEST_F(Farm, AManifestCannotMakeVerifyWaitOrDoSomethingElse) {
         expect_refused("[\"--size\"", std::string("[\"") + word + "\",\"--size\"",
                        std::string("the manifest: found '") + word + "', expected options that say what a picture looks like");
     }
+}
+
+// By strace, which cannot trace where that is forbidden.
+TEST_F(Farm, AManifestIsOnTheDiskAsItsPicturesAre) {
+    const auto synced = [&](const std::vector<std::string>& more) {
+        Command command = cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "20x16", "-o", "out/{frame}.png"});
+        command.arguments.insert(command.arguments.end(), more.begin(), more.end());
+        const std::vector<std::string> by = {
+            "strace", "-D", "-f", "-qq", "-o", "trace", "-e", "trace=fsync", build_file("sphereview")};
+        command.program = "/usr/bin/env";
+        command.arguments.insert(command.arguments.begin(), by.begin(), by.end());
+        command.environment.emplace_back("LSAN_OPTIONS", "detect_leaks=0");  // it, too, would want to trace the program
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        const std::string trace = folder_.read("trace");
+        std::size_t calls = 0;
+        for (std::size_t at = 0; (at = trace.find("fsync(", at)) != std::string::npos; ++at) ++calls;
+        return calls;
+    };
+    Command traced;
+    traced.program = "/usr/bin/env";
+    traced.arguments = {"strace", "-D", "-o", "/dev/null", "true"};
+    if (run(traced).status != 0) GTEST_SKIP() << "strace does not work here";
+    folder_.write("out/other.png", "");  // the folder is not made
+    const std::size_t pictures = synced({});
+    const std::size_t begin = synced({"--no-sync", "--manifest", "made.jsonl"});  // of the empty manifest
+    EXPECT_EQ(synced({"--manifest", "made.jsonl"}), pictures + begin + 6);
 }
 
 TEST_F(Farm, AManifestGoesOnWhereItWasCutOff) {
