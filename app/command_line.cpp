@@ -270,6 +270,7 @@ RenderOptions parse_render(const std::string& scene, const std::vector<std::stri
     std::vector<std::string> reversed{scene, "--"};
     reversed.insert(reversed.end(), words.rbegin(), words.rend());
     try {
+        require_picture_words(app, words);
         app.parse(reversed);
         check(app, options);
     } catch (const CLI::ParseError& error) {

@@ -48,6 +48,18 @@ void add_film_options(CLI::App& command, FilmOptions& film) {
         ->needs(movie);
 }
 
+// The name under which a manifest has it; "" of what says how pictures are made, where they go, or what is said of them.
+std::string name_in_pictures(const CLI::Option& option) {
+    constexpr auto others = std::to_array<std::string_view>(
+        {"--help", "--output", "--backend", "--device", "--expect", "--diff", "--no-sync", "--timings", "--json", "--verbose",
+         "--skip-existing", "--part", "--manifest", "--movie", "--fps", "--quality", "--no-index"});
+    if (option.get_lnames().empty()) return "";
+    const std::string name = "--" + option.get_lnames().front();
+    return std::ranges::find(others, name) == others.end() ? name : "";
+}
+
+bool takes_value(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
+
 // What a film cannot be.
 void check_film_options(const CLI::App& command, const RenderOptions& options) {
     const FrameOptions& frames = options.frames;
@@ -105,19 +117,24 @@ void add_frame_options(CLI::App& command, RenderOptions& options) {
 }
 
 std::vector<std::string> picture_words(const CLI::App& command) {
-    // What says how pictures are made, where they go, or what is said of them.
-    constexpr auto others = std::to_array<std::string_view>({"--output", "--backend", "--device", "--expect", "--diff", "--no-sync",
-                                                             "--timings", "--json", "--verbose", "--skip-existing", "--part",
-                                                             "--manifest", "--movie", "--fps", "--quality", "--no-index"});
     std::vector<std::string> words;
     for (const CLI::Option* option : command.get_options()) {
-        if (option->count() == 0 || option->get_lnames().empty()) continue;
-        const std::string name = "--" + option->get_lnames().front();
-        if (std::ranges::find(others, name) != others.end()) continue;
+        const std::string name = name_in_pictures(*option);
+        if (option->count() == 0 || name.empty()) continue;
         words.push_back(name);
-        if (option->get_items_expected_max() > 0) words.push_back(option->results().front());
+        if (takes_value(*option)) words.push_back(option->results().front());
     }
     return words;
+}
+
+void require_picture_words(const CLI::App& command, const std::vector<std::string>& words) {
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const CLI::Option* option = find_option(command, words[i]);
+        if (option == nullptr || name_in_pictures(*option) != words[i]) {
+            throw CLI::ValidationError("found " + in_quotes(words[i]) + ", expected options that say what a picture looks like");
+        }
+        if (takes_value(*option)) ++i;
+    }
 }
 
 void check_frame_options(const CLI::App& command, const RenderOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <utility>
 #include <variant>
 
@@ -44,8 +45,34 @@ struct Json::Tree {
         return found != members.end() ? found->second : members.emplace_back(key, Json()).second;
     }
 
+    static void merge_equal_keys(Members& members);
+
     class Builder;
 };
+
+// Of members with one key the last value counts, in the place of the first. Sorted once: to search for each key as it comes would
+// take time with the square of their number.
+void Json::Tree::merge_equal_keys(Members& members) {
+    std::vector<std::size_t> order(members.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t place) -> const std::string& { return members[place].first; });
+    std::vector<bool> is_merged(members.size());
+    for (std::size_t first = 0, i = 1; i < order.size(); ++i) {
+        if (members[order[i]].first == members[order[first]].first) {
+            members[order[first]].second = std::move(members[order[i]].second);
+            is_merged[order[i]] = true;
+        } else {
+            first = i;
+        }
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        if (is_merged[i]) continue;
+        if (kept != i) members[kept] = std::move(members[i]);
+        ++kept;
+    }
+    members.resize(kept);
+}
 
 // Makes the tree of what the library's parser finds.
 class Json::Tree::Builder : public nlohmann::json_sax<nlohmann::json> {
@@ -87,7 +114,7 @@ private:
         if (open_.empty()) {
             root_ = std::move(value);
         } else if (auto& [json, key] = open_.back(); json.is_object()) {
-            json.set(key, value);
+            changed<Members>(json).emplace_back(key, std::move(value));
         } else {
             json.push_back(value);
         }
@@ -100,6 +127,7 @@ private:
     bool end() {
         Json ended = std::move(open_.back().json);
         open_.pop_back();
+        if (ended.is_object()) merge_equal_keys(changed<Members>(ended));
         return add(std::move(ended));
     }
 

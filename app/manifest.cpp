@@ -86,8 +86,12 @@ std::string sum_of_pixels(const Image& picture) {
 }
 
 std::string sum_of_file(const std::string& path) {
+    const auto require_regular = [&](bool regular) {
+        if (!regular) throw InputError(path + ": found no regular file, expected one: a device may have no end");
+    };
+    require_regular(!file_identity(path, FileUse::input).empty());  // not opened before: a FIFO would be waited for
     InputStream stream(path, Content::binary);
-    if (!stream.is_regular()) throw InputError(stream.name() + ": found no regular file, expected one: a device may have no end");
+    require_regular(stream.is_regular());
     return sha256([&] {
         stream.drop_first(stream.bytes().size());
         stream.fill(read_at_once);
@@ -172,7 +176,9 @@ void Manifest::add(const RenderJob& job, const PictureSums& sums) {
                        {"file_sha256", sums.file},
                        {"version", std::string(version)}};
     const std::string text = line.dump() + "\n";
-    const bool good = std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && std::fflush(file_.get()) == 0;
+    errno = 0;
+    const bool good =
+        std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && flush(file_.get(), options_.durability);
     if (!good) throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
 }
 

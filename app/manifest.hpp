@@ -21,7 +21,7 @@ namespace sphereview {
 
 // Of a picture's bytes, the top row first, 3 or 4 a pixel.
 std::string sum_of_pixels(const Image& picture);
-// Throws InputError.
+// Of a regular file. Throws InputError.
 std::string sum_of_file(const std::string& path);
 
 // What a manifest says of a picture's bytes.
@@ -66,7 +66,7 @@ public:
     // How many pictures of the jobs had been made of something else.
     std::size_t outdated() const { return outdated_.size(); }
 
-    // Appends the line of a job's picture, whole or not at all. Throws OutputError.
+    // Appends the line of a job's picture, whole or not at all, as durable as the picture. Throws OutputError.
     void add(const RenderJob& job, const PictureSums& sums);
 
 private:

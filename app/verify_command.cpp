@@ -47,6 +47,7 @@ void require_sum(const std::string& file, const std::string& sum) {
 }
 
 bool is_here(const std::string& file) {
+    if (file_identity(file, FileUse::input).empty()) return true;  // not opened: a FIFO would be waited for
     std::FILE* there = open_file(file, "rb");
     if (there == nullptr) return false;
     std::fclose(there);
@@ -98,7 +99,10 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vect
     RenderOptions options = verify.parse_render(first.scene, first.options);
     if (verify.backend) options.backend = *verify.backend;
     require_sum(first.scene, first.scene_sum);
-    if (options.fit.camera && first.camera_sum) require_sum(*options.fit.camera, *first.camera_sum);
+    if (options.fit.camera) {
+        if (!first.camera_sum) throw InputError(first.scene + ": found '--camera' in a manifest, expected 'camera_sha256' with it");
+        require_sum(*options.fit.camera, *first.camera_sum);
+    }
     std::shared_ptr<FrameSequence> sequence;
     if (options.frames.several()) {
         sequence = std::make_shared<FrameSequence>(first.scene, options, progress);

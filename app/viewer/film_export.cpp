@@ -183,7 +183,7 @@ void start_unless_replacing(ViewerState& state, const FilmRequest& request, cons
         if (!replaces) return ask_for_film(state, path, "");
         start_film(state, request);
     };
-    state.dialogs.push_back(replace_question("Replace pictures?", there + "\n\nexists already, and perhaps others do.", answer));
+    state.dialogs.push_back(replace_question("Replace pictures?", on_one_line(there) + "\n\nexists already, and perhaps others do.", answer));
 }
 
 void ask_for_film(ViewerState& state, const std::string& path, const std::string& fault) {
@@ -199,7 +199,7 @@ void ask_for_film(ViewerState& state, const std::string& path, const std::string
         state.film_choices = form->chosen;
         form->refresh(*form);
         const auto ask_again = [&](const std::string& why) { ask_for_film(state, chosen, why); };
-        if (state.filming) return ask_again(state.filming->path + " is not exported yet");
+        if (state.filming) return ask_again(on_one_line(state.filming->path) + " is not exported yet");
         try {
             const FilmRequest request = film_request(state, *form, chosen, size);
             start_unless_replacing(state, request, chosen_shots(*form, name_of_scene(state)), chosen);
@@ -235,8 +235,8 @@ std::string words_when_done(const FilmRequest& request, const std::string& path,
         lines.resize(most_warnings);
         lines.push_back("and " + in_groups(more) + " more warnings");
     }
-    lines.insert(lines.begin(), "Exported " + path + " (" + pictures_in_words(status.pictures()) + ", " + std::to_string(width) +
-                                    " x " + std::to_string(height) + ")");
+    lines.insert(lines.begin(), "Exported " + on_one_line(path) + " (" + pictures_in_words(status.pictures()) + ", " +
+                                    std::to_string(width) + " x " + std::to_string(height) + ")");
     return joined(lines, "\n");
 }
 

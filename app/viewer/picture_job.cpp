@@ -110,7 +110,7 @@ void start_export(ViewerState& state, const std::string& path, Naming naming, Pi
     const auto written = std::make_shared<HandedOver<std::string>>(naming == Naming::as_said ? path : "");
     const auto done = [&state, written, options] {
         const auto& [width, height] = options.size;
-        announce(state, "Exported " + written->get() + " (" + std::to_string(width) + " x " + std::to_string(height) +
+        announce(state, "Exported " + on_one_line(written->get()) + " (" + std::to_string(width) + " x " + std::to_string(height) +
                             (options.samples > 1 ? ", " + std::to_string(options.samples) + " samples a pixel)" : ")"));
     };
     try {

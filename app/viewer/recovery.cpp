@@ -175,6 +175,11 @@ std::vector<Recovery> list_recoveries() {
     return recoveries;
 }
 
+std::string in_words(const Recovery& recovery) {
+    const std::string& of = recovery.original;
+    return "sphereview ended with unsaved changes of " + (of.empty() ? std::string("an untitled scene") : on_one_line(of)) + ".";
+}
+
 std::vector<std::string> unclear_recoveries() {
     std::vector<std::string> names;
     for (const fs::path& file : files_of(FileLock::Holder::unknown)) names.push_back(text_from(file));

@@ -31,6 +31,9 @@ bool write_recovery(const Scene& scene, const std::string& original) noexcept;
 // system lets go of the lock when the process ends, however it ends.
 std::vector<Recovery> list_recoveries();
 
+// What a person is told of it: whatever the file holds, one line.
+std::string in_words(const Recovery& recovery);
+
 // What may be left behind or may be a running process's: nothing tells where the file system cannot lock.
 std::vector<std::string> unclear_recoveries();
 

@@ -143,7 +143,7 @@ void reload(ViewerState& state, LoadedScene loaded) {
         state.hovered.reset();
         note_look(state, loaded);
         shown_coloring(state.document, state.side_panel.look);  // the next frame is read with it
-        announce_reading(state, "Reloaded " + state.path, loaded);
+        announce_reading(state, "Reloaded " + on_one_line(state.path), loaded);
     }
     note_properties(state, loaded);
     state.document.mark_saved();
@@ -153,7 +153,10 @@ void reload(ViewerState& state, LoadedScene loaded) {
 void note_gone(ViewerState& state) {
     state.gone_at = state.document.is_changed() ? 0 : state.document.revision();
     state.document.mark_unsaved();
-    state.messages.scene_gone = state.path;
+    std::error_code error;
+    const bool replaced = fs::exists(path_from(state.path), error);
+    state.messages.scene_gone =
+        on_one_line(state.path) + (replaced ? ": what stands there now is no regular file; save under another name" : "");
 }
 
 void note_back(ViewerState& state) {
@@ -161,7 +164,7 @@ void note_back(ViewerState& state) {
     if (*state.gone_at == state.document.revision()) state.document.mark_saved();
     state.gone_at.reset();
     state.messages.scene_gone.clear();
-    announce(state, state.path + " is there again");
+    announce(state, on_one_line(state.path) + " is there again");
 }
 
 void offer_reload(ViewerState& state, LoadedScene loaded) {

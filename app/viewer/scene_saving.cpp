@@ -40,7 +40,7 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
         for (const Property& property : state.scene().properties) state.property_names.push_back(property.name);
         forget_file_messages(state);
         add_recent(state.settings, path);
-        announce(state, "Saved " + path);
+        announce(state, "Saved " + on_one_line(path));
         then();
     };
     const auto fail = [&state](const std::string& why) {
@@ -171,7 +171,7 @@ void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_
 void quit(ViewerState& state) {
     if (state.exporting && !state.exporting->then_quit) {
         state.exporting->then_quit = true;
-        announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
+        announce(state, "Closes when " + on_one_line(state.exporting->shown_path()) + " is written; close again to close without it");
         return after(*state.exporting, [&state] { quit(state); });
     }
     if (state.filming && !state.filming->then_quit) return ask_about_film(state);

@@ -101,11 +101,16 @@ void cancel_work(ViewerState& state) {
 
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail) {
+    const bool was_regular = path == state.path && (!state.stamp.empty() || state.gone_at);
     try {
-        BackgroundJob job([scene = std::make_shared<Scene>(state.scene()), path, format](WorkControl&) mutable {
+        BackgroundJob job([scene = std::make_shared<Scene>(state.scene()), path, format, was_regular](WorkControl&) mutable {
             const std::string text = write_scene(*scene, format);
             scene.reset();
-            write_output(path, text);
+            if (was_regular) {
+                write_regular_file(path, text);
+            } else {
+                write_output(path, text);
+            }
         });
         state.saving.emplace(Work{.path = path, .job = std::move(job), .done = std::move(done), .fail = fail});
     } catch (...) {
@@ -119,10 +124,10 @@ bool is_working(const ViewerState& state) {
 }
 
 std::optional<WorkShown> work_of(const ViewerState& state) {
-    if (state.saving) return WorkShown{"Saving " + state.saving->path, {}, false};
+    if (state.saving) return WorkShown{"Saving " + on_one_line(state.saving->path), {}, false};
     if (!state.loading && !state.exporting) {
         if (!state.comparing) return {};
-        return WorkShown{"Comparing " + state.comparing->path, {}, true};
+        return WorkShown{"Comparing " + on_one_line(state.comparing->path), {}, true};
     }
     const WorkControl& control = state.loading ? state.loading->job.control() : state.exporting->job.control();
     const double done = static_cast<double>(control.done);
@@ -130,7 +135,7 @@ std::optional<WorkShown> work_of(const ViewerState& state) {
     if (!state.loading) {
         return WorkShown{"Exporting " + state.exporting->shown_path(), total > 0.0 ? done / total : 0.0, true};
     }
-    std::string text = "Reading " + state.loading->path + ": " + fixed(1e-6 * done, 0);
+    std::string text = "Reading " + on_one_line(state.loading->path) + ": " + fixed(1e-6 * done, 0);
     if (total > 0.0) text += " of " + fixed(1e-6 * total, 0);
     return WorkShown{text + " MB", total > 0.0 ? std::optional(std::min(done / total, 1.0)) : std::nullopt, true};
 }

@@ -10,6 +10,7 @@
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
+#include "base/text.hpp"
 #include "panels/status.hpp"
 #include "viewer/made_beside.hpp"
 
@@ -46,7 +47,7 @@ struct Work {
 
     std::string shown_path() const {
         const std::string shown = found_path ? found_path->get() : path;
-        return shown.empty() ? "the view" : shown;  // its name is not found yet
+        return shown.empty() ? "the view" : on_one_line(shown);  // its name is not found yet
     }
 };
 
@@ -65,7 +66,8 @@ void cancel_work(ViewerState& state);
 
 // Writes the scene as it is now, from a copy (10 ms for a million spheres), so that edits need not wait and cannot tear what is
 // written. A small one is usually written when this returns; a FIFO that nobody reads, or a disk that hangs, is not waited for.
-// None may be under way. `done` is called once the file is whole.
+// None may be under way. `done` is called once the file is whole. A FIFO or a device that came in the place of the scene's own
+// regular file is refused: nobody chose it.
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 

@@ -81,9 +81,10 @@ void read_place(const Json& json, WindowPlace& place) {
 }
 
 void read_recent(const Json& json, std::vector<std::string>& recent) {
+    constexpr std::size_t longest_path = 32'768;  // bytes; no system opens a longer one, and its parts would take seconds
     for (const Json& entry : json["recent"].list()) {
         const auto path = entry.text();
-        if (!path || recent.size() == most_recent) continue;
+        if (!path || path->size() > longest_path || recent.size() == most_recent) continue;
         const fs::path file = path_from(*path);
         const bool whole = file.is_absolute() || is_network_name(file);
         if (whole && std::ranges::find(recent, *path) == recent.end()) recent.push_back(*path);
@@ -161,7 +162,7 @@ bool save_settings(const ViewerSettings& settings) noexcept {
         std::string ignored;
         Json json = read_file(file, ignored);
         update(json, settings);
-        write_output(text_from(file), json.dump(4) + "\n");
+        write_regular_file(text_from(file), json.dump(4) + "\n");
         return true;
     } catch (const std::exception&) {
         return false;

@@ -19,6 +19,7 @@
 #include "base/interrupt.hpp"
 #include "base/memory.hpp"
 #include "base/standard_streams.hpp"
+#include "base/text.hpp"
 #include "platform/gl_context.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
@@ -71,7 +72,7 @@ void recover(ViewerState& state, const Recovery& recovery) {
         state.document.mark_unsaved();
         // Now they are this process's to keep: until they are, their file stays.
         if (state.autosave.keep(state.document, state.path)) remove_recovery(recovery.file);
-        announce(state, "Recovered the unsaved changes of " + state.name());
+        announce(state, "Recovered the unsaved changes of " + on_one_line(state.name()));
     };
     const auto fail = [&state](const std::string& why) { report_error(state, "The changes cannot be recovered", why); };
     start_loading(state, {.path = recovery.file, .accept = accept, .fail = fail});
@@ -84,8 +85,7 @@ void offer_recovery(ViewerState& state) {
         Question question;
         question.id = "recover";
         question.title = "Recover unsaved changes?";
-        question.text = "sphereview ended with unsaved changes of " +
-                        (recovery.original.empty() ? std::string("an untitled scene") : recovery.original) + ".";
+        question.text = in_words(recovery);
         question.answers = {"Recover", "Discard", "Later"};
         question.cancel = 2;
         question.answer = [&state, recovery](int answer) {
@@ -224,8 +224,8 @@ ExitCode run_view(const ViewOptions& options) {
         open_state = nullptr;
         if (interrupted != 0) {
             say_of_edits(keep_unsaved(state));
-            save_settings(state.settings);
             edits_kept.set_value();
+            save_settings(state.settings);
             return static_cast<ExitCode>(128 + interrupted.load());
         }
         remove_own_recovery();  // saved, or not wanted

@@ -14,13 +14,11 @@ namespace {
 
 constexpr auto interval = std::chrono::milliseconds(250);
 
-// Nothing for a folder or where nothing is.
+// Nothing where no regular file is.
 std::optional<FileState> state_of(const fs::path& file) {
     std::error_code error;
-    if (!fs::exists(file, error) || fs::is_directory(file, error)) return {};
-    FileState state{fs::canonical(file, error), 0, fs::last_write_time(file, error)};
-    if (fs::is_regular_file(file, error)) state.size = fs::file_size(file, error);
-    return state;
+    if (!fs::is_regular_file(file, error)) return {};
+    return FileState{fs::canonical(file, error), fs::file_size(file, error), fs::last_write_time(file, error)};
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ struct FileState {
     bool operator==(const FileState&) const = default;
 };
 
-// Of a file: itself, under the name "". Of a folder: all files in it. Empty when there is none.
+// Of a regular file: itself, under the name "". Of a folder: all regular files in it. Empty when there is none: a FIFO or a device
+// holds nothing that could be read again, and whoever opened it might wait for good.
 using FileStates = std::map<std::string, FileState>;
 
 FileStates file_states(const std::string& path);

@@ -139,12 +139,15 @@ Opened create(const fs::path& path, const fs::file_status&) {
 Opened open_special(const std::string& path) { return open_file(path, "wb"); }
 Opened open_written(const fs::path& path) { return open_file(text_from(path), "r+b"); }
 
+// Puts on the disk what was written; false, with errno set, if that fails.
+bool sync(std::FILE* file) { return _commit(_fileno(file)) == 0; }
+
 // Writes all bytes and closes; false, with errno set, if any step fails.
 bool write_and_close(Opened file, std::string_view bytes, Durability durability) {
     errno = 0;
     bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
     good = std::fflush(file) == 0 && good;
-    good = good && (durability == Durability::in_system || _commit(_fileno(file)) == 0);
+    good = good && (durability == Durability::in_system || sync(file));
     const int first_error = errno;
     const bool closed = std::fclose(file) == 0;
     if (!good) errno = first_error;
@@ -196,6 +199,7 @@ bool sync(int handle) {
 #endif
     return uninterrupted([&] { return fsync(handle); }) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
+bool sync(std::FILE* file) { return sync(fileno(file)); }
 
 // Writes all bytes and closes; false, with errno set, if any step fails.
 bool write_and_close(Opened handle, std::string_view bytes, Durability durability) {
@@ -300,6 +304,13 @@ Target checked_target_of(const std::string& path, MissingFolder missing) {
     return target;
 }
 
+// The same, and throws OutputError where something other than a regular file stands.
+Target regular_target_of(const std::string& path) {
+    Target target = checked_target_of(path, MissingFolder::refused);
+    if (is_special(target.status)) fail(path, "it is no regular file", std::errc::invalid_argument);
+    return target;
+}
+
 }  // namespace
 
 bool is_device_name([[maybe_unused]] const fs::path& path) {
@@ -328,9 +339,17 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
     }
 }
 
+void write_regular_file(const std::string& path, std::string_view bytes, Durability durability) {
+    replace(path, regular_target_of(path), bytes, durability);
+}
+
+bool flush(std::FILE* file, Durability durability) {
+    errno = 0;
+    return std::fflush(file) == 0 && (durability == Durability::in_system || sync(file));
+}
+
 OutputPlace::OutputPlace(const std::string& path) : path_(path) {
-    const Target target = checked_target_of(path, MissingFolder::refused);
-    if (is_special(target.status)) fail(path, "it is no regular file", std::errc::invalid_argument);
+    const Target target = regular_target_of(path);
     target_ = target.path;
     temporary_ = hidden_sibling(target.path);
     const Unfinished unfinished;

@@ -1,6 +1,7 @@
 // Whole-or-nothing output: a file that appears under its name is complete.
 #pragma once
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -20,6 +21,14 @@ enum class MissingFolder { refused, made };
 // ones. Throws OutputError.
 void write_output(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk,
                   MissingFolder missing = MissingFolder::refused);
+
+// The same for what must become a regular file, such as the program's own: throws OutputError where anything else stands. A device
+// would swallow the bytes, and a FIFO that nobody reads would be waited for.
+void write_regular_file(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk);
+
+// Passes on what was written to `file`, and waits for it by `durability`; false, with errno set, if that fails. In a pipe, or where
+// there is no such thing, nothing is waited for.
+bool flush(std::FILE* file, Durability durability);
 
 // Where another program writes an output, which appears whole or not at all as well.
 class OutputPlace {

@@ -236,13 +236,10 @@ void keep_frame_index(const FileStamp& stamp, const FrameIndex& index) noexcept 
     try {
         const fs::path file = index_file(stamp);
         const auto age = fs::file_time_type::clock::now() - fs::last_write_time(path_from(stamp.file));
-        std::error_code error;
         if (file.empty() || index.frames.empty() || age < moment) return;
-        // Something else would be written into: a FIFO would be waited for.
-        if (fs::exists(file, error) && !fs::is_regular_file(file, error)) return;
         const std::string bytes = packed(stamp, index);
         if (bytes.size() > longest_index - head.size() - sum_size || !make_user_folder(index_folder())) return;
-        write_output(text_from(file), std::string(head) + sha256(bytes) + bytes, Durability::in_system);
+        write_regular_file(text_from(file), std::string(head) + sha256(bytes) + bytes, Durability::in_system);
         remove_oldest();
     } catch (const std::exception&) {
         // The next run looks for the frames again.

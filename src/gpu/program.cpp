@@ -110,15 +110,19 @@ ShaderFiles::ShaderFiles(const std::string& folder) {
         const std::string name = text_from(entry->path().filename());
         if (name.starts_with('.')) continue;  // an editor's
         if (extension != ".vert" && extension != ".frag" && extension != ".glsl") continue;
-        if (std::error_code ignored; !entry->is_regular_file(ignored)) continue;  // a FIFO would be waited for
-        read_[name] = InputFile(text_from(entry->path())).bytes();
+        std::optional<std::string>& text = read_[name];
+        // A FIFO would be waited for.
+        if (std::error_code ignored; entry->is_regular_file(ignored)) text = InputFile(text_from(entry->path())).bytes();
     }
     if (error) throw InputError(folder + ": cannot read the shaders in it: " + error.message());
     if (read_.empty()) throw InputError(folder + ": no shaders in it, expected files like trace.frag");
 }
 
 std::string_view ShaderFiles::text(std::string_view file) const {
-    if (const auto found = read_.find(file); found != read_.end()) return found->second;
+    if (const auto found = read_.find(file); found != read_.end()) {
+        if (!found->second) throw RenderError("the shader file '" + std::string(file) + "' is no regular file");
+        return *found->second;
+    }
     const auto& embedded = embedded_shaders();
     const auto found = embedded.find(file);
     if (found == embedded.end()) throw RenderError("the shader file '" + std::string(file) + "' is missing");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,12 @@ public:
     // Reads all files of the folder that may be shaders (.vert, .frag, .glsl). Throws InputError.
     explicit ShaderFiles(const std::string& folder);
 
-    // Throws RenderError when there is no such file. Valid as long as this object.
+    // Throws RenderError when there is no such file, or none that can be read again and again, such as a FIFO. Valid as long as
+    // this object.
     std::string_view text(std::string_view file) const;
 
 private:
-    std::map<std::string, std::string, std::less<>> read_;
+    std::map<std::string, std::optional<std::string>, std::less<>> read_;  // nothing for what is no regular file
 };
 
 // A shader ready for GL, and the files that it came from: source string number i of a log is files[i].

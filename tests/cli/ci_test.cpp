@@ -75,6 +75,22 @@ TEST_F(CiCompare, FailsWhereNothingIsCompared) {
     EXPECT_TRUE(contains(outcome.errors, "found no scene with a golden image in 'scenes'"));
 }
 
+// A list of wheels has the sum of each, also of NumPy, which pip downloads.
+TEST(CiInstall, TakesAListOfWheelsOnlyWithTheirSums) {
+    const TemporaryFolder folder;
+    for (const char* name : {"bin/python3", "bin/sphereview"}) {
+        folder.write(name, "#!/bin/sh\necho \"$@\"\n");
+        std::filesystem::permissions(folder.path(name), std::filesystem::perms::owner_all);
+    }
+    Command command;
+    command.program = "/usr/bin/env";
+    command.arguments = {"PATH=" + folder.path("bin") + ":/usr/bin:/bin", "PACKAGE=wheels.txt", "bash",
+                         source_file("packaging/ci/install")};
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.output, "-m pip install --require-hashes --requirement wheels.txt\n--version\n");
+}
+
 // As GitHub leaves it for an action in the workflow's own repository.
 TEST(CiInstall, SaysWhatIsMissingWithoutARepository) {
     Command command;

@@ -1,10 +1,12 @@
 // Renders that are spread, go on after an end, and are proved.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <sstream>
 
 #include "cli/fails.hpp"
+#include "support/folders.hpp"
 #include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/sha256.hpp"
@@ -155,6 +157,61 @@ TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
     for (std::size_t at = 0; (at = text.find("\"a.xyz\"", at)) != std::string::npos;) text.replace(at, 7, "\"/dev/zero\"");
     folder_.write("made.jsonl", text);
     EXPECT_TRUE(fails(verify(), 2, "/dev/zero: found no regular file, expected one: a device may have no end"));
+}
+
+// Somebody else may have made it.
+TEST_F(Farm, AManifestCannotMakeVerifyWaitOrDoSomethingElse) {
+    folder_.write("c.toml", "background = 'white'\n");
+    ASSERT_EQ(mkfifo(folder_.path("fifo").c_str(), 0600), 0);
+    expect_done({"--manifest", "made.jsonl", "--camera", "c.toml"});
+    EXPECT_EQ(verify().status, 0);
+    const std::string text = folder_.read("made.jsonl");
+    const auto expect_refused = [&](const std::string& old, const std::string& changed, const std::string& said) {
+        std::string other = text;
+        ASSERT_TRUE(contains(other, old)) << other;
+        for (std::size_t at = 0; (at = other.find(old, at)) != std::string::npos; at += changed.size()) {
+            other.replace(at, old.size(), changed);
+        }
+        folder_.write("made.jsonl", other);
+        EXPECT_TRUE(fails(verify(), 2, said)) << changed;
+    };
+    const std::string no_file = "fifo: found no regular file, expected one: a device may have no end";
+    expect_refused("\"c.toml\"", "\"fifo\"", no_file);
+    expect_refused("\"a.xyz\"", "\"fifo\"", no_file);
+    expect_refused("\"out/3.png\"", "\"fifo\"", no_file);
+    expect_refused("\"" + sha256(folder_.read("c.toml")) + "\"", "null",
+                   "a.xyz: found '--camera' in a manifest, expected 'camera_sha256' with it");
+    for (const char* word : {"--help", "-h", "--output", "-o", "-ox", "--manifest", "--json", "--nothing", "SCENE", "--", "x"}) {
+        expect_refused("[\"--size\"", std::string("[\"") + word + "\",\"--size\"",
+                       std::string("the manifest: found '") + word + "', expected options that say what a picture looks like");
+    }
+}
+
+// By strace, which cannot trace where that is forbidden.
+TEST_F(Farm, AManifestIsOnTheDiskAsItsPicturesAre) {
+    const auto synced = [&](const std::vector<std::string>& more) {
+        Command command = cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "20x16", "-o", "out/{frame}.png"});
+        command.arguments.insert(command.arguments.end(), more.begin(), more.end());
+        const std::vector<std::string> by = {
+            "strace", "-D", "-f", "-qq", "-o", "trace", "-e", "trace=fsync", build_file("sphereview")};
+        command.program = "/usr/bin/env";
+        command.arguments.insert(command.arguments.begin(), by.begin(), by.end());
+        command.environment.emplace_back("LSAN_OPTIONS", "detect_leaks=0");  // it, too, would want to trace the program
+        const Outcome outcome = run(command);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        const std::string trace = folder_.read("trace");
+        std::size_t calls = 0;
+        for (std::size_t at = 0; (at = trace.find("fsync(", at)) != std::string::npos; ++at) ++calls;
+        return calls;
+    };
+    Command traced;
+    traced.program = "/usr/bin/env";
+    traced.arguments = {"strace", "-D", "-o", "/dev/null", "true"};
+    if (run(traced).status != 0) GTEST_SKIP() << "strace does not work here";
+    folder_.write("out/other.png", "");  // the folder is not made
+    const std::size_t pictures = synced({});
+    const std::size_t begin = synced({"--no-sync", "--manifest", "made.jsonl"});  // of the empty manifest
+    EXPECT_EQ(synced({"--manifest", "made.jsonl"}), pictures + begin + 6);
 }
 
 TEST_F(Farm, AManifestGoesOnWhereItWasCutOff) {

@@ -131,14 +131,20 @@ TEST_P(ShaderFolderTest, AShaderMayBeAsSimpleAsCanBe) {
 }
 
 TEST_P(ShaderFolderTest, WhatTheFolderLacksIsTheProgramsOwn) {
-    ASSERT_EQ(mkfifo(folder_.path("fifo.glsl").c_str(), 0600), 0);  // is not waited for
     TemporaryFolder other;
+    ASSERT_EQ(mkfifo(other.path("fifo.glsl").c_str(), 0600), 0);  // is not waited for
     other.write("shade.frag", "#version 330 core\nout vec4 color;\nvoid main() { color = vec4(0.0, 0.0, 1.0, 1.0); }\n");
     other.write(".#trace.frag", "an editor's");
     other.write("notes.txt", "no shader");
     LivePicture picture(other.path());
     EXPECT_EQ(at(shown(picture, document_, view_), 1, 1), opaque({0, 0, 255}));
     std::filesystem::remove(other.path("shade.frag"));
+    ASSERT_EQ(mkfifo(other.path("shade.frag").c_str(), 0600), 0);
+    const std::string no_file = "the shader file 'shade.frag' is no regular file";
+    EXPECT_EQ(picture.reload_shaders(), no_file);
+    EXPECT_EQ(at(shown_again(picture, document_, view_), 1, 1), opaque({0, 0, 255}));
+    EXPECT_EQ(LivePicture(other.path()).shader_log(), no_file) << "at the start the program's own are used";
+    for (const char* name : {"shade.frag", "fifo.glsl"}) std::filesystem::remove(other.path(name));
     EXPECT_EQ(picture.reload_shaders(), other.path() + ": no shaders in it, expected files like trace.frag");
     other.write("shade.frag", "#version 330 core\n#include \"nowhere.glsl\"\n");
     EXPECT_EQ(picture.reload_shaders(), "the shader file 'nowhere.glsl' is missing");

@@ -141,6 +141,30 @@ TEST(Recovery, SaysWhatItCannotOffer) {
     EXPECT_TRUE(contains(outcome.errors, folder.path(name + ".toml: these unsaved changes are not offered"))) << outcome;
 }
 
+TEST(Recovery, OfAForgedNameIsToldOnOneLine) {
+    const TemporaryFolder folder;
+    folder.write("home/state/sphereview/recovery-1.toml",
+                 "# sphereview recovery, milliseconds since 1970: 1\n# of: /a%0AFORGED.toml\nbackground = 'white'\n");
+    ViewerWindow window(folder, {});
+    answer(window, "recover", "Recover");
+    EXPECT_EQ(announced(window, "Recovered"), "Recovered the unsaved changes of a\\x0aFORGED.toml");
+}
+
+// Nobody reads what the window's end would write there.
+TEST(Settings, ThatAreAFifoAreNotWaitedFor) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path("home/config/sphereview"));
+    ASSERT_EQ(mkfifo(folder.path("home/config/sphereview/viewer.json").c_str(), 0600), 0);
+    const std::string scene = folder.write("scene.txt", one_sphere);
+    for (const bool by_signal : {false, true}) {
+        ViewerWindow window(folder, {scene});
+        by_signal ? window.send(SIGTERM) : window.key("ctrl+q");
+        const Outcome outcome = window.wait_for_end();
+        EXPECT_EQ(outcome.status, by_signal ? 128 + SIGTERM : 0) << outcome;
+        EXPECT_EQ(outcome.errors, "");
+    }
+}
+
 // A saved shader is in the picture at once, a broken one leaves the last good one.
 TEST(LiveShaders, AreInThePictureWhenSaved) {
     const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 #include "base/file_watcher.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <atomic>
 #include <fstream>
@@ -83,6 +84,21 @@ TEST_F(FileWatcherTest, FollowsANameThroughRenamesAndDeletion) {
     EXPECT_EQ(news(), Paths{file}) << "it is gone";
     folder.write("a", "written again");
     EXPECT_EQ(news(), Paths{file});
+}
+
+TEST_F(FileWatcherTest, TakesAFifoInThePlaceOfAFileForNoFile) {
+    const std::string file = folder.write("a", "old");
+    watcher.watch({file, folder.path("")});
+    fs::remove(file);
+    ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+    EXPECT_EQ(news(), (Paths{file, folder.path("")})) << "it is gone";
+    EXPECT_TRUE(file_states(file).empty());
+    EXPECT_TRUE(file_states(folder.path("")).empty());
+    fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::hours(1));
+    EXPECT_EQ(news(), Paths()) << "as whoever writes into it does";
+    fs::remove(file);
+    folder.write("a", "new");
+    EXPECT_EQ(news(), (Paths{file, folder.path("")}));
 }
 
 TEST_F(FileWatcherTest, TellsOfAFileThatComesUpAlsoInANewFolder) {

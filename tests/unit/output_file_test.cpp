@@ -208,6 +208,19 @@ TEST(FileIdentity, DiffersForDifferentFiles) {
     EXPECT_NE(file_identity(folder.path("c"), FileUse::output), file_identity(folder.path("d"), FileUse::output));
 }
 
+TEST(RegularFile, IsWrittenAndNothingElse) {
+    const test::TemporaryFolder folder;
+    ASSERT_EQ(mkfifo((folder.path("pipe")).c_str(), 0600), 0);
+    for (const std::string& path : {folder.path("pipe"), std::string("/dev/null")}) {
+        EXPECT_THROW(write_regular_file(path, "x"), OutputError) << path;
+    }
+    EXPECT_TRUE(fs::is_fifo(folder.path("pipe")));
+    for (const char* bytes : {"new", "newer"}) {
+        write_regular_file(folder.path("file"), bytes);
+        EXPECT_EQ(folder.read("file"), bytes);
+    }
+}
+
 TEST(FileIdentity, IsEmptyWhereNothingCanBeLost) {
     const test::TemporaryFolder folder;
     ASSERT_EQ(mkfifo((folder.path("pipe")).c_str(), 0600), 0);

@@ -191,6 +191,16 @@ TEST_F(RecoveryTest, PassesOverWhatIsNoRecovery) {
     EXPECT_FALSE(remove_recovery(folder.path("state/sphereview"))) << "a folder with files in it";
 }
 
+// A file that somebody has made could ask what it likes.
+TEST_F(RecoveryTest, IsAskedAboutOnOneLine) {
+    folder.write("state/sphereview/recovery-1.toml",
+                 "# sphereview recovery, milliseconds since 1970: 1\n# of: %1B[2J/a%0AFORGED%E2%80%A8too\n");
+    ASSERT_EQ(list_recoveries().size(), 1U);
+    EXPECT_EQ(in_words(list_recoveries().front()),
+              R"(sphereview ended with unsaved changes of \x1b[2J/a\x0aFORGED\xe2\x80\xa8too.)");
+    EXPECT_EQ(in_words(Recovery()), "sphereview ended with unsaved changes of an untitled scene.");
+}
+
 TEST_F(RecoveryTest, OffersOnlyWhatIsSurelyLeftBehind) {
     const fs::path lock = folder.path("state/sphereview/recovery-1.lock");
     folder.write("state/sphereview/recovery-1.toml", "# sphereview recovery, milliseconds since 1970: 1\n# of: /a\n");

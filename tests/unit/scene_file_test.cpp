@@ -2,6 +2,7 @@
 #include "viewer/scene_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <cmath>
@@ -247,6 +248,47 @@ TEST_F(DataInViewer, SavingEndsThatTheFileIsGone) {
     EXPECT_EQ(state.messages.scene_gone, "");
     look_at_file(state);
     EXPECT_FALSE(state.document.is_changed());
+}
+
+// It is neither read, which would wait for somebody who writes, nor written into, where the scene would be lost.
+TEST_F(DataInViewer, AFifoInThePlaceOfTheFileIsNotTheScene) {
+    const std::string scene = folder.write("b.toml", "background = 'white'\n");
+    adopt(state, load_scene(scene), scene);
+    add_sphere();
+    std::filesystem::remove(scene);
+    ASSERT_EQ(mkfifo(scene.c_str(), 0600), 0);
+    const auto save = [&] {
+        state.messages.announcement.clear();
+        save_scene(state);
+        finish_writing(state, std::chrono::seconds(30));
+    };
+    for (const bool noticed : {false, true}) {
+        if (noticed) look_at_file(state);
+        EXPECT_FALSE(state.loading) << "nobody writes there";
+        save();
+        ASSERT_NE(question(), nullptr);
+        EXPECT_EQ(question()->text, scene + ": cannot be written: it is no regular file");
+        EXPECT_EQ(state.messages.announcement, "");
+        EXPECT_TRUE(state.document.is_changed());
+        state.dialogs.clear();
+    }
+    EXPECT_EQ(state.messages.scene_gone, scene + ": what stands there now is no regular file; save under another name");
+    EXPECT_TRUE(std::filesystem::is_fifo(scene));
+    std::filesystem::remove(scene);
+    save();
+    EXPECT_EQ(state.messages.announcement, "Saved " + scene);
+    EXPECT_FALSE(state.document.is_changed());
+}
+
+TEST_F(DataInViewer, ANameWithALineFeedIsSaidOnOneLine) {
+    const std::string scene = folder.write("a\nb.toml", "background = 'white'\n");
+    adopt(state, load_scene(scene), scene);
+    save_scene(state);
+    finish_writing(state, std::chrono::seconds(30));
+    EXPECT_EQ(state.messages.announcement, "Saved " + folder.path("a\\x0ab.toml"));
+    std::filesystem::remove(scene);
+    look_at_file(state);
+    EXPECT_EQ(state.messages.scene_gone, folder.path("a\\x0ab.toml"));
 }
 
 TEST(RadiusOption, HoldsForEveryFileThatIsOpened) {

@@ -1,6 +1,7 @@
 #include "viewer/settings.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 
@@ -131,6 +132,24 @@ TEST_F(Settings, AreNotSavedWhereThatIsImpossible) {
     const test::Variable home("HOME", {});
     EXPECT_FALSE(save_settings({}));
     EXPECT_EQ(load_settings(), defaults);
+}
+
+// The end of the window writes them.
+TEST_F(Settings, DoNotWaitForAFifo) {
+    fs::create_directories(folder.path("config/sphereview"));
+    ASSERT_EQ(mkfifo(folder.path("config/sphereview/viewer.json").c_str(), 0600), 0);
+    EXPECT_EQ(load_settings(), defaults);
+    EXPECT_FALSE(save_settings({}));
+    EXPECT_TRUE(fs::is_fifo(folder.path("config/sphereview/viewer.json")));
+}
+
+TEST_F(Settings, ForgetAPathThatNoFileCanHave) {
+    std::string longest;
+    while (longest.size() < 100'000) longest += "/x";
+    const ViewerSettings settings = loaded_from("{\"recent\": [\"" + longest + "\", \"/a\"]}");
+    EXPECT_EQ(settings.recent, std::vector<std::string>{"/a"});
+    EXPECT_TRUE(save_settings(settings));
+    EXPECT_LT(folder.read("config/sphereview/viewer.json").size(), 1000U) << "it would take its time again and again";
 }
 
 TEST_F(Settings, LeaveOutAPathThatIsNotUtf8) {
