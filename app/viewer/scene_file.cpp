@@ -156,7 +156,8 @@ void note_gone(ViewerState& state) {
     std::error_code error;
     const bool replaced = fs::exists(path_from(state.path), error);
     state.messages.scene_gone =
-        on_one_line(state.path) + (replaced ? ": what stands there now is no regular file; save under another name" : "");
+        on_one_line(state.path) +
+        (replaced ? ": not while something else than a regular file stands there; save under another name" : "");
 }
 
 void note_back(ViewerState& state) {

@@ -272,7 +272,8 @@ TEST_F(DataInViewer, AFifoInThePlaceOfTheFileIsNotTheScene) {
         EXPECT_TRUE(state.document.is_changed());
         state.dialogs.clear();
     }
-    EXPECT_EQ(state.messages.scene_gone, scene + ": what stands there now is no regular file; save under another name");
+    EXPECT_EQ(state.messages.scene_gone,
+              scene + ": not while something else than a regular file stands there; save under another name");
     EXPECT_TRUE(std::filesystem::is_fifo(scene));
     std::filesystem::remove(scene);
     save();
