@@ -2,6 +2,7 @@
 
 #include <new>
 
+#include "base/background_job.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 
@@ -29,6 +30,8 @@ Failure described(const std::string& scene) {
         return failure(ExitCode::no_renderer, "", error.what());
     } catch (const std::bad_alloc&) {
         return failure(ExitCode::no_renderer, concerned, "memory ran out");
+    } catch (const Cancelled&) {
+        return failure(ExitCode::no_renderer, concerned, "cancelled");
     } catch (const std::exception& error) {
         return failure(ExitCode::no_renderer, concerned, ("an unexpected error: " + std::string(error.what())).c_str());
     }

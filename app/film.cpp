@@ -1,10 +1,10 @@
 #include "app/film.hpp"
 
 #include <cerrno>
-#include <cstdlib>
 #include <filesystem>
 #include <mutex>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/background_job.hpp"
@@ -20,10 +20,6 @@ namespace sphereview {
 namespace {
 
 using Words = std::vector<std::string>;
-
-// The film that an interruption ends, which comes on a thread of its own.
-std::mutex& current_mutex = *new std::mutex;
-Film* current = nullptr;
 
 std::string as_text(FrameRate rate) { return std::to_string(rate.pictures) + "/" + std::to_string(rate.seconds); }
 
@@ -89,6 +85,7 @@ std::string Film::how_far() const {
 
 std::unique_lock<std::mutex> Film::give_up() {
     std::unique_lock lock(mutex_);
+    if (!place_) return {};
     if (encoder_) encoder_->kill();
     place_.reset();
     return lock;
@@ -158,39 +155,33 @@ void Film::finish() {
     if (encoder_) {
         std::error_code unknown;
         bool is_film = encoder_->finish();
+        std::optional<Unfinished> unfinished;
+        std::unique_ptr<OutputPlace> taken;
         {
             const std::lock_guard lock(mutex_);
             if (!place_) throw Cancelled();
             is_film = is_film && std::filesystem::file_size(path_from(place_->temporary()), unknown) > 0;
-            if (is_film) place_->take(durability_);
+            if (is_film) {
+                unfinished.emplace();  // only behind the lock: an interruption that holds it waits for what is unfinished
+                taken = std::move(place_);
+            }
         }
         if (!is_film) fail();
+        taken->take(durability_);  // without the lock: a disk may take long
     }
     finished_ = true;
 }
 
-InterruptibleFilm::InterruptibleFilm(Film& film) {
-    const std::lock_guard lock(current_mutex);
-    current = &film;
-    static std::once_flag passed;
-    std::call_once(passed, [] { pass_interrupts_to(&InterruptibleFilm::interrupt); });
+InterruptibleFilm::InterruptibleFilm(Film& film) : film_(film) {
+    interruptible_.emplace([this] {
+        given_up_ = film_.give_up();
+        return given_up_ ? film_.how_far() : "";
+    });
 }
 
 InterruptibleFilm::~InterruptibleFilm() {
-    const std::lock_guard lock(current_mutex);
-    if (!current->is_finished()) say(current->how_far());
-    current = nullptr;
-}
-
-void InterruptibleFilm::interrupt(int signal_number) {
-    const std::lock_guard lock(current_mutex);
-    std::unique_lock<std::mutex> given_up;
-    if (current != nullptr) {
-        given_up = current->give_up();
-        if (stderr_is_terminal()) say("");  // behind the progress bar
-        say(current->how_far());
-    }
-    std::_Exit(128 + signal_number);
+    interruptible_.reset();  // from now on there is nothing to say twice
+    if (!film_.is_finished()) say(film_.how_far());
 }
 
 }  // namespace sphereview

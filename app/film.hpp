@@ -8,8 +8,9 @@
 #include <string>
 
 #include "app/film_options.hpp"
+#include "app/interruptible.hpp"
 #include "base/output_file.hpp"
-#include "base/piped_program.hpp"
+#include "base/program.hpp"
 #include "image/image.hpp"
 #include "scene/camera.hpp"
 
@@ -32,11 +33,12 @@ public:
     void add(const Image& picture);
     void finish();
 
+    // For the thread that adds pictures.
     bool is_finished() const { return finished_; }
     // "out.mp4: not written; 3 of 10 pictures were done". For the thread that adds pictures, or who has given up the film.
     std::string how_far() const;
-    // From another thread: ends the encoder and leaves nothing of the film. The thread that adds pictures
-    // waits for as long as what is returned lives.
+    // From another thread: ends the encoder and leaves nothing of the film. The thread that adds pictures waits for as long as what
+    // is returned lives. That holds no lock where it is too late: the film gets its name just now, or has it.
     [[nodiscard]] std::unique_lock<std::mutex> give_up();
 
 private:
@@ -64,7 +66,9 @@ public:
     InterruptibleFilm& operator=(const InterruptibleFilm&) = delete;
 
 private:
-    static void interrupt(int signal_number);
+    Film& film_;
+    std::unique_lock<std::mutex> given_up_{};
+    std::optional<Interruptible> interruptible_{};
 };
 
 }  // namespace sphereview

@@ -28,17 +28,23 @@ bool is_read_by_frames(const InputStream& stream, const SceneFormat& format, con
     return stream.size() && memory && *stream.size() > *memory / 2;
 }
 
-// As SceneFormat::read, with only a part of the text in memory.
-SphereData read_frame(const std::string& path, const DataOptions& wanted, const LoadOptions& options) {
-    FrameReader reader(path, wanted);
-    reader.watch([&options](double done) {
-        if (options.progress != nullptr) options.progress->update(done);
+DataOptions data_for(const LoadOptions& options) {
+    DataOptions wanted = options.data;
+    for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
+    return wanted;
+}
+
+// As SceneFormat::read, with only a part of the text in memory; goes no farther than it takes to count `enough` frames.
+SphereData read_frame(FrameReader& reader, const LoadOptions& options, std::int64_t enough) {
+    if (options.control != nullptr) options.control->total = std::filesystem::file_size(path_from(reader.name()));
+    reader.watch([&options](double part) {
+        if (options.progress != nullptr) options.progress->update(part);
         if (options.control == nullptr) return;
-        options.control->done = static_cast<std::uint64_t>(done * static_cast<double>(options.control->total));
+        options.control->done = static_cast<std::uint64_t>(part * static_cast<double>(options.control->total));
         options.control->check();
     });
-    SphereData data = reader.read(wanted.frame);
-    data.frames = reader.count();
+    SphereData data = reader.read(options.data.frame);
+    data.frames = reader.count(enough);
     if (!reader.fault().empty()) {
         data.warnings.push_back(reader.fault() + "; what follows frame " + std::to_string(data.frames - 1) + " is passed over");
     }
@@ -68,11 +74,11 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
         return loaded;
     }
-    DataOptions wanted = options.data;
-    for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
+    const DataOptions wanted = data_for(options);
     SphereData data;
     if (is_read_by_frames(stream, loaded.format, wanted)) {
-        data = read_frame(path, wanted, options);
+        FrameReader reader(path, wanted);
+        data = read_frame(reader, options, FrameReader::most_frames);
     } else {
         stream.fill();
         if (options.control != nullptr) options.control->check();
@@ -94,21 +100,10 @@ bool is_large(const std::string& path) {
 
 // Goes no farther than it takes to see whether there is another frame behind. Nothing where the format does not step over frames.
 std::optional<LoadedScene> read_up_to_frame(const std::string& path, const LoadOptions& options) {
-    DataOptions wanted = options.data;
-    for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
-    FrameReader reader(path, std::move(wanted));
+    FrameReader reader(path, data_for(options));
     if (reader.format().step_over == nullptr) return std::nullopt;
-    if (WorkControl* control = options.control) {
-        control->total = std::filesystem::file_size(path_from(path));
-        reader.watch([control](double part) {
-            control->done = static_cast<std::uint64_t>(part * static_cast<double>(control->total));
-            control->check();
-        });
-    }
-    SphereData data = reader.read(options.data.frame);
-    LoadedScene loaded = loaded_from(std::move(data), reader.name(), reader.format());
     const std::int64_t enough = options.data.frame + 2;
-    loaded.frames = reader.count(enough);
+    LoadedScene loaded = loaded_from(read_frame(reader, options, enough), reader.name(), reader.format());
     loaded.all_frames = loaded.frames < enough;
     return loaded;
 }
@@ -138,13 +133,13 @@ Camera saved_view(const LoadedScene& loaded, const std::string& name) {
     const auto view = std::ranges::find(views, name, &SavedView::name);
     if (view != views.end()) return view->camera;
     std::vector<std::string> candidates(view_sides.begin(), view_sides.end());
-    constexpr std::size_t most_listed = 10;
     std::vector<std::string> saved;
     for (const SavedView& one : views) {
         candidates.push_back(one.name);
-        if (saved.size() < most_listed) saved.push_back(in_quotes(one.name));
+        saved.push_back(in_quotes(one.name));
     }
-    if (views.size() > most_listed) saved.push_back(in_groups(views.size() - most_listed) + " more");
+    constexpr std::size_t most_listed = 10;
+    saved = first_of(std::move(saved), most_listed);
     throw InputError(loaded.name + ": found no view " + in_quotes(name) + ", expected " +
                      (saved.empty() ? std::string(view_syntax) + "; it has no saved views"
                                     : "one of its saved views, " + joined(saved, ", ") + ", or " + std::string(view_syntax)) +
@@ -200,15 +195,10 @@ void require_properties(const LoadedScene& loaded, const DataOptions& asked) {
         const auto is_it = [&](const Property& property) { return lower_case(property.name) == lower_case(name); };
         if (std::ranges::any_of(loaded.scene.properties, is_it)) continue;
         constexpr std::size_t most_listed = 20;
-        std::vector<std::string> listed_names;
-        for (const std::string& one : loaded.property_names) {
-            if (listed_names.size() < most_listed) listed_names.push_back(in_quotes(one));
-        }
-        if (loaded.property_names.size() > most_listed) {
-            listed_names.push_back(in_groups(loaded.property_names.size() - most_listed) + " more");
-        }
+        std::vector<std::string> has;
+        for (const std::string& one : loaded.property_names) has.push_back(in_quotes(one));
         throw InputError(loaded.name + ": found no property " + in_quotes(name) + ", expected " +
-                         (listed_names.empty() ? "none: the file has no properties" : "one of " + joined(listed_names, ", ")) +
+                         (has.empty() ? "none: the file has no properties" : "one of " + joined(first_of(has, most_listed), ", ")) +
                          did_you_mean(name, loaded.property_names));
     }
 }

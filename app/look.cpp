@@ -20,11 +20,7 @@ std::string missing(const std::string& asked, const std::vector<std::string>& ha
     }
     const std::string of_all = listed(candidates, "or");
     candidates.insert(candidates.end(), has.begin(), has.end());
-    std::vector<std::string> shown;
-    for (const std::string& one : has) {
-        if (shown.size() < most_names_listed) shown.push_back(one);
-    }
-    if (has.size() > shown.size()) shown.push_back(in_groups(has.size() - shown.size()) + " more");
+    const std::vector<std::string> shown = first_of(has, most_names_listed);
     return "found no property " + in_quotes(asked) + ", expected " +
            (shown.empty() ? of_all + ": the file has no others"
                           : "one that the file has, " + listed(shown, "or") + (of_all.empty() ? "" : ", or " + of_all)) +

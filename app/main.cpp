@@ -1,4 +1,4 @@
-// The program's entry and its only catch-all: errors become one line on stderr and the documented exit status.
+// The program's entry and its last catch-all: errors become one line on stderr and the documented exit status.
 #include <cstdio>
 #include <cstdlib>
 #include <new>

@@ -1,16 +1,14 @@
 #include "python/renderers.hpp"
 
-#include <condition_variable>
-#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <queue>
 #include <string>
 #include <thread>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/ordered_work.hpp"
 #include "base/parallel.hpp"
 
 namespace sphereview {
@@ -26,51 +24,26 @@ struct Opened {
 // longer than most pictures.
 class GlThread {
 public:
-    GlThread() : thread_([this] { serve(); }) {}
     ~GlThread() {
-        {
-            const std::lock_guard lock(mutex_);
-            ending_ = true;
-        }
-        change_.notify_one();
+        errands_.close();
         thread_.join();
     }
+    GlThread() = default;
     GlThread(const GlThread&) = delete;
     GlThread& operator=(const GlThread&) = delete;
 
     // Calls work() after all that came before, and throws what that throws.
     void run(const std::function<void(Opened&)>& work) {
-        std::packaged_task<void()> task([&] { work(opened_); });
-        std::future<void> end = task.get_future();
-        {
-            const std::lock_guard lock(mutex_);
-            tasks_.push(std::move(task));
-        }
-        change_.notify_one();
-        end.get();
+        errands_.ask([&] { work(opened_); });
     }
 
 private:
-    void serve() {
-        std::unique_lock lock(mutex_);
-        while (true) {
-            change_.wait(lock, [&] { return ending_ || !tasks_.empty(); });
-            if (tasks_.empty()) break;
-            std::packaged_task<void()> task = std::move(tasks_.front());
-            tasks_.pop();
-            lock.unlock();
-            task();
-            lock.lock();
-        }
-        opened_.backend.reset();  // on this thread
-    }
-
-    std::mutex mutex_;
-    std::condition_variable change_;
-    std::queue<std::packaged_task<void()>> tasks_;
-    bool ending_ = false;
+    Errands errands_;
     Opened opened_;
-    std::thread thread_;  // last: it uses what is above
+    std::thread thread_{[this] {  // last: it uses what is above
+        errands_.serve();
+        opened_.backend.reset();
+    }};
 };
 
 // What there is in this process. Not destroyed with other statics, when drivers may be gone: close_renderers() does that.

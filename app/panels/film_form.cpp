@@ -103,7 +103,7 @@ void draw_quality(const PanelContext& context, FilmForm& form) {
         ImGui::TextUnformatted("Quality");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(-1.0F);
-        ImGui::SliderInt("##quality", &form.chosen.quality, 1, 100);
+        ImGui::SliderInt("##quality", &form.chosen.quality, 1, 100, "%d", ImGuiSliderFlags_AlwaysClamp);  // Ctrl+click: also typed
         note_widget(context, "film quality");
         explain_item("1 to 100: the better, the larger");
     }
@@ -138,7 +138,8 @@ float left_of_film_fields() {
 }
 
 void judge(FilmForm& form, const std::string& path) {
-    if (form.judged_choices == form.chosen && form.judged_path == path) return;
+    const bool frames_found = form.refresh(form);
+    if (!frames_found && form.judged_choices == form.chosen && form.judged_path == path) return;
     form.judged_choices = form.chosen;
     form.judged_path = path;
     form.judged = form.judge(form, path);

@@ -45,6 +45,8 @@ struct FilmForm {
     std::string from_file;    // what the pictures show, in a line: where the file's frames are rendered
     std::string from_window;  // and where it is the scene in the window
     std::function<FilmJudgement(const FilmForm& form, const std::string& path)> judge;
+    // Notes how many frames are known by now; whether these are others than before.
+    std::function<bool(FilmForm& form)> refresh = [](FilmForm&) { return false; };
 
     // What the form remembers from frame to frame: the judgement, and of what it is.
     FilmJudgement judged;
@@ -55,7 +57,7 @@ struct FilmForm {
     bool turns() const { return frames == 1 || chosen.turns; }
 };
 
-// Judges the form anew, if it has changed or the film is to go to another path.
+// Judges the form anew, if it has changed, frames were found, or the film is to go to another path.
 void judge(FilmForm& form, const std::string& path);
 
 // Where in the dialog its fields begin, behind the labels: those of the size as well.

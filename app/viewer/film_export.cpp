@@ -27,6 +27,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::int64_t most_of_turn = 1'000'000;  // as --turntable has it
+// Frames of a range that a dialog takes for granted while the file is still looked through: as many numbers are kept.
+constexpr std::int64_t most_expected = 1'000'000;
 constexpr const char* no_encoder =
     "A film needs the program ffmpeg, and the folders of PATH have none. Install it (Debian, Ubuntu: apt install ffmpeg; Fedora: "
     "dnf "
@@ -78,8 +80,13 @@ std::vector<Shot> chosen_shots(const FilmForm& form, const std::string& scene) {
     }
     std::vector<std::int64_t> frames = {0};
     if (form.takes_frames()) {
-        const auto ranges = parse_frames(form.chosen.frames);
+        auto ranges = parse_frames(form.chosen.frames);
         if (!ranges) throw InputError("The frames are " + in_quotes(form.chosen.frames) + ", expected " + frames_syntax + ".");
+        for (FrameRange& range : *ranges) {
+            if (!form.counting || !range.last) continue;
+            const std::int64_t first = std::clamp(range.first.value_or(0), std::int64_t{0}, FrameReader::most_frames);
+            range.last = std::min(*range.last, std::max(form.frames, first + most_expected));
+        }
         frames = frames_in(*ranges, text_from(path_from(scene).filename()), [&](std::int64_t enough) {
             const bool may_have = form.counting && enough < FrameReader::most_frames;
             return may_have ? enough : std::min(enough, form.frames);
@@ -121,16 +128,26 @@ FilmJudgement judgement(const FilmForm& form, const std::string& path, const std
     return judged;
 }
 
+// The dialog stands while the file is looked through.
+bool note_frames(const ViewerState& state, FilmForm& form) {
+    const std::int64_t frames = has_several_frames(state) ? std::max<std::int64_t>(state.frames, 2) : 1;
+    const bool counting = !state.player.all_frames;
+    const bool are_others = frames != form.frames || counting != form.counting;
+    form.frames = frames;
+    form.counting = counting;
+    return are_others;
+}
+
 FilmForm new_form(const ViewerState& state) {
     FilmForm form;
     const std::string scene = name_of_scene(state);
     const bool has_encoder = !find_film_encoder().empty();
-    form.frames = has_several_frames(state) ? std::max<std::int64_t>(state.frames, 2) : 1;
+    form.refresh = [&state](FilmForm& shown) { return note_frames(state, shown); };
+    form.refresh(form);
     form.chosen.samples = state.settings.samples;
     form.chosen.marks = state.settings.marks_exported;
     form.chosen.transparent = state.shown_background().transparent;
     form.chosen = state.film_choices.value_or(form.chosen);
-    form.counting = !state.player.all_frames;
     form.marks = shown_marks(state);
     form.from_file = "The file's frames. Colours, radii and hiding changed here hold in all, moves do not.";
     if (!has_numbers_of_file(state)) {
@@ -180,6 +197,7 @@ void ask_for_film(ViewerState& state, const std::string& path, const std::string
         state.settings.film_width = size.width;
         state.settings.film_height = size.height;
         state.film_choices = form->chosen;
+        form->refresh(*form);
         const auto ask_again = [&](const std::string& why) { ask_for_film(state, chosen, why); };
         if (state.filming) return ask_again(state.filming->path + " is not exported yet");
         try {
@@ -305,17 +323,16 @@ void start_film(ViewerState& state, const FilmRequest& request) {
                                            announce(state, far.empty() ? "Cancelled" : "Cancelled: " + far);
                                        },
                                    .words = [path, status] { return words_of(path, *status); },
-                                   .stop = [status] { status->give_up_film(); }});
+                                   .stop = [status] { return status->give_up_film(); }});
     } catch (...) {
         fail(describe_current_exception().message);
     }
 }
 
 void cancel_film(ViewerState& state) {
-    if (!state.filming) return;
+    if (!state.filming || state.filming->job.ended()) return;
     state.filming->job.cancel();
-    state.filming->stop();
-    const bool may_appear = state.filming->job.control().writes && !state.filming->job.ended();
+    const bool may_appear = !state.filming->stop() && state.filming->job.control().writes;
     const Work cancelled = *std::exchange(state.filming, std::nullopt);
     if (may_appear) return announce(state, "Cancelled too late: the film may be written all the same");
     cancelled.cancel();

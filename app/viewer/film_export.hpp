@@ -20,7 +20,7 @@ FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::st
 // Begins to make it; none may be on its way.
 void start_film(ViewerState& state, const FilmRequest& request);
 
-// Nothing is left of a film; of pictures those that are written.
+// Nothing is left of a film; of pictures those that are written. What has ended already is left to finish_work().
 void cancel_film(ViewerState& state);
 
 }  // namespace sphereview

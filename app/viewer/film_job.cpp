@@ -62,10 +62,9 @@ std::vector<std::string> FilmStatus::warnings() const {
     return warnings_;
 }
 
-void FilmStatus::give_up_film() {
+bool FilmStatus::give_up_film() {
     const std::lock_guard lock(mutex_);
-    if (film_ == nullptr) return;
-    const auto given_up = film_->give_up();
+    return film_ != nullptr && film_->give_up().owns_lock();
 }
 
 void FilmStatus::set_film(Film* film) {
@@ -105,7 +104,6 @@ void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& sta
         status.add_done();
     };
     run_jobs(options, jobs, {.film = film.get(), .manifest = nullptr, .reported = reported}, progress);
-    control.check();
     if (!film) return;
     control.begin_to_write();
     film->finish();

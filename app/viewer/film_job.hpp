@@ -43,8 +43,9 @@ public:
     std::optional<double> seconds_left() const;
     std::vector<std::string> warnings() const;
 
-    // Ends an encoder that takes no more pictures: the work, which is cancelled, would wait for it.
-    void give_up_film();
+    // Ends an encoder that takes no more pictures: the work, which is cancelled, would wait for it. Whether there was a film that
+    // does not appear now.
+    bool give_up_film();
 
     // For the thread that makes it.
     void begin(std::size_t pictures);

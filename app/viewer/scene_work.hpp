@@ -41,7 +41,8 @@ struct Work {
     bool then_quit = false;                                       // the person has closed the window meanwhile
     std::shared_ptr<const HandedOver<std::string>> found_path{};  // instead of `path`, where the job chooses: "" until then
     std::function<WorkShown()> words{};                           // what is told of a film
-    std::function<void()> stop = [] {};                           // ends what a job waits for that is cancelled
+    // Ends what a job waits for that is cancelled; whether what it writes will not appear then.
+    std::function<bool()> stop = [] { return false; };
 
     std::string shown_path() const {
         const std::string shown = found_path ? found_path->get() : path;

@@ -49,6 +49,9 @@ public:
     // end too early, or expand beyond the bounds.
     std::size_t read(char* to, std::size_t most);
 
+    // Bytes of the packed file before what will be read next of it.
+    std::uint64_t packed_size() const { return packed_size_; }
+
 private:
     struct End {
         void operator()(z_stream_s* stream) const;

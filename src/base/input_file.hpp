@@ -34,6 +34,8 @@ public:
     const std::string& name() const { return name_; }
     // Of a regular file, when it was opened; some, as in /proc, hide it, and that of a packed text is not known.
     std::optional<std::size_t> size() const { return size_; }
+    // Which part of a packed regular file was unpacked, 0..1; nothing of other files.
+    std::optional<double> unpacked_part() const;
     // Whether `path` leads to a regular file, which another stream can read from the beginning.
     bool is_regular() const { return !may_be_endless_; }
 
@@ -70,6 +72,7 @@ private:
     std::string name_;
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
     std::optional<std::size_t> size_{};
+    std::uintmax_t packed_size_ = 0;  // of a packed regular file
     bool may_be_endless_ = true;
     Content content_;
     bool ends_at_zero_ = false;

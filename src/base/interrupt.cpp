@@ -14,9 +14,12 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
-#include <thread>
+
+#include "base/system_call.hpp"
 #endif
+
+#include <chrono>
+#include <thread>
 
 namespace sphereview {
 
@@ -46,6 +49,13 @@ std::atomic<int> passing_pipe = -1;
 #endif
 }
 
+// Otherwise the last of what is unfinished ends the process.
+void end_unless_unfinished(int signal_number) {
+    // In this order, the reverse of Unfinished's: one of the two sees the other.
+    interruption = signal_number;
+    if (unfinished == 0) end();
+}
+
 #ifdef _WIN32
 
 // On a thread that Windows makes for the event. A console that is closed, and a session that ends, end the process when the handler
@@ -59,8 +69,7 @@ BOOL WINAPI on_event(DWORD event) {
     if (act) {
         act(signal_number);
     } else {
-        interruption = signal_number;
-        if (unfinished == 0) end();
+        end_unless_unfinished(signal_number);
     }
     if (!pressed) Sleep(INFINITE);
     return TRUE;
@@ -74,9 +83,7 @@ extern "C" void on_interrupt(int signal_number) {
         const auto number = static_cast<unsigned char>(signal_number);
         if (write(pipe_end, &number, 1) == 1) return;
     }
-    // In this order, the reverse of Unfinished's: one of the two sees the other.
-    interruption = signal_number;
-    if (unfinished == 0) end();
+    end_unless_unfinished(signal_number);
 }
 
 void handle_unless_ignored(int signal_number) {
@@ -109,14 +116,15 @@ void pass_interrupts_to(std::function<void(int)> act) {
     for (const int pipe_end : ends) fcntl(pipe_end, F_SETFD, FD_CLOEXEC);
     std::thread([read_end = ends[0], act = std::move(act)] {
         unsigned char number = 0;
-        ssize_t count = 0;
-        do {
-            count = read(read_end, &number, 1);
-        } while (count < 0 && errno == EINTR);
-        if (count == 1) act(number);
+        if (uninterrupted([&] { return read(read_end, &number, 1); }) == 1) act(number);
     }).detach();
     passing_pipe = ends[1];
 #endif
+}
+
+void end_interrupted(int signal_number) {
+    end_unless_unfinished(signal_number);
+    while (true) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
 Unfinished::Unfinished() {

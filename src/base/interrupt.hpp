@@ -14,6 +14,10 @@ void install_interrupt_handlers();
 // program with unsaved work can keep that; a second one ends the process as above. Call once.
 void pass_interrupts_to(std::function<void(int)> act);
 
+// For who was passed a signal: ends the process as above, once no Unfinished lives. The caller holds no lock that one of them waits
+// for.
+[[noreturn]] void end_interrupted(int signal_number);
+
 // While such an object lives, interruptions wait for its end: what is begun is not left unfinished. For a few milliseconds of work,
 // and from any thread.
 class Unfinished {

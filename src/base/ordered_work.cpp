@@ -90,18 +90,18 @@ public:
     }
 
 private:
-    // The first error ends all, and so does the first step that is cancelled.
+    // The first error ends all. Nobody hears of what is thrown behind the end, as Cancelled by a loop that this ends.
     template <typename Part>
     void run(const Part& part) {
         try {
-            return part();
-        } catch (const Cancelled&) {
-            // Nobody waits for what is not made.
+            part();
         } catch (...) {
-            const std::lock_guard lock(mutex_);
-            if (!error_) error_ = std::current_exception();
+            {
+                const std::lock_guard lock(mutex_);
+                if (!ended_ && !error_) error_ = std::current_exception();
+            }
+            end();
         }
-        end();
     }
 
     // Until nothing is left to begin.

@@ -9,7 +9,7 @@
 
 namespace sphereview {
 
-// The steps of one thing, by its place from 0. What one of them throws ends the work; Cancelled does so without a word.
+// The steps of one thing, by its place from 0. What one of them throws ends the work.
 struct OrderedWork {
     std::size_t count = 0;
     std::function<void(std::size_t)> begin;    // in order, one at a time: reading from a file

@@ -54,6 +54,9 @@ std::string joined(std::span<const std::string> words, std::string_view between)
 // "a, b or c", when `last` is "or".
 std::string listed(std::span<const std::string> words, std::string_view last);
 
+// The first `most` of the words, and then "12 more" where there are that many more.
+std::vector<std::string> first_of(std::vector<std::string> words, std::size_t most);
+
 // Of such a list with "or" the parts that a person would type as they stand: "auto, egl or #rrggbb" -> auto, egl.
 std::vector<std::string> words_listed(std::string_view list);
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/number.hpp"
@@ -69,12 +70,8 @@ const Property* property_called(const Scene& scene, std::string_view name) {
 std::string names_of(const Scene& scene) {
     constexpr std::size_t most_listed = 12;
     std::vector<std::string> names;
-    for (const Property& property : scene.properties) {
-        if (names.size() < most_listed) names.push_back(property.name);
-    }
-    if (scene.properties.size() > names.size()) {
-        names.push_back(std::to_string(scene.properties.size() - names.size()) + " more");
-    }
+    for (const Property& property : scene.properties) names.push_back(property.name);
+    names = first_of(std::move(names), most_listed);
     for (const std::string_view own : every_sphere_has) {
         if (find_property(scene.properties, own) == nullptr) names.emplace_back(own);
     }

@@ -154,10 +154,14 @@ bool FrameReader::find_next() {
     end_position_ = position_at(text, *length, end_position_);
     end_ += *length;
     numbers_behind_first_ = part.numbers_behind_first;
-    if (watcher_ && stream_.size() && *stream_.size() > 0) {
-        watcher_(static_cast<double>(end_) / static_cast<double>(*stream_.size()));
-    }
+    if (const auto part = part_passed(); watcher_ && part) watcher_(*part);
     return true;
+}
+
+// Nothing where nobody knows.
+std::optional<double> FrameReader::part_passed() const {
+    if (stream_.size()) return static_cast<double>(end_) / static_cast<double>(*stream_.size());
+    return stream_.unpacked_part();
 }
 
 void FrameReader::count_in_whole_file() {

@@ -33,7 +33,7 @@ public:
     const SceneFormat& format() const { return format_; }
     // From now on given to spheres for which the file says none.
     void set_radius(double radius) { options_.radius = radius; }
-    // Called now and then with the part of the file that was passed, 0..1; not where its size is not known.
+    // Called now and then with the part of the file that was passed, 0..1; not of pipes.
     void watch(std::function<void(double)> watcher) { watcher_ = std::move(watcher); }
 
     // How many frames there are, `enough` at most: it goes no further. A fault behind the first frame ends the file there. Throws
@@ -49,6 +49,7 @@ public:
 
 private:
     bool find_next();
+    std::optional<double> part_passed() const;
     void begin_at_the_beginning();
     void take_index();
     void keep_index() noexcept;

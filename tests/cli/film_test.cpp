@@ -2,9 +2,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <csignal>
 
 #include "support/eventually.hpp"
+#include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -31,6 +33,26 @@ protected:
         command.environment.emplace_back("PATH", path.empty() ? folder_.path("bin") + ":/usr/bin:/bin" : path);
         return command;
     }
+
+    // As a disk that takes long, by strace.
+    static Command with_slow_disk(Command command, const std::string& delay) {
+        const std::vector<std::string> by = {"strace",
+                                             "-D",
+                                             "-f",
+                                             "-qq",
+                                             "-o",
+                                             "/dev/null",
+                                             "-e",
+                                             "trace=fsync",
+                                             "-e",
+                                             "inject=fsync:" + delay,
+                                             build_file("sphereview")};
+        command.program = "/usr/bin/env";
+        command.arguments.insert(command.arguments.begin(), by.begin(), by.end());
+        command.environment.emplace_back("LSAN_OPTIONS", "detect_leaks=0");  // it, too, would want to trace the program
+        return command;
+    }
+    static bool can_slow_disk_down() { return run(with_slow_disk({.arguments = {"--version"}}, "delay_enter=1")).status == 0; }
 
     // The pixels of the pictures, one behind the other.
     std::string pixels() const {
@@ -128,6 +150,38 @@ TEST_F(FilmCommand, InterruptedSaysHowFarItCame) {
     EXPECT_EQ(outcome.errors, "out.mp4: not written; 0 of 3 pictures were done\n");
     EXPECT_FALSE(folder_.has("out.mp4"));
     for (const std::string& name : folder_.names()) EXPECT_FALSE(contains(name, ".tmp")) << name;
+}
+
+// The disk of the pictures beside the film is slow, so that the interruption comes while one of them is written.
+TEST_F(FilmCommand, InterruptedWhileAPictureIsWrittenLeavesNothingHidden) {
+    write_encoder("exec cat >\"$film\"");
+    const Command command = film({"--movie", "out.mp4", "-o", "{name}-{frame:05}"});
+    if (!can_slow_disk_down()) GTEST_SKIP() << "no program can be traced here";
+    Running program(with_slow_disk(command, "delay_enter=500000"));
+    const auto is_hidden = [](const std::string& name) { return name.ends_with(".tmp"); };
+    ASSERT_TRUE(eventually([&] {
+        return std::ranges::any_of(folder_.names(),
+                                   [&](const std::string& name) { return is_hidden(name) && contains(name, ".png."); });
+    }));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, 130) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "out.mp4: not written; ")) << outcome;
+    EXPECT_TRUE(std::ranges::none_of(folder_.names(), is_hidden)) << testing::PrintToString(folder_.names());
+}
+
+// The film has its name, and its folder takes long to be on the disk.
+TEST_F(FilmCommand, InterruptedOnceItHasItsNameIsNotCalledUnwritten) {
+    write_encoder("exec cat >\"$film\"");
+    if (!can_slow_disk_down()) GTEST_SKIP() << "no program can be traced here";
+    Running program(with_slow_disk(film({"--movie", "out.mkv"}), "delay_enter=2000000:when=2"));
+    ASSERT_TRUE(eventually([&] { return folder_.has("out.mkv"); }));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_TRUE(outcome.status == 130 || outcome.status == 0) << outcome;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_EQ(folder_.read("out.mkv").size(), 3U * 27U);
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin", "out.mkv"}));
 }
 
 TEST_F(FilmCommand, IsNamedByWhatItBecomes) {

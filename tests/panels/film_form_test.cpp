@@ -112,6 +112,16 @@ TEST_F(FilmDialog, HasForEachKindWhatThatCanBe) {
     EXPECT_EQ(accepted, Accepted{folder.path("b{frame}.png")}) << "the kind's ending";
 }
 
+TEST_F(FilmDialog, TakesNoQualityBeyondTheBest) {
+    put(10);
+    harness.panels.modifiers(true);
+    harness.panels.click("film quality");
+    harness.panels.modifiers(false);
+    harness.panels.type("1000");
+    harness.panels.tap(ImGuiKey_Enter);
+    EXPECT_EQ(form().chosen.quality, 100);
+}
+
 TEST_F(FilmDialog, StaysWhileSomethingIsWrong) {
     put(10);
     harness.type_over("film frames", "9");

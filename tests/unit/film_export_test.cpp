@@ -249,7 +249,33 @@ TEST_F(FilmExport, KnowsThatThereMayBeMoreFrames) {
     write_encoder("exit 1");
     state.player.all_frames = false;
     EXPECT_TRUE(test::contains(judged("a.mp4").summary, "At least 3 pictures"));
-    EXPECT_EQ(judged("a.mp4", [](FilmForm& f) { f.chosen.frames = "9"; }).fault, "");
+    const auto judged_frames = [&](const char* frames) { return judged("a.mp4", [=](FilmForm& f) { f.chosen.frames = frames; }); };
+    EXPECT_EQ(judged_frames("9").fault, "");
+    EXPECT_EQ(judged_frames("2000000").fault, "");
+    EXPECT_TRUE(test::contains(judged_frames("0:100").summary, "At least 100 pictures"));
+    // More than memory holds numbers.
+    EXPECT_TRUE(test::contains(judged_frames("0:1000000000000").summary, "At least 1,000,000 pictures"));
+    EXPECT_TRUE(test::contains(judged_frames("9223372036854775806:9223372036854775807").fault, "found no frame"));
+}
+
+// Also while its dialog stands.
+TEST_F(FilmExport, LearnsOfFramesThatAreFoundMeanwhile) {
+    folder.write("a-00002.png", "mine");
+    const std::string pictures = folder.path("{name}-{frame:05}.png");
+    state.frames = 2;
+    state.player.all_frames = false;
+    run_command(state, CommandId::export_film);
+    const auto accept = std::get<FileBrowser>(state.dialogs.back()).accept;
+    FilmForm& shown = *std::get<FileBrowser>(state.dialogs.back()).film;
+    judge(shown, pictures);
+    EXPECT_TRUE(test::contains(shown.judged.summary, "At least 2 pictures")) << shown.judged.summary;
+    state.frames = 3;
+    state.player.all_frames = true;
+    judge(shown, pictures);
+    EXPECT_EQ(shown.judged.summary, "3 pictures: a-00000.png to a-00002.png");
+    state.dialogs.clear();
+    accept(pictures, size);
+    EXPECT_EQ(id_of(state.dialogs.back()), "replace");
 }
 
 TEST_F(FilmExport, SaysWhatToInstallAndOffersPictures) {
@@ -303,6 +329,26 @@ TEST_F(FilmExport, LeavesNothingWhenItIsCancelled) {
     EXPECT_TRUE(test::eventually([&] {
         return folder.names() == std::vector<std::string>{"a.xyz", "bin"};
     })) << "an encoder that takes no more is not waited for";
+}
+
+// The encoder has all pictures, and is not done with them.
+TEST_F(FilmExport, CanBeCancelledUntilItHasItsName) {
+    write_encoder("cat >\"$film\"\necho >'" + folder.path("has-all") + "'\nexec sleep 60");
+    start_film(state, request("a.mkv"));
+    ASSERT_TRUE(test::eventually([&] { return folder.has("has-all"); }));
+    cancel_film(state);
+    EXPECT_EQ(state.messages.announcement, "Cancelled: 3 of 3 pictures were done, and nothing is left of the film");
+    EXPECT_TRUE(test::eventually([&] { return folder.names() == std::vector<std::string>{"a.xyz", "bin", "has-all"}; }));
+}
+
+// What has ended is not cancelled any more.
+TEST_F(FilmExport, CancelledAtItsEndIsExported) {
+    write_encoder("exec cat >\"$film\"");
+    start_film(state, request("a.mkv"));
+    state.filming->job.wait();
+    cancel_film(state);
+    EXPECT_TRUE(is_finished());
+    EXPECT_EQ(state.messages.announcement, "Exported " + folder.path("a.mkv") + " (3 pictures, 40 x 30)");
 }
 
 TEST_F(FilmExport, TheEndOfTheWindowEndsIt) {

@@ -385,4 +385,15 @@ TEST_F(FramesInViewer, CountsTheFramesOfALargeFileBesideTheLoop) {
     EXPECT_EQ(follow_player(state, now, false), FrameNews::none) << "no other comes";
 }
 
+TEST_F(FramesInViewer, SaysWhereALargeFileIsBadBehindItsFirstFrame) {
+    const std::string text = "1\n" + std::string(std::size_t{17} << 20U, 'c') + "\nO 1 2 3\nnot a number\n\nO 1 2 3\n";
+    path = folder.write("large.xyz", text);
+    const LoadedScene loaded = load_scene(path, load_options(state, path, 0));
+    EXPECT_EQ(loaded.frames, 1);
+    EXPECT_TRUE(loaded.all_frames);
+    ASSERT_EQ(loaded.warnings.size(), 1U);
+    EXPECT_TRUE(loaded.warnings[0].starts_with(path + ":4:1: ")) << loaded.warnings[0];
+    EXPECT_TRUE(loaded.warnings[0].ends_with("; what follows frame 0 is passed over")) << loaded.warnings[0];
+}
+
 }  // namespace sphereview

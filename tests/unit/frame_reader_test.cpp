@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "base/background_job.hpp"
 #include "formats/scene_format.hpp"
 #include "support/gzip.hpp"
 #include "support/temporary_folder.hpp"
@@ -71,6 +73,25 @@ TEST_F(FrameReading, GivesEachFrameInAnyOrder) {
             EXPECT_EQ(reader.count(2), 2);
             EXPECT_EQ(reader.fault(), "");
             EXPECT_EQ(message_of<InputError>([&] { reader.read(5); }), path + ": found 5 frames, 0 to 4, expected frame 5");
+        }
+    }
+}
+
+// Also of a packed one, whose text is of unknown length.
+TEST_F(FrameReading, TellsHowFarItIsAndCanBeStopped) {
+    for (const auto& [name, text] : trajectories(9)) {
+        for (const std::string& path : {folder_.write(name, text), folder_.write(name + ".gz", test::gzipped(text))}) {
+            SCOPED_TRACE(path);
+            std::vector<double> parts;
+            FrameReader told(path, {});
+            told.watch([&](double part) { parts.push_back(part); });
+            EXPECT_EQ(told.count(), 9);
+            EXPECT_EQ(parts.size(), 9U);
+            EXPECT_TRUE(std::ranges::is_sorted(parts));
+            EXPECT_EQ(parts.back(), 1.0);
+            FrameReader stopped(path, {});
+            stopped.watch([](double) { throw Cancelled(); });
+            EXPECT_THROW(stopped.count(), Cancelled);
         }
     }
 }

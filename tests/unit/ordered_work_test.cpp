@@ -95,6 +95,27 @@ TEST(OrderedWork, EndsWhenToldAndAtTheFirstError) {
     EXPECT_LE(failing.delivered.size(), 7U);
 }
 
+// Nobody waits for ever, whichever step it is.
+TEST(OrderedWork, EndsWhereAStepIsCancelled) {
+    const auto cancel = [](std::size_t place) {
+        if (place == 7) throw Cancelled();
+    };
+    Noted noted;
+    OrderedWork begins = noted.work(100, 2);
+    begins.begin = cancel;
+    OrderedWork makes = noted.work(100, 2);
+    makes.make = cancel;
+    OrderedWork delivers = noted.work(100, 2);
+    delivers.deliver = [&](std::size_t place) {
+        cancel(place);
+        return true;
+    };
+    for (const OrderedWork& work : {begins, makes, delivers}) {
+        Errands errands;
+        EXPECT_THROW(do_in_order(work, 2, errands), Cancelled);
+    }
+}
+
 TEST(OrderedWork, ErrandsAreDoneByWhoWaits) {
     const std::thread::id here = std::this_thread::get_id();
     std::atomic<int> done = 0;

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "app/failure.hpp"
+#include "base/background_job.hpp"
 #include "support/eventually.hpp"
 #include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
@@ -57,6 +59,15 @@ struct Outputs : testing::Test {
 constexpr const char* no_threads = "the system allows no more threads";
 
 }  // namespace
+
+// Whoever catches all has words for it.
+TEST(Failures, OfCancelledWorkAreDescribed) {
+    try {
+        throw Cancelled();
+    } catch (...) {
+        EXPECT_EQ(describe_current_exception("scene.txt").message, "scene.txt: cancelled");
+    }
+}
 
 TEST_F(Outputs, AFifoThatNobodyReadsHoldsUpNobody) {
     choose(CommandId::export_picture, "pipe.png");

@@ -212,6 +212,13 @@ TEST(WordsListed, AreThoseThatCanBeTypedAsTheyStand) {
     EXPECT_EQ(words_listed(""), Words{});
 }
 
+TEST(FirstOf, NamesTheFirstOfMany) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(first_of({"a", "b"}, 2), (Words{"a", "b"}));
+    EXPECT_EQ(first_of({"a", "b", "c", "d"}, 2), (Words{"a", "b", "2 more"}));
+    EXPECT_EQ(first_of(Words(1003, "a"), 1), (Words{"a", "1,002 more"}));
+}
+
 TEST(InGroups, SetsACommaBeforeEachThreeDigits) {
     EXPECT_EQ(in_groups(0), "0");
     EXPECT_EQ(in_groups(999), "999");
