@@ -83,13 +83,13 @@ public:
     // Does the jobs and tells the person; never throws for what concerns one job alone. Returns the highest status.
     ExitCode run() {
         std::optional<Interruptible> interruptible;
-        if (jobs_.size() > 1 && jobs_.front().sequence && jobs_.front().output && sinks_.film == nullptr && !sinks_.reported) {
+        if (jobs_.size() > 1 && jobs_.front().sequence && jobs_.front().output && sinks_.film == nullptr && has_terminal()) {
             interruptible.emplace([this] { return how_far(); });
         }
         const bool are_frames = std::ranges::all_of(jobs_, [](const RenderJob& job) { return job.sequence != nullptr; });
         std::size_t next = are_frames && jobs_.size() > 1 && worker_count() > 1 ? run_several_at_once() : 0;
         while (next < jobs_.size() && run(next)) ++next;
-        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film() && !sinks_.reported) say_what_failed();
+        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film() && has_terminal()) say_what_failed();
         return report_failed_ ? std::max(worst_, ExitCode::no_output) : worst_;
     }
 
@@ -153,7 +153,7 @@ private:
         const OrderedWork steps{jobs_.size(),
                                 [&](std::size_t place) {
                                     all[place] = std::make_unique<Work>();
-                                    if (sinks_.reported) give_way();
+                                    if (!has_terminal()) give_way();
                                     begin(place, *all[place]);
                                     // Where all cores can have a frame of their own, no thread waits for another.
                                     keep_loops_on_this_thread(most_at_once(memory, threads) >= static_cast<std::size_t>(cores));
@@ -240,7 +240,7 @@ private:
         const std::lock_guard lock(delivering_);
         RenderReport& report = work.report;
         const RenderJob& job = report.job;
-        if (!sinks_.reported) say_what_was_found(work);
+        if (has_terminal()) say_what_was_found(work);
         report.warnings.insert(report.warnings.end(), work.warnings.begin(), work.warnings.end());
         attempt(work, [&] {
             if (sinks_.film != nullptr) timed(report.timings, Phase::encode, [&] { sinks_.film->add(work.picture); });
@@ -252,10 +252,10 @@ private:
             if (sinks_.manifest != nullptr) sinks_.manifest->add(job, work.sums);
             if (job.diff) write_output(*job.diff, encode_png(work.difference), options_.durability, missing_folder(*options_.diff));
         });
-        if (sinks_.reported) {
-            sinks_.reported(report);
-        } else {
+        if (has_terminal()) {
             print_words(report, options_);
+        } else {
+            sinks_.reported(report);
         }
         if (options_.json && !report_failed_) print_json_if_possible(report);
         if (report.status == ExitCode::done) {
@@ -279,6 +279,7 @@ private:
         for (const std::string& warning : work.warnings) say(warning);
     }
 
+    bool has_terminal() const { return !sinks_.reported; }
     bool has_ended_film() const { return sinks_.film != nullptr && worst_ != ExitCode::done; }
 
     void print_json_if_possible(const RenderReport& report) {

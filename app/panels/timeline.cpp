@@ -139,7 +139,7 @@ private:
 
     // In a narrow window what can be done otherwise yields to the line, and the line to what can be read nowhere else.
     void choose_what_fits() {
-        const float good_line = 140.0F * context_.scale;
+        const float good_line = 120.0F * context_.scale;
         float room = ImGui::GetContentRegionAvail().x - shortest_line() - button() - 2.0F * gap();
         const auto take = [&](bool& shows, float width) {
             shows = room >= width;

@@ -104,7 +104,6 @@ void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& sta
         status.add_done();
     };
     run_jobs(options, jobs, {.film = film.get(), .manifest = nullptr, .reported = reported}, progress);
-    control.check();
     if (!film) return;
     control.begin_to_write();
     film->finish();
