@@ -30,14 +30,6 @@ Approximate times_power(const TwoDoubles& sum, double error, int exponent) {
     return {{high, low}, error + 2.0 * lost};
 }
 
-// The number times 2^exponent.
-Approximate moved(const Approximate& value, int exponent) {
-    const double error = value.error > 0.0 ? std::max(std::ldexp(value.error, exponent), least_scaled) : 0.0;
-    return times_power({value.high, value.low}, error, exponent);
-}
-
-Approximate dot(const ApproximateVector& a, const ApproximateVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
 // The sum of the terms, which it overwrites: exact if two doubles can hold it. Each pass leaves the sum of the doubles as it is,
 // the rounded sum in the last, and the errors in the others (Ogita, Rump and Oishi, "Accurate sum and dot product", 2005).
 Approximate distilled(std::span<double> terms) {
@@ -90,6 +82,11 @@ Approximate power_of_eye(const ApproximateVector& center, const Approximate& rad
 }
 
 }  // namespace
+
+Approximate moved(const Approximate& value, int exponent) {
+    const double error = value.error > 0.0 ? std::max(std::ldexp(value.error, exponent), least_scaled) : 0.0;
+    return times_power({value.high, value.low}, error, exponent);
+}
 
 double size_from(const glm::dvec3& eye, const Sphere& sphere) { return std::max(largest_of(sphere.center - eye), sphere.radius); }
 
@@ -259,14 +256,14 @@ std::optional<int> NearestHit::order_before_all(const ScaledSphere& sphere, cons
     return -1;
 }
 
-std::optional<int> NearestHit::power_sign(const ScaledSphere& sphere) const {
+Approximate NearestHit::power(const ScaledSphere& sphere) const {
     Approximate power = sphere.c - best_->sphere.c;
     const double error = sphere.position_error + best_->sphere.position_error;
     for (int axis = 0; axis < 3; ++axis) {
         const Approximate apart(two_sum(sphere.position[axis], -best_->sphere.position[axis]), error);
         power = power - (best_->point[static_cast<std::size_t>(axis)] * apart).twice();
     }
-    return power.sign();
+    return power;
 }
 
 // The same power as a sum in which each term has a difference of the two spheres for a factor: however small these are beside the
@@ -295,7 +292,7 @@ std::optional<int> NearestHit::power_sign_by_differences(const ScaledSphere& sph
 
 std::optional<int> NearestHit::order(const ScaledSphere& sphere) const {
     // In the power of the best hit's point with respect to the sphere all that both spheres share cancels exactly.
-    auto beyond = power_sign(sphere);
+    auto beyond = power(sphere).sign();
     if (!beyond) beyond = power_sign_by_differences(sphere);
     const auto of_origin = side(sphere);
     if (!beyond || !of_origin) return std::nullopt;

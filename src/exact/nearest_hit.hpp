@@ -17,6 +17,11 @@ namespace sphereview {
 
 using ApproximateVector = std::array<Approximate, 3>;
 
+inline Approximate dot(const ApproximateVector& a, const ApproximateVector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+// A number times 2^exponent: what may have lost bits is taken for 0, with an error (docs/exactness.md, "What is too small").
+Approximate moved(const Approximate& value, int exponent);
+
 // A sphere relative to the eye, in units of a SphereScale.
 struct ScaledSphere {
     const Sphere* sphere = nullptr;
@@ -86,6 +91,9 @@ public:
     // did. It and the nearest so far are on one scale.
     bool challenge(const ScaledSphere& sphere);
 
+    // Takes a sphere that the pixel is known to show for the nearest, and asks nothing.
+    void take(const ScaledSphere& sphere) { best_ = best_of(sphere); }
+
     // Puts the nearest so far, if there is one, on the scale of those that come next, which are no smaller.
     void rescale(const SphereScale& scale);
 
@@ -100,6 +108,10 @@ public:
     const ApproximateVector& point() const { return best_->point; }
     // The ray's direction; in perspective the point, which is one, too.
     const ApproximateVector& ahead() const { return basis_.orthographic ? ray_ : best_->point; }
+    // From where the ray begins.
+    Approximate distance() const { return best_->square_t / sqrt(square_); }
+    // The power of that point with respect to another sphere on its scale: |m|^2 - r^2, with m from the sphere's centre to it.
+    Approximate power(const ScaledSphere& sphere) const;
 
 private:
     struct Best {
@@ -114,8 +126,7 @@ private:
     std::optional<EyeSide> side(const ScaledSphere& sphere) const;
     Approximate along(const ScaledSphere& sphere) const;  // b
     Approximate discriminant(const ScaledSphere& sphere, const Approximate& b) const;
-    // The sign of the power of the best hit's point with respect to the sphere, if 106 bits are enough.
-    std::optional<int> power_sign(const ScaledSphere& sphere) const;
+    // The sign of power(), found in another way.
     std::optional<int> power_sign_by_differences(const ScaledSphere& sphere) const;
     // -1: the sphere's hit is nearer than the best, 0: as near, 1: farther, or none; nothing when 106 bits are not enough.
     std::optional<int> order(const ScaledSphere& sphere) const;

@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "light/hit_places.hpp"
+#include "light/asked_point.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -25,8 +25,7 @@ public:
           sphere_(sphere(pixel.visible)),
           side_(pixel.drawn.side(*pixel.drawn.index_of(static_cast<std::uint32_t>(pixel.visible)))),
           point_(pixel.camera, pixel.size, pixel.pixel, sphere_, side_),
-          places_(pixel.camera, pixel.size),
-          place_(places_.at(pixel.pixel, sphere_, side_)) {}
+          places_(pixel.camera, pixel.size) {}
 
     const ExactLitPoint& point() const { return point_; }
     const Sphere& sphere(std::int32_t number) const { return pixel_.scene.spheres[static_cast<std::size_t>(number)]; }
@@ -38,11 +37,12 @@ public:
         std::mutex joining;
         parallel_pieces(drawn.size(), tried_at_once, [&](std::size_t begin, std::size_t end) {
             std::vector<std::int32_t> part;
+            AskedPoint point(places_, pixel_.pixel, sphere_, side_);
             for (std::size_t i = begin; i < end; ++i) {
                 if (std::ranges::binary_search(drawn.gone, static_cast<std::uint32_t>(i))) continue;
                 const std::int32_t number = drawn.number(i);
                 if (number == pixel_.visible || drawn.side(i) != EyeSide::outside) continue;
-                if (places_.blocked(place_, pixel_.pixel, sphere_, side_, sphere(number), direction)) part.push_back(number);
+                if (point.blocked(sphere(number), direction)) part.push_back(number);
             }
             const std::lock_guard lock(joining);
             found.insert(found.end(), part.begin(), part.end());
@@ -57,7 +57,6 @@ private:
     EyeSide side_;
     ExactLitPoint point_;
     HitPlaces places_;
-    HitPlace place_;
 };
 
 std::string counted(int count, const std::string& what) { return std::to_string(count) + " " + what + (count == 1 ? "" : "s"); }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "base/square_root.hpp"
 #include "exact/exact_decision.hpp"
-#include "exact/exact_light.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -18,6 +16,9 @@ constexpr double unknown = std::numeric_limits<double>::infinity();
 
 // The roundings of the few operations below, together, relative to the sizes of their operands: 64 units.
 constexpr double few_roundings = 64.0 * double_unit;
+
+// Where roundings are less than this part of a ball, smaller balls tell more than more bits do.
+constexpr double few_parts_of_a_ball = 1.0 / 16.0;
 
 // Scales beyond would leave a power of two without bits.
 constexpr int largest_scale = 1000;
@@ -52,6 +53,7 @@ HitPlaces::HitPlaces(const Camera& camera, PictureSize size, int scale)
       factor_(std::ldexp(1.0, scale)),
       scaled_eye_(camera.eye * factor_),
       rays_(ray_basis<double>(camera, size, scale)),
+      exact_basis_(camera),
       error_scale_(error_scale(filter_condition(camera), double_unit)) {
     if (!rays_.in_range || !(error_scale_ < 1.0)) error_scale_ = unknown;
 }
@@ -78,6 +80,18 @@ HitDistance HitPlaces::distance(Pixel pixel, const Sphere& sphere, EyeSide side)
     return {0.5 * low + 0.5 * high, 0.5 * high - 0.5 * low};
 }
 
+HitDistance HitPlaces::sharper_distance(Pixel pixel, const Sphere& sphere, EyeSide side) const {
+    NearestHit hit(camera_, exact_basis_, size_, pixel);
+    const SphereScale scale(camera_.eye, size_from(camera_.eye, sphere));
+    hit.take(scale(sphere, 0, side));
+    const Approximate distance = hit.distance();
+    const int shift = scale_ - scale.exponent();
+    const double middle = std::ldexp(distance.high, shift);
+    const double half = std::ldexp(distance.error, shift) + 2.0 * double_unit * middle;
+    if (error_scale_ == unknown || !in_double_range(middle) || !std::isfinite(half)) return {0.0, unknown};
+    return {middle, half};
+}
+
 HitPlace HitPlaces::at(Pixel pixel, const HitDistance& distance) const {
     const auto& [middle, half] = distance;
     if (half == unknown) return {glm::dvec3(0.0), unknown};
@@ -91,22 +105,13 @@ bool HitPlaces::begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) 
     return origin_side(sphere, side, camera_, size_, pixel) == EyeSide::outside;
 }
 
-bool HitPlaces::faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm::dvec3& direction) const {
-    const HitPlace place = at(pixel, sphere, side);
+std::optional<bool> HitPlaces::faces(const HitPlace& place, const Sphere& sphere, const glm::dvec3& direction, bool outside) const {
     const glm::dvec3 center = from_eye(sphere.center);
     const double radius = scaled(sphere.radius);
-    if (in_double_range(size_of(place, center, radius))) {
-        const PlaceOffset o = offset_from(place, center, radius, direction);
-        if (std::fabs(o.along) > o.doubt) return (o.along > 0.0) == begins_outside(pixel, sphere, side);
-    }
-    return ExactLitPoint(camera_, size_, pixel, sphere, side).facing(direction) > 0;
-}
-
-bool HitPlaces::blocked(const HitPlace& place, Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other,
-                        const glm::dvec3& direction) const {
-    const Shadow found = shadow(place, other, direction);
-    if (found != Shadow::unsure) return found == Shadow::all;
-    return ExactLitPoint(camera_, size_, pixel, sphere, side).blocking(other, direction).blocks();
+    if (!in_double_range(size_of(place, center, radius))) return std::nullopt;
+    const PlaceOffset o = offset_from(place, center, radius, direction);
+    if (!(std::fabs(o.along) > o.doubt)) return std::nullopt;
+    return (o.along > 0.0) == outside;
 }
 
 Shadow HitPlaces::shadow(const HitPlace& ball, const Sphere& other, const glm::dvec3& direction) const {
@@ -121,6 +126,14 @@ Shadow HitPlaces::shadow(const HitPlace& ball, const Sphere& other, const glm::d
     const glm::dvec3 scaled_center = other.center * factor - camera_.eye * factor;
     if (!in_double_range(size_of(scaled_ball, scaled_center, other.radius * factor))) return Shadow::unsure;
     return shadow_of(scaled_ball, scaled_center, other.radius * factor, direction);
+}
+
+Shadow HitPlaces::sharper_shadow(const HitPlace& ball, const Sphere& other, const glm::dvec3& direction) const {
+    const Shadow found = shadow(ball, other, direction);
+    if (found != Shadow::unsure || ball.error == unknown) return found;
+    const double rounded = few_roundings * size_of(ball, from_eye(other.center), scaled(other.radius));
+    if (rounded < few_parts_of_a_ball * ball.error) return found;
+    return approximate_shadow({ball.point, ball.error, scale_}, camera_.eye, other, direction);
 }
 
 }  // namespace sphereview

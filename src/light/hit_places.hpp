@@ -1,11 +1,12 @@
-// Where rays hit spheres, and whether a light shines there, in double with a bound, and in integers where that is not enough.
-// docs/light.md, "Deciding".
+// Where rays hit spheres, and which places lie in whose shadow, in double with a bound. docs/light.md, "Deciding".
 #pragma once
 
-#include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 
+#include "exact/approximate_light.hpp"
 #include "exact/filter.hpp"
+#include "exact/nearest_hit.hpp"
 #include "exact/rays.hpp"
 #include "scene/camera.hpp"
 #include "scene/sphere.hpp"
@@ -37,9 +38,6 @@ struct PlaceOffset {
 // largest_double_size, and the place's error finite.
 PlaceOffset offset_from(const HitPlace& place, const glm::dvec3& center, double radius, const glm::dvec3& direction);
 
-// How many of some points lie in a sphere's shadow, as far as double can tell.
-enum class Shadow : std::uint8_t { none, unsure, all };
-
 class HitPlaces {
 public:
     // The camera must outlive it. Its unit of length is 2^-scale of the scene's: double knows nothing of a sphere whose size, as
@@ -59,24 +57,26 @@ public:
     HitPlace at(Pixel pixel, const Sphere& sphere, EyeSide side) const { return at(pixel, distance(pixel, sphere, side)); }
     // The same in two steps.
     HitDistance distance(Pixel pixel, const Sphere& sphere, EyeSide side) const;
+    // In 106 bits, for a sphere that is so much larger than its distance from the eye that double says too little.
+    HitDistance sharper_distance(Pixel pixel, const Sphere& sphere, EyeSide side) const;
     HitPlace at(Pixel pixel, const HitDistance& distance) const;
 
     // Whether the pixel's ray begins outside the sphere.
     bool begins_outside(Pixel pixel, const Sphere& sphere, EyeSide side) const;
 
-    // Whether the normal, turned to the eye, is less than a right angle from the light's direction.
-    bool faces(Pixel pixel, const Sphere& sphere, EyeSide side, const glm::dvec3& direction) const;
+    // Whether the normal, turned to the eye, is less than a right angle from the light's direction, at all points within the
+    // place's error; nothing where double cannot tell.
+    std::optional<bool> faces(const HitPlace& place, const Sphere& sphere, const glm::dvec3& direction, bool outside) const;
 
-    // Whether another sphere, outside of which the eye lies, keeps the light from the point.
-    bool blocked(Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other, const glm::dvec3& direction) const {
-        return blocked(at(pixel, sphere, side), pixel, sphere, side, other, direction);
-    }
-    // The same; `place` is what at() said of the point.
-    bool blocked(const HitPlace& place, Pixel pixel, const Sphere& sphere, EyeSide side, const Sphere& other,
-                 const glm::dvec3& direction) const;
-
-    // The same of all points within `ball.error` of `ball.point`.
+    // How many of the points within `ball.error` of `ball.point` lie in the shadow of another sphere, outside of which the eye
+    // lies.
     Shadow shadow(const HitPlace& ball, const Sphere& other, const glm::dvec3& direction) const;
+    // The same, in 106 bits where double's own roundings leave it open.
+    Shadow sharper_shadow(const HitPlace& ball, const Sphere& other, const glm::dvec3& direction) const;
+
+    const Camera& camera() const { return camera_; }
+    PictureSize size() const { return size_; }
+    const ExactBasis& exact_basis() const { return exact_basis_; }
 
 private:
     const Camera& camera_;
@@ -85,6 +85,7 @@ private:
     double factor_;  // 2^scale
     glm::dvec3 scaled_eye_;
     RayBasis<double> rays_;
+    ExactBasis exact_basis_;
     double error_scale_;
 };
 

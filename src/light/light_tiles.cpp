@@ -4,10 +4,12 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
 #include "base/square_root.hpp"
+#include "light/asked_point.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -19,6 +21,7 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr std::size_t at_once = 256;  // points or spheres: what the loops below turn into SIMD stays in the nearest cache
 constexpr std::size_t in_word = 64;
 constexpr std::size_t fewest_tiles = 8;
+constexpr std::size_t spheres_between_checks = 4096;
 constexpr std::size_t most_asked = 16;  // tiles that a disc asks one by one whether it is needed
 using Numbers = std::array<float, at_once>;
 
@@ -77,22 +80,33 @@ LightCounts& LightCounts::operator+=(const LightCounts& other) {
     points_facing += other.points_facing;
     tests += other.tests;
     doubts += other.doubts;
+    in_integers += other.in_integers;
     return *this;
 }
 
-std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::size_t begin, std::size_t end,
-                                               const glm::dvec3& direction) {
+std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::size_t set, const glm::dvec3& direction) {
     const glm::dvec3 l = unit(direction);
     const glm::dvec3 across = perpendicular(l);
     axes_ = {to_float(across), to_float(cross(l, across)), to_float(l)};
-    const Points points{begin, end};
+    const Points points{lit_scene.points.begins.at(set), lit_scene.points.begins.at(set + 1)};
     if (find_far(lit_scene, direction)) {
         light_known(lit_scene, points, direction);
+        darken(lit_scene, points, lit_scene.trees.known.at(set), far_, direction);
     } else {
-        left_.assign((end - begin + in_word - 1) / in_word, 0);
+        left_.assign((points.end - points.begin + in_word - 1) / in_word, 0);
     }
-    ask_unknown(lit_scene, points, direction);
+    ask_unknown(lit_scene, points, lit_scene.trees.unknown.at(set), direction);
     return left_;
+}
+
+bool LightTiles::has_light(Points points, std::size_t point) const {
+    const std::size_t i = point - points.begin;
+    return (left_[i / in_word] >> i % in_word & 1U) != 0;
+}
+
+void LightTiles::take_light(Points points, std::size_t point) {
+    const std::size_t i = point - points.begin;
+    left_[i / in_word] &= ~(std::uint64_t{1} << i % in_word);
 }
 
 void LightTiles::light_known(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
@@ -140,8 +154,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
     const auto faces = [&](std::size_t point) {
         if (std::ranges::binary_search(all.unknown, point)) return false;  // decide() asks about them
         ++counts_.doubts;
-        const std::int32_t number = lit_scene.number(point);
-        return lit_scene.places.faces(lit_scene.pixel(point), lit_scene.sphere(number), lit_scene.side(number), direction);
+        return asks(lit_scene, point, [&](AskedPoint& asked) { return asked.faces(direction); });
     };
     Projected projected;
     Numbers facing;
@@ -169,6 +182,21 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
             lowest = std::min(lowest, lowest_[y * plane_.side() + x]);
         }
     }
+}
+
+template <typename Ask>
+bool LightTiles::asks(const LitScene& lit_scene, std::size_t point, const Ask& ask) {
+    const std::int32_t own = lit_scene.number(point);
+    const std::vector<std::uint32_t>& unknown = lit_scene.points.unknown;
+    std::optional<HitPlace> place;
+    const auto found = std::ranges::lower_bound(unknown, point);
+    if (found != unknown.end() && *found == point) {
+        place = lit_scene.points.unknown_places[static_cast<std::size_t>(found - unknown.begin())];
+    }
+    AskedPoint asked(lit_scene.places, lit_scene.pixel(point), lit_scene.sphere(own), lit_scene.side(own), place);
+    const bool answer = ask(asked);
+    counts_.in_integers += asked.in_integers();
+    return answer;
 }
 
 template <typename Keeps>
@@ -303,46 +331,95 @@ void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dve
     std::size_t tried = 0;
     sift(lit_scene, points, [&](const Facing& facing) {
         if (++tried % 4096 == 0) check_cancelled();
-        return is_lit(lit_scene, direction, facing);
+        return is_lit(lit_scene, facing, direction);
     });
     counts_.tests += static_cast<std::int64_t>(tried);
 }
 
-// Whether a light shines on the points of which float knows too little: every sphere is asked.
-void LightTiles::ask_unknown(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
-    const std::vector<std::uint32_t>& unknown = lit_scene.points.unknown;
-    for (auto point = std::ranges::lower_bound(unknown, points.begin); point != unknown.end() && *point < points.end; ++point) {
-        check_cancelled();
-        if (!shines(lit_scene, *point, direction)) continue;
-        const std::size_t i = *point - points.begin;
+// Whether a light shines on the points of which float knows too little.
+void LightTiles::ask_unknown(const LitScene& lit_scene, Points points, const PointTree& tree, const glm::dvec3& direction) {
+    if (tree.empty()) return;
+    for (const std::uint32_t point : tree.points) {
+        ++counts_.doubts;
+        if (!asks(lit_scene, point, [&](AskedPoint& asked) { return asked.faces(direction); })) continue;
+        const std::size_t i = point - points.begin;
         left_[i / in_word] |= std::uint64_t{1} << i % in_word;
+    }
+    darken(lit_scene, points, tree, lit_scene.trees.casting, direction);
+}
+
+void LightTiles::darken(const LitScene& lit_scene, Points points, const PointTree& tree, std::span<const std::int32_t> spheres,
+                        const glm::dvec3& direction) {
+    if (tree.empty()) return;
+    asked_.assign(spheres.begin(), spheres.end());
+    darken({lit_scene, points, tree, direction}, tree.balls.size() - 1, 0, 0);
+}
+
+void LightTiles::darken(const Asked& asked, std::size_t level, std::size_t ball, std::size_t first) {
+    check_cancelled();
+    std::size_t in_ball = PointTree::in_leaf;
+    for (std::size_t i = 0; i < level; ++i) in_ball *= PointTree::branches;
+    const std::size_t begin = ball * in_ball;
+    const std::size_t end = std::min(begin + in_ball, asked.tree.points.size());
+    const auto points = std::span(asked.tree.points).subspan(begin, end - begin);
+    if (std::ranges::none_of(points, [&](std::uint32_t point) { return has_light(asked.points, point); })) return;
+
+    // The ball's own list follows that of the ball around it.
+    const HitPlace& place = asked.tree.balls[level][ball];
+    const std::size_t last = asked_.size();
+    const auto is_dark = [&](std::int32_t number) {
+        ++counts_.doubts;
+        const Shadow shadow = asked.lit_scene.places.sharper_shadow(place, asked.lit_scene.sphere(number), asked.direction);
+        if (shadow == Shadow::unsure) asked_.push_back(number);
+        return shadow == Shadow::all;
+    };
+    bool dark = last_blocker_ >= 0 && is_dark(last_blocker_);
+    asked_.resize(last);
+    for (std::size_t i = first; i < last && !dark; ++i) {
+        const std::int32_t number = asked_[i];
+        dark = is_dark(number);
+        if (dark) last_blocker_ = number;
+    }
+    if (dark) {
+        for (const std::uint32_t point : points) take_light(asked.points, point);
+    } else if (asked_.size() > last) {
+        if (level == 0) {
+            darken_points(asked, begin, end, last);
+        } else {
+            const std::size_t balls = asked.tree.balls[level - 1].size();
+            for (std::size_t i = ball * PointTree::branches; i < std::min((ball + 1) * PointTree::branches, balls); ++i) {
+                darken(asked, level - 1, i, last);
+            }
+        }
+    }
+    asked_.resize(last);
+}
+
+void LightTiles::darken_points(const Asked& asked, std::size_t begin, std::size_t end, std::size_t first) {
+    for (std::size_t at = begin; at < end; ++at) {
+        const std::uint32_t point = asked.tree.points[at];
+        if (!has_light(asked.points, point)) continue;
+        const std::int32_t own = asked.lit_scene.number(point);
+        const bool dark = asks(asked.lit_scene, point, [&](AskedPoint& asked_point) {
+            const auto blocks = [&](std::int32_t number) {
+                ++counts_.doubts;
+                return number >= 0 && number != own && asked_point.blocked(asked.lit_scene.sphere(number), asked.direction);
+            };
+            if (blocks(last_blocker_)) return true;
+            for (std::size_t i = first; i < asked_.size(); ++i) {
+                if (i % spheres_between_checks == 0) check_cancelled();
+                if (!blocks(asked_[i])) continue;
+                last_blocker_ = asked_[i];
+                return true;
+            }
+            return false;
+        });
+        if (dark) take_light(asked.points, point);
     }
 }
 
-bool LightTiles::shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction) {
-    const Pixel pixel = lit_scene.pixel(point);
-    const std::int32_t own = lit_scene.number(point);
-    const Sphere& sphere = lit_scene.sphere(own);
-    const EyeSide side = lit_scene.side(own);
-    ++counts_.doubts;
-    if (!lit_scene.places.faces(pixel, sphere, side, direction)) return false;
-    const HitPlace place = lit_scene.places.at(pixel, sphere, side);
-    return std::ranges::none_of(lit_scene.order, [&](std::uint32_t index) {
-        const std::int32_t other = lit_scene.drawn.number(index);
-        if (other == own || lit_scene.drawn.side(index) != EyeSide::outside) return false;
-        ++counts_.doubts;
-        return lit_scene.places.blocked(place, pixel, sphere, side, lit_scene.sphere(other), direction);
-    });
-}
-
-bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing) {
+bool LightTiles::is_lit(const LitScene& lit_scene, const Facing& facing, const glm::dvec3& direction) {
     const std::size_t at = plane_.index(facing.x, facing.y);
-    const auto blocked = [&](std::int32_t number) {
-        ++counts_.doubts;
-        const std::int32_t own = lit_scene.number(facing.point);
-        return number != own && lit_scene.places.blocked(lit_scene.pixel(facing.point), lit_scene.sphere(own), lit_scene.side(own),
-                                                         lit_scene.sphere(number), direction);
-    };
     bool doubt = false;
     for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
         const Disc& disc = discs_[lists_[i]];
@@ -353,16 +430,19 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const glm::dvec3& direction, 
         if (distance < disc.surely_in() && facing.height < disc.low()) return false;
         doubt = true;
     }
-    if (doubt) {
+    if (!doubt) return true;
+    const std::int32_t own = lit_scene.number(facing.point);
+    return asks(lit_scene, facing.point, [&](AskedPoint& asked) {
         for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
             const Disc& disc = discs_[lists_[i]];
             if (facing.height >= disc.high()) break;
             const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
-            if (distance > disc.surely_out() || (distance < disc.surely_in() && facing.height < disc.low())) continue;
-            if (blocked(disc.number)) return false;
+            if (distance > disc.surely_out() || disc.number == own) continue;
+            ++counts_.doubts;
+            if (asked.blocked(lit_scene.sphere(disc.number), direction)) return false;
         }
-    }
-    return std::ranges::none_of(far_, blocked);
+        return true;
+    });
 }
 
 }  // namespace sphereview

@@ -12,6 +12,7 @@
 #include "light/hit_places.hpp"
 #include "light/light_plane.hpp"
 #include "light/lit_points.hpp"
+#include "light/point_tree.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
@@ -27,6 +28,7 @@ struct LitScene {
     std::span<const std::int32_t> visible;  // the numbers of the spheres that the block shows
     const LitPoints& points;
     const Blockers& blockers;
+    const PointTrees& trees;
 
     Pixel pixel(std::size_t point) const {
         return {block.x + points.places[point] % block.width, block.y + points.places[point] / block.width};
@@ -37,11 +39,13 @@ struct LitScene {
     EyeSide side(std::int32_t number) const { return sides[static_cast<std::size_t>(number)]; }
 };
 
-// How much there was to do. `doubts`: questions that float left open, of a point and a sphere.
+// How much there was to do. `doubts`: questions that float left open, of a point or some points and a sphere. `in_integers`: those
+// of them that 106 bits left open, too.
 struct LightCounts {
     std::int64_t points_facing = 0;
     std::int64_t tests = 0;
     std::int64_t doubts = 0;
+    std::int64_t in_integers = 0;
 
     LightCounts& operator+=(const LightCounts& other);
 };
@@ -67,8 +71,8 @@ class LightTiles {
 public:
     explicit LightTiles(const LightTileLimits& limits = {}) : limits_(limits) {}
 
-    // A bit for each of the points [begin, end), 64 in a word, the first in the lowest: whether a light shines on it.
-    std::span<const std::uint64_t> lit(const LitScene& lit_scene, std::size_t begin, std::size_t end, const glm::dvec3& direction);
+    // A bit for each of the points that have a set of lights, 64 in a word, the first in the lowest: whether a light shines on it.
+    std::span<const std::uint64_t> lit(const LitScene& lit_scene, std::size_t set, const glm::dvec3& direction);
 
     const LightCounts& counts() const { return counts_; }
     // Along each side of the last light's square.
@@ -120,9 +124,25 @@ private:
     void decide(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     // Which of the spheres that are too far for float may keep the light from a point. Returns false where one keeps it from all.
     bool find_far(const LitScene& lit_scene, const glm::dvec3& direction);
-    void ask_unknown(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
-    bool shines(const LitScene& lit_scene, std::size_t point, const glm::dvec3& direction);
-    bool is_lit(const LitScene& lit_scene, const glm::dvec3& direction, const Facing& facing);
+    void ask_unknown(const LitScene& lit_scene, Points points, const PointTree& tree, const glm::dvec3& direction);
+    // Takes the light from those of a tree's points that still have it and lie in the shadow of one of some spheres.
+    void darken(const LitScene& lit_scene, Points points, const PointTree& tree, std::span<const std::int32_t> spheres,
+                const glm::dvec3& direction);
+    // ask(AskedPoint&), which is returned.
+    template <typename Ask>
+    bool asks(const LitScene& lit_scene, std::size_t point, const Ask& ask);
+    struct Asked {
+        const LitScene& lit_scene;
+        Points points;
+        const PointTree& tree;
+        const glm::dvec3& direction;
+    };
+    // Of the points in one ball, by the spheres of asked_ from `first` on.
+    void darken(const Asked& asked, std::size_t level, std::size_t ball, std::size_t first);
+    void darken_points(const Asked& asked, std::size_t begin, std::size_t end, std::size_t first);
+    bool has_light(Points points, std::size_t point) const;
+    void take_light(Points points, std::size_t point);
+    bool is_lit(const LitScene& lit_scene, const Facing& facing, const glm::dvec3& direction);
 
     static constexpr int coarse_shift = 3;
 
@@ -135,7 +155,9 @@ private:
     std::vector<float> cut_;           // every point of the tile below this is in shadow
     std::vector<std::uint64_t> left_;  // a bit for each point: faces the light, and is not found to be in shadow
     std::vector<Disc> discs_;
-    std::vector<std::int32_t> far_;  // numbers of spheres, beside the discs
+    std::vector<std::int32_t> far_;    // numbers of spheres, beside the discs
+    std::vector<std::int32_t> asked_;  // numbers of spheres of which not all is sure, ball in ball
+    std::int32_t last_blocker_ = -1;   // the number of a sphere that may well keep the light from the next points, too
     std::vector<std::uint32_t> begins_;
     UninitializedVector<std::uint32_t> lists_;
     LightCounts counts_;

@@ -79,9 +79,8 @@ public:
                 const auto& [set, place, light] = jobs_[i];
                 for (Group& group : groups_) {
                     const std::size_t first = group.lit_scene.points.begins.at(set);
-                    const std::size_t last = group.lit_scene.points.begins.at(set + 1);
-                    if (first == last) continue;
-                    const std::span<const std::uint64_t> lit = tiles.lit(group.lit_scene, first, last, light->direction);
+                    if (group.lit_scene.points.has_none_of(set)) continue;
+                    const std::span<const std::uint64_t> lit = tiles.lit(group.lit_scene, set, light->direction);
                     if (!group.shining.empty()) group.shining[i] = {set, place, {lit.begin(), lit.end()}};
                     add_share(group.begin + first, lit, light->share);
                 }
@@ -232,6 +231,7 @@ std::list<Lighting::PointGroup> Lighting::point_groups(const Block& block, std::
         UninitializedVector<std::int32_t> rest;
         group.points = lit_points(scene_, group.places, sides_, block, visible, side_, std::move(left), last ? nullptr : &rest);
         group.blockers = blockers(scene_, drawn_, order_, sides_, group.places, group.points);
+        group.trees = point_trees(drawn_, order_, sides_, group.points, group.blockers);
         left = std::move(rest);
     }
     return groups;
@@ -243,7 +243,8 @@ std::vector<LightVector> Lighting::light(const Block& block, std::span<const std
     const std::list<PointGroup> groups = point_groups(block, visible);
     std::vector<LitScene> lit_scenes;
     for (const PointGroup& group : groups) {
-        lit_scenes.push_back({scene_, drawn_, order_, group.places, sides_, block, visible, group.points, group.blockers});
+        lit_scenes.push_back(
+            {scene_, drawn_, order_, group.places, sides_, block, visible, group.points, group.blockers, group.trees});
     }
 
     std::vector<Job> jobs;

@@ -55,6 +55,7 @@ private:
         HitPlaces places;
         LitPoints points;
         Blockers blockers;
+        PointTrees trees;
     };
 
     std::list<PointGroup> point_groups(const Block& block, std::span<const std::int32_t> visible) const;

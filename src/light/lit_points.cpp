@@ -42,6 +42,11 @@ struct Box {
     }
 };
 
+// What a point may be off, if all points lie in the box.
+double largest_error_in(const Box& box) {
+    return box.low.x <= box.high.x ? most_error * largest_of(0.5 * box.high - 0.5 * box.low) : 0.0;
+}
+
 std::size_t set_of_place(const Block& block, std::int32_t place, int side) {
     return static_cast<std::size_t>(set_of({block.x + place % block.width, block.y + place / block.width}, side));
 }
@@ -125,27 +130,65 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     Box box;
     double nearest = none;
     bool all_in_range = true;
+    double largest_error = 0.0;
+    std::vector<std::uint32_t> without_normal;  // double knows too little of these
     std::mutex joining;
-    parallel_pieces(points.size(), places_at_once, [&](std::size_t begin, std::size_t end) {
-        Box part;
-        double part_nearest = none;
-        bool in_range = true;
-        for (std::size_t i = begin; i < end; ++i) {
-            const std::size_t number = number_of(i);
-            found[i] = places.distance(pixel_of(i), scene.spheres[number], sides[number]);
-            const HitPlace place = places.at(pixel_of(i), found[i]);
-            if (std::isfinite(place.error)) {
-                part.include(place.point, place.point);
-                part_nearest = std::min(part_nearest, largest_of(place.point));
-            } else {
-                in_range = in_range && places.in_range(scene.spheres[number]);
+    const auto has_normal = [&](const HitPlace& place, const Sphere& sphere) {
+        const double error =
+            place.error + 16.0 * double_unit *
+                              (largest_of(place.point) + largest_of(places.from_eye(sphere.center)) + places.scaled(sphere.radius));
+        return error < most_normal_error * places.scaled(sphere.radius);
+    };
+    // find(i): how far the i-th is along its ray.
+    const auto look = [&](const auto& find) {
+        parallel_pieces(points.size(), places_at_once, [&](std::size_t begin, std::size_t end) {
+            Box part;
+            double part_nearest = none;
+            double part_error = 0.0;
+            bool in_range = true;
+            std::vector<std::uint32_t> part_without;
+            for (std::size_t i = begin; i < end; ++i) {
+                const Sphere& sphere = scene.spheres[number_of(i)];
+                found[i] = find(i);
+                const HitPlace place = places.at(pixel_of(i), found[i]);
+                if (!has_normal(place, sphere)) part_without.push_back(static_cast<std::uint32_t>(i));
+                if (std::isfinite(place.error)) {
+                    part.include(place.point, place.point);
+                    part_nearest = std::min(part_nearest, largest_of(place.point));
+                    part_error = std::max(part_error, place.error);
+                } else {
+                    in_range = in_range && places.in_range(sphere);
+                }
             }
-        }
-        const std::lock_guard lock(joining);
-        box.include(part.low, part.high);
-        nearest = std::min(nearest, part_nearest);
-        all_in_range = all_in_range && in_range;
+            const std::lock_guard lock(joining);
+            box.include(part.low, part.high);
+            nearest = std::min(nearest, part_nearest);
+            largest_error = std::max(largest_error, part_error);
+            all_in_range = all_in_range && in_range;
+            without_normal.insert(without_normal.end(), part_without.begin(), part_without.end());
+        });
+    };
+    const auto sharper = [&](std::size_t i) {
+        const HitDistance distance = places.sharper_distance(pixel_of(i), scene.spheres[number_of(i)], sides[number_of(i)]);
+        return distance.half < found[i].half ? distance : found[i];
+    };
+    look([&](std::size_t i) { return places.distance(pixel_of(i), scene.spheres[number_of(i)], sides[number_of(i)]); });
+    if (const double most = largest_error_in(box); largest_error >= most) {
+        // The box may be as wrong as its points.
+        box = Box{};
+        nearest = none;
+        without_normal.clear();
+        look([&](std::size_t i) { return places.at(pixel_of(i), found[i]).error < most ? found[i] : sharper(i); });
+    }
+    parallel_pieces(without_normal.size(), places_at_once, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) found[without_normal[k]] = sharper(without_normal[k]);
     });
+    for (const std::uint32_t i : without_normal) {
+        const HitPlace place = places.at(pixel_of(i), found[i]);
+        if (!std::isfinite(place.error)) continue;
+        box.include(place.point, place.point);
+        nearest = std::min(nearest, largest_of(place.point));
+    }
     if (rest != nullptr) {
         const double farthest = std::max(largest_of(box.low), largest_of(box.high));
         const double least = farthest < none ? farthest / most_depth : 0.0;
@@ -181,11 +224,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
     for (auto* component : {&points.normal_x, &points.normal_y, &points.normal_z}) component->resize(count);
     const double factor = std::ldexp(1.0, -points.exponent);
     const auto is_known = [&](const HitPlace& place, const Sphere& sphere) {
-        const double of_normal =
-            place.error + 16.0 * double_unit *
-                              (largest_of(place.point) + largest_of(places.from_eye(sphere.center)) + places.scaled(sphere.radius));
-        return half > 0.0 && std::ldexp(place.error, -points.exponent) < most_error &&
-               of_normal < most_normal_error * places.scaled(sphere.radius);
+        return half > 0.0 && std::ldexp(place.error, -points.exponent) < most_error && has_normal(place, sphere);
     };
     double error = 0.0;
     double farthest = 0.0;
@@ -222,6 +261,7 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
         points.unknown.insert(points.unknown.end(), part_unknown.begin(), part_unknown.end());
     });
     std::ranges::sort(points.unknown);
+    for (const std::uint32_t i : points.unknown) points.unknown_places.push_back(places.at(pixel_of(i), found[i]));
     // The differences here round in double, which is next to nothing beside float's unit.
     points.error = static_cast<float>(1.01 * error + 0x1p-27);
     points.farthest = static_cast<float>(1.001 * square_root(farthest) + 1e-30);
@@ -230,6 +270,14 @@ LitPoints lit_points(const Scene& scene, const HitPlaces& places, std::span<cons
 
 HitPlace LitPoints::ball() const {
     return {middle, std::ldexp(1.01 * (static_cast<double>(farthest) + static_cast<double>(error)), exponent)};
+}
+
+HitPlace LitPoints::place(std::size_t point) const {
+    const glm::dvec3 from_middle(x[point], y[point], z[point]);
+    // Floats round three numbers of at most 1 by less than 2^-24 together; the sum here rounds by less than 2 units.
+    const double rounded = 4.0 * double_unit * (taxicab_length(middle) + std::ldexp(3.0, exponent));
+    return {middle + times_two_to(from_middle, exponent),
+            1.01 * (std::ldexp(static_cast<double>(error) + 0x1p-24, exponent) + rounded)};
 }
 
 }  // namespace sphereview

@@ -38,6 +38,7 @@ struct LitPoints {
     std::array<std::size_t, turned_sets + 1> begins{};
     // Those of which float knows too little, ascending: their normals are 0.
     std::vector<std::uint32_t> unknown;
+    std::vector<HitPlace> unknown_places;  // where they are, as far as that can be told
 
     glm::dvec3 middle{0.0};  // relative to the eye, in the unit of HitPlaces
     int exponent = 0;        // of the power of two
@@ -46,8 +47,9 @@ struct LitPoints {
 
     std::size_t size() const { return places.size(); }
     bool has_none_of(std::size_t set) const { return begins.at(set) == begins.at(set + 1); }
-    // Where all that are known lie, in the unit of HitPlaces.
+    // Where all that are known lie, in the unit of HitPlaces, and where one does.
     HitPlace ball() const;
+    HitPlace place(std::size_t point) const;
 };
 
 // A normal's components may be off by so much before they are rounded to whole numbers.

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <glm/mat3x3.hpp>
+#include <iostream>
 #include <string>
 
 #include "base/parallel.hpp"
+#include "exact/resolve.hpp"
 #include "light/light_tiles.hpp"
 #include "light/lighting.hpp"
 #include "oracle/light_oracle.hpp"
@@ -370,9 +373,10 @@ int differences(const Trial& trial, const glm::dvec3& direction, const Doubts& d
         lit_points(scene, places, sides, whole, visible, 1, shown_places(scene, grid, whole, visible, 1), nullptr);
     Blockers all = blockers(scene, drawn, order, sides, places, points);
     if (!doubts.spheres) all.doubt_of_all = all.doubt_of_size = 0.0F;
-    const LitScene lit_scene{scene, drawn, order, places, sides, whole, visible, points, all};
+    const PointTrees trees = point_trees(drawn, order, sides, points, all);
+    const LitScene lit_scene{scene, drawn, order, places, sides, whole, visible, points, all, trees};
     LightTiles tiles(doubts.limits);
-    const std::span<const std::uint64_t> lit = tiles.lit(lit_scene, 0, points.size(), direction);
+    const std::span<const std::uint64_t> lit = tiles.lit(lit_scene, 0, direction);
     tiles_across = tiles.tiles_across();
     EXPECT_GT(points.size(), 0U);
     int count = 0;
@@ -553,6 +557,68 @@ TEST(Light, blocks) {
         rows.insert(rows.end(), lit.begin(), lit.end());
     }
     EXPECT_EQ(all, rows);
+}
+
+// Spheres so large and so near each other that double knows neither points nor shadows: balls and 106 bits decide nearly all, and
+// integers what they must.
+Trials hard_to_light(int spheres, PictureSize size) {
+    Trials trials = stress_trials(spheres, size);
+    const auto add = [&](const std::string& name, const std::function<Sphere(int)>& sphere) {
+        Trial trial{"hard to light: " + name, {}, size};
+        for (int i = 0; i < spheres; ++i) trial.scene.spheres.push_back(sphere(i));
+        trials.push_back(trial);
+    };
+    Random random(seed());
+    const auto small = [&] { return Sphere{random.in_cube(90.0) + glm::dvec3(0.0, 0.0, 200.0), 6.0, {}, false}; };
+    add("two planes", [](int i) {
+        return i % 2 == 0 ? Sphere{{0.0, 0.0, 1e15 + i}, 1e15 + i - 100, {}, false}
+                          : Sphere{{1e15 + i, 0.0, 100.0}, 1e15 + i - 10, {}, false};
+    });
+    add("a plane behind small ones", [&](int i) {
+        return i % 2 == 0 ? Sphere{{0.0, 0.0, 1e15 + i}, 1e15 + i - 300, {}, false} : small();
+    });
+    // Seen from so far that a sphere is not much larger than what double is off.
+    add("tiny ones", [](int i) {
+        return Sphere{{1e-9 * (i % 40 - 20), 1e-9 * (i / 40 % 40 - 12), 100.0 + 1e-10 * (i % 7)}, 4e-10, {}, false};
+    });
+    Camera& camera = trials.back().scene.camera;
+    camera.right *= 4e-10;
+    camera.up *= 4e-10;
+    return trials;
+}
+
+TEST(Light, of_hard_scenes_needs_few_integers) {
+    constexpr int spheres = 600;
+    constexpr int lights = 16;
+    constexpr PictureSize size{25, 25};
+    for (const Trial& trial : hard_to_light(spheres, size)) {
+        const Scene& scene = trial.scene;
+        const DrawnSpheres drawn = drawn_spheres(scene);
+        std::vector<std::int32_t> visible(25 * 25, doubtful_background);
+        Resolver(scene, drawn, size).certify({0, 0, size.width, size.height}, visible);
+        const Lighting lighting(scene, drawn, scene.camera, size, 1, {.lights = lights, .sky = 1.0, .sun = {}});
+        LightCounts counts;
+        const std::vector<LightVector> found =
+            lighting.light({0, 0, size.width, size.height}, visible, nullptr, nullptr, nullptr, &counts);
+        std::cout << trial.name << ": " << counts.doubts << " doubts, " << counts.in_integers << " in integers\n";
+        // Each point of each light is asked of far fewer spheres than there are, and integers of hardly any.
+        EXPECT_LT(counts.doubts, 1000 * spheres) << trial.name;
+        EXPECT_LT(counts.in_integers, 10 * spheres) << trial.name;
+        Random random(seed());
+        std::vector<glm::dvec3> directions;
+        for (const DirectedLight& light : lighting.lights(0)) directions.push_back(light.direction);
+        for (int i = 0; i < 3 && is_sampled(1); ++i) {
+            const Pixel at{i < 1 ? 12 : random.whole(0, 24), i < 1 ? 12 : random.whole(0, 24)};
+            const auto place = static_cast<std::size_t>(at.y * size.width + at.x);
+            if (visible[place] < 0) continue;
+            const std::vector<bool> shining = shines(scene, size, at, visible[place], directions);
+            LightVector expected;
+            for (std::size_t k = 0; k < shining.size(); ++k) {
+                if (shining[k]) expected += lighting.lights(0)[k].share;
+            }
+            EXPECT_EQ(found[place], expected) << trial.name << ", " << at.x << "," << at.y;
+        }
+    }
 }
 
 // What this says of the oracle and of the amount of work, other flags of the compiler (flags/) say as well; and sanitizers, with

@@ -1,0 +1,54 @@
+// Whether a light shines on what a pixel shows, by numbers of 106 bits with a bound beside each: between double and the integers of
+// exact/exact_light.hpp. docs/exactness.md, "Light".
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+
+#include "exact/nearest_hit.hpp"
+
+namespace sphereview {
+
+// How many of some points lie in a sphere's shadow, as far as can be told.
+enum class Shadow : std::uint8_t { none, unsure, all };
+
+// Where a pixel's ray hits the sphere that it shows.
+class ApproximateLitPoint {
+public:
+    // `side`: of the eye, or of the ray's origin, seen from the sphere. What is passed in must outlive it.
+    ApproximateLitPoint(const Camera& camera, const ExactBasis& basis, PictureSize size, Pixel pixel, const Sphere& sphere,
+                        EyeSide side);
+
+    // The sign of n.L, with the normal turned to the eye; nothing when 106 bits are not enough.
+    std::optional<int> facing(const glm::dvec3& direction) const;
+
+    // Whether another sphere, outside of which the eye lies, keeps the light away; `unsure` when 106 bits are not enough.
+    Shadow shadow(const Sphere& other, const glm::dvec3& direction) const;
+
+private:
+    Shadow shadow_of(const ScaledSphere& other, const NearestHit& hit, const glm::dvec3& direction) const;
+
+    const Camera& camera_;
+    const ExactBasis& basis_;
+    PictureSize size_;
+    Pixel pixel_;
+    const Sphere& sphere_;
+    EyeSide side_;
+    bool outside_;    // where the ray begins
+    double largest_;  // size that the scale is for
+    SphereScale scale_;
+    NearestHit hit_;
+};
+
+// All points within `error` of `point`, which is relative to the eye; both are the scene's times 2^exponent.
+struct PointBall {
+    glm::dvec3 point{0.0};
+    double error = 0.0;
+    int exponent = 0;
+};
+
+// The same of all points of a ball, for a sphere of which none is inside.
+Shadow approximate_shadow(const PointBall& ball, const glm::dvec3& eye, const Sphere& other, const glm::dvec3& direction);
+
+}  // namespace sphereview
