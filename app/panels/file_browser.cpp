@@ -145,7 +145,7 @@ bool text_box(const FileBrowser& browser, const char* label, std::string& text, 
 // Gives the keyboard to the next item if `browser.focus` names its box.
 void focus_next(FileBrowser& browser, FileBrowser::Focus box) {
     if (browser.focus != box) return;
-    ImGui::SetKeyboardFocusHere();
+    focus_next_box();
     browser.focus = FileBrowser::Focus::none;
 }
 

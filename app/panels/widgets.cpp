@@ -316,6 +316,8 @@ int draw_text_box(const char* label, const char* hint, std::string& text, ImGuiI
     };
     // ImGui leaves Tab to a box that completes words.
     ImGui::InputTextWithHint(label, hint, &text, flags | ImGuiInputTextFlags_CallbackCompletion, note_tab, &step);
+    // Since 1.90 it does so only without Shift.
+    if (ImGui::IsItemActive() && ImGui::GetIO().KeyShift && key_pressed(ImGuiKey_Tab)) step = -1;
     return step;
 }
 

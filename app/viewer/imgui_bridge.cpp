@@ -99,7 +99,9 @@ ImguiBridge::ImguiBridge(Window& window, double text_scale, Theme theme)
     io.ConfigInputTextCursorBlink = false;  // an idle window draws nothing
     io.ConfigWindowsMoveFromTitleBarOnly = true;
     io.BackendPlatformName = "sphereview";
-#if IMGUI_VERSION_NUM < 18700
+#if IMGUI_VERSION_NUM >= 18700
+    io.ConfigInputTrickleEventQueue = false;  // a redraw's events are such as it can tell apart (input_queue.hpp)
+#else
     for (std::size_t i = 0; i < imgui_keys.size(); ++i) io.KeyMap[imgui_keys[i].second] = static_cast<int>(i);
 #endif
 #if IMGUI_VERSION_NUM < 19110
