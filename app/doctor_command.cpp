@@ -12,9 +12,11 @@
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
-#include "base/isolated_call.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
+#include "base/program.hpp"
 #include "base/text.hpp"
+#include "base/user_folders.hpp"
 #include "gpu/live_picture.hpp"
 #include "image/compare.hpp"
 #include "platform/gl_context.hpp"
@@ -142,6 +144,9 @@ bool works(const Json& row) { return row["works"].boolean() == true; }
 std::string text_of(const Json& row, const char* key) { return row[key].text().value_or(""); }
 std::string number_of(const Json& row, const char* key) { return std::to_string(row[key].whole().value_or(0)); }
 
+// Where the answer of a probe begins among what a driver may have written to standard output.
+constexpr std::string_view answer_begin = "\n{";
+
 // The probe with one of the names that diagnose() uses, and its answer as text, which a process hands to another.
 std::string probe(const std::string& name) {
     Json result;
@@ -160,25 +165,31 @@ std::string probe(const std::string& name) {
     return result.dump();
 }
 
-// Probes in a copy of the process, so that a driver that hangs or crashes ends only the copy.
+// Probes in another process of the program, so that a driver that hangs or crashes ends only that one; where there can be none, in
+// this one.
 Json probe_apart(const std::string& name, double timeout_seconds) {
     const std::string culprit = name == "cpu" ? "the CPU renderer" : "the driver";
     const auto limit = std::chrono::milliseconds(static_cast<long long>(timeout_seconds * 1000.0));
-    const IsolatedResult result = call_isolated([&] { return probe(name); }, limit, {"doctor", "--probe", name});
+    ProgramResult result;
+    try {
+        result = run_program(text_from(program_file()), {"doctor", "--probe", name}, limit);
+    } catch (const OutputError&) {
+        result.output = probe(name);
+    }
     const auto failed = [&](RenderFault fault, const std::string& reason) {
         std::string_view said = trimmed(result.errors);
         said = said.substr(said.find_last_of("\r\n") + 1);
         const std::string why = culprit + reason + (said.empty() ? "" : "; it said: " + std::string(said));
         return Json{{"works", false}, {"reason", why}, {"fault", static_cast<int>(fault)}};
     };
-    using End = IsolatedResult::End;
+    using End = ProgramResult::End;
     if (result.end == End::timed_out) {
         return failed(RenderFault::no_answer, " gave no answer within " + shortest(timeout_seconds) + " s");
     }
     if (result.end == End::crashed) return failed(RenderFault::crash, " crashed (signal " + std::to_string(result.code) + ")");
     Json row;
     try {
-        row = Json::parse(result.value, "the probe's answer");
+        row = Json::parse(std::string_view(result.output).substr(result.output.rfind(answer_begin) + 1), "the probe's answer");
     } catch (const InputError&) {
         // A driver ended the process before the answer was whole.
     }
@@ -286,7 +297,8 @@ std::string in_words(const Json& rows, const std::string& film_encoder) {
 ExitCode run_doctor(const DoctorOptions& options) {
     const std::string out(standard_stream);
     if (options.probe) {
-        write_output(out, probe(*options.probe));
+        end_with_input();
+        write_output(out, "\n" + probe(*options.probe));
         return ExitCode::done;
     }
     const Json rows = diagnose(options.timeout_seconds);

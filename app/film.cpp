@@ -21,10 +21,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-// The film that an interruption ends, which comes on a thread of its own.
-std::mutex& current_mutex = *new std::mutex;
-Film* current = nullptr;
-
 std::string as_text(FrameRate rate) { return std::to_string(rate.pictures) + "/" + std::to_string(rate.seconds); }
 
 void append(Words& words, const Words& more) { words.insert(words.end(), more.begin(), more.end()); }
@@ -176,28 +172,16 @@ void Film::finish() {
     finished_ = true;
 }
 
-InterruptibleFilm::InterruptibleFilm(Film& film) {
-    const std::lock_guard lock(current_mutex);
-    current = &film;
-    static std::once_flag passed;
-    std::call_once(passed, [] { pass_interrupts_to(&InterruptibleFilm::interrupt); });
+InterruptibleFilm::InterruptibleFilm(Film& film) : film_(film) {
+    interruptible_.emplace([this] {
+        given_up_ = film_.give_up();
+        return given_up_ ? film_.how_far() : "";
+    });
 }
 
 InterruptibleFilm::~InterruptibleFilm() {
-    const std::lock_guard lock(current_mutex);
-    if (!current->is_finished()) say(current->how_far());
-    current = nullptr;
-}
-
-void InterruptibleFilm::interrupt(int signal_number) {
-    const std::lock_guard lock(current_mutex);
-    std::unique_lock<std::mutex> given_up;
-    if (current != nullptr) given_up = current->give_up();
-    if (given_up) {
-        if (stderr_is_terminal()) say("");  // behind the progress bar
-        say(current->how_far());
-    }
-    end_interrupted(signal_number);  // a picture beside the film may be half written
+    interruptible_.reset();  // from now on there is nothing to say twice
+    if (!film_.is_finished()) say(film_.how_far());
 }
 
 }  // namespace sphereview

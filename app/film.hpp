@@ -8,8 +8,9 @@
 #include <string>
 
 #include "app/film_options.hpp"
+#include "app/interruptible.hpp"
 #include "base/output_file.hpp"
-#include "base/piped_program.hpp"
+#include "base/program.hpp"
 #include "image/image.hpp"
 #include "scene/camera.hpp"
 
@@ -65,7 +66,9 @@ public:
     InterruptibleFilm& operator=(const InterruptibleFilm&) = delete;
 
 private:
-    static void interrupt(int signal_number);
+    Film& film_;
+    std::unique_lock<std::mutex> given_up_{};
+    std::optional<Interruptible> interruptible_{};
 };
 
 }  // namespace sphereview

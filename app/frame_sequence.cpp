@@ -4,8 +4,11 @@
 #include <utility>
 
 #include "base/memory.hpp"
+#include "base/number.hpp"
+#include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "camera/fit.hpp"
+#include "formats/atoms.hpp"
 #include "light/light_set.hpp"
 #include "tiles/build_lists.hpp"
 
@@ -16,6 +19,15 @@ namespace {
 DataOptions with_properties(DataOptions data, const LookOptions& look) {
     for (std::string& property : properties_for(look)) data.properties.push_back(std::move(property));
     return data;
+}
+
+void append(std::string& text, double number) { text += shortest(number) + " "; }
+
+void append(std::string& text, const Camera& camera) {
+    for (const glm::dvec3& v : {camera.eye, camera.center, camera.right, camera.up}) {
+        for (int i = 0; i < 3; ++i) append(text, v[i]);
+    }
+    text += name_of(camera.projection);
 }
 
 // A few spheres of a frame, and how far the camera has turned when it sees them.
@@ -48,7 +60,7 @@ FrameSequence::FrameSequence(const std::string& path, const RenderOptions& optio
     reader_->watch({});
     progress.clear();
     if (!reader_->fault().empty()) {
-        early_end_ = reader_->fault() + "; what follows frame " + std::to_string(reader_->count() - 1) + " is passed over";
+        early_end_ = sphereview::early_end(reader_->fault(), reader_->count());
     }
     shots_ = shots_of(frames, options.frames.turntable);
 }
@@ -67,7 +79,8 @@ const LoadedScene& FrameSequence::read(std::int64_t frame) {
     SphereData data = reader_->read(frame);
     // One radius for all: made of each frame's own distances it would come and go.
     if (data.radius_of_points) {
-        reader_->set_radius(*data.radius_of_points);
+        radius_ = data.radius_of_points;
+        reader_->set_radius(*radius_);
         radius_warnings_ = data.warnings;
     }
     const std::size_t count = data.scene.spheres.size();
@@ -95,6 +108,20 @@ void FrameSequence::prepare(Progress& progress) {
     const ViewAxes axes = fitted_ ? with_hand_of(present, fit.view.value_or(present)) : axes_of(camera_);
     if (options_.frames.turntable > 0) turn_.emplace(axes, options_.frames.axis);
     if (fitted_) camera_ = fitted_camera(first, axes, progress);
+    // While frames are read these are not looked at, which may be on another thread.
+    append(shared_, camera_);  // from which the key light comes
+    for (int i = 0; options_.scale_bar && i < 3; ++i) append(shared_, middle_[i]);
+    if (look_.range) {
+        append(shared_, look_.range->low);
+        append(shared_, look_.range->high);
+    }
+    for (const std::optional<double>& number : {look_.scale, radius_}) shared_ += number ? shortest(*number) + " " : "- ";
+}
+
+std::string FrameSequence::sum_of(const Shot& shot) const {
+    std::string text = shared_ + std::to_string(shot.frame) + " ";
+    append(text, camera_of(shot));
+    return sha256(text);
 }
 
 // Sees everything in every shot.
@@ -137,13 +164,10 @@ LoadedScene FrameSequence::load(const Shot& shot) {
         if (std::ranges::find(warnings, warning) == warnings.end()) warnings.push_back(std::move(warning));
     }
     loaded.warnings = std::move(warnings);
-    loaded.scene.camera = camera_;
+    loaded.scene.camera = camera_of(shot);
     loaded.middle = middle_;
-    loaded.fitted = fitted_;
-    if (turn_) {
-        loaded.scene.camera = turn_->camera(camera_, middle_, shot.degrees);
-        loaded.scene.light.toward_key = key_direction(camera_axes(camera_));
-    }
+    loaded.fitted = fitted_ && (!options_.frames.fit_first || shot.frame == shots_.front().frame);
+    if (turn_) loaded.scene.light.toward_key = key_direction(camera_axes(camera_));
     return loaded;
 }
 

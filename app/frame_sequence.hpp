@@ -46,6 +46,10 @@ public:
     // Chooses the camera; before load(). Where it is fitted, all frames are read once. Throws as load_scene().
     void prepare(Progress& progress);
 
+    // The SHA-256 of what the other shots have to do with the picture of this one, after prepare(): the frame is seen by a camera,
+    // in ranges and with a radius that may come of them.
+    std::string sum_of(const Shot& shot) const;
+
     // The scene of a shot as the camera sees it then. Its light stays where it is in the scene while the camera turns.
     LoadedScene load(const Shot& shot);
 
@@ -56,6 +60,7 @@ private:
     // A frame as the file has it.
     const LoadedScene& read(std::int64_t frame);
     Camera fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress);
+    Camera camera_of(const Shot& shot) const { return turn_ ? turn_->camera(camera_, middle_, shot.degrees) : camera_; }
 
     const RenderOptions& options_;
     LookOptions look_;                     // with what the first frame's values gave
@@ -68,9 +73,11 @@ private:
     Camera camera_{};
     bool fitted_ = false;
     std::optional<Turn> turn_{};
+    std::string shared_{};    // by all shots: the text that sum_of() begins with
     glm::dvec3 middle_{0.0};  // of what the camera is fitted to, or of the first frame
     std::set<std::string> said_{};
-    std::vector<std::string> radius_warnings_{};  // of the frame that gave all their radius, until a picture has them
+    std::optional<double> radius_{};              // of all points, by one of the frames
+    std::vector<std::string> radius_warnings_{};  // of that frame, until a picture has them
 };
 
 }  // namespace sphereview

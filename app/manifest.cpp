@@ -1,5 +1,7 @@
 #include "app/manifest.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -41,6 +43,7 @@ ManifestEntry entry_of(std::string_view line, const std::string& name, std::size
     entry.scene = required_text(json, "scene", place);
     entry.scene_sum = required_text(json, "scene_sha256", place);
     entry.camera_sum = json["camera_sha256"].text();
+    entry.sequence_sum = json["sequence_sha256"].text();
     for (const Json& word : json["options"].list()) entry.options.push_back(word.text().value_or(""));
     entry.pixels_sum = required_text(json, "pixels_sha256", place);
     entry.file_sum = json["file_sha256"].text();
@@ -49,6 +52,24 @@ ManifestEntry entry_of(std::string_view line, const std::string& name, std::size
 }
 
 std::string_view whole_lines_of(std::string_view text) { return text.substr(0, text.rfind('\n') + 1); }
+
+std::optional<std::string> sequence_sum(const RenderJob& job) {
+    return job.sequence ? std::optional(job.sequence->sum_of(job.sequence->shots()[job.shot])) : std::nullopt;
+}
+
+std::vector<std::string> options_of_one(const std::vector<std::string>& options, bool of_sequence) {
+    constexpr auto of_others = std::to_array<std::string_view>({"--frame", "--frames", "--turntable", "--axis"});
+    if (!of_sequence) return options;
+    std::vector<std::string> rest;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        if (std::ranges::find(of_others, options[i]) != of_others.end()) {
+            ++i;  // its value
+        } else {
+            rest.push_back(options[i]);
+        }
+    }
+    return rest;
+}
 
 std::vector<ManifestEntry> entries_of(std::string_view text, const std::string& name) {
     std::vector<ManifestEntry> entries;
@@ -74,9 +95,14 @@ std::string sum_of_file(const std::string& path) {
     });
 }
 
-std::vector<ManifestEntry> read_manifest(const std::string& path) {
+std::vector<std::string> options_of_one(const ManifestEntry& entry) {
+    return options_of_one(entry.options, entry.sequence_sum.has_value());
+}
+
+ManifestLines read_manifest(const std::string& path) {
     const InputFile file(path);
-    return entries_of(file.bytes(), file.name());
+    const std::string_view text = file.bytes();
+    return {entries_of(text, file.name()), whole_lines_of(text).size() < text.size()};
 }
 
 Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs)
@@ -108,8 +134,9 @@ std::int64_t Manifest::number_of(const RenderJob& job) const {
 }
 
 bool Manifest::is_of(const ManifestEntry& entry, const RenderJob& job) const {
-    return entry.frame == number_of(job) && entry.place == job.shot && entry.scene == job.scene &&
-           entry.scene_sum == scene_sums_.at(job.scene) && entry.camera_sum == camera_sum_ && entry.options == options_.words;
+    return entry.frame == number_of(job) && entry.scene == job.scene && entry.scene_sum == scene_sums_.at(job.scene) &&
+           entry.camera_sum == camera_sum_ && entry.sequence_sum == sequence_sum(job) &&
+           options_of_one(entry) == options_of_one(options_.words, job.sequence != nullptr);
 }
 
 std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob> jobs) {
@@ -139,6 +166,7 @@ void Manifest::add(const RenderJob& job, const PictureSums& sums) {
                        {"scene", job.scene},
                        {"scene_sha256", scene_sums_.at(job.scene)},
                        {"camera_sha256", camera_sum_},
+                       {"sequence_sha256", sequence_sum(job)},
                        {"options", options_.words},
                        {"pixels_sha256", sums.pixels},
                        {"file_sha256", sums.file},

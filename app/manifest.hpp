@@ -36,21 +36,29 @@ struct ManifestEntry {
     std::size_t place = 0;  // in the sequence, from 0
     std::string scene{};
     std::string scene_sum{};
-    std::optional<std::string> camera_sum{};  // of the scene that --camera names
-    std::vector<std::string> options{};       // of `render`, that say what the picture looks like
+    std::optional<std::string> camera_sum{};    // of the scene that --camera names
+    std::optional<std::string> sequence_sum{};  // FrameSequence::sum_of(); none: a picture by itself
+    std::vector<std::string> options{};         // of `render`, that say what the picture looks like
     std::string pixels_sum{};
     std::optional<std::string> file_sum{};
     std::string version{};  // of the program
 };
 
+// The options of a picture without those that say only which other pictures there are: what of them is seen, sequence_sum tells.
+std::vector<std::string> options_of_one(const ManifestEntry& entry);
+
 // The whole lines of a manifest: one that was cut off at its end is left out. Throws InputError.
-std::vector<ManifestEntry> read_manifest(const std::string& path);
+struct ManifestLines {
+    std::vector<ManifestEntry> entries{};
+    bool is_cut_off = false;
+};
+ManifestLines read_manifest(const std::string& path);
 
 class Manifest {
 public:
     // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there, without
-    // those that say of a job's picture that it was made of something else. Throws OutputError, and InputError for scenes without a
-    // name.
+    // those that say of a job's picture that it was made of something else: then the jobs' sequences are to be prepared. Throws
+    // OutputError, and InputError for scenes without a name.
     Manifest(const RenderOptions& options, std::span<const RenderJob> jobs);
 
     // Whether there is a line for that picture.

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +18,7 @@
 #include "app/failure.hpp"
 #include "app/film.hpp"
 #include "app/frame_sequence.hpp"
+#include "app/interruptible.hpp"
 #include "app/load_scene.hpp"
 #include "app/manifest.hpp"
 #include "app/options.hpp"
@@ -45,13 +50,26 @@ struct Work {
     RenderReport report{};
     std::optional<PngReader> golden{};
     LoadedScene loaded{};
-    bool failed = false;  // its report has the error; differing from a golden image is none
+    bool failed = false;        // its report has the error; differing from a golden image is none
+    bool lacks_memory = false;  // that is the error
     Image picture{};
     Image difference{};
     std::string png{};  // where there is an output
     PictureSums sums{};
     std::vector<std::string> warnings{};  // of the picture
 };
+
+bool is_lack_of_memory(const std::exception_ptr& error) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        return true;
+    } catch (const MemoryError&) {
+        return true;
+    } catch (...) {
+        return false;
+    }
+}
 
 // Told how far a picture is, 0..1, with a note.
 using Watcher = std::function<void(double, const std::string&)>;
@@ -64,12 +82,14 @@ public:
 
     // Does the jobs and tells the person; never throws for what concerns one job alone. Returns the highest status.
     ExitCode run() {
-        const bool are_frames = std::ranges::all_of(jobs_, [](const RenderJob& job) { return job.sequence != nullptr; });
-        if (!are_frames || jobs_.size() == 1 || worker_count() == 1 || !run_several_at_once()) {
-            for (std::size_t i = 0; i < jobs_.size() && run(i); ++i) {
-            }
+        std::optional<Interruptible> interruptible;
+        if (jobs_.size() > 1 && jobs_.front().sequence && jobs_.front().output && sinks_.film == nullptr && !sinks_.reported) {
+            interruptible.emplace([this] { return how_far(); });
         }
-        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film()) say_what_failed();
+        const bool are_frames = std::ranges::all_of(jobs_, [](const RenderJob& job) { return job.sequence != nullptr; });
+        std::size_t next = are_frames && jobs_.size() > 1 && worker_count() > 1 ? run_several_at_once() : 0;
+        while (next < jobs_.size() && run(next)) ++next;
+        if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film() && !sinks_.reported) say_what_failed();
         return report_failed_ ? std::max(worst_, ExitCode::no_output) : worst_;
     }
 
@@ -90,6 +110,13 @@ private:
     // Of those that failed, in a line that people read.
     std::size_t named_count() const { return failed_.size() <= most_named + 1 ? failed_.size() : most_named; }
 
+    // For the end of the process. What is just written is waited for, unless it is a pipe that nobody reads.
+    std::string how_far() {
+        constexpr std::chrono::seconds patience{1};
+        nothing_more_ = std::unique_lock(delivering_, patience);
+        return "sphereview: interrupted; " + in_groups(done_) + " of " + in_groups(jobs_.size()) + " pictures were done";
+    }
+
     bool run(std::size_t place) {
         Work work;
         begin(place, work);
@@ -102,17 +129,22 @@ private:
         return deliver(work);
     }
 
-    // Reading of one frame, tracing of others, and writing overlap. False where there can be no threads for that.
-    bool run_several_at_once() {
+    // Reading of one frame, tracing of others, and writing overlap. Returns the place of the first job that is to be done alone:
+    // there is no memory for several, or there can be no threads.
+    std::size_t run_several_at_once() {
+        const int cores = worker_count();
+        // One waits for the GPU while all cores have work.
+        const int threads = options_.backend == Backend::cpu ? cores : cores + 1;
+        // What the C library reserves of addresses for a thread, one that does all alone needs not.
+        constexpr std::uint64_t bytes_of_a_thread = std::uint64_t{1} << 26;
+        if (address_space_left().value_or(usual_room * 4) < static_cast<std::uint64_t>(threads + 1) * bytes_of_a_thread) return 0;
         Errands errands;
         errands_ = &errands;
         std::vector<std::unique_ptr<Work>> all(jobs_.size());
         // How much of each picture is made, 0..1. Not in its Work, which another thread may just set up.
         std::vector<std::atomic<double>> parts(jobs_.size());
-        const int cores = worker_count();
-        // One waits for the GPU while all cores have work.
-        const int threads = options_.backend == Backend::cpu ? cores : cores + 1;
         const std::uint64_t memory = available_memory().value_or(usual_room * 4);
+        std::size_t next = 0;
         const auto part_done = [&](double places) { return places / static_cast<double>(jobs_.size()); };
         const auto make_one = [&](std::size_t place) {
             make(*all[place], [&part = parts[place]](double done, const std::string&) { part = done; });
@@ -121,6 +153,7 @@ private:
         const OrderedWork steps{jobs_.size(),
                                 [&](std::size_t place) {
                                     all[place] = std::make_unique<Work>();
+                                    if (sinks_.reported) give_way();
                                     begin(place, *all[place]);
                                     // Where all cores can have a frame of their own, no thread waits for another.
                                     keep_loops_on_this_thread(most_at_once(memory, threads) >= static_cast<std::size_t>(cores));
@@ -128,17 +161,23 @@ private:
                                 make_one,
                                 [&](std::size_t place) {
                                     progress_.clear();
+                                    if (all[place]->lacks_memory) return false;
                                     const bool goes_on = deliver(*all[place]);
+                                    next = goes_on ? place + 1 : jobs_.size();
                                     all[place].reset();
                                     progress_.update(part_done(static_cast<double>(place + 1)));
                                     return goes_on;
                                 },
                                 [&](std::size_t place) { progress_.update(part_done(static_cast<double>(place) + parts[place])); },
                                 [&] { return most_at_once(memory, threads); }};
-        const bool possible = do_in_order(steps, threads, errands);
+        try {
+            do_in_order(steps, threads, errands);
+        } catch (const std::bad_alloc&) {
+            // Those that are delivered are done.
+        }
         errands_ = nullptr;
         progress_.clear();
-        return possible;
+        return next;
     }
 
     // As many frames like the last one as fit in the room for them.
@@ -162,6 +201,7 @@ private:
             work.report.status = failure.code;
             work.report.error = failure.message;
             work.failed = true;
+            work.lacks_memory = is_lack_of_memory(std::current_exception());
         }
     }
 
@@ -197,18 +237,11 @@ private:
 
     // Writes, and says what there is to say. False where nothing more is to be done.
     bool deliver(Work& work) {
+        const std::lock_guard lock(delivering_);
         RenderReport& report = work.report;
         const RenderJob& job = report.job;
-        if (job.sequence) {
-            for (const std::string& line : job.sequence->not_said(work.loaded.warnings)) say(line);
-            for (const std::string& line : job.sequence->not_said(work.loaded.look.lines)) say(line);
-        } else {
-            say_warnings(work.loaded);
-        }
-        for (const std::string& warning : work.warnings) {
-            say(warning);
-            report.warnings.push_back(warning);
-        }
+        if (!sinks_.reported) say_what_was_found(work);
+        report.warnings.insert(report.warnings.end(), work.warnings.begin(), work.warnings.end());
         attempt(work, [&] {
             if (sinks_.film != nullptr) timed(report.timings, Phase::encode, [&] { sinks_.film->add(work.picture); });
             if (job.output) {
@@ -219,7 +252,11 @@ private:
             if (sinks_.manifest != nullptr) sinks_.manifest->add(job, work.sums);
             if (job.diff) write_output(*job.diff, encode_png(work.difference), options_.durability, missing_folder(*options_.diff));
         });
-        print_words(report, options_);
+        if (sinks_.reported) {
+            sinks_.reported(report);
+        } else {
+            print_words(report, options_);
+        }
         if (options_.json && !report_failed_) print_json_if_possible(report);
         if (report.status == ExitCode::done) {
             ++done_;
@@ -230,6 +267,16 @@ private:
         // What one picture of a sequence met, the next ones would meet as well.
         cannot_write_ = job.sequence && report.status == ExitCode::no_output;
         return !has_ended_film() && !cannot_write_;
+    }
+
+    static void say_what_was_found(const Work& work) {
+        if (const auto& sequence = work.report.job.sequence) {
+            for (const std::string& line : sequence->not_said(work.loaded.warnings)) say(line);
+            for (const std::string& line : sequence->not_said(work.loaded.look.lines)) say(line);
+        } else {
+            say_warnings(work.loaded);
+        }
+        for (const std::string& warning : work.warnings) say(warning);
     }
 
     bool has_ended_film() const { return sinks_.film != nullptr && worst_ != ExitCode::done; }
@@ -347,7 +394,9 @@ private:
     Errands* errands_ = nullptr;  // of other threads, where several frames are on their way
     std::size_t spheres_of_last_ = 0;
     ExitCode worst_ = ExitCode::done;
-    std::size_t done_ = 0;
+    std::atomic<std::size_t> done_ = 0;
+    std::timed_mutex delivering_{};
+    std::unique_lock<std::timed_mutex> nothing_more_{};  // is delivered
     std::vector<std::string> failed_{};
     bool cannot_write_ = false;  // a picture of a sequence, which ends it
     bool report_failed_ = false;

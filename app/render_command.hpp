@@ -1,6 +1,7 @@
 // Rendering what is planned.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "app/failure.hpp"
@@ -12,11 +13,15 @@ namespace sphereview {
 
 class Film;
 class Manifest;
+struct RenderReport;
 
 // Where pictures go besides their files.
 struct RenderSinks {
     Film* film = nullptr;  // the first picture that fails ends it, and the work
     Manifest* manifest = nullptr;
+    // Where there is a window and no terminal: told of each picture in its turn, with what there is to say of it. The threads give
+    // way to others. May throw, which ends the work.
+    std::function<void(const RenderReport&)> reported{};
 };
 
 // Does the jobs one after the other, whose sequences are prepared; what concerns one alone does not stop the others, but a picture

@@ -65,8 +65,14 @@ ExitCode run_render(const RenderOptions& asked_for) {
     Progress progress;
     const auto sequences = open_sequences(options, progress);
     std::vector<RenderJob> jobs = plan_render(options, sequences);
+    const auto prepare = [&] {
+        for (const auto& sequence : sequences) sequence->prepare(progress);
+    };
     std::optional<Manifest> manifest;
     leave_out_other_parts(jobs, options);
+    // What is there is compared with what would be made.
+    const bool prepares_first = options.frames.manifest && options.frames.skip_existing;
+    if (prepares_first) prepare();
     if (options.frames.manifest) manifest.emplace(options, jobs);
     leave_out_existing(jobs, options, manifest ? &*manifest : nullptr);
     if (jobs.empty()) return ExitCode::done;
@@ -75,7 +81,7 @@ ExitCode run_render(const RenderOptions& asked_for) {
     if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
     std::optional<InterruptibleFilm> interruptible;
     if (options.film.movie) interruptible.emplace(*film);
-    for (const auto& sequence : sequences) sequence->prepare(progress);
+    if (!prepares_first) prepare();
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);
     if (film && status == ExitCode::done) film->finish();

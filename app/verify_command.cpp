@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <random>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -26,7 +27,7 @@ namespace sphereview {
 namespace {
 
 // Spread evenly, from a random place on: who made the pictures cannot know which are looked at.
-std::vector<ManifestEntry> sample_of(std::vector<ManifestEntry> entries, const SampleSize& size) {
+std::vector<ManifestEntry> sample_of(const std::vector<ManifestEntry>& entries, const SampleSize& size) {
     const auto all = static_cast<double>(entries.size());
     const double wanted = std::clamp(size.is_percent ? std::ceil(all * size.number / 100.0) : size.number, 1.0, all);
     const auto count = static_cast<std::size_t>(wanted);
@@ -45,19 +46,54 @@ void require_sum(const std::string& file, const std::string& sum) {
     throw InputError(file + ": found another file than the pictures were made of: its SHA-256 is " + found + ", expected " + sum);
 }
 
+bool is_here(const std::string& file) {
+    std::FILE* there = open_file(file, "rb");
+    if (there == nullptr) return false;
+    std::fclose(there);
+    return true;
+}
+
 // Whether the picture's file, if it is here, is as it was written.
 bool is_file_unchanged(const ManifestEntry& entry) {
-    if (!entry.picture || !entry.file_sum) return true;
-    std::FILE* there = open_file(*entry.picture, "rb");
-    if (there == nullptr) return true;
-    std::fclose(there);
+    if (!entry.picture || !entry.file_sum || !is_here(*entry.picture)) return true;
     if (sum_of_file(*entry.picture) == *entry.file_sum) return true;
     say(*entry.picture + ": the file differs from the one that was written");
     return false;
 }
 
-// Pictures of one scene and one camera by the same options.
-ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOptions& verify, Progress& progress) {
+// "3 of 10 pictures WHAT: a, b and 1 more"; nothing where there are none.
+void say_which(const std::vector<std::string>& some, std::size_t all, const std::string& what) {
+    constexpr std::size_t most_named = 10;
+    if (some.empty()) return;
+    say(in_groups(some.size()) + " of " + in_groups(all) + " pictures " + what + ": " + joined(first_of(some, most_named), "; "));
+}
+
+// They may be elsewhere: that is no difference.
+void say_which_are_not_here(const std::vector<ManifestEntry>& entries) {
+    std::vector<std::string> missing;
+    for (const ManifestEntry& entry : entries) {
+        if (entry.picture && !is_here(*entry.picture)) missing.push_back(*entry.picture);
+    }
+    say_which(missing, entries.size(), "are not here");
+}
+
+// Those of the sequence that none of the entries is of, by the same options: they may have been made by others.
+void say_which_have_no_line(const FrameSequence& sequence, const ManifestEntry& example,
+                            const std::vector<ManifestEntry>& entries) {
+    std::set<std::int64_t> known;
+    for (const ManifestEntry& entry : entries) {
+        if (entry.scene == example.scene && options_of_one(entry) == options_of_one(example)) known.insert(entry.frame);
+    }
+    std::vector<std::string> missing;
+    for (const Shot& shot : sequence.shots()) {
+        if (!known.contains(shot.number)) missing.push_back(example.scene + ", " + std::to_string(shot.number));
+    }
+    say_which(missing, sequence.shots().size(), "have no line");
+}
+
+// Pictures of one scene and one camera by the same options, some of `all` entries.
+ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vector<ManifestEntry>& all, const VerifyOptions& verify,
+                      Progress& progress) {
     const ManifestEntry& first = entries.front();
     RenderOptions options = verify.parse_render(first.scene, first.options);
     if (verify.backend) options.backend = *verify.backend;
@@ -66,6 +102,7 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOpt
     std::shared_ptr<FrameSequence> sequence;
     if (options.frames.several()) {
         sequence = std::make_shared<FrameSequence>(first.scene, options, progress);
+        say_which_have_no_line(*sequence, first, all);
         sequence->prepare(progress);
     }
     ExitCode worst = ExitCode::done;
@@ -97,17 +134,18 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const VerifyOpt
 }  // namespace
 
 ExitCode run_verify(const VerifyOptions& options) {
-    std::vector<ManifestEntry> entries;
+    std::vector<ManifestEntry> all;
     for (const std::string& path : options.manifests) {
-        const std::vector<ManifestEntry> some = read_manifest(path);
+        const auto [some, is_cut_off] = read_manifest(path);
         if (some.empty()) throw InputError(path + ": found no whole line, expected one for each picture");
         if (some.front().version != version) {
             say(path + ": the pictures are by sphereview " + some.front().version + ", this is " + std::string(version));
         }
-        entries.insert(entries.end(), some.begin(), some.end());
+        if (is_cut_off) say(place_in(path, {some.size() + 1, 1}) + "the line is cut off: its picture is not looked at");
+        all.insert(all.end(), some.begin(), some.end());
     }
-    const std::size_t all = entries.size();
-    entries = sample_of(std::move(entries), options.sample);
+    say_which_are_not_here(all);
+    const std::vector<ManifestEntry> entries = sample_of(all, options.sample);
     // With the sums: manifests may be from before and after a change of a file.
     using MadeOf = std::tuple<std::string, std::string, std::optional<std::string>, std::vector<std::string>>;
     std::map<MadeOf, std::vector<ManifestEntry>> groups;
@@ -116,9 +154,10 @@ ExitCode run_verify(const VerifyOptions& options) {
     }
     Progress progress;
     ExitCode worst = ExitCode::done;
-    for (const auto& [made_of, alike] : groups) worst = std::max(worst, verify_alike(alike, options, progress));
-    write_output(std::string(standard_stream), in_groups(entries.size()) + " of " + in_groups(all) + " pictures rendered again: " +
-                                                   (worst == ExitCode::done ? "all are equal" : "not all are equal") + "\n");
+    for (const auto& [made_of, alike] : groups) worst = std::max(worst, verify_alike(alike, all, options, progress));
+    write_output(std::string(standard_stream),
+                 in_groups(entries.size()) + " of " + in_groups(all.size()) +
+                     " pictures rendered again: " + (worst == ExitCode::done ? "all are equal" : "not all are equal") + "\n");
     return worst;
 }
 

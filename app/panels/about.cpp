@@ -2,8 +2,6 @@
 
 #include <imgui.h>
 
-#include <algorithm>
-
 #include "base/text.hpp"
 #include "panels/widgets.hpp"
 
@@ -37,22 +35,17 @@ void draw_about(const PanelContext& context, About& about, const std::string& na
                 const std::string& renderer) {
     if (!about.shown) return;
     if (about.lines.empty() && licenses != nullptr) about.lines = lines_of(licenses());
-    const ImGuiViewport* viewport = ImGui::GetMainViewport();
-    const ImVec2 size(std::min(720.0F * context.scale, 0.95F * viewport->WorkSize.x),
-                      std::min(560.0F * context.scale, 0.9F * viewport->WorkSize.y));
-    ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
-    if (ImGui::Begin("About sphereview###about", &about.shown, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    if (begin_text_window(context, "About sphereview###about", about.shown, {720.0F, 560.0F})) {
         draw_heading(context, name_and_version, "Ray traced spheres, exact to the pixel");
         const std::string facts = "Renderer: " + renderer + "\nDear ImGui " + ImGui::GetVersion();
         wrapped_text(facts);
-        if (ImGui::Button("Copy")) ImGui::SetClipboardText((name_and_version + "\n" + facts + "\n").c_str());
-        note_widget(context, "about copy");
-        explain_item("Copies the version and the renderer, for a report");
+        if (draw_button(context, "Copy", "about copy", "Copies the version and the renderer, for a report")) {
+            ImGui::SetClipboardText((name_and_version + "\n" + facts + "\n").c_str());
+        }
         ImGui::Spacing();
         dim_text("The licences of this program and of the parts of others in it:");
         draw_licenses(about.lines);
-        note_rectangle(context, "about", ImGui::GetWindowPos(), ImGui::GetWindowSize());
+        note_window(context, "about");
     }
     ImGui::End();
 }

@@ -121,19 +121,11 @@ private:
 
     void draw_projection() {
         begin_field(context_, "projection");
-        const bool open = ImGui::BeginCombo("##projection", std::string(name_of(camera_.projection)).c_str());
-        note_widget(context_, "projection");
-        if (!open) return;
-        for (std::size_t i = 0; i < projection_names.size(); ++i) {
-            const auto projection = static_cast<Projection>(i);
-            const std::string name(projection_names.at(i));
-            if (ImGui::Selectable(name.c_str(), projection == camera_.projection) && projection != camera_.projection) {
-                const double depth = depth_of(camera_, context_.bounds.middle());
-                change(with_projection(camera_, projection, depth > 0.0 ? depth : 1.0), "Change the projection", 0);
-            }
-            note_widget(context_, "projection " + name);
-        }
-        ImGui::EndCombo();
+        const std::vector<std::string> words(projection_names.begin(), projection_names.end());
+        const auto chosen = draw_choice(context_, "projection", words, static_cast<std::size_t>(camera_.projection));
+        if (!chosen) return;
+        const double depth = depth_of(camera_, context_.bounds.middle());
+        change(with_projection(camera_, static_cast<Projection>(*chosen), depth > 0.0 ? depth : 1.0), "Change the projection", 0);
     }
 
     const PanelContext& context_;

@@ -1,5 +1,5 @@
-// Everything a menu offers, with its shortcut: for the menus, the keys and the help. The table is in viewer/perform.cpp, beside
-// what each command does.
+// Everything a menu offers, with its shortcut: for the menus, the keys and the help. The table is in viewer/command_table.cpp,
+// beside what each command does.
 #pragma once
 
 #include <optional>

@@ -34,19 +34,17 @@ void draw_difference(const PanelContext& context, const ComparisonWords& compari
 
 void draw_shares(const PanelContext& context, const ComparisonWords& comparison) {
     if (!ImGui::BeginTable("shares", 3, ImGuiTableFlags_None)) return;
-    const float side = ImGui::GetTextLineHeight();
     float widest = 0.0F;
     for (const ComparisonWords::Share& share : comparison.shares) {
         widest = std::max(widest, width_of(in_groups(static_cast<std::uint64_t>(share.pixels))));
     }
-    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, side);
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, ImGui::GetTextLineHeight());
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     for (const ComparisonWords::Share& share : comparison.shares) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        draw_swatch(share.mark, ImGui::GetCursorScreenPos(), side, context.scale);
-        ImGui::Dummy({side, side});
+        draw_swatch(context, share.mark);
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(in_groups(static_cast<std::uint64_t>(share.pixels)).c_str());
         ImGui::TableNextColumn();
@@ -59,9 +57,8 @@ void draw_examples(const PanelContext& context, const ComparisonWords& compariso
     for (std::size_t i = 0; i < comparison.examples.size(); ++i) {
         const ComparisonWords::Example& example = comparison.examples[i];
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Button("Explain")) go_to(context, comparison, example.pixel);
-        note_widget(context, "example " + std::to_string(i));
-        explain_item("Pins this pixel in the inspector, seen by the scene's own camera");
+        const std::string help = "Pins this pixel in the inspector, seen by the scene's own camera";
+        if (draw_button(context, "Explain", "example " + std::to_string(i), help)) go_to(context, comparison, example.pixel);
         ImGui::SameLine();
         draw_words(example.words);
         ImGui::PopID();
@@ -81,7 +78,7 @@ void draw_comparison(const PanelContext& context, const ComparisonWords& compari
     const bool drawn = ImGui::Begin(title.c_str(), &open, flags);
     ImGui::PopStyleVar();
     if (drawn) {
-        note_rectangle(context, "comparison", ImGui::GetWindowPos(), ImGui::GetWindowSize());
+        note_window(context, "comparison");
         draw_words(comparison.counts);
         for (const std::string& line : comparison.verdict) {
             if (&line == comparison.verdict.data()) {

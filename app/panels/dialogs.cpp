@@ -101,6 +101,16 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
 
 }  // namespace
 
+Question replace_question(const std::string& title, const std::string& text, std::function<void(bool)> answer) {
+    return {.id = "replace",
+            .title = title,
+            .text = text,
+            .answers = {"Replace", "Cancel"},
+            .cancel = 1,
+            .answer = [answer = std::move(answer)](int number) { answer(number == 0); },
+            .focused = 1};
+}
+
 void draw_fault(const std::string& text, float width) {
     if (text.empty()) return;
     ImGui::PushStyleColor(ImGuiCol_Text, on_panel({1.0F, 0.48F, 0.44F, 1.0F}));
@@ -149,13 +159,22 @@ void draw_size(const PanelContext& context, FileBrowser& browser) {
     ImGui::TextUnformatted("x");
     ImGui::SameLine();
     draw_side(context, "height", browser.size->height);
-    for (const PictureSize preset : {PictureSize{1000, 1000}, PictureSize{1920, 1080}, PictureSize{3840, 2160}}) {
-        if (ImGui::SmallButton(text_of(preset).c_str())) browser.size = preset;
-        note_widget(context, "export " + text_of(preset));
-        ImGui::SameLine();
+    constexpr const char* usual = "Usual sizes";
+    const float width = width_of(usual) + 2.0F * ImGui::GetFrameHeight();
+    if (!same_line_within(width) && browser.film) ImGui::SetCursorPosX(left_of_film_fields());
+    ImGui::SetNextItemWidth(width);
+    const bool open = ImGui::BeginCombo("##sizes", usual);
+    note_widget(context, "export sizes");
+    if (!open) return;
+    const auto offer = [&](const std::string& words, const std::string& widget, PictureSize size) {
+        if (ImGui::Selectable(words.c_str(), *browser.size == size)) browser.size = size;
+        note_widget(context, widget);
+    };
+    for (const PictureSize size : {PictureSize{1000, 1000}, PictureSize{1920, 1080}, PictureSize{3840, 2160}}) {
+        offer(text_of(size), "export " + text_of(size), size);
     }
-    if (ImGui::SmallButton(("As in the window: " + text_of(browser.view) + "###view").c_str())) browser.size = browser.view;
-    note_widget(context, "export view");
+    offer("As in the window: " + text_of(browser.view), "export view", browser.view);
+    ImGui::EndCombo();
 }
 
 std::string id_of(const Dialog& dialog) {

@@ -27,6 +27,9 @@ struct Question {
     int focused = 0;
 };
 
+// Whether what is there may be replaced: `answer` gets true for yes. Enter alone says no.
+Question replace_question(const std::string& title, const std::string& text, std::function<void(bool)> answer);
+
 // What a folder holds.
 struct FileEntry {
     std::string name;
@@ -61,9 +64,9 @@ struct FileKind {
 // The file dialog. `accept` gets an absolute path; a new one only when `saving`, an existing one then only when the person agrees
 // to replace it. With a `size` the file is a picture, whose size is chosen, too: at first that one; with a `film` as well it is a
 // film, or several pictures. Widgets: those of panels/film_form.hpp, "browser path",
-// "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0", "browser hidden", "browser kind", "kind
-// TOML", "browser sort name" ("size", "date"), "entry NAME", "export width", "export height", "export 1920 x 1080", "export view",
-// "export marks".
+// "browser name", "browser ok", "browser cancel", "browser up", "browser home", "place 0", "browser hidden", "browser kind",
+// "browser kind TOML (.toml)", "browser sort name" ("size", "date"), "entry NAME", "export width", "export height", "export sizes",
+// "export 1920 x 1080", "export view", "export marks".
 struct FileBrowser {
     bool saving = false;  // a name may be new
     std::string title;
@@ -92,6 +95,7 @@ struct FileBrowser {
     bool hidden_files = false;                                  // shown too
     bool to_top = false;                                        // the list begins at its top in the next frame
     std::string typed_folder;                                   // what the path box holds
+    float below_list = 0.0F;                                    // how high what stands below the list was
     enum class Focus { none, name, path } focus = Focus::name;  // the box that gets the keyboard in the next frame
 };
 
@@ -129,7 +133,7 @@ struct Decision {
 Decision draw_content(const PanelContext& context, Question& question, const DialogKeys& keys, Dialogs& dialogs);
 Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs);
 
-// Draws the fields and buttons for the size, on two lines.
+// Draws the fields for the size, on a line.
 void draw_size(const PanelContext& context, FileBrowser& browser);
 
 // Draws the text in red, a few lines high at most; nothing for "". fault_height(): of what is drawn, in pixels.

@@ -8,19 +8,6 @@
 
 namespace sphereview {
 
-namespace {
-
-struct TextPlace {
-    ImVec2 low;
-    ImVec2 high;
-
-    bool overlaps(const TextPlace& other) const {
-        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
-    }
-};
-
-}  // namespace
-
 ImU32 faded(const ImVec4& color, float opacity) {
     return ImGui::ColorConvertFloat4ToU32({color.x, color.y, color.z, color.w * opacity});
 }
@@ -99,12 +86,20 @@ void Canvas::fill(const std::vector<glm::dvec2>& points, ImU32 color) const {
     list_->AddConvexPolyFilled(places.data(), static_cast<int>(places.size()), color);
 }
 
-void Canvas::point(const glm::dvec2& place, float radius, ImU32 color, bool filled) const {
+void Canvas::point(const glm::dvec2& place, float radius, ImU32 color, bool filled) {
     const ImVec2 middle = at(place);
     // What lies below shines through no point.
     list_->AddCircleFilled(middle, radius * scale_, ImGui::GetColorU32(ImGuiCol_WindowBg));
     if (filled) list_->AddCircleFilled(middle, radius * scale_, color);
     list_->AddCircle(middle, radius * scale_, filled ? text_color(1.0F) : color, 0, 1.5F * scale_);
+    keep_free(middle, radius);
+}
+
+void Canvas::keep_free(ImVec2 middle, float radius) {
+    const float half = 0.7F * radius * scale_;  // the square in the disc: a corner beside it covers nothing
+    const Box box{{middle.x - half, middle.y - half}, {middle.x + half, middle.y + half}};
+    note_rectangle(context_, name_ + " mark " + std::to_string(taken_.size()), box.low, {2.0F * half, 2.0F * half});
+    taken_.push_back(box);
 }
 
 void Canvas::text(ImVec2 place, float across, float down, const std::string& words, ImU32 color, Importance importance) {
@@ -114,7 +109,6 @@ void Canvas::text(ImVec2 place, float across, float down, const std::string& wor
 void Canvas::draw_texts() {
     std::ranges::stable_sort(texts_, {}, &Text::importance);
     const float margin = 3.0F * scale_;
-    std::vector<TextPlace> taken;
     for (const Text& text : texts_) {
         const ImVec2 size = ImGui::CalcTextSize(text.words.c_str());
         if (size.x > size_.x - 2.0F * margin || size.y > size_.y - 2.0F * margin) continue;
@@ -124,22 +118,22 @@ void Canvas::draw_texts() {
             };
             const ImVec2 corner{inside(text.place.x - across * size.x, low_.x, high().x, size.x),
                                 inside(text.place.y + (lines - down) * size.y, low_.y, high().y, size.y)};
-            return TextPlace{{corner.x - 2.0F * scale_, corner.y}, {corner.x + size.x + 2.0F * scale_, corner.y + size.y}};
+            return Box{{corner.x - 2.0F * scale_, corner.y}, {corner.x + size.x + 2.0F * scale_, corner.y + size.y}};
         };
-        const auto is_free = [&](const TextPlace& place) {
-            return std::ranges::none_of(taken, [&](const TextPlace& other) { return place.overlaps(other); });
+        const auto is_free = [&](const Box& place) {
+            return std::ranges::none_of(taken_, [&](const Box& other) { return place.overlaps(other); });
         };
-        std::optional<TextPlace> found;
+        std::optional<Box> found;
         for (const float lines : {0.0F, 1.0F, -1.0F}) {
             for (const float across : {text.across, 1.0F - text.across}) {
                 for (const float down : {text.down, 1.0F - text.down}) {
-                    const TextPlace place = at(across, down, lines);
+                    const Box place = at(across, down, lines);
                     if (!found && is_free(place)) found = place;
                 }
             }
         }
         if (!found) continue;
-        taken.push_back(*found);
+        taken_.push_back(*found);
         list_->AddRectFilled(found->low, found->high, faded(ImGui::GetStyleColorVec4(ImGuiCol_WindowBg), 0.62F), 2.0F * scale_);
         list_->AddText({found->low.x + 2.0F * scale_, found->low.y}, text.color, text.words.c_str());
         note_rectangle(context_, name_ + " text " + text.words, found->low, {found->high.x - found->low.x, size.y});

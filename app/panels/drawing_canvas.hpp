@@ -48,7 +48,9 @@ public:
     void dashes(const glm::dvec2& from, const glm::dvec2& to, ImU32 color, float thickness) const;
     void curve(const std::vector<glm::dvec2>& points, ImU32 color, float thickness, bool dashed = false) const;
     void fill(const std::vector<glm::dvec2>& points, ImU32 color) const;
-    void point(const glm::dvec2& place, float radius, ImU32 color, bool filled) const;
+    void point(const glm::dvec2& place, float radius, ImU32 color, bool filled);
+    // No text is written over a disc there, such as a point. Noted as "NAME mark 0" and so on.
+    void keep_free(ImVec2 middle, float radius);
     // Notes a text, which is drawn above all else once the drawing is complete. `across`, `down`: which part of the text is to lie
     // at the place: 0 its left or upper edge, 1 its right or lower.
     void text(ImVec2 place, float across, float down, const std::string& words, ImU32 color, Importance importance);
@@ -66,13 +68,23 @@ private:
         ImU32 color;
         Importance importance;
     };
-    // The most important first: each inside and free of those before, beside its place or, where there is no room, not at all.
-    // Noted as "NAME text WORDS".
+    // The most important first: each inside and free of marks and of those before, beside its place or, where there is no room, not
+    // at all. Noted as "NAME text WORDS".
     void draw_texts();
+
+    struct Box {
+        ImVec2 low;
+        ImVec2 high;
+
+        bool overlaps(const Box& other) const {
+            return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+        }
+    };
 
     const PanelContext& context_;
     std::string name_;
     std::vector<Text> texts_;
+    std::vector<Box> taken_;  // by marks, then by texts as well
     SectionWindow window_;
     float scale_;
     ImVec2 low_;

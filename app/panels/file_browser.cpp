@@ -2,6 +2,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -87,18 +88,12 @@ Decision refuse(FileBrowser& browser, const std::string& why, FileBrowser::Focus
 // To go away and call `accept`; where a file would be replaced, only once the person agrees.
 Decision accept_file(Dialogs& dialogs, const std::string& path, bool replaces, std::function<void()> accept) {
     if (!replaces) return {true, std::move(accept)};
-    Question question;
-    question.id = "replace";
-    question.title = "Replace the file?";
-    question.text = shown_text(path) + "\n\nexists already.";
-    question.answers = {"Replace", "Cancel"};
-    question.cancel = 1;
-    question.focused = 1;
-    question.answer = [&dialogs, accept = std::move(accept)](int number) {
-        if (number != 0) return;
+    const auto answer = [&dialogs, accept = std::move(accept)](bool agreed) {
+        if (!agreed) return;
         dialogs.pop_back();
         accept();
     };
+    Question question = replace_question("Replace the file?", shown_text(path) + "\n\nexists already.", answer);
     return {false, [&dialogs, question = std::move(question)] { dialogs.emplace_back(question); }};
 }
 
@@ -301,26 +296,18 @@ void follow_name(FileBrowser& browser) {
     if (browser.saving && named != browser.kinds.end()) browser.kind = static_cast<std::size_t>(named - browser.kinds.begin());
 }
 
-void draw_kinds(const PanelContext& context, FileBrowser& browser, float width) {
-    ImGui::SetNextItemWidth(width);
-    const bool open = ImGui::BeginCombo("##kind", label_of(browser.kinds[browser.kind]).c_str());
-    note_widget(context, "browser kind");
-    if (!open) return;
-    for (std::size_t i = 0; i < browser.kinds.size(); ++i) {
-        if (ImGui::Selectable(label_of(browser.kinds[i]).c_str(), i == browser.kind)) choose_kind(browser, i);
-        note_widget(context, "kind " + browser.kinds[i].name);
-    }
-    ImGui::EndCombo();
-}
-
 void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
-    float kinds = 0.0F;
-    for (const FileKind& kind : browser.kinds) kinds = std::max(kinds, width_of(label_of(kind)) + 2.0F * ImGui::GetFrameHeight());
-    kinds = browser.kinds.size() > 1 ? std::min(kinds, 0.4F * width) : 0.0F;
+    std::vector<std::string> kinds;
+    float kinds_width = 0.0F;
+    for (const FileKind& kind : browser.kinds) {
+        kinds.push_back(label_of(kind));
+        kinds_width = std::max(kinds_width, width_of(kinds.back()) + 2.0F * ImGui::GetFrameHeight());
+    }
+    kinds_width = kinds.size() > 1 ? std::min(kinds_width, 0.4F * width) : 0.0F;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-(kinds > 0.0F ? kinds + ImGui::GetStyle().ItemSpacing.x : 1.0F));
+    ImGui::SetNextItemWidth(-(kinds_width > 0.0F ? kinds_width + ImGui::GetStyle().ItemSpacing.x : 1.0F));
     if (ImGui::IsWindowAppearing()) browser.focus = FileBrowser::Focus::name;
     focus_next(browser, FileBrowser::Focus::name);
     if (text_box(browser, "##name", browser.name, ImGuiInputTextFlags_AutoSelectAll)) {
@@ -329,15 +316,35 @@ void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
         follow_name(browser);
     }
     note_widget(context, "browser name");
-    if (kinds <= 0.0F) return;
+    if (kinds_width <= 0.0F) return;
     ImGui::SameLine();
-    draw_kinds(context, browser, kinds);
+    ImGui::SetNextItemWidth(kinds_width);
+    if (const auto chosen = draw_choice(context, "browser kind", kinds, browser.kind)) choose_kind(browser, *chosen);
 }
 
 void draw_marks(const PanelContext& context, MarksChoice& marks) {
     ImGui::Checkbox(("With " + marks.words).c_str(), &marks.drawn);
     note_widget(context, "export marks");
     explain_item("What the window shows over its picture");
+}
+
+// All but the buttons. The list takes what the rest leaves. Returns the entry that was clicked, with how.
+std::pair<Clicked, FileEntry> draw_form(const PanelContext& context, FileBrowser& browser) {
+    draw_path(context, browser);
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float fewest = browser.film ? 2.0F : 5.0F;  // lines: a film's form leaves less room in a small window
+    const float room = ImGui::GetContentRegionAvail().y - browser.below_list - ImGui::GetStyle().ItemSpacing.y;
+    const float height = std::max(fewest * ImGui::GetTextLineHeightWithSpacing(), std::floor(room));
+    draw_places(context, browser, {0.22F * width, height});
+    ImGui::SameLine();
+    auto clicked = draw_entries(context, browser, height);
+    const float below = ImGui::GetCursorPosY();
+    draw_name(context, browser, width);
+    if (browser.size) draw_size(context, browser);
+    if (browser.marks) draw_marks(context, *browser.marks);
+    if (browser.film) draw_film_form(context, *browser.film);
+    browser.below_list = ImGui::GetCursorPosY() - below;
+    return clicked;
 }
 
 }  // namespace
@@ -347,35 +354,27 @@ Decision draw_content(const PanelContext& context, FileBrowser& browser, const D
         browser.hidden_files != browser.listed_hidden || (!browser.saving && browser.kind != browser.listed_kind);
     if (browser.listed_folder.empty() || browser.folder != browser.listed_folder || other_files) enter_nearest(browser);
     if (browser.film) judge(*browser.film, text_from(chosen_file(browser)));
-    draw_path(context, browser);
+    // What is wrong and the buttons stay in sight, whatever of the rest has to be scrolled.
     const float width = ImGui::GetContentRegionAvail().x;
-    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
-    // The name, the buttons and what is wrong stand below the list; that line is always there, so that nothing jumps.
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
     const std::string unfit = fault_of_choice(browser);
     const std::string& fault = browser.error.empty() ? unfit : browser.error;
-    const float error_height = std::max(fault_height(fault, width), ImGui::GetTextLineHeight());
-    const float size_height = browser.size ? ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() : 0.0F;
-    const float marks_height = browser.marks ? ImGui::GetFrameHeightWithSpacing() : 0.0F;
-    const float film_height = browser.film ? height_of_film_form(*browser.film, width) : 0.0F;
-    const float ends = form_end_width(context) + spacing.x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+    const float told_height = std::max(fault_height(fault, width), ImGui::GetTextLineHeight());
+    const float ends =
+        form_end_width(context) + ImGui::GetStyle().ItemSpacing.x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
     const bool hidden_beside = width >= ends + width_of(hidden_files_label);
-    const float hidden_height = hidden_beside ? 0.0F : ImGui::GetFrameHeightWithSpacing();
-    const float below =
-        2.0F * ImGui::GetFrameHeight() + size_height + marks_height + film_height + error_height + hidden_height + 3.0F * spacing.y;
-    const float fewest = browser.film ? 3.0F : 5.0F;  // lines: a film's form leaves less room in a small window
-    const float height = std::max(fewest * ImGui::GetTextLineHeightWithSpacing(), ImGui::GetContentRegionAvail().y - below);
-    draw_places(context, browser, {0.22F * width, height});
-    ImGui::SameLine();
-    const auto [clicked, entry] = draw_entries(context, browser, height);
-    draw_name(context, browser, width);
-    if (browser.size) draw_size(context, browser);
-    if (browser.marks) draw_marks(context, *browser.marks);
-    if (browser.film) draw_film_form(context, *browser.film);
-    if (fault.empty()) {
-        ImGui::Dummy({0.0F, error_height});
-    } else {
+    const float end_lines = hidden_beside ? 1.0F : 2.0F;
+    ImGui::BeginChild("form", {0.0F, -(told_height + gap + end_lines * ImGui::GetFrameHeightWithSpacing())});
+    const auto [clicked, entry] = draw_form(context, browser);
+    ImGui::EndChild();
+    // A line is always there, so that nothing jumps.
+    const float top = ImGui::GetCursorPosY();
+    if (!fault.empty()) {
         draw_fault(fault, width);
+    } else if (browser.film) {
+        draw_film_summary(context, *browser.film);
     }
+    ImGui::SetCursorPosY(top + told_height + gap);
     const char* const ok = browser.size ? "Export" : browser.saving ? "Save" : "Open";
     const bool possible = unfit.empty();
     const FormEnd end = draw_form_end(context, "browser", ok, possible, keys);

@@ -22,6 +22,11 @@ void label(const char* text) {
     ImGui::SameLine(left_of_film_fields());
 }
 
+// In the line, or where it has no room for so much, in the next below its fields.
+void go_on(float needed) {
+    if (!same_line_within(needed, 2.0F * ImGui::GetFontSize())) ImGui::SetCursorPosX(left_of_film_fields());
+}
+
 void draw_whole(const PanelContext& context, const char* name, std::int64_t& number, float width) {
     ImGui::SetNextItemWidth(width * context.scale);
     ImGui::InputScalar((std::string("##") + name).c_str(), ImGuiDataType_S64, &number);
@@ -34,22 +39,13 @@ void draw_text_field(const PanelContext& context, const char* name, std::string&
     note_widget(context, std::string("film ") + name);
 }
 
-// A few values by name.
-template <typename Value, typename Words>
-void draw_choice(const PanelContext& context, const char* name, Value& value, const std::vector<Value>& values,
-                 const Words& words) {
+// As wide as its words need.
+std::optional<std::size_t> draw_words_choice(const PanelContext& context, const char* name, const std::vector<std::string>& words,
+                                             std::size_t present, const char* help) {
     float widest = 0.0F;
-    for (const Value& one : values) widest = std::max(widest, width_of(words(one)));
+    for (const std::string& one : words) widest = std::max(widest, width_of(one));
     ImGui::SetNextItemWidth(widest + 2.0F * ImGui::GetFrameHeight());
-    const std::string widget = std::string("film ") + name;
-    const bool open = ImGui::BeginCombo((std::string("##") + name).c_str(), std::string(words(value)).c_str());
-    note_widget(context, widget);
-    if (!open) return;
-    for (const Value& one : values) {
-        if (ImGui::Selectable(std::string(words(one)).c_str(), one == value)) value = one;
-        note_widget(context, widget + " " + std::string(words(one)));
-    }
-    ImGui::EndCombo();
+    return draw_choice(context, std::string("film ") + name, words, present, help);
 }
 
 void draw_frames(const PanelContext& context, FilmForm& form) {
@@ -78,28 +74,32 @@ void draw_turntable(const PanelContext& context, FilmForm& form) {
     draw_whole(context, "turntable", form.chosen.turntable, 72.0F);
     ImGui::SameLine();
     ImGui::TextUnformatted("pictures around");
-    ImGui::SameLine();
-    const std::vector<TurnAxis> axes = {TurnAxis::up, TurnAxis::x, TurnAxis::y, TurnAxis::z};
-    draw_choice(context, "axis", form.chosen.axis, axes,
-                [](TurnAxis axis) { return turn_axis_names.at(static_cast<std::size_t>(axis)); });
-    explain_item("The axis: up is the view's own upward direction, x, y and z are the scene's");
+    go_on(5.0F * ImGui::GetFontSize());
+    const std::vector<std::string> axes(turn_axis_names.begin(), turn_axis_names.end());
+    const auto axis = draw_words_choice(context, "axis", axes, static_cast<std::size_t>(form.chosen.axis),
+                                        "The axis: up is the view's own upward direction, x, y and z are the scene's");
+    if (axis) form.chosen.axis = static_cast<TurnAxis>(*axis);
     ImGui::EndDisabled();
 }
 
 void draw_quality(const PanelContext& context, FilmForm& form) {
     label("Samples");
-    draw_choice(context, "samples", form.chosen.samples, std::vector<int>(sample_choices.begin(), sample_choices.end()),
-                [](int samples) { return std::to_string(samples); });
-    explain_item("Points of each pixel");
+    std::vector<std::string> words;
+    for (const int samples : sample_choices) words.push_back(std::to_string(samples));
+    const auto present = std::ranges::find(sample_choices, form.chosen.samples) - sample_choices.begin();
+    const auto samples = draw_words_choice(context, "samples", words, static_cast<std::size_t>(present), "Points of each pixel");
+    if (samples) form.chosen.samples = sample_choices.at(*samples);
     if (form.judged.is_film) {
-        ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
-        draw_text_field(context, "rate", form.chosen.rate, 88.0F);
+        constexpr float field = 88.0F;
+        constexpr const char* unit = "pictures a second";
+        go_on(field * context.scale + ImGui::GetStyle().ItemSpacing.x + width_of(unit));
+        draw_text_field(context, "rate", form.chosen.rate, field);
         explain_item("A whole number, or a fraction such as 30000/1001");
         ImGui::SameLine();
-        ImGui::TextUnformatted("pictures a second");
+        ImGui::TextUnformatted(unit);
     }
     if (form.judged.has_quality) {
-        ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
+        go_on(width_of("Quality") + 6.0F * ImGui::GetFontSize());
         ImGui::TextUnformatted("Quality");
         ImGui::SameLine();
         ImGui::SetNextItemWidth(-1.0F);
@@ -118,14 +118,12 @@ void draw_background(const PanelContext& context, FilmForm& form) {
                                        : "Animated PNG, Matroska and pictures can be transparent");
     ImGui::EndDisabled();
     if (form.marks.empty()) return;
-    ImGui::SameLine(0.0F, 2.0F * ImGui::GetFontSize());
-    ImGui::Checkbox(("With " + form.marks).c_str(), &form.chosen.marks);
+    const std::string with = "With " + form.marks;
+    same_line_within(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + width_of(with), 2.0F * ImGui::GetFontSize());
+    ImGui::Checkbox(with.c_str(), &form.chosen.marks);
     note_widget(context, "film marks");
     explain_item("What the window shows over its picture");
 }
-
-// What the pictures show, in a line.
-const std::string& applies(const FilmForm& form) { return form.takes_frames() ? form.from_file : form.from_window; }
 
 float wrapped_height(const std::string& text, float width) {
     return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
@@ -136,16 +134,7 @@ float wrapped_height(const std::string& text, float width) {
 float left_of_film_fields() {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float box = ImGui::GetFrameHeight() + style.ItemInnerSpacing.x + width_of("Turntable");
-    return style.WindowPadding.x + std::max(width_of("Size in pixels"), box) + style.ItemSpacing.x;
-}
-
-float height_of_film_form(const FilmForm& form, float width) {
-    const ImGuiStyle& style = ImGui::GetStyle();
-    const float lines = form.frames > 1 ? 4.0F : 3.0F;
-    const std::string& longer =
-        wrapped_height(form.from_file, width) > wrapped_height(form.from_window, width) ? form.from_file : form.from_window;
-    return lines * ImGui::GetFrameHeightWithSpacing() + wrapped_height(longer, width) + style.ItemSpacing.y +
-           ImGui::GetTextLineHeightWithSpacing();
+    return std::max(width_of("Size in pixels"), box) + style.ItemSpacing.x;
 }
 
 void judge(FilmForm& form, const std::string& path) {
@@ -157,15 +146,20 @@ void judge(FilmForm& form, const std::string& path) {
 }
 
 void draw_film_form(const PanelContext& context, FilmForm& form) {
-    const float top = ImGui::GetCursorPosY();
-    const float height = height_of_film_form(form, ImGui::GetContentRegionAvail().x);
     if (form.frames > 1) draw_frames(context, form);
     draw_turntable(context, form);
     draw_quality(context, form);
     draw_background(context, form);
-    dim_text(applies(form));
-    // One of the two lines may be the longer: nothing below jumps.
-    ImGui::SetCursorPosY(top + height - ImGui::GetTextLineHeightWithSpacing());
+    // One of the two texts may be the longer: nothing above jumps.
+    const float top = ImGui::GetCursorPosY();
+    const float width = ImGui::GetContentRegionAvail().x;
+    dim_text(form.takes_frames() ? form.from_file : form.from_window);
+    const float height = std::max(wrapped_height(form.from_file, width), wrapped_height(form.from_window, width));
+    ImGui::SetCursorPosY(top + height);
+    ImGui::Dummy({0.0F, 0.0F});
+}
+
+void draw_film_summary(const PanelContext& context, const FilmForm& form) {
     ImGui::TextUnformatted(form.judged.summary.c_str());
     note_widget(context, "film summary");
 }

@@ -64,9 +64,9 @@ void judge(FilmForm& form, const std::string& path);
 float left_of_film_fields();
 
 // Draws the form, below the size. Widgets: "film takes frames", "film frames", "film turns", "film turntable", "film axis",
-// "film axis x", "film samples", "film samples 4", "film rate", "film quality", "film transparent", "film marks", "film summary".
+// "film axis x", "film samples", "film samples 4", "film rate", "film quality", "film transparent", "film marks".
 void draw_film_form(const PanelContext& context, FilmForm& form);
-// In pixels, in a dialog so wide.
-float height_of_film_form(const FilmForm& form, float width);
+// What becomes of what is chosen, in a line: "film summary".
+void draw_film_summary(const PanelContext& context, const FilmForm& form);
 
 }  // namespace sphereview

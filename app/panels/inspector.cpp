@@ -16,11 +16,6 @@ namespace sphereview {
 
 namespace {
 
-bool is_there(const Scene& scene, std::int32_t number) {
-    // An explanation may be of the scene of the last frame.
-    return static_cast<std::size_t>(number) < scene.spheres.size();
-}
-
 // A number rounded to what matters, unless its words say what no double can.
 std::string short_of(double value, const std::string& words, int digits = digits_that_matter) {
     return words.starts_with('(') ? words : number_text(value, digits);
@@ -52,22 +47,13 @@ public:
 private:
     void ask(InspectorWish wish) { context_.actions.emplace_back(wish); }
 
-    bool button(const char* label, const char* widget, const char* help, bool enabled = true) {
-        ImGui::BeginDisabled(!enabled);
-        const bool pressed = ImGui::Button(label);
-        ImGui::EndDisabled();
-        note_widget(context_, widget);
-        explain_item(help);
-        return pressed;
-    }
-
     void draw_head() {
         const float side = ImGui::GetFrameHeight();
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted("Pixel inspector");
         ImGui::SameLine(std::max(ImGui::GetContentRegionAvail().x - side + ImGui::GetCursorPosX(), width_of("Pixel inspector")));
-        if (ImGui::Button("x##inspector", {side, side})) context_.actions.emplace_back(RunCommand{CommandId::toggle_inspector});
-        note_widget(context_, "close inspector");
+        if (draw_button(context_, "x##inspector", "close inspector", "", true, {side, side}))
+            context_.actions.emplace_back(RunCommand{CommandId::toggle_inspector});
         if (!inspection_.first) return;
         if (!inspection_.pinned) {
             draw_dim_words("Follows the pointer. A click, or Space, pins the pixel.");
@@ -76,25 +62,25 @@ private:
         } else {
             draw_dim_words("Pinned: Escape lets it go.");
         }
-        if (button(inspection_.pinned ? "Unpin" : "Pin", "unpin",
-                   inspection_.pinned ? "Lets the pixel go (Escape)" : "Holds this pixel (Space, or a click in the picture)")) {
+        if (draw_button(
+                context_, inspection_.pinned ? "Unpin" : "Pin", "unpin",
+                inspection_.pinned ? "Lets the pixel go (Escape)" : "Holds this pixel (Space, or a click in the picture)")) {
             ask(inspection_.pinned ? InspectorWish::unpin : InspectorWish::pin);
         }
         same_line_for("Compare");
-        if (button("Compare", "compare pixels", "The next click pins a second pixel beside this one (Shift+click)",
-                   inspection_.pinned)) {
+        if (draw_button(context_, "Compare", "compare pixels", "The next click pins a second pixel beside this one (Shift+click)",
+                        inspection_.pinned)) {
             ask(InspectorWish::compare);
         }
         same_line_for("Copy as text");
-        if (button("Copy as text", "copy explanation", "Puts the words of `sphereview explain` on the clipboard")) {
+        if (draw_button(context_, "Copy as text", "copy explanation", "Puts the words of `sphereview explain` on the clipboard")) {
             ask(state_.second_in_detail && inspection_.second ? InspectorWish::copy_second : InspectorWish::copy);
         }
     }
 
     std::string seen_in_words(const InspectedPixel& pixel) const {
         const std::int32_t number = pixel.explanation.visible();
-        if (number < 0 || !is_there(scene_, number)) return "the background";
-        return title_of(scene_, static_cast<std::uint32_t>(number));
+        return has_sphere(scene_, number) ? title_of(scene_, number) : "the background";
     }
 
     void draw_comparison() {
@@ -169,7 +155,7 @@ private:
         }
         std::size_t shown = 0;
         for (const ExplainedHit& hit : e.hits) {
-            if (!is_there(scene_, hit.number)) continue;
+            if (!has_sphere(scene_, hit.number)) continue;  // the explanation may be of the scene of the last frame
             if (shown == most_hits_explained) break;
             draw_hit(hit, shown == 0);
             if (shown == 0) draw_light(pixel);
@@ -181,7 +167,7 @@ private:
             draw_dim_words("and " + in_groups(all_hits - shown) + " more hits, farther away");
         }
         for (const PassedSphere& passed : e.passed) {
-            if (is_there(scene_, passed.number)) draw_passed(passed, behind_in_words(e));
+            if (has_sphere(scene_, passed.number)) draw_passed(passed, behind_in_words(e));
         }
         if (!pixel.place.with_passed) draw_dim_words("Pin the pixel (Space) to see what its ray just misses in so large a scene.");
         ImGui::Separator();
@@ -213,8 +199,8 @@ private:
             if (clicked && explained(*clicked)) state_.subject = clicked;
         };
         choose(draw_ray_section(context_, "ray drawing", of, subject));
-        if (subject == visible_background || !is_there(scene_, subject)) return;
-        draw_dim_words("The plane through the ray and the centre C of " + title_of(scene_, static_cast<std::uint32_t>(subject)) +
+        if (!has_sphere(scene_, subject)) return;
+        draw_dim_words("The plane through the ray and the centre C of " + title_of(scene_, subject) +
                        (std::ssize(e.hits) + std::ssize(e.passed) > 1 ? "; click another sphere to cut through it." : "."));
         choose(draw_quadratic_plot(context_, "quadratic drawing", e, subject));
         draw_dim_words("a t² + b t + c over t. Below the axis it has two zeros: the ray goes in and comes out.");
@@ -236,19 +222,14 @@ private:
 
     void draw_title(std::int32_t number, const std::string& widget, const char* word, const ImVec4& color) {
         ImGui::Separator();
-        const auto sphere_number = static_cast<std::uint32_t>(number);
-        const Sphere& sphere = scene_.spheres[sphere_number];
-        const float side = ImGui::GetTextLineHeight();
-        draw_swatch(sphere.color, ImGui::GetCursorScreenPos(), side, context_.scale);
-        ImGui::Dummy({side, side});
+        const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
+        draw_swatch(context_, sphere.color);
         ImGui::SameLine();
-        ImGui::TextUnformatted(title_of(scene_, sphere_number).c_str());
+        ImGui::TextUnformatted(title_of(scene_, number).c_str());
         note_widget(context_, widget);
         if (ImGui::IsItemClicked()) state_.subject = number;
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-            ImGui::SetTooltip("%s", "Click: the drawings are about this sphere.");
-        }
+        if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        explain_item("Click: the drawings are about this sphere.");
         if (word != nullptr) {
             ImGui::SameLine();
             ImGui::TextColored(color, "%s", word);
@@ -289,8 +270,8 @@ private:
                          {scene_, pixel.place.camera, pixel.place.size, pixel.place.pixel, *shadow, {}, {}, false, kind_of(pixel)},
                          {});
         draw_dim_words("The ray from the point P to the " + std::string(kind_of(pixel)) +
-                       (light.blocker && is_there(scene_, *light.blocker)
-                            ? ": " + title_of(scene_, static_cast<std::uint32_t>(*light.blocker)) + " is in the way."
+                       (light.blocker && has_sphere(scene_, *light.blocker)
+                            ? ": " + title_of(scene_, *light.blocker) + " is in the way."
                             : std::string(".")));
     }
 
@@ -319,14 +300,11 @@ private:
         const std::vector<std::string> in_full = in_words(color, 17);
         const std::vector<std::string> lines = in_words(color, digits_that_matter);
         for (std::size_t i = 0; i < lines.size(); ++i) draw_words(typeset(lines[i]), in_full[i]);
-        const float side = ImGui::GetTextLineHeight();
-        draw_swatch(color.own, ImGui::GetCursorScreenPos(), side, context_.scale);
-        ImGui::Dummy({side, side});
+        draw_swatch(context_, color.own);
         ImGui::SameLine();
         draw_words("→");
         ImGui::SameLine();
-        draw_swatch(color.shown, ImGui::GetCursorScreenPos(), side, context_.scale);
-        ImGui::Dummy({side, side});
+        draw_swatch(context_, color.shown);
         note_widget(context_, "lit colour");
     }
 

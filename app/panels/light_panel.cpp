@@ -236,32 +236,22 @@ private:
     }
 
     bool number(const char* name, const NumberRule& rule, double& value) {
-        begin_field(context_, name);
-        const NumberChange changed = draw_number(context_, state_.numbers, name, rule, value);
-        draw_refusal(context_, state_.numbers, name);
+        const NumberChange changed = draw_number_line(context_, state_.numbers, name, rule, value);
         gesture_ = changed == NumberChange::dragged ? context_.gesture : 0;
         return changed != NumberChange::none;
     }
 
     void draw_lights() {
         begin_field(context_, "lights");
-        const std::string shown = light_.lights ? std::to_string(*light_.lights) : "automatic";
-        const bool open = ImGui::BeginCombo("##lights", shown.c_str());
-        note_widget(context_, "lights");
-        if (!open) {
-            explain_item("How many directions the light of the sky comes from");
-            return;
-        }
-        const auto choose = [&](const std::string& name, std::optional<int> lights) {
-            if (ImGui::Selectable(name.c_str(), light_.lights == lights) && light_.lights != lights) {
-                light_.lights = lights;
-                change("Change the number of lights", 0);
-            }
-            note_widget(context_, "lights " + name);
-        };
-        choose("automatic", std::nullopt);
-        for (const int lights : usual_lights) choose(std::to_string(lights), lights);
-        ImGui::EndCombo();
+        std::vector<std::string> words = {"automatic"};
+        for (const int lights : usual_lights) words.push_back(std::to_string(lights));
+        const std::string now = light_.lights ? std::to_string(*light_.lights) : words.front();
+        if (std::ranges::find(words, now) == words.end()) words.push_back(now);
+        const auto present = static_cast<std::size_t>(std::ranges::find(words, now) - words.begin());
+        const auto chosen = draw_choice(context_, "lights", words, present, "How many directions the light of the sky comes from");
+        if (!chosen) return;
+        light_.lights = *chosen == 0 ? std::nullopt : std::optional(usual_lights.at(*chosen - 1));
+        change("Change the number of lights", 0);
     }
 
     const PanelContext& context_;

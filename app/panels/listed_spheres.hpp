@@ -34,7 +34,6 @@ public:
     // Of the scene that has been looked at, 0..1.
     double part() const { return count_ == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(count_); }
     const std::string& filter() const { return filter_; }
-    bool has_condition() const { return condition_.has_value(); }
     // What is wrong with the condition, in words; "" where nothing is.
     const std::string& fault() const { return fault_; }
     // The names of what the condition compares, each once, and of them those that the scene does not have.

@@ -9,7 +9,6 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "look/sizes.hpp"
-#include "panels/look_range.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
@@ -225,10 +224,8 @@ private:
             state_.scale = usual_scale(scene_, *values);
             resize(*values, 0);
         }
-        begin_field(context_, "scale");
         const NumberRule rule{.above_zero = true, .help = "The radius of a value of 1"};
-        const NumberChange change = draw_number(context_, numbers_, "scale", rule, state_.scale);
-        draw_refusal(context_, numbers_, "scale");
+        const NumberChange change = draw_number_line(context_, numbers_, "scale", rule, state_.scale);
         if (change != NumberChange::none) resize(*values, change == NumberChange::dragged ? context_.gesture : 0);
     }
 

@@ -1,4 +1,4 @@
-#include "panels/look_range.hpp"
+#include "panels/look_panel.hpp"
 
 #include <imgui.h>
 
@@ -128,25 +128,22 @@ private:
         bool changed = false;
         std::uint64_t gesture = 0;
         for (const auto& [name, value] : {std::pair("from", &typed.low), std::pair("to", &typed.high)}) {
-            begin_field(context_, name);
-            const NumberChange change = draw_number(context_, numbers_, name, rule, *value);
-            draw_refusal(context_, numbers_, name);
+            const NumberChange change = draw_number_line(context_, numbers_, name, rule, *value);
             changed = changed || change != NumberChange::none;
             if (change == NumberChange::dragged) gesture = context_.gesture;
         }
         if (changed) set_range(typed, gesture);
         begin_field(context_, "range");
         const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-        if (ImGui::Button("Data", {button_width("Data"), 0.0F})) {
+        if (draw_button(context_, "Data", "range of data", "From the least number to the greatest")) {
             state_.colors.range.reset();
             changed_ = 0;
         }
-        note_widget(context_, "range of data");
-        explain_item("From the least number to the greatest");
         ImGui::SameLine(0.0F, gap);
-        if (ImGui::Button("Seen", {button_width("Seen"), 0.0F})) state_.asks_for_seen = true;
-        note_widget(context_, "range of seen");
-        explain_item("From the least number to the greatest of the spheres that the picture shows");
+        if (draw_button(context_, "Seen", "range of seen",
+                        "From the least number to the greatest of the spheres that the picture shows")) {
+            state_.asks_for_seen = true;
+        }
         ImGui::SameLine(0.0F, 2.0F * gap);
         bool log = state_.colors.log;
         if (ImGui::Checkbox("log", &log)) {

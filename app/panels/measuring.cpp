@@ -3,15 +3,18 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
-#include "panels/measures.hpp"
 #include "panels/widgets.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
 namespace {
 
 constexpr int digits = 6;
+constexpr double degrees_of_radian = 180.0 / std::numbers::pi;
 
 const char* next_click(std::size_t spheres) {
     switch (spheres) {
@@ -41,14 +44,6 @@ void draw_values(const std::vector<Measure>& measures) {
     ImGui::EndTable();
 }
 
-bool draw_button(const PanelContext& context, const char* label, const char* widget, bool enabled) {
-    ImGui::BeginDisabled(!enabled);
-    const bool pressed = ImGui::Button(label);
-    ImGui::EndDisabled();
-    note_widget(context, widget);
-    return pressed;
-}
-
 // Moves the current window to the nearest place within the area, which may have become smaller.
 void keep_within(const Rectangle& area, float margin) {
     const ImVec2 low = ImGui::GetWindowPos();
@@ -61,6 +56,25 @@ void keep_within(const Rectangle& area, float margin) {
 }
 
 }  // namespace
+
+std::optional<double> angle_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 first = unit(a - b);
+    const glm::dvec3 second = unit(c - b);
+    if (first == glm::dvec3(0.0) || second == glm::dvec3(0.0)) return std::nullopt;
+    // The arc tangent, which is right also for angles near 0 and 180.
+    return std::atan2(length_of(cross(first, second)), dot(first, second)) * degrees_of_radian;
+}
+
+std::optional<double> dihedral_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& d,
+                                  bool left_handed) {
+    const glm::dvec3 along = unit(c - b);
+    const glm::dvec3 before = cross(unit(b - a), along);
+    const glm::dvec3 after = cross(along, unit(d - c));
+    constexpr double on_a_line = 1e-9;
+    if (length_of(before) < on_a_line || length_of(after) < on_a_line) return std::nullopt;
+    const double angle = std::atan2(dot(cross(before, after), along), dot(before, after)) * degrees_of_radian;
+    return left_handed && angle < 180.0 ? -angle + 0.0 : angle;
+}
 
 void measure(Measuring& measuring, const Document& document, std::uint32_t sphere) {
     if (measuring.revision != document.names_revision() || measuring.spheres.size() == most_measured) measuring.spheres.clear();
@@ -76,7 +90,7 @@ std::vector<Measure> measures_of(const Measuring& measuring, const Scene& scene,
     const auto place = [&](std::size_t i) { return scene.spheres[spheres[i]].center; };
     const auto title = [&](std::size_t i) { return title_of(scene, spheres[i]); };
     for (std::size_t i = 0; i + 1 < spheres.size(); ++i) {
-        measures.push_back({"distance " + title(i) + " to " + title(i + 1), distance_of(place(i), place(i + 1)), false, i});
+        measures.push_back({"distance " + title(i) + " to " + title(i + 1), length_of(place(i + 1) - place(i)), false, i});
     }
     for (std::size_t i = 0; i + 2 < spheres.size(); ++i) {
         const auto angle = angle_of(place(i), place(i + 1), place(i + 2));
@@ -113,8 +127,7 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - 2.0F * margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
     // What it covers may be what is to be measured, so it can be moved.
-    constexpr ImGuiWindowFlags flags = (bare_window & ~ImGuiWindowFlags_NoMove) | ImGuiWindowFlags_NoNav |
-                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+    constexpr ImGuiWindowFlags flags = (quiet_window & ~ImGuiWindowFlags_NoMove) | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("###measuring", nullptr, flags)) {
         if (!ImGui::IsWindowAppearing()) keep_within(area, margin);
         const std::vector<Measure> measures = measures_of(measuring, context.document.scene(), !context.view.mirrored);
@@ -122,16 +135,16 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
         if (measuring.spheres.size() == 1) wrapped_text(title_of(context.document.scene(), measuring.spheres.front()));
         draw_values(measures);
         dim_text(next_click(measuring.spheres.size()));
-        if (draw_button(context, "Copy", "measure copy", !measures.empty())) {
+        if (draw_button(context, "Copy", "measure copy", "", !measures.empty())) {
             std::string text;
             for (const Measure& one : measures) text += in_words(one, true) + "\n";
             ImGui::SetClipboardText(text.c_str());
         }
         same_line_for("Begin anew");
-        if (draw_button(context, "Begin anew", "measure again", !measuring.spheres.empty())) measuring.spheres.clear();
+        if (draw_button(context, "Begin anew", "measure again", "", !measuring.spheres.empty())) measuring.spheres.clear();
         same_line_for("End");
-        if (draw_button(context, "End", "measure end", true)) measuring = {};
-        note_rectangle(context, "measuring", ImGui::GetWindowPos(), ImGui::GetWindowSize());
+        if (draw_button(context, "End", "measure end")) measuring = {};
+        note_window(context, "measuring");
     }
     ImGui::End();
 }

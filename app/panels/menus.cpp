@@ -181,12 +181,7 @@ std::span<const MouseHelp> mouse_help() { return mouse_table; }
 
 void draw_help(const PanelContext& context, bool& open) {
     if (!open) return;
-    const ImGuiViewport* viewport = ImGui::GetMainViewport();
-    const ImVec2 size(std::min(860.0F * context.scale, 0.95F * viewport->WorkSize.x),
-                      std::min(640.0F * context.scale, 0.9F * viewport->WorkSize.y));
-    ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, ImVec2(0.5F, 0.5F));
-    ImGui::SetNextWindowSize(size, ImGuiCond_Appearing);
-    if (ImGui::Begin("Keys and mouse###help", &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings)) {
+    if (begin_text_window(context, "Keys and mouse###help", open, {860.0F, 640.0F})) {
         draw_mouse(context);
         draw_commands(context);
     }

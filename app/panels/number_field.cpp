@@ -229,6 +229,14 @@ void draw_refusal(const PanelContext& context, const NumberFields& fields, const
     note_widget(context, "refusal " + name);
 }
 
+NumberChange draw_number_line(const PanelContext& context, NumberFields& fields, const char* name, const NumberRule& rule,
+                              double& value) {
+    begin_field(context, name);
+    const NumberChange change = draw_number(context, fields, name, rule, value);
+    draw_refusal(context, fields, name);
+    return change;
+}
+
 std::string fitting_text(double value, float width) {
     constexpr int most_digits = 16;
     std::string text = shortest(value);

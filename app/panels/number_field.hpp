@@ -75,6 +75,10 @@ enum class NumberChange { none, dragged, typed };
 NumberChange draw_number(const PanelContext& context, NumberFields& fields, const std::string& name, const NumberRule& rule,
                          double& value, const std::string& several = "");
 
+// The same on a line of its own, behind its name; below it, why the number was refused that was entered.
+NumberChange draw_number_line(const PanelContext& context, NumberFields& fields, const char* name, const NumberRule& rule,
+                              double& value);
+
 // Notes why the field's number cannot be, for what a rule does not know. It is said until another number is typed or dragged.
 void refuse_number(NumberFields& fields, const std::string& name, const std::string& fault);
 

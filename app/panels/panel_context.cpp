@@ -1,5 +1,8 @@
 #include "panels/panel_context.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/text.hpp"
 
 namespace sphereview {
@@ -12,20 +15,35 @@ void note_widget(const PanelContext& context, const std::string& name) {
     note_rectangle(context, name, ImGui::GetItemRectMin(), ImGui::GetItemRectSize());
 }
 
+void note_window(const PanelContext& context, const std::string& name) {
+    note_rectangle(context, name, ImGui::GetWindowPos(), ImGui::GetWindowSize());
+}
+
 std::string name_of(const Scene& scene, std::uint32_t number) {
     const auto name = scene.names.find(number);
     return name == scene.names.end() ? "" : name->second;
 }
 
-std::string title_of(const Scene& scene, std::uint32_t number) {
-    const std::string name = name_of(scene, number);
+std::string title_of(const Scene& scene, std::int64_t number) {
+    const std::string name = name_of(scene, static_cast<std::uint32_t>(number));
     return "sphere " + std::to_string(number) + (name.empty() ? "" : " '" + shown_text(name) + "'");
 }
 
 std::string spheres_in_words(std::size_t count) { return in_groups(count) + (count == 1 ? " sphere" : " spheres"); }
 
-std::string title_of(const Scene& scene, const Selection& selection) {
-    return selection.size() == 1 ? title_of(scene, selection.numbers().front()) : spheres_in_words(selection.size());
+std::string title_of(const Scene& scene, const std::vector<std::uint32_t>& numbers) {
+    return numbers.size() == 1 ? title_of(scene, numbers.front()) : spheres_in_words(numbers.size());
+}
+
+EditScene hide_or_show(const Scene& scene, const std::vector<std::uint32_t>& numbers) {
+    const bool hide = std::ranges::any_of(numbers, [&](std::uint32_t number) { return !scene.spheres[number].hidden; });
+    ChangeSpheres change{numbers, {}};
+    change.spheres.reserve(numbers.size());
+    for (const std::uint32_t number : numbers) {
+        change.spheres.push_back(scene.spheres[number]);
+        change.spheres.back().hidden = hide;
+    }
+    return {std::move(change), (hide ? "Hide " : "Show ") + title_of(scene, numbers)};
 }
 
 std::string as_label(std::string_view text) {

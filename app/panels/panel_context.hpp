@@ -4,6 +4,7 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <span>
@@ -98,13 +99,20 @@ struct PanelContext {
 // Notes a rectangle, or that of ImGui's last widget, where `rectangles` are collected.
 void note_rectangle(const PanelContext& context, const std::string& name, ImVec2 low, ImVec2 size);
 void note_widget(const PanelContext& context, const std::string& name);
+// That of the window that is drawn into.
+void note_window(const PanelContext& context, const std::string& name);
 
+// Whether the scene has a sphere of that number: what is drawn may be of the scene before.
+inline bool has_sphere(const Scene& scene, std::int64_t number) { return number >= 0 && number < std::ssize(scene.spheres); }
 // A sphere's name; "" where it has none.
 std::string name_of(const Scene& scene, std::uint32_t number);
-// A sphere in words: "sphere 3", or "sphere 3 'sun'" of one with a name; so many: "1,234 spheres"; and what is selected.
-std::string title_of(const Scene& scene, std::uint32_t number);
+// A sphere in words: "sphere 3", or "sphere 3 'sun'" of one with a name; so many: "1,234 spheres"; and these, as fits.
+std::string title_of(const Scene& scene, std::int64_t number);
 std::string spheres_in_words(std::size_t count);
-std::string title_of(const Scene& scene, const Selection& selection);
+std::string title_of(const Scene& scene, const std::vector<std::uint32_t>& numbers);
+
+// Hides the spheres if any of them is shown, else shows them.
+EditScene hide_or_show(const Scene& scene, const std::vector<std::uint32_t>& numbers);
 
 // Text from outside as ImGui gets it: safe, on one line or on its own, and no longer than ImGui can draw, which is some 16,000
 // characters.

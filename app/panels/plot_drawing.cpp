@@ -36,8 +36,6 @@ public:
     }
 
 private:
-    bool is_shown(const QuadraticCurve& curve) const { return static_cast<std::size_t>(curve.number) < scene_.spheres.size(); }
-
     void draw_axes() const {
         const float s = canvas_.scale();
         if (plot_.left < 0.0) {  // what lies behind the eye
@@ -53,7 +51,7 @@ private:
     }
 
     void draw_curve(const QuadraticCurve& curve) const {
-        if (!is_shown(curve)) return;
+        if (!has_sphere(scene_, curve.number)) return;
         const bool subject = &curve == plot_.curves.data();
         // From where it comes into the plot to where it leaves it.
         const double reach = std::sqrt(std::max(plot_.top + 0.3 * (plot_.top - plot_.bottom) - curve.lowest, 0.0));
@@ -89,7 +87,7 @@ private:
 
     void draw_zeros() const {
         for (auto curve = plot_.curves.rbegin(); curve != plot_.curves.rend(); ++curve) {
-            if (curve->sign < 0 || !is_shown(*curve)) continue;
+            if (curve->sign < 0 || !has_sphere(scene_, curve->number)) continue;
             const bool subject = &*curve == plot_.curves.data();
             const ImU32 color = faded(line_color(scene_, curve->number), subject ? 1.0F : 0.6F);
             canvas_.point({curve->t2, 0.0}, subject ? 5.0F : 3.0F, color, curve->second_counts);
@@ -120,16 +118,13 @@ std::optional<std::int32_t> draw_quadratic_plot(const PanelContext& context, con
                                                 std::int32_t subject) {
     const Scene& scene = context.document.scene();
     const QuadraticPlot plot = plot_of(explanation, subject);
-    const auto is_there = [&](const QuadraticCurve& curve) {
-        return static_cast<std::size_t>(curve.number) < scene.spheres.size();
-    };
-    if (plot.curves.empty() || !is_there(plot.curves.front())) return std::nullopt;
+    if (plot.curves.empty() || !has_sphere(scene, plot.curves.front().number)) return std::nullopt;
     Canvas canvas(context, name, 0.42F, {{plot.left, plot.bottom}, {plot.right, plot.top}});
     const PlotDrawing drawing(canvas, plot, scene);
     drawing.draw();
     const QuadraticCurve* const curve = drawing.under_mouse();
-    if (curve == nullptr || !is_there(*curve)) return std::nullopt;
-    show_numbers(scene, explanation, curve->number);
+    if (curve == nullptr || !has_sphere(scene, curve->number)) return std::nullopt;
+    show_numbers(scene, explanation, curve->number, behind_in_words(explanation));
     return canvas.clicked() ? std::optional(curve->number) : std::nullopt;
 }
 

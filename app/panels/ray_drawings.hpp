@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "panels/panel_context.hpp"
 #include "panels/ray_section.hpp"
@@ -21,7 +22,7 @@ std::optional<std::int32_t> draw_ray_section(const PanelContext& context, const 
 std::optional<std::int32_t> draw_quadratic_plot(const PanelContext& context, const char* name, const PixelExplanation& explanation,
                                                 std::int32_t subject);
 
-// What the mouse over a sphere of a drawing says.
-void show_numbers(const Scene& scene, const PixelExplanation& explanation, std::int32_t number);
+// What the mouse over a sphere of a drawing says; `behind`: of one that lies there, "behind the eye".
+void show_numbers(const Scene& scene, const PixelExplanation& explanation, std::int32_t number, const std::string& behind);
 
 }  // namespace sphereview

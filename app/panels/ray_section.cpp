@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "panels/panel_context.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -125,9 +126,8 @@ std::vector<SectionCircle> circles_of(const SectionSubject& of, const Plane& pla
     const auto add = [&](const SectionCircle& circle) {
         if (is_finite(circle)) circles.push_back(circle);
     };
-    const auto is_there = [&](std::int32_t number) { return static_cast<std::size_t>(number) < of.scene.spheres.size(); };
     for (const ExplainedHit& hit : of.explanation.hits) {
-        if (!is_there(hit.number)) continue;
+        if (!has_sphere(of.scene, hit.number)) continue;
         SectionCircle circle = circle_of(of, plane, hit.number);
         circle.met = true;
         circle.first = hit.t1 * length;
@@ -137,7 +137,7 @@ std::vector<SectionCircle> circles_of(const SectionSubject& of, const Plane& pla
         add(circle);
     }
     for (const PassedSphere& passed : of.explanation.passed) {
-        if (!is_there(passed.number)) continue;
+        if (!has_sphere(of.scene, passed.number)) continue;
         SectionCircle circle = circle_of(of, plane, passed.number);
         circle.met = passed.discriminant_sign >= 0;
         if (circle.met) circle.first = passed.t1 * length;
@@ -145,7 +145,7 @@ std::vector<SectionCircle> circles_of(const SectionSubject& of, const Plane& pla
         add(circle);
     }
     const auto is_blocker = [&](const SectionCircle& circle) { return circle.number == of.blocker; };
-    if (of.blocker && is_there(*of.blocker) && std::ranges::none_of(circles, is_blocker)) {
+    if (of.blocker && has_sphere(of.scene, *of.blocker) && std::ranges::none_of(circles, is_blocker)) {
         add(circle_of(of, plane, *of.blocker));
     }
     return circles;
@@ -162,7 +162,7 @@ double distance_to(const Sphere& sphere, const glm::dvec3& point, const glm::dve
 // To what is in the way, or as far as the drawing goes.
 SectionLine line_to_sun(const SectionSubject& of, const Plane& plane, const glm::dvec3& point, double far) {
     const glm::dvec3 direction = unit(*of.sun);
-    const bool blocked = of.blocker && static_cast<std::size_t>(*of.blocker) < of.scene.spheres.size();
+    const bool blocked = of.blocker && has_sphere(of.scene, *of.blocker);
     const double length =
         blocked ? std::max(distance_to(of.scene.spheres[static_cast<std::size_t>(*of.blocker)], point, direction), 0.0) : far;
     return {plane.place(point), plane.place(point + length * direction)};
@@ -212,9 +212,8 @@ SectionWindow window_for(const RaySection& section, double aspect) {
 RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subject, double aspect) {
     const PixelExplanation& e = of.explanation;
     const auto is_of = [&](std::int32_t number) {
-        return static_cast<std::size_t>(number) < of.scene.spheres.size() &&
-               (std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
-                std::ranges::find(e.passed, number, &PassedSphere::number) != e.passed.end());
+        return has_sphere(of.scene, number) && (std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
+                                                std::ranges::find(e.passed, number, &PassedSphere::number) != e.passed.end());
     };
     if (!subject || !is_of(*subject)) {
         subject = !e.hits.empty() ? e.hits.front().number : !e.passed.empty() ? e.passed.front().number : -1;
@@ -256,7 +255,7 @@ std::optional<PixelExplanation> shadow_ray(const Scene& scene, const PixelExplan
                                            std::optional<std::int32_t> blocker) {
     if (pixel.hits.empty()) return std::nullopt;
     const ExplainedHit& seen = pixel.hits.front();
-    if (static_cast<std::size_t>(seen.number) >= scene.spheres.size()) return std::nullopt;
+    if (!has_sphere(scene, seen.number)) return std::nullopt;
     PixelExplanation shadow;
     shadow.origin = seen.point;
     shadow.direction = unit(sun);
@@ -274,7 +273,7 @@ std::optional<PixelExplanation> shadow_ray(const Scene& scene, const PixelExplan
         out.t1 = 0.5 * (-out.b - root);
         out.t2 = 0.5 * (-out.b + root);
     };
-    if (blocker && static_cast<std::size_t>(*blocker) < scene.spheres.size()) {
+    if (blocker && has_sphere(scene, *blocker)) {
         ExplainedHit& hit = shadow.hits.emplace_back();
         solve(*blocker, hit);
         hit.t = hit.t1;

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <tuple>
-#include <utility>
 
 #include "base/text.hpp"
 #include "panels/math_text.hpp"
@@ -14,26 +13,10 @@ namespace sphereview {
 
 namespace {
 
-constexpr ImU32 mark_color = IM_COL32(255, 220, 90, 255);
-
 std::string ordinal(int number) {
     const int last = number % 10;
     const bool teen = number % 100 / 10 == 1;
     return std::to_string(number) + (teen || last > 3 || last == 0 ? "th" : last == 1 ? "st" : last == 2 ? "nd" : "rd");
-}
-
-// Arms around the place, which stays free.
-void draw_mark(ImVec2 at, float scale) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    for (const bool edge : {true, false}) {
-        const float from = (edge ? 2.0F : 3.0F) * scale;
-        const float to = (edge ? 10.0F : 9.0F) * scale;
-        const float thickness = (edge ? 4.0F : 2.0F) * scale;
-        const ImU32 color = edge ? IM_COL32(0, 0, 0, 190) : mark_color;
-        for (const auto& [x, y] : {std::pair{1.0F, 0.0F}, std::pair{-1.0F, 0.0F}, std::pair{0.0F, 1.0F}, std::pair{0.0F, -1.0F}}) {
-            draw.AddLine({at.x + x * from, at.y + y * from}, {at.x + x * to, at.y + y * to}, color, thickness);
-        }
-    }
 }
 
 // The picture that the eye sees, as wide as the window.
@@ -61,7 +44,7 @@ RaysAnswer draw_picture(const PanelContext& context, const RaysFacts& facts, con
     if (facts.place) {
         const ImVec2 at{low.x + unit * static_cast<float>(facts.place->x), low.y + unit * static_cast<float>(facts.place->y)};
         if (choice.shown == RaysShown::row) draw.AddLine({low.x, at.y}, {high.x, at.y}, IM_COL32(255, 220, 90, 130), context.scale);
-        draw_mark(at, context.scale);
+        draw_pin(draw, at, 10.0F, context.scale);
     }
     draw.PopClipRect();
     draw.AddRect(low, high, ImGui::GetColorU32(ImGuiCol_Border));
@@ -76,13 +59,11 @@ void draw_choice(const PanelContext& context, const RaysFacts& facts, RayChoice&
     }};
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const auto& [label, widget, help] = kinds[i];
-        if (i > 0) ImGui::SameLine();
-        const float needed = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + width_of(label);
-        if (ImGui::GetContentRegionAvail().x < needed) ImGui::NewLine();
+        if (i > 0) same_line_within(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + width_of(label));
         const auto shown = static_cast<RaysShown>(i);
         if (ImGui::RadioButton(label, choice.shown == shown)) choice.shown = shown;
         note_widget(context, widget);
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
+        explain_item(help);
     }
     if (choice.shown == RaysShown::one) return;
     const auto step = [&](const char* name, const char* widget, ImGuiDir direction, bool enabled, int every, const char* help) {
@@ -90,7 +71,7 @@ void draw_choice(const PanelContext& context, const RaysFacts& facts, RayChoice&
         if (ImGui::ArrowButton(name, direction)) (choice.shown == RaysShown::row ? choice.in_row : choice.in_picture) = every;
         ImGui::EndDisabled();
         note_widget(context, widget);
-        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help);
+        explain_item(help);
     };
     step("##finer", "rays finer", ImGuiDir_Left, choice.every() > facts.least_every, choice.every() / 2, "Twice as many in a row");
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -111,18 +92,14 @@ RaysAnswer draw_rays_panel(const PanelContext& context, const RaysFacts& facts, 
     ImGui::SetNextWindowPos({area.x + margin, area.y + margin}, ImGuiCond_Always);
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height - 2.0F * margin, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.92F);
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                       ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
-                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
     RaysAnswer answer;
-    if (ImGui::Begin("###rays", nullptr, flags)) {
+    if (ImGui::Begin("###rays", nullptr, quiet_window | ImGuiWindowFlags_AlwaysAutoResize)) {
         const float side = ImGui::GetFrameHeight();
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted("Rays");
         ImGui::SameLine(ImGui::GetContentRegionAvail().x - side + ImGui::GetCursorPosX());
-        if (ImGui::Button("x##rays", {side, side})) context.actions.emplace_back(RunCommand{CommandId::toggle_rays});
-        note_widget(context, "rays end");
-        if (ImGui::IsItemHovered()) ImGui::SetTooltip("Back to the eye (Escape)");
+        if (draw_button(context, "x##rays", "rays end", "Back to the eye (Escape)", true, {side, side}))
+            context.actions.emplace_back(RunCommand{CommandId::toggle_rays});
         // In a low window the picture leaves room for what is chosen, and for some words. Not for all of them: they change with the
         // pointer, and the picture below the pointer must not.
         float& choice_height = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("choice height"), 0.0F);
@@ -137,7 +114,7 @@ RaysAnswer draw_rays_panel(const PanelContext& context, const RaysFacts& facts, 
         if (!facts.light.empty()) draw_dim_words(facts.light);
         draw_dim_words(facts.pinned ? "Pinned: Escape lets it go." : "A click pins the pixel.");
         answer.size = {ImGui::GetWindowSize().x + margin, ImGui::GetWindowSize().y + margin};
-        note_rectangle(context, "rays", ImGui::GetWindowPos(), ImGui::GetWindowSize());
+        note_window(context, "rays");
     }
     ImGui::End();
     return answer;

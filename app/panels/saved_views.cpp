@@ -1,5 +1,6 @@
 // The scene's saved views, as a list of names.
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
@@ -20,7 +21,7 @@ public:
         : context_(context), state_(state), views_(context.document.scene().views) {}
 
     void draw() {
-        if (state_.renamed_view && *state_.renamed_view >= views_.size()) state_.renamed_view.reset();
+        if (state_.renamed_view.of && *state_.renamed_view.of >= views_.size()) state_.renamed_view = {};
         begin_field(context_, "views");
         draw_command_buttons(context_, {{CommandId::save_view, "Save this view", "save view"}});
         for (std::size_t i = 0; i < views_.size(); ++i) {
@@ -46,15 +47,14 @@ private:
         const float side = ImGui::GetFrameHeight();
         const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
         const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x - side - gap);
-        if (state_.renamed_view == i) {
-            draw_name(i, width);
+        if (state_.renamed_view.of == i) {
+            ImGui::SetNextItemWidth(width);
+            if (draw_renaming(context_, state_.renamed_view, "view name")) accept_name(i);
         } else {
             draw_view(i, {width, side});
         }
         ImGui::SameLine(0.0F, gap);
-        if (ImGui::Button("x", {side, side})) remove(i);
-        note_widget(context_, widget_of(i) + " delete");
-        explain_item("Delete this view");
+        if (draw_button(context_, "x", widget_of(i) + " delete", "Delete this view", true, {side, side})) remove(i);
     }
 
     void draw_view(std::size_t i, ImVec2 size) {
@@ -97,21 +97,11 @@ private:
         std::vector<SavedView> views = views_;
         views.erase(views.begin() + static_cast<std::ptrdiff_t>(i));
         change(std::move(views), "Delete " + title_of(views_[i]));
-        state_.renamed_view.reset();
-    }
-
-    void draw_name(std::size_t i, float width) {
-        if (state_.focus_view_name) focus_next_box();
-        ImGui::SetNextItemWidth(width);
-        draw_text_box("##name", "name", state_.view_name, ImGuiInputTextFlags_AutoSelectAll);
-        note_widget(context_, "view name");
-        if (ImGui::IsItemActive()) state_.focus_view_name = false;
-        if (ImGui::IsItemDeactivated()) accept_name(i);  // Escape gave the old name back
+        state_.renamed_view = {};
     }
 
     void accept_name(std::size_t i) {
-        state_.renamed_view.reset();
-        const std::string& name = state_.view_name;
+        const std::string name = std::exchange(state_.renamed_view, {}).name;
         if (name == views_[i].name) return;
         std::string fault = view_name_fault(name);
         if (std::ranges::find(views_, name, &SavedView::name) != views_.end()) fault = "the name of another view";
@@ -131,6 +121,14 @@ private:
 
 }  // namespace
 
+bool draw_renaming(const PanelContext& context, Renaming& renaming, const char* widget) {
+    if (renaming.focus) focus_next_box();
+    ImGui::InputTextWithHint((std::string("##") + widget).c_str(), "name", &renaming.name, ImGuiInputTextFlags_AutoSelectAll);
+    note_widget(context, widget);
+    if (ImGui::IsItemActive()) renaming.focus = false;
+    return ImGui::IsItemDeactivated();
+}
+
 EditScene saved_view_of(const Scene& scene, const Camera& camera) {
     std::string name;
     for (std::size_t number = 1; name.empty(); ++number) {
@@ -144,9 +142,7 @@ EditScene saved_view_of(const Scene& scene, const Camera& camera) {
 
 void start_renaming_view(SidePanelState& state, const Scene& scene, std::size_t view) {
     state.open_camera = true;
-    state.renamed_view = view;
-    state.view_name = scene.views[view].name;
-    state.focus_view_name = true;
+    state.renamed_view.start(view, scene.views[view].name);
     state.view_fault.clear();
 }
 

@@ -217,6 +217,7 @@ private:
         if (of_.from_eye) return;
         const ImVec2 sun{canvas_.high().x - 12.0F * s, at.y};
         canvas_.list().AddCircleFilled(sun, 6.0F * s, faded(sun_color, 1.0F));
+        canvas_.keep_free(sun, 6.0F);
         canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, of_.name_of_sun, faded(sun_color, 1.0F), Importance::some);
     }
 
@@ -227,15 +228,14 @@ private:
             const ImVec2 tip{canvas_.low().x + 5.0F * s, middle};
             canvas_.list().AddTriangleFilled(tip, {tip.x + 8.0F * s, tip.y - 5.0F * s}, {tip.x + 8.0F * s, tip.y + 5.0F * s},
                                              text_color(0.95F));
-            const std::string what = section_.screen_outside ? "eye and screen" : "eye";
+            const std::string what = !of_.from_eye ? "P" : section_.screen_outside ? "eye and screen" : "eye";
             canvas_.text({tip.x, tip.y + 8.0F * s}, 0.0F, 0.0F,
                          what + ", " + number_text(std::fabs(canvas_.window().low.x), 3) + " away", text_color(0.85F),
                          Importance::more);
         }
         if (section_.outside.empty()) return;
-        const std::string words = section_.outside.size() == 1
-                                      ? title_of(of_.scene, static_cast<std::uint32_t>(section_.outside[0]))
-                                      : spheres_in_words(section_.outside.size());
+        const std::string words =
+            section_.outside.size() == 1 ? title_of(of_.scene, section_.outside[0]) : spheres_in_words(section_.outside.size());
         canvas_.text({canvas_.low().x + 4.0F * s, canvas_.high().y - 4.0F * s}, 0.0F, 1.0F, "outside: " + words, text_color(0.6F),
                      Importance::least);
     }
@@ -252,14 +252,14 @@ ImVec4 color_of_sign(int sign) {
     return on_panel(sign == 0 ? ImVec4{1.00F, 0.75F, 0.25F, 1.0F} : ImVec4{1.00F, 0.42F, 0.40F, 1.0F});
 }
 
-void show_numbers(const Scene& scene, const PixelExplanation& e, std::int32_t number) {
-    std::string text = title_of(scene, static_cast<std::uint32_t>(number));
+void show_numbers(const Scene& scene, const PixelExplanation& e, std::int32_t number, const std::string& behind) {
+    std::string text = title_of(scene, number);
     const auto hit = std::ranges::find(e.hits, number, &ExplainedHit::number);
     const auto passed = std::ranges::find(e.passed, number, &PassedSphere::number);
     if (hit != e.hits.end()) {
         text += "\nt₁ = " + shortest(hit->t1) + "\nt₂ = " + shortest(hit->t2);
     } else if (passed != e.passed.end() && passed->discriminant_sign >= 0) {
-        text += "\nbehind the eye\nt₁ = " + shortest(passed->t1) + "\nt₂ = " + shortest(passed->t2);
+        text += "\n" + behind + "\nt₁ = " + shortest(passed->t1) + "\nt₂ = " + shortest(passed->t2);
     } else if (passed != e.passed.end()) {
         text += "\nmissed: discriminant = " + shortest(passed->discriminant);
     }
@@ -275,7 +275,7 @@ std::optional<std::int32_t> draw_ray_section(const PanelContext& context, const 
     drawing.draw();
     const SectionCircle* const circle = drawing.under_mouse();
     if (circle == nullptr) return std::nullopt;
-    show_numbers(of.scene, of.explanation, circle->number);
+    show_numbers(of.scene, of.explanation, circle->number, of.from_eye ? behind_in_words(of.explanation) : "behind P");
     return canvas.clicked() ? std::optional(circle->number) : std::nullopt;
 }
 

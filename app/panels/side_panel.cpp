@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -31,19 +30,14 @@ void draw_background(const PanelContext& context) {
     begin_field(context, "background");
     const float swatch = usual ? 0.0F : ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
     ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - swatch));
-    const bool open = ImGui::BeginCombo("##background", usual ? spelling.c_str() : "colour");
-    note_widget(context, "background");
-    if (open) {
-        for (const char* name : usual_backgrounds) {
-            if (ImGui::Selectable(name, spelling == name)) {
-                Background chosen;
-                if (parse_background(name, chosen)) change_background(context, chosen, 0);
-            }
-            note_widget(context, std::string("background ") + name);
-        }
-        if (ImGui::Selectable("colour", !usual) && usual) change_background(context, first_of_others, 0);
-        note_widget(context, "background colour");
-        ImGui::EndCombo();
+    std::vector<std::string> words(usual_backgrounds.begin(), usual_backgrounds.end());
+    words.emplace_back("colour");
+    const std::size_t colour = words.size() - 1;
+    const auto chosen_now = static_cast<std::size_t>(std::ranges::find(words, usual ? spelling : "colour") - words.begin());
+    if (const auto chosen = draw_choice(context, "background", words, chosen_now)) {
+        Background background = first_of_others;
+        if (*chosen != colour) parse_background(words[*chosen], background);
+        change_background(context, background, 0);
     }
     if (usual) return;
     ImGui::SameLine(0.0F, ImGui::GetStyle().ItemInnerSpacing.x);
@@ -51,33 +45,6 @@ void draw_background(const PanelContext& context) {
     const auto gesture = draw_color_edit(context, "##background color", edited.color);
     note_widget(context, "background color");
     if (gesture) change_background(context, edited, *gesture);
-}
-
-void draw_frame_slider(const PanelContext& context, SidePanelState& state) {
-    begin_field(context, "frame");
-    std::int64_t frame = context.frame;
-    const std::int64_t first = 0;
-    const std::int64_t last = context.frames - 1;
-    // The number stands beside the knob, not under it, with room for the longest.
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float number = button_width(std::to_string(last));
-    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - number - gap));
-    ImGui::SliderScalar("##frame", ImGuiDataType_S64, &frame, &first, &last, "",
-                        ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
-    note_widget(context, "frame");
-    ImGui::SameLine(0.0F, gap);
-    ImGui::SetNextItemWidth(number);
-    const std::string help = "Frames are counted from 0 to " + std::to_string(last) + ".";
-    auto typed = static_cast<double>(frame);
-    const NumberRule rule{.low = 0.0, .high = static_cast<double>(last), .usual_size = 100.0, .help = help.c_str()};
-    if (draw_number(context, state.numbers, "frame", rule, typed) != NumberChange::none) frame = std::llround(typed);
-    draw_refusal(context, state.numbers, "frame");
-    if (frame != context.frame) context.actions.emplace_back(ShowFrame{frame});
-}
-
-void draw_scene_panel(const PanelContext& context, SidePanelState& state) {
-    if (context.frames > 1) draw_frame_slider(context, state);
-    draw_background(context);
 }
 
 constexpr float fewest_rows = 5.0F;
@@ -112,21 +79,9 @@ void select_filtered(const PanelContext& context, SidePanelState& state) {
     context.actions.emplace_back(SelectSpheres{std::move(selection)});
 }
 
-// Or shows them, where all are hidden.
 void hide_filtered(const PanelContext& context, SidePanelState& state) {
     const auto found = filtered(context, state);
-    if (!found || found->empty()) return;
-    const Scene& scene = context.document.scene();
-    const bool hide = std::ranges::any_of(*found, [&](std::uint32_t number) { return !scene.spheres[number].hidden; });
-    ChangeSpheres change;
-    for (const std::uint32_t number : *found) {
-        if (scene.spheres[number].hidden == hide) continue;
-        change.numbers.push_back(number);
-        change.spheres.push_back(scene.spheres[number]);
-        change.spheres.back().hidden = hide;
-    }
-    const std::string what = spheres_in_words(change.numbers.size());
-    context.actions.emplace_back(EditScene{std::move(change), (hide ? "Hide " : "Show ") + what});
+    if (found && !found->empty()) context.actions.emplace_back(hide_or_show(context.document.scene(), *found));
 }
 
 void draw_filter_fault(const PanelContext& context, const SidePanelState& state) {
@@ -163,23 +118,23 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
     if (state.filter.empty()) return;
     const auto draw_clear = [&] {
         ImGui::SameLine(0.0F, gap);
-        if (ImGui::Button("x##clear filter", {side, side})) state.filter.clear();
-        note_widget(context, "clear filter");
-        explain_item("Show all spheres");
+        if (draw_button(context, "x##clear filter", "clear filter", "Show all spheres", true, {side, side})) state.filter.clear();
     };
     if (below) {
         draw_clear();
     } else {
         ImGui::SameLine(0.0F, gap);
     }
-    if (ImGui::Button("Select##filtered", {select, side})) select_filtered(context, state);
-    note_widget(context, "select filtered");
-    explain_item("Select what the filter shows; with Ctrl, besides what is selected");
+    if (draw_button(context, "Select##filtered", "select filtered",
+                    "Select what the filter shows; with Ctrl, besides what is selected")) {
+        select_filtered(context, state);
+    }
     if (!below) return draw_clear();
     ImGui::SameLine(0.0F, gap);
-    if (ImGui::Button("Hide##filtered", {button_width("Select"), side})) hide_filtered(context, state);
-    note_widget(context, "hide filtered");
-    explain_item("Hide what the filter shows, or show it again");
+    if (draw_button(context, "Hide##filtered", "hide filtered", "Hide what the filter shows, or show it again", true,
+                    {select, 0.0F})) {
+        hide_filtered(context, state);
+    }
     draw_filter_fault(context, state);
 }
 
@@ -200,7 +155,7 @@ std::string sphere_heading(const PanelContext& context) {
     const Scene& scene = context.document.scene();
     const auto& numbers = context.selection.numbers();
     std::string heading = "sphere";
-    if (numbers.size() == 1 && numbers.front() < scene.spheres.size()) heading = as_label(title_of(scene, numbers.front()));
+    if (numbers.size() == 1 && has_sphere(scene, numbers.front())) heading = as_label(title_of(scene, numbers.front()));
     heading.front() = 'S';
     return heading + "###sphere";
 }
@@ -230,7 +185,7 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
         draw_camera_panel(context, state);
         draw_saved_views(context, state);
     }
-    if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_scene_panel(context, state);
+    if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_background(context);
     state.below_list = ImGui::GetCursorPosY() - below + ImGui::GetStyle().ItemSpacing.y;
 }
 

@@ -27,12 +27,21 @@ struct CameraDrag {
     Camera camera;
 };
 
+// A name that is being typed in a list.
+struct Renaming {
+    std::optional<std::size_t> of{};  // the sphere's number, or the view's place
+    std::string name{};
+    bool focus = false;  // its box is to get the keyboard
+
+    void start(std::size_t number, const std::string& present) { *this = {number, present, true}; }
+};
+// Draws the box. Returns whether the name is to be taken: Escape has given the present one back.
+bool draw_renaming(const PanelContext& context, Renaming& renaming, const char* widget);
+
 // What the side panel remembers from frame to frame.
 struct SidePanelState {
     std::string filter;
-    std::optional<std::uint32_t> renaming;  // the sphere whose name is being typed in the list
-    std::string new_name;
-    bool focus_rename = false;
+    Renaming renaming;                 // of a sphere
     FilterSearch search;               // for the spheres that pass the filter; goes on from frame to frame
     std::uint64_t searched = 0;        // Document::names_revision() of the search; of a condition revision()
     bool scroll_to_selection = false;  // set by whoever selects elsewhere
@@ -53,15 +62,13 @@ struct SidePanelState {
     std::uint64_t shared_selection = 0;
     std::string name;
     bool name_active = false;
-    bool open_camera = false;                 // its part is opened in the next frame
-    std::optional<std::size_t> renamed_view;  // the saved view whose name is being typed
-    std::string view_name;
-    bool focus_view_name = false;
+    bool open_camera = false;  // its part is opened in the next frame
+    Renaming renamed_view;
     std::string view_fault;  // why the name that was typed last was refused
     // Whether a box for typing has been asked for, and a redraw or two go by until it has the keyboard.
-    bool opens_box() const { return numbers.focus || focus_view_name; }
+    bool opens_box() const { return numbers.focus || renamed_view.focus; }
     // Whether a box is there, or opens.
-    bool has_box() const { return !numbers.typed.empty() || renamed_view; }
+    bool has_box() const { return !numbers.typed.empty() || renamed_view.of; }
 
     LookPanelState look;
 

@@ -152,7 +152,7 @@ private:
             change(edit.spheres.back(), i);
         }
         last_ = context_.actions.size();
-        context_.actions.emplace_back(EditScene{std::move(edit), what + title_of(scene, context_.selection), gesture});
+        context_.actions.emplace_back(EditScene{std::move(edit), what + title_of(scene, numbers_), gesture});
     }
 
     const PanelContext& context_;

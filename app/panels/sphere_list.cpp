@@ -55,24 +55,20 @@ void draw_eye(ImVec2 middle, float size, bool open, ImU32 color) {
 
 // Ends the renaming that goes on.
 void accept_name(const PanelContext& context, SidePanelState& state) {
-    const std::uint32_t number = *state.renaming;
+    const Renaming ended = std::exchange(state.renaming, {});
+    const auto number = static_cast<std::uint32_t>(*ended.of);
     const Scene& scene = context.document.scene();
-    if (state.new_name != name_of(scene, number)) {
-        context.actions.emplace_back(EditScene{RenameSphere{number, state.new_name}, "Rename " + title_of(scene, number)});
-    }
-    state.renaming.reset();
+    if (ended.name == name_of(scene, number)) return;
+    context.actions.emplace_back(EditScene{RenameSphere{number, ended.name}, "Rename " + title_of(scene, number)});
 }
 
 void draw_name_field(const PanelContext& context, SidePanelState& state, ImVec2 place, float width) {
     ImGui::SetCursorScreenPos(place);
     ImGui::SetNextItemWidth(width);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {2.0F * context.scale, ImGui::GetStyle().FramePadding.y});
-    if (state.focus_rename) focus_next_box();
-    ImGui::InputTextWithHint("##rename", "name", &state.new_name, ImGuiInputTextFlags_AutoSelectAll);
-    note_widget(context, "rename");
+    const bool ended = draw_renaming(context, state.renaming, "rename");
     ImGui::PopStyleVar();
-    if (ImGui::IsItemActive()) state.focus_rename = false;
-    if (ImGui::IsItemDeactivated()) accept_name(context, state);  // Escape gave the old name back
+    if (ended) accept_name(context, state);
 }
 
 // Hidden spheres are dimmed. A title that does not fit is cut off, and told in full by a tooltip.
@@ -114,7 +110,7 @@ RowResult draw_sphere_row(const PanelContext& context, SidePanelState& state, st
     const bool eye_hovered = ImGui::IsItemHovered();
     explain_item(sphere.hidden ? "Show" : "Hide");
 
-    const bool renaming = state.renaming == number;
+    const bool renaming = state.renaming.of == number;
     bool hovered = eye_hovered;
     ImGui::SetCursorScreenPos({place.x + size.y, place.y});
     const ImVec2 rest{std::max(1.0F, size.x - size.y), size.y};
@@ -231,8 +227,8 @@ void keep_list(const PanelContext& context, SidePanelState& state) {
         state.anchor.reset();
         state.dragged.reset();
     }
-    if (order && !state.focus_rename) state.renaming.reset();
-    if (state.renaming && *state.renaming >= document.scene().spheres.size()) state.renaming.reset();
+    const auto& renamed = state.renaming.of;
+    if ((order && !state.renaming.focus) || (renamed && *renamed >= document.scene().spheres.size())) state.renaming = {};
 }
 
 void select_row(const PanelContext& context, SidePanelState& state, const ListedSpheres& listed, std::size_t row) {
@@ -254,14 +250,6 @@ void select_row(const PanelContext& context, SidePanelState& state, const Listed
         }
     }
     context.actions.emplace_back(SelectSpheres{std::move(selection)});
-}
-
-void toggle_hidden(const PanelContext& context, std::uint32_t number) {
-    const Scene& scene = context.document.scene();
-    Sphere sphere = scene.spheres[number];
-    sphere.hidden = !sphere.hidden;
-    context.actions.emplace_back(
-        EditScene{ChangeSpheres{{number}, {sphere}}, (sphere.hidden ? "Hide " : "Show ") + title_of(scene, number)});
 }
 
 // The row that a pressed key leads to from a row; nothing where no such key is pressed.
@@ -298,7 +286,7 @@ void draw_rows(const PanelContext& context, SidePanelState& state, const ListedS
         const std::uint32_t number = listed[row];
         const RowResult result =
             draw_sphere_row(context, state, number, {places.left, places.of(row)}, {places.width, places.height});
-        if (result.eye) toggle_hidden(context, number);
+        if (result.eye) context.actions.emplace_back(hide_or_show(context.document.scene(), {number}));
         if (result.pressed || (result.menu && !context.selection.contains(number))) select_row(context, state, listed, row);
         if (result.double_clicked) start_renaming(state, context.document.scene(), number);
         if (result.dragging && !state.drag_cancelled) state.dragged = number;
@@ -307,7 +295,7 @@ void draw_rows(const PanelContext& context, SidePanelState& state, const ListedS
     if (opens_menu) ImGui::OpenPopup(row_menu);
     draw_row_menu(context, state);
     const std::optional<std::size_t> renamed =
-        state.renaming && !state.focus_rename ? listed.row_of(*state.renaming) : std::nullopt;
+        state.renaming.of && !state.renaming.focus ? listed.row_of(static_cast<std::uint32_t>(*state.renaming.of)) : std::nullopt;
     if (renamed && (*renamed < first || *renamed >= last)) accept_name(context, state);
 }
 
@@ -320,8 +308,7 @@ bool is_searched(const Document& document, const SidePanelState& state) {
 void draw_sphere_list(const PanelContext& context, SidePanelState& state, float height) {
     const Scene& scene = context.document.scene();
     keep_list(context, state);
-    if (state.focus_rename && state.renaming && !state.filter.empty() &&
-        !std::ranges::binary_search(state.search.found(), *state.renaming)) {
+    if (state.renaming.focus && !state.filter.empty() && !std::ranges::binary_search(state.search.found(), *state.renaming.of)) {
         state.filter.clear();  // its row must be there
         keep_list(context, state);
     }
@@ -355,8 +342,9 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
         draw_rows(context, state, listed, places);
     }
     handle_keys(context, state, listed, seen);
-    const std::optional<std::uint32_t> shown = state.focus_rename ? state.renaming : context.selection.primary();
-    if (state.focus_rename || state.scroll_to_selection) {
+    if (state.renaming.focus || state.scroll_to_selection) {
+        const auto renamed = static_cast<std::uint32_t>(state.renaming.of.value_or(0));
+        const std::optional<std::uint32_t> shown = state.renaming.focus ? renamed : context.selection.primary();
         if (const auto row = shown ? listed.row_of(*shown) : std::nullopt) state.scroll.show(*row);
         state.scroll_to_selection = false;
     }
@@ -369,10 +357,7 @@ void draw_sphere_list(const PanelContext& context, SidePanelState& state, float 
 }
 
 void start_renaming(SidePanelState& state, const Scene& scene, std::uint32_t number) {
-    if (number >= scene.spheres.size()) return;
-    state.renaming = number;
-    state.new_name = name_of(scene, number);
-    state.focus_rename = true;
+    if (has_sphere(scene, number)) state.renaming.start(number, name_of(scene, number));
 }
 
 }  // namespace sphereview

@@ -18,8 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr ImGuiWindowFlags start_window = bare_window | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
-                                          ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_AlwaysAutoResize;
+constexpr ImGuiWindowFlags start_window = quiet_window | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_AlwaysAutoResize;
 
 constexpr std::size_t most_recent_shown = 6;
 
@@ -203,7 +202,7 @@ void draw_start_page(const PanelContext& context, StartPage& page, const std::ve
         draw_examples(context, rows, page);
         draw_trials(context, rows);
         rows.move();
-        note_rectangle(context, "start page", ImGui::GetWindowPos(), ImGui::GetWindowSize());
+        note_window(context, "start page");
     }
     ImGui::End();
     ImGui::PopStyleVar();

@@ -6,18 +6,11 @@
 #include <initializer_list>
 
 #include "base/text.hpp"
-#include "panels/timeline.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
 
 namespace {
-
-constexpr ImGuiWindowFlags quiet_window = bare_window | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-
-void note_window(const PanelContext& context, const std::string& name) {
-    note_rectangle(context, name, ImGui::GetWindowPos(), ImGui::GetWindowSize());
-}
 
 void draw_announcement(const PanelContext& context, const std::string& text, const Rectangle& area) {
     const float margin = 16.0F * context.scale;
@@ -48,10 +41,7 @@ bool draw_work(const PanelContext& context, const char* name, const WorkShown& w
         wrapped_text(work.text, width - ImGui::GetStyle().WindowPadding.x);
         const std::string percent = work.fraction ? std::to_string(static_cast<int>(100.0 * *work.fraction)) + " %" : "";
         ImGui::ProgressBar(static_cast<float>(work.fraction.value_or(0.0)), {-1.0F, 0.0F}, percent.c_str());
-        if (work.can_cancel) {
-            cancelled = ImGui::Button("Cancel");
-            note_widget(context, std::string("cancel ") + name);
-        }
+        cancelled = work.can_cancel && draw_button(context, "Cancel", std::string("cancel ") + name);
         note_window(context, std::string("message ") + name);
     }
     ImGui::End();
@@ -175,7 +165,7 @@ std::string values_of_sphere(const Scene& scene, std::uint32_t sphere, const std
 std::string under_pointer(const PanelContext& context, const Status& status) {
     if (!status.pixel) return "";
     const Scene& scene = context.document.scene();
-    if (!status.sphere || *status.sphere >= scene.spheres.size()) return "background";
+    if (!status.sphere || !has_sphere(scene, *status.sphere)) return "background";
     return title_of(scene, *status.sphere) + values_of_sphere(scene, *status.sphere, status.properties);
 }
 
@@ -212,13 +202,12 @@ void draw_status_bar(const PanelContext& context, const Status& status) {
     const float renderer = std::min(width_of(status.renderer), 0.3F * columns.rest());
     const std::string counts_now = spheres_text(spheres, context.bounds.hidden, context.selection.size());
     float counts = width_of(spheres_text(spheres, std::max<std::size_t>(spheres, 1), std::max<std::size_t>(spheres, 1)));
-    const float frame = width_of("frame " + frame_in_words(context.frames - 1, context.frames));
     const float time = width_of("9,999.9 ms");
     const float step = width_of("1/16");
     const float pixel = width_of(pixel_text(99'999, 99'999));
     // Where the line is too short for all of them, what is under the pointer stays: what renders goes, then how long that took.
     const auto fit = [&](std::initializer_list<float> widths) {
-        float needed = width_of("sphere 999,999") + (context.frames > 1 ? columns.with_gap(frame) : 0.0F);
+        float needed = width_of("sphere 999,999");
         for (const float width : widths) needed += columns.with_gap(width);
         return needed <= columns.rest();
     };
@@ -226,7 +215,6 @@ void draw_status_bar(const PanelContext& context, const Status& status) {
     const bool shows_time = fit({counts, time, step, pixel});
     if (fit({renderer, counts, time, step, pixel})) columns.put(status.renderer, renderer);
     columns.put(counts_now, counts);
-    if (context.frames > 1) columns.put("frame " + frame_in_words(context.frame, context.frames), frame);
     if (shows_time) {
         columns.put(time_text(status.frame_seconds), time, true);
         columns.put(status.step > 1 ? "1/" + std::to_string(status.step) : "", step);

@@ -18,8 +18,9 @@ ImVec4 own_edits_color() { return on_panel({0.98F, 0.76F, 0.36F, 1.0F}); }
 
 std::string speed_text(double speed) { return fixed(speed, 0) + " / s"; }
 
-std::string number_text(const PanelContext& context, const TimelineFacts& facts, std::int64_t frame) {
-    return frame_in_words(frame, context.frames) + (facts.counting ? "+" : "");
+// What stands behind the frame's number.
+std::string frames_text(const PanelContext& context, const TimelineFacts& facts) {
+    return "of 0.." + in_groups(static_cast<std::uint64_t>(context.frames - 1)) + (facts.counting ? "+" : "");
 }
 
 std::string words_of(EditsReach reach) {
@@ -126,7 +127,9 @@ private:
     float button() const { return std::round(1.1F * ImGui::GetFrameHeight()); }
     float gap() const { return 8.0F * context_.scale; }
     float speed_width() const { return width_of(speed_text(play_speeds.back())) + 2.0F * ImGui::GetStyle().FramePadding.x; }
-    float number_width() const { return width_of(number_text(context_, facts_, context_.frames)); }
+    float field_width() const { return button_width(std::to_string(context_.frames)); }
+    float inner_gap() const { return ImGui::GetStyle().ItemInnerSpacing.x; }
+    float number_width() const { return field_width() + inner_gap() + width_of(frames_text(context_, facts_)); }
     float reach_width() const {
         return std::max(width_of(words_of(EditsReach::all_frames)), width_of(words_of(EditsReach::this_frame)));
     }
@@ -207,7 +210,7 @@ private:
         choices_.handle_held = held;
         const float mouse = ImGui::GetIO().MousePos.x;
         const std::int64_t present = facts_.wanted.value_or(context_.frame);
-        if (held && frame_at(mouse) != present) context_.actions.emplace_back(ShowFrame{frame_at(mouse)});
+        if (held) show(frame_at(mouse));
 
         ImDrawList& draw = *ImGui::GetWindowDrawList();
         const float middle = std::round(left_.y + 0.5F * height);
@@ -268,9 +271,20 @@ private:
             help = "So many frames are found in " + fixed(100.0 * facts_.counted, 0) + " % of the file; the rest is being counted.";
         }
         if (facts_.edits != EditsReach::none && !shows_mark_) help += "\n" + words_of(facts_.edits);
-        const ImVec4 color = ImGui::GetStyleColorVec4(facts_.wanted ? ImGuiCol_TextDisabled : ImGuiCol_Text);
-        draw_words(number_text(context_, facts_, facts_.wanted.value_or(context_.frame)), number_width(), color, "frame number",
-                   help);
+        ImGui::SetCursorScreenPos(left_);
+        ImGui::SetNextItemWidth(field_width());
+        const NumberRule rule{.low = 0.0, .high = static_cast<double>(context_.frames - 1), .whole = true, .usual_size = 100.0};
+        const std::int64_t present = facts_.wanted.value_or(context_.frame);
+        auto number = static_cast<double>(present);
+        if (sphereview::draw_number(context_, choices_.numbers, "frame", rule, number) != NumberChange::none)
+            show(std::llround(number));
+        left_.x += field_width() + inner_gap();
+        const std::string range = frames_text(context_, facts_);
+        draw_words(range, width_of(range), ImGui::GetStyleColorVec4(ImGuiCol_Text), "frame number", help);
+    }
+
+    void show(std::int64_t frame) {
+        if (frame != facts_.wanted.value_or(context_.frame)) context_.actions.emplace_back(ShowFrame{frame});
     }
 
     bool has_own_edits() const { return facts_.edits == EditsReach::this_frame; }
@@ -324,18 +338,12 @@ private:
     void draw_speed() {
         ImGui::SetCursorScreenPos(left_);
         ImGui::SetNextItemWidth(speed_width());
-        const bool open = ImGui::BeginCombo("##speed", speed_text(choices_.speed).c_str(),
-                                            ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
-        note_widget(context_, "speed");
-        if (!open) {
-            explain_item("Frames a second");
-            return;
-        }
-        for (const double speed : play_speeds) {
-            if (ImGui::Selectable(speed_text(speed).c_str(), speed == choices_.speed)) choices_.speed = speed;
-            note_widget(context_, "speed " + fixed(speed, 0));
-        }
-        ImGui::EndCombo();
+        std::vector<std::string> words;
+        for (const double speed : play_speeds) words.push_back(speed_text(speed));
+        const auto present = static_cast<std::size_t>(std::ranges::find(play_speeds, choices_.speed) - play_speeds.begin());
+        const auto chosen = draw_choice(context_, "speed", words, present, "Frames a second",
+                                        ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
+        if (chosen) choices_.speed = play_speeds.at(*chosen);
     }
 
     const PanelContext& context_;
@@ -357,10 +365,6 @@ private:
 double next_speed(double speed, int by) {
     const auto at = std::ranges::find(play_speeds, speed) - play_speeds.begin();
     return play_speeds.at(static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + by, 0, std::ssize(play_speeds) - 1)));
-}
-
-std::string frame_in_words(std::int64_t frame, std::int64_t frames) {
-    return in_groups(static_cast<std::uint64_t>(frame)) + " of 0.." + in_groups(static_cast<std::uint64_t>(frames - 1));
 }
 
 float least_timeline_width(const PanelContext& context, const TimelineFacts& facts) {

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <string>
 
+#include "panels/number_field.hpp"
 #include "panels/panel_context.hpp"
 
 namespace sphereview {
@@ -17,6 +17,7 @@ struct PlayChoices {
     double speed = 24.0;  // frames a second
     Repeat repeat = Repeat::once;
     bool handle_held = false;  // the film goes on from where the handle is let go
+    NumberFields numbers{};    // the frame's, which is typed or dragged as well
 };
 
 inline constexpr std::array<double, 9> play_speeds = {1.0, 2.0, 5.0, 10.0, 15.0, 24.0, 30.0, 60.0, 120.0};
@@ -35,9 +36,6 @@ struct TimelineFacts {
     EditsReach edits = EditsReach::none;
 };
 
-// "39 of 0..39": as --frame counts them.
-std::string frame_in_words(std::int64_t frame, std::int64_t frames);
-
 // How high what draw_timeline() draws is, without the window's edge.
 float timeline_height();
 
@@ -45,8 +43,8 @@ float timeline_height();
 float least_timeline_width(const PanelContext& context, const TimelineFacts& facts);
 
 // Draws into the current ImGui window, as wide as that is; what there is no room for is left out. Widgets: "first frame",
-// "previous frame", "play", "next frame", "last frame", "timeline", "frame number",
-// "edits reach" or, where there is less room, "edits mark", "repeat", "speed", "speed 24".
+// "previous frame", "play", "next frame", "last frame", "timeline", "slider frame", "frame number",
+// "edits reach" or, where there is less room, "edits mark", "repeat", "speed", "speed 24 / s".
 void draw_timeline(const PanelContext& context, const TimelineFacts& facts, PlayChoices& choices);
 
 }  // namespace sphereview

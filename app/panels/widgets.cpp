@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -71,11 +72,9 @@ int leading_digit(double value) {
 
 void draw_command_button(const PanelContext& context, const CommandButton& button, float width) {
     const CommandInfo& info = info_of(context.commands, button.id);
-    ImGui::BeginDisabled(!info.enabled);
-    if (ImGui::Button(button.label, {width, 0.0F})) context.actions.emplace_back(RunCommand{button.id});
-    ImGui::EndDisabled();
-    note_widget(context, button.widget);
-    explain_item(std::string(info.help) + (info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut)));
+    const std::string help = std::string(info.help) + (info.shortcut.empty() ? "" : "\n" + every_shortcut(info.shortcut));
+    if (draw_button(context, button.label, button.widget, help, info.enabled, {width, 0.0F}))
+        context.actions.emplace_back(RunCommand{button.id});
 }
 
 // So that a colour is seen on a panel of the same colour.
@@ -174,14 +173,46 @@ void draw_command_buttons(const PanelContext& context, const std::vector<Command
     }
 }
 
+bool draw_button(const PanelContext& context, const char* label, const std::string& widget, const std::string& help, bool enabled,
+                 ImVec2 size) {
+    ImGui::BeginDisabled(!enabled);
+    const bool pressed = ImGui::Button(label, size);
+    ImGui::EndDisabled();
+    note_widget(context, widget);
+    if (!help.empty()) explain_item(help);
+    return pressed;
+}
+
+std::optional<std::size_t> draw_choice(const PanelContext& context, const std::string& widget,
+                                       const std::vector<std::string>& words, std::size_t present, const std::string& help,
+                                       ImGuiComboFlags flags) {
+    const bool open = ImGui::BeginCombo(("##" + widget).c_str(), words[present].c_str(), flags);
+    note_widget(context, widget);
+    if (!open) {
+        if (!help.empty()) explain_item(help);
+        return std::nullopt;
+    }
+    std::optional<std::size_t> chosen;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (ImGui::Selectable(words[i].c_str(), i == present) && i != present) chosen = i;
+        note_widget(context, widget + " " + words[i]);
+    }
+    ImGui::EndCombo();
+    return chosen;
+}
+
 float button_width(std::string_view label) {
     return ImGui::CalcTextSize(label.data(), label.data() + label.size(), true).x + 2.0F * ImGui::GetStyle().FramePadding.x;
 }
 
-void same_line_for(std::string_view label) {
-    ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x < button_width(label)) ImGui::NewLine();
+bool same_line_within(float width, float gap) {
+    ImGui::SameLine(0.0F, gap);
+    const bool fits = ImGui::GetContentRegionAvail().x >= width;
+    if (!fits) ImGui::NewLine();
+    return fits;
 }
+
+void same_line_for(std::string_view label) { same_line_within(button_width(label)); }
 
 void explain_item(const std::string& help) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", help.c_str());
@@ -190,6 +221,15 @@ void explain_item(const std::string& help) {
 void focus_next_box() {
     ImGui::SetWindowFocus();  // since ImGui 1.89 only a window with the focus hands the keyboard on
     ImGui::SetKeyboardFocusHere();
+}
+
+bool begin_text_window(const PanelContext& context, const char* title, bool& open, ImVec2 size) {
+    const ImGuiViewport* viewport = ImGui::GetMainViewport();
+    ImGui::SetNextWindowPos(viewport->GetWorkCenter(), ImGuiCond_Appearing, {0.5F, 0.5F});
+    ImGui::SetNextWindowSize({std::min(size.x * context.scale, 0.95F * viewport->WorkSize.x),
+                              std::min(size.y * context.scale, 0.9F * viewport->WorkSize.y)},
+                             ImGuiCond_Appearing);
+    return ImGui::Begin(title, &open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
 }
 
 void wrapped_text(std::string_view text, float wrap_at) {
@@ -221,6 +261,23 @@ void draw_swatch(const Color& color, ImVec2 place, float side, float scale, floa
     const ImU32 fill = IM_COL32(color.r, color.g, color.b, static_cast<int>(std::lround(255.0F * opacity)));
     list.AddRectFilled(place, end, fill, 2.0F * scale);
     draw_edge(place, end, scale);
+}
+
+void draw_swatch(const PanelContext& context, const Color& color) {
+    const float side = ImGui::GetTextLineHeight();
+    draw_swatch(color, ImGui::GetCursorScreenPos(), side, context.scale);
+    ImGui::Dummy({side, side});
+}
+
+void draw_pin(ImDrawList& draw, ImVec2 middle, float reach, float scale) {
+    const auto arms = [&](float from, float to, float thickness, ImU32 color) {
+        for (const auto& [x, y] : {std::pair{1.0F, 0.0F}, std::pair{-1.0F, 0.0F}, std::pair{0.0F, 1.0F}, std::pair{0.0F, -1.0F}}) {
+            draw.AddLine({middle.x + x * from * scale, middle.y + y * from * scale},
+                         {middle.x + x * to * scale, middle.y + y * to * scale}, color, thickness * scale);
+        }
+    };
+    arms(3.0F, reach, 4.0F, IM_COL32(0, 0, 0, 190));
+    arms(4.0F, reach - 1.0F, 2.0F, pin_color);
 }
 
 bool key_pressed(ImGuiKey key) {
@@ -277,11 +334,6 @@ double rounded_to(double value, int exponent) {
 }
 
 int last_digit(double value, int digits) { return leading_digit(value) - digits + 1; }
-
-std::string rounded_text(double value, int exponent) {
-    if (exponent <= 0 && exponent >= -9 && std::fabs(value) < 1e9) return fixed(value, -exponent);
-    return shortest(rounded_to(value, exponent));
-}
 
 std::string short_text(double value, int digits) { return decimal(value + 0.0, std::chars_format::general, digits); }
 

@@ -39,10 +39,22 @@ struct CommandButton {
 };
 void draw_command_buttons(const PanelContext& context, const std::vector<CommandButton>& buttons);
 
+// A button, noted as `widget`, which the mouse over it explains. Returns whether it was pressed.
+bool draw_button(const PanelContext& context, const char* label, const std::string& widget, const std::string& help = "",
+                 bool enabled = true, ImVec2 size = {0.0F, 0.0F});
+
+// A field that opens to a list of words, of which `present` is chosen. Returns the place of another one that was chosen now. Noted
+// as `widget` and, for each, "WIDGET WORDS".
+std::optional<std::size_t> draw_choice(const PanelContext& context, const std::string& widget,
+                                       const std::vector<std::string>& words, std::size_t present, const std::string& help = "",
+                                       ImGuiComboFlags flags = 0);
+
 // How wide a button with that label is, at least.
 float button_width(std::string_view label);
 
-// Goes on in the line where a button with that label fits.
+// Goes on in the line where so much fits, else in the next. Returns whether it does. `gap`: the usual one by default.
+bool same_line_within(float width, float gap = -1.0F);
+// The same for a button with that label.
 void same_line_for(std::string_view label);
 
 // The mouse over ImGui's last item, also a disabled one, says that.
@@ -54,6 +66,12 @@ void focus_next_box();
 // A window that stays where it is put, with nothing of ImGui's around it.
 inline constexpr ImGuiWindowFlags bare_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                                 ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+// Likewise, and the keyboard passes it over.
+inline constexpr ImGuiWindowFlags quiet_window = bare_window | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
+
+// Begins a window in the middle of all, in which a long text is read; its close button makes `open` false. To be followed by
+// ImGui::End(). `size`: at first, as far as there is room.
+bool begin_text_window(const PanelContext& context, const char* title, bool& open, ImVec2 size);
 
 // Text that is continued below where the line ends, or at a place in the window.
 void wrapped_text(std::string_view text, float wrap_at = 0.0F);
@@ -68,6 +86,12 @@ float width_of(std::string_view text);
 
 // A square of a sphere's colour, at a place in screen coordinates.
 void draw_swatch(const Color& color, ImVec2 place, float side, float scale, float opacity = 1.0F);
+// The same as an item, as high as a line of text.
+void draw_swatch(const PanelContext& context, const Color& color);
+
+// Arms around a pinned pixel, which stays free, as far as `reach` at the usual scale.
+inline constexpr ImU32 pin_color = IM_COL32(255, 220, 90, 255);
+void draw_pin(ImDrawList& draw, ImVec2 middle, float reach, float scale);
 
 // Whether a key, as ImGui calls it (ImGuiKey_UpArrow), went down or repeats.
 bool key_pressed(ImGuiKey key);
@@ -81,9 +105,6 @@ double rounded_to(double value, int exponent);
 
 // The exponent of the last of `digits` significant digits; 0 counts as 1.
 int last_digit(double value, int digits);
-
-// With decimal places down to 10^exponent, "12.50" for -2; as short as it can be where that would be long.
-std::string rounded_text(double value, int exponent);
 
 // With so many significant digits at most: "0.3333", "1e+20".
 std::string short_text(double value, int digits = 4);

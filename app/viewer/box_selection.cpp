@@ -2,7 +2,8 @@
 
 #include <chrono>
 #include <cstddef>
-#include <optional>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "app/failure.hpp"
@@ -15,15 +16,6 @@
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
-
-namespace {
-
-// Of the exception being handled.
-void report_failure(ViewerState& state) {
-    report_error(state, "What is seen in the box cannot be found", describe_current_exception().message);
-}
-
-}  // namespace
 
 std::vector<std::uint32_t> spheres_seen(const Scene& scene, const Camera& camera, PictureSize size, const Block& block) {
     const DrawnSpheres drawn = drawn_spheres(scene, camera);
@@ -45,39 +37,28 @@ std::vector<std::uint32_t> spheres_seen(const Scene& scene, const Camera& camera
 void select_seen(ViewerState& state, const Block& block, bool toggles) {
     // A redraw can wait so long without anyone noticing.
     constexpr std::chrono::milliseconds patience{10};
-    state.box_selection.reset();
+    const auto fail = [&state](const std::string& why) { report_error(state, "What is seen in the box cannot be found", why); };
+    state.selecting.reset();
     try {
-        auto numbers = std::make_shared<std::vector<std::uint32_t>>();
+        const auto numbers = std::make_shared<std::vector<std::uint32_t>>();
         BackgroundJob job([numbers, block, scene = scene_snapshot(state), camera = state.camera,
                            size = state.picture_size](WorkControl&) { *numbers = spheres_seen(*scene, camera, size, block); });
-        state.box_selection.emplace(
-            BoxSelection{state.document.revision(), state.selection, toggles, std::move(numbers), std::move(job)});
+        const auto done = [&state, numbers, toggles, before = state.selection, revision = state.document.revision()] {
+            if (state.document.changes_since(revision).order || state.selection != before) return;
+            Selection selection = before;
+            if (toggles) {
+                selection.toggle_all(*numbers);
+            } else {
+                selection.set(*numbers);
+            }
+            if (selection != before) perform(state, {SelectSpheres{std::move(selection)}});
+        };
+        state.selecting.emplace(Work{.path = "", .job = std::move(job), .done = done, .fail = fail});
     } catch (...) {
-        return report_failure(state);
+        return fail(describe_current_exception().message);
     }
-    state.box_selection->job.wait_for(patience);
-    finish_box_selection(state);
-}
-
-bool finish_box_selection(ViewerState& state) {
-    if (!state.box_selection || !state.box_selection->job.ended()) return false;
-    const BoxSelection done = *std::exchange(state.box_selection, std::nullopt);
-    try {
-        done.job.rethrow();
-    } catch (...) {
-        report_failure(state);
-        return true;
-    }
-    const bool same_numbers = !state.document.changes_since(done.revision).order;
-    if (!same_numbers || state.selection != done.before) return true;
-    Selection selection = state.selection;
-    if (done.toggles) {
-        selection.toggle_all(*done.numbers);
-    } else {
-        selection.set(*done.numbers);
-    }
-    if (selection != state.selection) perform(state, {SelectSpheres{std::move(selection)}});
-    return true;
+    state.selecting->job.wait_for(patience);
+    finish(state.selecting);
 }
 
 }  // namespace sphereview

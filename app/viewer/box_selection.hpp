@@ -3,11 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
-#include "base/background_job.hpp"
-#include "edit/selection.hpp"
 #include "exact/visible.hpp"
 #include "scene/scene.hpp"
 
@@ -15,22 +12,11 @@ namespace sphereview {
 
 struct ViewerState;
 
-// One under way.
-struct BoxSelection {
-    std::uint64_t revision;  // of the document whose numbers it finds
-    Selection before;        // what was selected then
-    bool toggles;            // that, instead of replacing it
-    std::shared_ptr<std::vector<std::uint32_t>> numbers;
-    BackgroundJob job;
-};
-
 // The numbers of the spheres that pixels of the block show, which lies in the picture; ascending.
 std::vector<std::uint32_t> spheres_seen(const Scene& scene, const Camera& camera, PictureSize size, const Block& block);
 
-// Selects what is seen in the block of the window's picture, now or later. Another one that is under way ends.
+// Selects what is seen in the block of the window's picture, now or later (state.selecting), unless something else is selected or
+// numbers become others meanwhile. Another one that is under way ends.
 void select_seen(ViewerState& state, const Block& block, bool toggles);
-
-// Selects what was found, if it has been, unless something else was selected meanwhile. Returns whether one ended.
-bool finish_box_selection(ViewerState& state);
 
 }  // namespace sphereview

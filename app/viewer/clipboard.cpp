@@ -68,7 +68,7 @@ bool copy_selected(ViewerState& state) {
         return false;
     }
     state.clipboard.set_text(text);
-    announce(state, "Copied " + title_of(state.scene(), state.selection) + " as text.");
+    announce(state, "Copied " + title_of(state.scene(), state.selection.numbers()) + " as text.");
     return true;
 }
 

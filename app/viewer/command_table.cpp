@@ -10,6 +10,7 @@
 #include "viewer/frame_player.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_saving.hpp"
 #include "viewer/selection_edits.hpp"
 
 namespace sphereview {

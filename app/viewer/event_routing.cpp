@@ -88,7 +88,9 @@ std::vector<InputEvent> EventRouting::take(InputQueue& input, DialogKeys& keys, 
     // What follows a click on a number, or the key that saves a view, is meant for the box that opens. In a panel that is not drawn
     // none does.
     const SidePanelState& panel = state_.side_panel;
-    const bool opens = state_.panel_drawn && (panel.opens_box() || (panel.has_box() && !typing));
+    const NumberFields& frame = state_.player.choices.numbers;
+    const bool opens = (state_.panel_drawn && (panel.opens_box() || (panel.has_box() && !typing))) || frame.focus ||
+                       (!frame.typed.empty() && !typing);
     waited_for_box_ = opens ? waited_for_box_ + 1 : 0;
     const bool popped_up = has_popped_up(state_);
     const std::vector<CommandInfo> commands = commands_of(state_);

@@ -179,31 +179,20 @@ void start_unless_replacing(ViewerState& state, const FilmRequest& request, cons
                             const std::string& path) {
     const std::string there = request.options.output ? replaced_picture(request, shots) : "";
     if (there.empty()) return start_film(state, request);
-    state.dialogs.push_back(Question{.id = "replace",
-                                     .title = "Replace pictures?",
-                                     .text = there + "\n\nexists already, and perhaps others do.",
-                                     .answers = {"Replace", "Cancel"},
-                                     .cancel = 1,
-                                     .answer =
-                                         [&state, request, path](int answer) {
-                                             if (answer != 0) return ask_for_film(state, path, "");
-                                             start_film(state, request);
-                                         },
-                                     .focused = 1});
+    const auto answer = [&state, request, path](bool replaces) {
+        if (!replaces) return ask_for_film(state, path, "");
+        start_film(state, request);
+    };
+    state.dialogs.push_back(replace_question("Replace pictures?", there + "\n\nexists already, and perhaps others do.", answer));
 }
 
 void ask_for_film(ViewerState& state, const std::string& path, const std::string& fault) {
-    FileBrowser browser = file_dialog(state);
-    browser.saving = true;
-    browser.title = "Export film";
-    browser.folder = text_from(path_from(path).parent_path());
-    browser.name = text_from(path_from(path).filename());
+    FileBrowser browser = saving_dialog(state, "Export film", path, fault);
     browser.kinds = film_kinds(name_in_patterns(name_of_scene(state)));
     browser.only_kinds = true;
     browser.size = PictureSize{state.settings.film_width, state.settings.film_height};
     browser.view = state.picture_size;
     browser.film = std::make_shared<FilmForm>(new_form(state));
-    browser.error = fault;
     browser.accept = [&state, form = browser.film](const std::string& chosen, PictureSize size) {
         state.settings.film_width = size.width;
         state.settings.film_height = size.height;
@@ -272,6 +261,7 @@ FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::st
                          in_groups(static_cast<std::uint64_t>(longest_side(chosen.samples))) + " pixels wide and high.");
     }
     options.scenes = {scene};
+    options.backend = Backend::cpu;
     options.size = size;
     options.samples = chosen.samples;
     options.shading = state.settings.shading;

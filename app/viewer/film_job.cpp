@@ -6,10 +6,10 @@
 
 #include "app/film.hpp"
 #include "app/frame_sequence.hpp"
-#include "app/picture_of_scene.hpp"
+#include "app/render_command.hpp"
 #include "app/render_plan.hpp"
-#include "image/png.hpp"
-#include "viewer/picture_job.hpp"
+#include "app/render_report.hpp"
+#include "base/error.hpp"
 
 namespace sphereview {
 
@@ -44,8 +44,10 @@ private:
 }  // namespace
 
 double FilmStatus::part() const {
+    if (pictures() == 0) return part_;
     const auto all = static_cast<double>(pictures());
-    return all > 0.0 ? std::min((static_cast<double>(done()) + of_picture_) / all, 1.0) : of_picture_.load();
+    const auto before = static_cast<double>(done());
+    return std::clamp(part_.load(), before / all, std::min((before + 1.0) / all, 1.0));
 }
 
 std::optional<double> FilmStatus::seconds_left() const {
@@ -72,13 +74,8 @@ void FilmStatus::set_film(Film* film) {
 
 void FilmStatus::begin(std::size_t pictures) {
     begun_ = Clock::now();
-    of_picture_ = 0.0;
+    part_ = 0.0;
     pictures_ = pictures;
-}
-
-void FilmStatus::add_done() {
-    of_picture_ = 0.0;
-    ++done_;
 }
 
 void FilmStatus::warn(const std::vector<std::string>& lines) {
@@ -100,17 +97,14 @@ void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& sta
     const FilmInStatus known(status, film.get());
     sequence->prepare(progress);
     status.begin(jobs.size());
-    for (const RenderJob& job : jobs) {
+    const auto reported = [&](const RenderReport& report) {
         control.check();
-        if (job.output) check_output(*job.output, missing_folder(*options.output));
-        const LoadedScene loaded = sequence->load(sequence->shots()[job.shot]);
-        status.warn(sequence->not_said(loaded.warnings));
-        const Image picture = render_beside(loaded.scene, picture_options(loaded, options), follow);
-        control.check();
-        if (film) film->add(picture);
-        if (job.output) write_output(*job.output, encode_png(picture), options.durability, missing_folder(*options.output));
+        status.warn(sequence->not_said(report.warnings));
+        if (!report.error.empty()) throw RenderError(report.error);
         status.add_done();
-    }
+    };
+    run_jobs(options, jobs, {.film = film.get(), .manifest = nullptr, .reported = reported}, progress);
+    control.check();
     if (!film) return;
     control.begin_to_write();
     film->finish();

@@ -23,7 +23,7 @@ class Film;
 
 // What is to be made.
 struct FilmRequest {
-    // As `render` would be asked: one scene, a camera, and a movie or an output with {frame}.
+    // As `render` would be asked: one scene, a camera, and a movie or an output with {frame}; by the processor.
     RenderOptions options;
     bool is_of_file = false;             // the frames of the scene's file; else a turntable of what is shown
     FrameChanges changes{};              // of the file's frames; the light is that of what is shown, too
@@ -50,15 +50,16 @@ public:
     // For the thread that makes it.
     void begin(std::size_t pictures);
     void set_film(Film* film);
-    void progress(double of_picture) { of_picture_ = of_picture; }
-    void add_done();
+    // Of the file, and then of the pictures, or of the one that is being made: 0..1.
+    void progress(double part) { part_ = part; }
+    void add_done() { ++done_; }
     void warn(const std::vector<std::string>& lines);
 
 private:
     using Clock = std::chrono::steady_clock;
     std::atomic<std::size_t> pictures_ = 0;
     std::atomic<std::size_t> done_ = 0;
-    std::atomic<double> of_picture_ = 0.0;
+    std::atomic<double> part_ = 0.0;
     std::atomic<Clock::time_point> begun_{};
     mutable std::mutex mutex_;
     std::vector<std::string> warnings_;

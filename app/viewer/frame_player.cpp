@@ -7,6 +7,7 @@
 
 #include "base/text.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_saving.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -181,6 +182,7 @@ void end_frames(ViewerState& state) {
     state.player = {};
     state.player.choices = choices;
     state.player.choices.handle_held = false;
+    state.player.choices.numbers = {};
     state.frames = 1;
 }
 

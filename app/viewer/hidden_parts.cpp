@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "camera/navigation.hpp"
+#include "panels/panel_context.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -40,7 +41,7 @@ std::int32_t HiddenParts::seen_at(const glm::dvec2& place) const {
 
 bool HiddenParts::hides(const glm::dvec2& place, double depth) const {
     const std::int32_t number = seen_at(place);
-    if (number < 0 || static_cast<std::size_t>(number) >= scene_.spheres.size()) return false;
+    if (!has_sphere(scene_, number)) return false;
     const auto surface = hit_depth(view_, size_, place, scene_.spheres[static_cast<std::size_t>(number)]);
     return surface && depth > *surface * (1.0 + on_surface);
 }

@@ -111,11 +111,13 @@ void draw_rays_over(ViewerState& state, const PanelContext& context, const Redra
     RaysInSpace& rays = state.rays;
     RaysFacts shown = facts_of_rays(state, facts.inspection.first);
     shown.picture = facts.seen_by_eye;
-    // Above the axes in the corner, where there is room for both.
+    // Above the axes in the corner, where there is room for both; else these give way to the right.
     Rectangle place = picture;
     const float axes = axes_height * context.scale;
-    if (state.settings.axes_shown && place.height - axes >= lowest_rays * context.scale) place.height -= axes;
+    const bool above = place.height - axes >= lowest_rays * context.scale;
+    if (state.settings.axes_shown && above) place.height -= axes;
     const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, place);
+    rays.beside_panel = above ? 0.0F : answer.size.x;
     const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
     fly_beside(state, {pixels * static_cast<double>(answer.size.x), pixels * static_cast<double>(answer.size.y)});
     rays.pointed.reset();

@@ -4,12 +4,32 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <utility>
 
 #include "base/background_job.hpp"
 
 namespace sphereview {
+
+// What one thread tells another.
+template <typename Value>
+class HandedOver {
+public:
+    explicit HandedOver(Value value = {}) : value_(std::move(value)) {}
+    Value get() const {
+        const std::lock_guard lock(mutex_);
+        return value_;
+    }
+    void set(Value value) {
+        const std::lock_guard lock(mutex_);
+        value_ = std::move(value);
+    }
+
+private:
+    mutable std::mutex mutex_;
+    Value value_;
+};
 
 // What is made beside the loop of what goes on changing: the latest is shown until there is a later one, and the next is begun when
 // the one before has ended, so that a drag shows many of them.

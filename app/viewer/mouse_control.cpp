@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "panels/widgets.hpp"
+#include "viewer/hidden_parts.hpp"
 
 namespace sphereview {
 
@@ -26,22 +27,13 @@ constexpr int radius_digits = 5;  // that a turn of the wheel leaves
 // Spheres whose numbers are rounded in decimal: of more, that would not keep up with the hand.
 constexpr std::size_t most_rounded = 20'000;
 
-// Where the ray through a place first meets the sphere; its centre where, for rounding, it does not.
-glm::dvec3 hit_point(const Camera& camera, PictureSize size, const glm::dvec2& place, const Sphere& sphere) {
-    const glm::dvec3 origin = point_at(camera, size, place, 0.0);
-    const glm::dvec3 ray = glm::normalize(point_at(camera, size, place, 1.0) - origin);
-    const glm::dvec3 center = sphere.center - origin;
-    const double along = glm::dot(center, ray);
-    const double square = sphere.radius * sphere.radius - (glm::dot(center, center) - along * along);
-    if (!(square >= 0.0)) return sphere.center;
-    const double near = along - std::sqrt(square);
-    const double t = near > 0.0 ? near : along + std::sqrt(square);
-    return t > 0.0 ? origin + t * ray : sphere.center;
-}
-
 // The point in the scene under the pointer: on the sphere there, else as deep as the pivot.
 glm::dvec3 point_under(const PictureState& state, const glm::dvec2& place, std::int32_t picked) {
-    if (picked >= 0) return hit_point(state.camera, state.size, place, state.scene.spheres[static_cast<std::size_t>(picked)]);
+    if (picked >= 0) {
+        const Sphere& sphere = state.scene.spheres[static_cast<std::size_t>(picked)];
+        const auto depth = hit_depth(state.camera, state.size, place, sphere);
+        return depth ? point_at(state.camera, state.size, place, *depth) : sphere.center;  // by rounding it may miss
+    }
     const double depth = depth_of(state.camera, state.pivot);
     return point_at(state.camera, state.size, place, depth > 0.0 ? depth : 1.0);
 }
@@ -93,7 +85,7 @@ double moved_by(double from, double by) {
     return rounded_to(from + by, last_digit(std::max(std::fabs(from), std::fabs(by)), certain_digits));
 }
 
-std::string title_of(const PictureState& state) { return sphereview::title_of(state.scene, state.selection); }
+std::string title_of(const PictureState& state) { return sphereview::title_of(state.scene, state.selection.numbers()); }
 
 }  // namespace
 

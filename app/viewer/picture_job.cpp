@@ -48,9 +48,9 @@ std::size_t bytes_for_lights() {
 Image render_growing(const Scene& scene, const PictureOptions& options, std::span<const std::int32_t> seen, WorkControl& control,
                      Preview& preview, KeptLights& kept) {
     if (options.shading != Shading::studio) return render_beside(scene, options, control);
-    Drafts drafts{.under = {}, .show = [&](Image image) { preview.set(std::move(image)); }};
-    const auto kept_draft = kept.draft();
-    const auto kept_picture = kept.picture();
+    Drafts drafts{.under = {}, .show = [&](Image image) { preview.set(std::make_shared<const Image>(std::move(image))); }};
+    const auto kept_draft = kept.draft.get();
+    const auto kept_picture = kept.picture.get();
     std::optional<Image> relit_draft;
     if (kept_draft) relit_draft = relit_picture(scene, draft_options(scene, options), *kept_draft);
     if (relit_draft) {
@@ -60,17 +60,17 @@ Image render_growing(const Scene& scene, const PictureOptions& options, std::spa
     if (kept_picture) {
         if (auto picture = relit_picture(scene, options, *kept_picture)) return std::move(*picture);
     }
-    kept.set_picture(nullptr);
-    if (!relit_draft) kept.set_draft(nullptr);
+    kept.picture.set(nullptr);
+    if (!relit_draft) kept.draft.set(nullptr);
     const auto found = std::make_shared<KeptLight>(bytes_for_lights());
     if (!relit_draft && !seen.empty()) {
         const bool differs = options.samples > 1;  // else the picture itself is as soon there
         drafts.under = lit_draft(scene, options, seen, drafts.show, differs ? found.get() : nullptr);
-        if (found->is_complete()) kept.set_draft(std::make_shared<const KeptLight>(std::move(*found)));
+        if (found->is_complete()) kept.draft.set(std::make_shared<const KeptLight>(std::move(*found)));
     }
     *found = KeptLight(bytes_for_lights());
     Image image = render_beside(scene, options, control, &drafts, found.get());
-    if (found->is_complete()) kept.set_picture(found);
+    if (found->is_complete()) kept.picture.set(found);
     return image;
 }
 
@@ -107,7 +107,7 @@ void start_export(ViewerState& state, const std::string& path, Naming naming, Pi
                   std::function<void(const std::string& why)> fail) {
     PictureOptions options = picture_options(state, size);
     options.marks = exported_marks(state);
-    const auto written = std::make_shared<FoundPath>(naming == Naming::as_said ? path : "");
+    const auto written = std::make_shared<HandedOver<std::string>>(naming == Naming::as_said ? path : "");
     const auto done = [&state, written, options] {
         const auto& [width, height] = options.size;
         announce(state, "Exported " + written->get() + " (" + std::to_string(width) + " x " + std::to_string(height) +
@@ -136,16 +136,11 @@ void start_export(ViewerState& state, const std::string& path, Naming naming, Pi
 }
 
 void ask_for_export(ViewerState& state, const std::string& first, const std::string& fault) {
-    FileBrowser form = file_dialog(state);
-    form.saving = true;
-    form.title = "Export picture";
-    form.folder = text_from(path_from(first).parent_path());
-    form.name = text_from(path_from(first).filename());
+    FileBrowser form = saving_dialog(state, "Export picture", first, fault);
     form.kinds = {{"PNG", {".png"}}};
     form.only_kinds = true;
     form.size = PictureSize{state.settings.export_width, state.settings.export_height};
     form.view = state.picture_size;
-    form.error = fault;
     const std::string marks = shown_marks(state);
     if (!marks.empty()) form.marks = std::make_shared<MarksChoice>(MarksChoice{marks, state.settings.marks_exported});
     form.accept = [&state, marks = form.marks](const std::string& path, PictureSize size) {
@@ -228,7 +223,7 @@ void begin_rest_picture(ViewerState& state, const std::function<std::vector<std:
         state.kept_lights = std::make_shared<KeptLights>(state.document.revision(), options);
     }
     const auto kept = state.kept_lights;
-    auto numbers = grows && !kept->draft() ? seen() : std::vector<std::int32_t>{};
+    auto numbers = grows && !kept->draft.get() ? seen() : std::vector<std::int32_t>{};
     BackgroundJob job([image, preview, options, kept, numbers = std::move(numbers), scene](WorkControl& control) {
         *image = render_growing(*scene, options, numbers, control, *preview, *kept);
     });
@@ -245,8 +240,8 @@ bool rest_picture_is_shown(ViewerState& state) {
     const bool same = same_spheres(state.document, picture.revision);
     if (same && picture.options == options) return picture.is_made();
     const auto& kept = state.kept_lights;
-    const bool relit =
-        kept && (kept->draft() || kept->picture()) && options.shading == Shading::studio && kept->are_of(state.document, options);
+    const bool relit = kept && (kept->draft.get() || kept->picture.get()) && options.shading == Shading::studio &&
+                       kept->are_of(state.document, options);
     if (!same) state.snapshot = {};
     if (!relit) {
         state.rest_picture.reset();

@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "app/render_picture.hpp"
 #include "base/background_job.hpp"
 #include "image/image.hpp"
+#include "viewer/made_beside.hpp"
 
 namespace sphereview {
 
@@ -29,23 +29,8 @@ struct SceneSnapshot {
 // A copy of the spheres, unless there is one: 40 MB and some 10 ms a million.
 std::shared_ptr<const Scene> scene_snapshot(ViewerState& state);
 
-// The best that there is yet of a picture: shown until all of it is made. Both threads use it.
-class Preview {
-public:
-    std::shared_ptr<const Image> image() const {
-        const std::lock_guard lock(mutex_);
-        return image_;
-    }
-    void set(Image image) {
-        auto made = std::make_shared<const Image>(std::move(image));
-        const std::lock_guard lock(mutex_);
-        image_ = std::move(made);
-    }
-
-private:
-    mutable std::mutex mutex_;
-    std::shared_ptr<const Image> image_;  // null until it is made
-};
+// The best that there is yet of a picture: shown until all of it is made. Null before there is anything.
+using Preview = HandedOver<std::shared_ptr<const Image>>;
 
 // Which lights shine where in the window's picture: where only their strengths change it is there again at once. Both threads use
 // it.
@@ -57,26 +42,12 @@ public:
     bool are_of(const Document& document, const PictureOptions& options);
 
     // Of the draft and of the picture itself: null until they are decided, and where they take too much memory.
-    std::shared_ptr<const KeptLight> draft() const { return get(draft_); }
-    std::shared_ptr<const KeptLight> picture() const { return get(picture_); }
-    void set_draft(std::shared_ptr<const KeptLight> light) { set(draft_, std::move(light)); }
-    void set_picture(std::shared_ptr<const KeptLight> light) { set(picture_, std::move(light)); }
+    HandedOver<std::shared_ptr<const KeptLight>> draft{};
+    HandedOver<std::shared_ptr<const KeptLight>> picture{};
 
 private:
-    std::shared_ptr<const KeptLight> get(const std::shared_ptr<const KeptLight>& light) const {
-        const std::lock_guard lock(mutex_);
-        return light;
-    }
-    void set(std::shared_ptr<const KeptLight>& light, std::shared_ptr<const KeptLight> found) {
-        const std::lock_guard lock(mutex_);
-        light = std::move(found);
-    }
-
     std::uint64_t revision_;  // of the document
     PictureOptions options_;
-    mutable std::mutex mutex_;
-    std::shared_ptr<const KeptLight> draft_;
-    std::shared_ptr<const KeptLight> picture_;
 };
 
 // The picture that the window shows at rest.
@@ -92,7 +63,7 @@ struct RestPicture {
     bool is_made() const { return job.ended() && image->width() > 0; }
     // The best that there is before it is made; null before there is anything.
     std::shared_ptr<const Image> draft() const {
-        const auto better = preview->image();
+        const auto better = preview->get();
         return better ? better : before;
     }
 };

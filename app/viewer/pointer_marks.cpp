@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "panels/widgets.hpp"
 #include "viewer/mouse_control.hpp"
 #include "viewer/viewer_state.hpp"
 
@@ -32,21 +33,14 @@ void draw_cross(const Rectangle& picture, ImVec2 middle, float scale) {
     bars(8.0F, 2.0F, IM_COL32(255, 255, 255, 230));
 }
 
-// A cross that leaves the pixel free, and a name beside it.
-void draw_pin(const Rectangle& picture, ImVec2 place, float scale, const char* name) {
+// With a name beside it.
+void draw_named_pin(const Rectangle& picture, ImVec2 place, float scale, const char* name) {
     const OverPicture draw(picture);
     const ImVec2 middle(std::floor(place.x) + 0.5F, std::floor(place.y) + 0.5F);
-    const auto arms = [&](float from, float to, float thickness, ImU32 color) {
-        for (const auto& [x, y] : {std::pair{1.0F, 0.0F}, std::pair{-1.0F, 0.0F}, std::pair{0.0F, 1.0F}, std::pair{0.0F, -1.0F}}) {
-            draw->AddLine(ImVec2(middle.x + x * from * scale, middle.y + y * from * scale),
-                          ImVec2(middle.x + x * to * scale, middle.y + y * to * scale), color, thickness * scale);
-        }
-    };
-    arms(3.0F, 13.0F, 4.0F, IM_COL32(0, 0, 0, 190));
-    arms(4.0F, 12.0F, 2.0F, IM_COL32(255, 220, 90, 255));
+    draw_pin(draw.list(), middle, 13.0F, scale);
     const ImVec2 beside(middle.x + 8.0F * scale, middle.y + 6.0F * scale);
     draw->AddText(ImVec2(beside.x + 1.0F, beside.y + 1.0F), IM_COL32(0, 0, 0, 220), name);
-    draw->AddText(beside, IM_COL32(255, 220, 90, 255), name);
+    draw->AddText(beside, pin_color, name);
 }
 
 }  // namespace
@@ -66,7 +60,7 @@ void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, con
     }
     if (!state.inspector_shown || state.rays.on) return;
     for (const auto& [pixel, name] : {std::pair{&state.pins.first, "1"}, std::pair{&state.pins.second, "2"}}) {
-        if (*pixel) draw_pin(picture, at(place_in(state.picture_size, **pixel)), scale, state.pins.second ? name : "");
+        if (*pixel) draw_named_pin(picture, at(place_in(state.picture_size, **pixel)), scale, state.pins.second ? name : "");
     }
 }
 

@@ -24,6 +24,7 @@ public:
     OverPicture& operator=(const OverPicture&) = delete;
 
     ImDrawList* operator->() const { return &list_; }
+    ImDrawList& list() const { return list_; }
 
 private:
     ImDrawList& list_;

@@ -2,6 +2,7 @@
 
 #include "camera/navigation.hpp"
 #include "panels/math_text.hpp"
+#include "viewer/pointer_marks.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -19,9 +20,7 @@ RayCanvas::RayCanvas(const ViewerState& state, const DrawnOver& over)
       hidden_(state.scene(), state.camera, state.picture_size, over.seen),
       draw_(*ImGui::GetBackgroundDrawList()) {}
 
-ImVec2 RayCanvas::on_window(const glm::dvec2& place) const {
-    return {over_.area.x + static_cast<float>(place.x / over_.pixels), over_.area.y + static_cast<float>(place.y / over_.pixels)};
-}
+ImVec2 RayCanvas::on_window(const glm::dvec2& place) const { return on_screen(over_.area, over_.pixels, place); }
 
 std::optional<ProjectedLine> RayCanvas::projected(const glm::dvec3& from, const glm::dvec3& to) const {
     return projected_line(state_.camera, state_.picture_size, from, to);

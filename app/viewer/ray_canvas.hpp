@@ -54,7 +54,7 @@ struct Inks {
 
     // The colour of what a ray hits, lighter on a dark ground and darker on a light one.
     Ink of(const Scene& scene, std::int32_t number) const {
-        if (number < 0 || static_cast<std::size_t>(number) >= scene.spheres.size()) return missed;
+        if (!has_sphere(scene, number)) return missed;
         const Color& color = scene.spheres[static_cast<std::size_t>(number)].color;
         const auto part = [&](std::uint8_t byte) { return (on_light ? 0 : 90) + byte * 165 / 255; };
         return {part(color.r), part(color.g), part(color.b), 0.62};

@@ -11,7 +11,7 @@
 #include "panels/ray_section.hpp"
 #include "panels/widgets.hpp"
 #include "scene/vectors.hpp"
-#include "viewer/drawn_screen.hpp"
+#include "viewer/pointer_marks.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {
@@ -20,6 +20,153 @@ namespace {
 
 constexpr double crowded = 0.35;         // how much of their opacity rays keep that lie side by side
 constexpr double most_steps = 60'000.0;  // of all lines together: where it would be more often, they are asked more rarely
+
+constexpr double picture_opacity = 0.9;  // of the picture on the screen: what is behind it shimmers through
+constexpr double hidden_picture = 0.10;
+
+constexpr float largest_patch = 36.0F;  // of the picture on the screen, in screen coordinates: drawn as if it were flat
+constexpr float smallest_patch = 2.0F;  // at the edge of what hides it
+constexpr int most_halvings = 12;
+
+// The screen of an eye that is seen from beside: its edge, a grid, and the picture on it. What it is given must outlive it.
+// `texture`: the picture, if there is one yet.
+class DrawnScreen {
+public:
+    DrawnScreen(const RayCanvas& canvas, const RaysInSpace& rays, const std::optional<ImTextureID>& texture, const Inks& inks);
+
+    void draw() const;
+
+    // In the scene.
+    const std::array<glm::dvec3, 4>& corners() const { return corners_; }
+
+private:
+    glm::dvec3 on_screen(const glm::dvec2& place) const;
+    int grid_cell() const;
+    void draw_patch(const glm::dvec2& low, const glm::dvec2& high, int halvings) const;
+    void halve(const glm::dvec2& low, const glm::dvec2& high, const std::array<glm::dvec2, 4>& places, bool is_before,
+               int halvings) const;
+    double visible_part(const glm::dvec2& low, const glm::dvec2& high) const;
+    glm::dvec3 point_on_screen(const glm::dvec2& part) const;
+    bool is_outside(const std::array<ImVec2, 4>& points) const;
+
+    const RayCanvas& canvas_;
+    const RaysInSpace& rays_;
+    const std::optional<ImTextureID>& texture_;
+    const Inks& inks_;
+    std::array<glm::dvec3, 4> corners_;
+};
+
+DrawnScreen::DrawnScreen(const RayCanvas& canvas, const RaysInSpace& rays, const std::optional<ImTextureID>& texture,
+                         const Inks& inks)
+    : canvas_(canvas),
+      rays_(rays),
+      texture_(texture),
+      inks_(inks),
+      corners_(screen_corners(rays.camera, rays.size, rays.screen_depth)) {}
+
+glm::dvec3 DrawnScreen::on_screen(const glm::dvec2& place) const {
+    return point_at(rays_.camera, rays_.size, place, rays_.screen_depth);
+}
+
+void DrawnScreen::draw() const {
+    if (texture_) draw_patch({0.0, 0.0}, {1.0, 1.0}, 0);
+    const auto line_across = [&](const glm::dvec2& from, const glm::dvec2& to, const Ink& ink, float width) {
+        canvas_.line(on_screen(from), on_screen(to), ink, width, 2.0 * usual_step);
+    };
+    const double width = rays_.size.width;
+    const double height = rays_.size.height;
+    const int cell = grid_cell();
+    for (int x = cell; x < rays_.size.width; x += cell) line_across({x, 0.0}, {x, height}, inks_.grid, 1.0F);
+    for (int y = cell; y < rays_.size.height; y += cell) line_across({0.0, y}, {width, y}, inks_.grid, 1.0F);
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+        canvas_.line(corners_[i], corners_[(i + 1) % corners_.size()], inks_.edge, 1.6F);
+}
+
+// So many pixels of the eye's picture a square of the grid is wide: one in which one ray of all is drawn.
+// So many times wider where it would be too small to be seen.
+int DrawnScreen::grid_cell() const {
+    constexpr double least = 4.5;  // screen coordinates
+    int cell = std::max(rays_.choice.in_picture, 1);
+    const glm::dvec2 middle{0.5 * rays_.size.width, 0.5 * rays_.size.height};
+    const auto at = canvas_.place(on_screen(middle));
+    const auto right = canvas_.place(on_screen(middle + glm::dvec2(cell, 0.0)));
+    const auto below = canvas_.place(on_screen(middle + glm::dvec2(0.0, cell)));
+    if (!at || !right || !below) return cell;
+    double spacing = std::min(std::hypot(right->x - at->x, right->y - at->y), std::hypot(below->x - at->x, below->y - at->y)) /
+                     (canvas_.over().pixels * static_cast<double>(canvas_.over().scale));
+    for (; spacing < least && cell < rays_.size.shorter_side(); spacing *= 2.0) cell *= 2;
+    return cell;
+}
+
+// A part of the picture, from corner to corner, 0..1. It is halved until each piece is small enough to be drawn as if it were
+// seen straight on, and wholly hidden or not.
+void DrawnScreen::draw_patch(const glm::dvec2& low, const glm::dvec2& high, int halvings) const {
+    const std::array<glm::dvec2, 4> parts = {low, {high.x, low.y}, high, {low.x, high.y}};
+    std::array<glm::dvec2, 4> places{};
+    std::array<ImVec2, 4> points{};
+    std::array<ImVec2, 4> on_texture{};
+    bool is_before = true;  // the view
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto at = canvas_.place(point_on_screen(parts[i]));
+        is_before = is_before && at.has_value();
+        places[i] = at.value_or(glm::dvec2(0.0));
+        points[i] = canvas_.on_window(places[i]);
+        on_texture[i] = {static_cast<float>(parts[i].x), static_cast<float>(parts[i].y)};
+    }
+    float longest = 1e30F;
+    if (is_before) {
+        if (is_outside(points)) return;
+        longest = 0.0F;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const ImVec2& next = points[(i + 1) % points.size()];
+            longest = std::max(longest, std::hypot(next.x - points[i].x, next.y - points[i].y));
+        }
+    }
+    const bool small = longest <= largest_patch * canvas_.over().scale;
+    const double shown = small ? visible_part(low, high) : 0.5;
+    const bool mixed = shown > 0.0 && shown < 1.0;
+    if (halvings < most_halvings && (!small || (mixed && longest > smallest_patch * canvas_.over().scale))) {
+        halve(low, high, places, is_before, halvings);
+        return;
+    }
+    if (!is_before) return;
+    const double opacity = shown * picture_opacity + (1.0 - shown) * hidden_picture;
+    canvas_.list().AddImageQuad(*texture_, points[0], points[1], points[2], points[3], on_texture[0], on_texture[1], on_texture[2],
+                                on_texture[3], Ink{}.times(opacity));
+}
+
+void DrawnScreen::halve(const glm::dvec2& low, const glm::dvec2& high, const std::array<glm::dvec2, 4>& places, bool is_before,
+                        int halvings) const {
+    const auto length = [&](std::size_t i, std::size_t j) {
+        return std::hypot(places[i].x - places[j].x, places[i].y - places[j].y);
+    };
+    const bool across = is_before ? length(0, 1) + length(3, 2) > length(0, 3) + length(1, 2) : halvings % 2 == 0;
+    const glm::dvec2 middle = 0.5 * (low + high);
+    draw_patch(low, across ? glm::dvec2(middle.x, high.y) : glm::dvec2(high.x, middle.y), halvings + 1);
+    draw_patch(across ? glm::dvec2(middle.x, low.y) : glm::dvec2(low.x, middle.y), high, halvings + 1);
+}
+
+// How much of a patch no sphere hides.
+double DrawnScreen::visible_part(const glm::dvec2& low, const glm::dvec2& high) const {
+    constexpr int samples = 3;
+    int visible = 0;
+    for (int i = 0; i < samples * samples; ++i) {
+        const glm::dvec2 part{(i % samples + 0.5) / samples, (static_cast<int>(i / samples) + 0.5) / samples};
+        visible += canvas_.is_hidden(point_on_screen(low + part * (high - low))) ? 0 : 1;
+    }
+    return static_cast<double>(visible) / (samples * samples);
+}
+
+glm::dvec3 DrawnScreen::point_on_screen(const glm::dvec2& part) const {
+    return on_screen({part.x * rays_.size.width, part.y * rays_.size.height});
+}
+
+bool DrawnScreen::is_outside(const std::array<ImVec2, 4>& points) const {
+    const auto all = [&](auto holds) { return std::ranges::all_of(points, holds); };
+    const Rectangle& a = canvas_.over().area;
+    return all([&](const ImVec2& p) { return p.x < a.x; }) || all([&](const ImVec2& p) { return p.x > a.x + a.width; }) ||
+           all([&](const ImVec2& p) { return p.y < a.y; }) || all([&](const ImVec2& p) { return p.y > a.y + a.height; });
+}
 
 class RayDrawing {
 public:
@@ -33,16 +180,13 @@ public:
           screen_(canvas_, rays_, seen_by_eye, inks_) {}
 
     void draw() {
-        canvas_.list().PushClipRect(
-            {canvas_.over().area.x, canvas_.over().area.y},
-            {canvas_.over().area.x + canvas_.over().area.width, canvas_.over().area.y + canvas_.over().area.height});
+        const OverPicture clipped(canvas_.over().area);
         // What the screen hides comes first: of each line the part on the other side of its plane.
         const bool eye_is_nearer = is_before_screen(state_.camera);
         draw_rays_on(!eye_is_nearer);
         screen_.draw();
         draw_rays_on(eye_is_nearer);
         draw_marks();
-        canvas_.list().PopClipRect();
     }
 
 private:
@@ -114,8 +258,7 @@ private:
 
     const ExplainedHit* hit_of(const InspectedPixel& pixel) const {
         const auto& hits = pixel.explanation.hits;
-        const bool there = !hits.empty() && static_cast<std::size_t>(hits.front().number) < state_.scene().spheres.size();
-        return there ? hits.data() : nullptr;
+        return !hits.empty() && has_sphere(state_.scene(), hits.front().number) ? hits.data() : nullptr;
     }
 
     glm::dvec3 end_of(const InspectedPixel& pixel) const {

@@ -128,7 +128,7 @@ std::string light_in_words(const ViewerState& state, const InspectedLight& light
     const std::string name = light.is_sun() ? "sun" : "light nearest to the key light";
     if (light.shines) return "The " + name + " shines there: no sphere is in the way.";
     if (!light.blocker) return "The surface faces away from the " + name + ".";
-    return title_of(state.scene(), static_cast<std::uint32_t>(*light.blocker)) + " is in the way of the " + name + ".";
+    return title_of(state.scene(), *light.blocker) + " is in the way of the " + name + ".";
 }
 
 }  // namespace
@@ -214,10 +214,9 @@ bool makes_rays(const ViewerState& state) { return state.rays.rays.works() || st
 std::optional<PinnedPixel> eye_pixel_at(const ViewerState& state, const glm::dvec2& place, std::int32_t visible, bool on_screen) {
     const RaysInSpace& rays = state.rays;
     const auto screen = place_on_screen(rays.camera, rays.size, rays.screen_depth, state.camera, state.picture_size, place);
-    const bool seen = visible >= 0 && static_cast<std::size_t>(visible) < state.scene().spheres.size();
-    const auto surface =
-        seen ? hit_depth(state.camera, state.picture_size, place, state.scene().spheres[static_cast<std::size_t>(visible)])
-             : std::nullopt;
+    const auto surface = has_sphere(state.scene(), visible) ? hit_depth(state.camera, state.picture_size, place,
+                                                                        state.scene().spheres[static_cast<std::size_t>(visible)])
+                                                            : std::nullopt;
     const auto pixel = [&](const glm::dvec2& at) {
         return PinnedPixel{{static_cast<int>(std::floor(at.x)), static_cast<int>(std::floor(at.y))}, rays.size};
     };
@@ -238,10 +237,9 @@ RaysFacts facts_of_rays(const ViewerState& state, const std::optional<InspectedP
         const PixelExplanation& e = first->explanation;
         const Pixel at = first->place.pixel;
         facts.meets = "Pixel " + std::to_string(at.x) + ", " + std::to_string(at.y) + ": ";
-        const bool hit = !e.hits.empty() && static_cast<std::size_t>(e.visible()) < state.scene().spheres.size();
+        const bool hit = has_sphere(state.scene(), e.visible());
         facts.meets +=
-            hit ? title_of(state.scene(), static_cast<std::uint32_t>(e.visible())) + " at t = " + number_text(e.hits.front().t, 4)
-                : "its ray hits nothing";
+            hit ? title_of(state.scene(), e.visible()) + " at t = " + number_text(e.hits.front().t, 4) : "its ray hits nothing";
         if (hit && first->light) facts.light = light_in_words(state, *first->light);
     }
     if (rays.rays.made()) {

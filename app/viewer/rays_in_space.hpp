@@ -49,6 +49,7 @@ struct RaysInSpace {
     std::vector<glm::dvec3> to_see{};      // what is to be seen from beside, until it is known from where
     int waits = 0;                         // so many redraws for what is drawn over the picture to have its size
     std::optional<PinnedPixel> pointed{};  // the eye's pixel under the pointer
+    float beside_panel = 0.0F;             // the axes begin so far to the right, where the panel reaches down to them
     MadeBeside<AskedRays, std::vector<TracedRay>> rays{};
     MadeBeside<AskedPicture, Image> picture{};
 };

@@ -15,6 +15,8 @@
 
 namespace sphereview {
 
+struct ViewerState;
+
 struct Recovery {
     std::string file;      // a native scene, to be read as any other
     std::string original;  // the file that was being edited, absolute; "" for an untitled scene
@@ -81,5 +83,13 @@ private:
     static constexpr int pauses_per_write = 20;
     static constexpr Clock::duration look_again = std::chrono::milliseconds(250);  // while a job runs
 };
+
+// Keeps what is not saved for the next start, as the program ends unasked, and says what became of it, for a message; "" when there
+// is nothing.
+std::string keep_unsaved(const ViewerState& state);
+
+// The same by another thread than that of the loop, which hangs. Should the loop go on meanwhile, it changes nothing until the
+// process has ended. Nothing when the loop is in the middle of a change for longer than that.
+std::optional<std::string> keep_unsaved_of_hung_loop(ViewerState& state, std::chrono::milliseconds limit);
 
 }  // namespace sphereview

@@ -12,7 +12,7 @@ RestView::News RestView::look(const ViewerState& state) {
         works_ = false;
         return News::end;
     }
-    const std::shared_ptr<const Image> draft = state.rest_picture->preview->image();
+    const std::shared_ptr<const Image> draft = state.rest_picture->preview->get();
     if (draft == previewed_) return News::none;
     previewed_ = draft;
     return draft ? News::draft : News::none;

@@ -2,19 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
-#include "base/gunzip.hpp"
-#include "base/input_file.hpp"
-#include "base/nesting.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/scene_format.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/scene_properties.hpp"
+#include "viewer/scene_saving.hpp"
 
 namespace sphereview {
 
@@ -24,17 +21,6 @@ namespace {
 
 // Of data in the window: a quiet dark grey-blue, on which dark atoms are seen too.
 constexpr Background quiet_background{{32, 36, 48}, false};
-
-// A question of its kind that waits already is asked for the latest purpose instead of twice.
-void ask(ViewerState& state, Question question) {
-    for (Dialog& dialog : state.dialogs) {
-        auto* waiting = std::get_if<Question>(&dialog);
-        if (waiting == nullptr || waiting->id != question.id) continue;
-        *waiting = std::move(question);
-        return;
-    }
-    state.dialogs.push_back(std::move(question));
-}
 
 // What readers say ends with options of the command line; in a window it is done otherwise.
 std::string in_terms_of_window(std::string line) {
@@ -124,45 +110,6 @@ void note_look(ViewerState& state, const LoadedScene& loaded) {
     }
 }
 
-void forget_file_messages(ViewerState& state) {
-    state.gone_at.reset();
-    state.messages.scene_gone.clear();
-    state.messages.scene_error.clear();
-}
-
-void after(Work& work, const std::function<void()>& next) {
-    work.done = [done = std::move(work.done), next] {
-        done();
-        next();
-    };
-}
-
-void write(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
-    if (state.saving) return after(*state.saving, [&state, path, format, then] { write(state, path, format, then); });
-    const auto done = [&state, path, format, then] {
-        state.path = path;
-        state.format = format;
-        state.frame = 0;
-        end_frames(state);
-        state.stamp = file_states(path);
-        state.property_names.clear();
-        for (const Property& property : state.scene().properties) state.property_names.push_back(property.name);
-        forget_file_messages(state);
-        add_recent(state.settings, path);
-        announce(state, "Saved " + path);
-        then();
-    };
-    const auto fail = [&state](const std::string& why) {
-        state.document.mark_unsaved();
-        report_error(state, "The scene cannot be saved", why);
-    };
-    // Already now: what is edited while a copy is written is not in it. Until the file is whole nobody relies on it.
-    state.document.mark_saved();
-    start_saving(state, path, format, done, fail);
-}
-
-void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
-
 // Where a file of the scene's would be looked for first.
 std::string usual_folder(const ViewerState& state) {
     std::error_code error;
@@ -174,14 +121,6 @@ std::string usual_folder(const ViewerState& state) {
     return text_from(fs::current_path(error));
 }
 
-std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&)) {
-    std::vector<FileKind> kinds;
-    for (const SceneFormat& format : scene_formats()) {
-        if (wanted(format)) kinds.push_back({std::string(format.name), endings_of(format)});
-    }
-    return kinds;
-}
-
 // The first is all of them, packed or not.
 std::vector<FileKind> read_kinds() {
     std::vector<FileKind> kinds = kinds_of([](const SceneFormat&) { return true; });
@@ -190,54 +129,6 @@ std::vector<FileKind> read_kinds() {
     kinds.insert(kinds.begin(), all);
     kinds.push_back({"All files", {}});
     return kinds;
-}
-
-void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
-    const std::string lost = lost_in(state.scene(), format);
-    if (lost.empty()) return write(state, path, format, then);
-    state.dialogs.push_back(Question{.id = "text-loses",
-                                     .title = "The text format cannot hold everything",
-                                     .text = in_quotes(text_from(path_from(path).filename())) + " would lose: " + lost + ".",
-                                     .answers = {"Save as TOML...", "Save all the same", "Cancel"},
-                                     .cancel = 2,
-                                     .answer = [&state, path, format, then](int answer) {
-                                         if (answer == 0) ask_where_to_save(state, SceneFormat::toml, then);
-                                         if (answer == 1) write(state, path, format, then);
-                                     }});
-}
-
-// Whether the file has comments of a person's, which the native format's tree does not hold. Looked for in the file and not kept
-// from its reading: it may have been changed, or its edits recovered. Large files are no person's.
-bool has_comments(const std::string& path) {
-    if (std::error_code error; !is_read_at_once(path) || !fs::is_regular_file(path_from(path), error)) return false;
-    try {
-        const InputFile file(path);
-        return file.bytes() != SceneFormat::toml.write(Scene{}) && has_comment(file.bytes());
-    } catch (const std::runtime_error&) {
-        return false;
-    }
-}
-
-void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then) {
-    const std::string ending(is_written(format) ? format.endings[0] : SceneFormat::toml.endings[0]);
-    const fs::path stem = state.path.empty() ? "scene" : path_from(without_gzip_ending(state.path)).stem();
-    FileBrowser browser = file_dialog(state);
-    browser.saving = true;
-    browser.title = "Save the scene";
-    browser.name = text_from(stem) + ending;
-    browser.kinds = kinds_of(is_written);
-    const auto chosen =
-        std::ranges::find(browser.kinds, is_written(format) ? format.name : SceneFormat::toml.name, &FileKind::name);
-    browser.kind = static_cast<decltype(browser.kind)>(chosen - browser.kinds.begin());
-    browser.accept = [&state, then](const std::string& path, PictureSize) {
-        const std::string absolute = absolute_path(path);
-        if (const std::string fault = name_fault(absolute); !fault.empty()) {
-            return report_error(state, "The scene cannot be saved",
-                                in_quotes(text_from(path_from(absolute).filename())) + " is " + fault + ".");
-        }
-        write_unless_lost(state, absolute, format_of_name(absolute), then);
-    };
-    state.dialogs.push_back(std::move(browser));
 }
 
 void reload(ViewerState& state, LoadedScene loaded) {
@@ -289,6 +180,20 @@ void offer_reload(ViewerState& state, LoadedScene loaded) {
 }
 
 }  // namespace
+
+std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&)) {
+    std::vector<FileKind> kinds;
+    for (const SceneFormat& format : scene_formats()) {
+        if (wanted(format)) kinds.push_back({std::string(format.name), endings_of(format)});
+    }
+    return kinds;
+}
+
+void forget_file_messages(ViewerState& state) {
+    state.gone_at.reset();
+    state.messages.scene_gone.clear();
+    state.messages.scene_error.clear();
+}
 
 LoadOptions load_options(const ViewerState& state, const std::string& path, std::int64_t frame) {
     LoadOptions options;
@@ -343,29 +248,6 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     announce_reading(state, joined(loaded.look.lines, "\n"), loaded);
 }
 
-void with_edits_safe(ViewerState& state, std::function<void()> then, const std::string& question) {
-    if (state.saving) {
-        return after(*state.saving, [&state, then = std::move(then), question] { with_edits_safe(state, then, question); });
-    }
-    if (!state.document.is_changed()) return then();
-    ask(state, {.id = "save-changes",
-                .title = "Save changes?",
-                .text = question.empty() ? in_quotes(state.name()) + " has changes that are not saved." : question,
-                .answers = {"Save", "Don't save", "Cancel"},
-                .cancel = 2,
-                .answer = [&state, then = std::move(then)](int answer) {
-                    if (answer == 0) save_scene(state, then);
-                    if (answer == 1) then();
-                }});
-}
-
-std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then) {
-    return [&state, revision = state.document.revision(), then = std::move(then)](LoadedScene loaded) {
-        if (state.document.revision() == revision) return then(std::move(loaded));
-        with_edits_safe(state, [then, kept = std::make_shared<LoadedScene>(std::move(loaded))] { then(std::move(*kept)); });
-    };
-}
-
 void new_scene(ViewerState& state) {
     with_edits_safe(state, [&state] { adopt(state, {.format = SceneFormat::toml}, ""); });
 }
@@ -384,6 +266,16 @@ FileBrowser file_dialog(const ViewerState& state) {
     return browser;
 }
 
+FileBrowser saving_dialog(const ViewerState& state, const std::string& title, const std::string& path, const std::string& fault) {
+    FileBrowser browser = file_dialog(state);
+    browser.saving = true;
+    browser.title = title;
+    browser.folder = text_from(path_from(path).parent_path());
+    browser.name = text_from(path_from(path).filename());
+    browser.error = fault;
+    return browser;
+}
+
 void ask_for_scene(ViewerState& state) {
     FileBrowser browser = file_dialog(state);
     browser.title = "Open a scene";
@@ -391,23 +283,6 @@ void ask_for_scene(ViewerState& state) {
     browser.accept = [&state](const std::string& path, PictureSize) { open_scene(state, path); };
     state.dialogs.push_back(std::move(browser));
 }
-
-void save_scene(ViewerState& state, const std::function<void()>& then) {
-    if (state.path.empty() || !is_written(state.format) || !name_fault(state.path).empty()) return save_scene_as(state, then);
-    if (state.format != SceneFormat::toml || !has_comments(state.path))
-        return write_unless_lost(state, state.path, state.format, then);
-    state.dialogs.push_back(Question{.id = "drops-comments",
-                                     .title = "Saving leaves the comments out",
-                                     .text = in_quotes(state.name()) + " has comments. A save writes the file anew, without them.",
-                                     .answers = {"Save as...", "Save without comments", "Cancel"},
-                                     .cancel = 2,
-                                     .answer = [&state, then](int answer) {
-                                         if (answer == 0) save_scene_as(state, then);
-                                         if (answer == 1) write(state, state.path, state.format, then);
-                                     }});
-}
-
-void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_where_to_save(state, state.format, then); }
 
 void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp) {
     take_shared_edits(state);
@@ -433,36 +308,6 @@ void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, con
     std::erase_if(loaded.warnings, was_said);
     std::erase_if(loaded.notes, was_said);
     announce_reading(state, "", loaded);
-}
-
-namespace {
-
-// It may take hours.
-void ask_about_film(ViewerState& state) {
-    ask(state, {.id = "film-is-made",
-                .title = "Quit without the film?",
-                .text = in_quotes(text_from(path_from(state.filming->path).filename())) + " is not made yet.",
-                .answers = {"Quit when it is done", "Quit without it", "Cancel"},
-                .cancel = 2,
-                .answer = [&state](int answer) {
-                    if (answer == 1 || !state.filming) with_edits_safe(state, [&state] { state.quits = true; });
-                    if (answer != 0 || !state.filming) return;
-                    state.filming->then_quit = true;
-                    announce(state, "Closes when the film is made; close again to close without it");
-                    after(*state.filming, [&state] { quit(state); });
-                }});
-}
-
-}  // namespace
-
-void quit(ViewerState& state) {
-    if (state.exporting && !state.exporting->then_quit) {
-        state.exporting->then_quit = true;
-        announce(state, "Closes when " + state.exporting->shown_path() + " is written; close again to close without it");
-        return after(*state.exporting, [&state] { quit(state); });
-    }
-    if (state.filming && !state.filming->then_quit) return ask_about_film(state);
-    with_edits_safe(state, [&state] { state.quits = true; });
 }
 
 void look_at_file(ViewerState& state) {

@@ -1,8 +1,8 @@
-// The file of the scene: opening, saving, reloading.
+// The file of the scene: opening and reloading. Saving: viewer/scene_saving.hpp.
 #pragma once
 
-#include <functional>
 #include <string>
+#include <vector>
 
 #include "app/load_scene.hpp"
 #include "viewer/viewer_state.hpp"
@@ -15,24 +15,17 @@ LoadOptions load_options(const ViewerState& state, const std::string& path, std:
 // Takes over a scene that was read from `path` ("-" and "" have no file).
 void adopt(ViewerState& state, LoadedScene loaded, const std::string& path);
 
-// Calls `then` at once when nothing would be lost, or as soon as the person has saved it or says that it may be, and what is
-// being saved is whole. `question`: instead of the usual words.
-void with_edits_safe(ViewerState& state, std::function<void()> then, const std::string& question = "");
-
-// What to do with a scene that is asked for now: `then`, and before that the question about edits, if any are made meanwhile.
-std::function<void(LoadedScene)> unless_edited(ViewerState& state, std::function<void(LoadedScene)> then);
-
 // Each asks what there is to ask, in dialogs, before anything is lost.
 void new_scene(ViewerState& state);
 void open_scene(ViewerState& state, const std::string& path);
 void ask_for_scene(ViewerState& state);
 // A dialog that begins where the scene's files are, with the folders of the recent ones to choose from.
 FileBrowser file_dialog(const ViewerState& state);
-void save_scene(
-    ViewerState& state, const std::function<void()>& then = [] {});
-void save_scene_as(
-    ViewerState& state, const std::function<void()>& then = [] {});
-void quit(ViewerState& state);
+// The same to save: at first at `path`, with what went wrong with it.
+FileBrowser saving_dialog(const ViewerState& state, const std::string& title, const std::string& path,
+                          const std::string& fault = "");
+// The formats that are `wanted`, as such a dialog offers them.
+std::vector<FileKind> kinds_of(bool (*wanted)(const SceneFormat&));
 
 // The document becomes another frame of its file, which was as `stamp` says.
 void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp);
@@ -40,5 +33,8 @@ void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, con
 // Reads the file again if it is not as the program left it. A broken file leaves the scene as it is, and says so, and so does one
 // that is gone; edits that are not saved are lost only if the person says so.
 void look_at_file(ViewerState& state);
+
+// The file is as it should be: nothing more is said of it.
+void forget_file_messages(ViewerState& state);
 
 }  // namespace sphereview

@@ -26,17 +26,6 @@ constexpr std::uintmax_t bytes_at_once = std::uintmax_t{1} << 20;
 constexpr std::size_t spheres_at_once = 10'000;
 constexpr std::chrono::milliseconds unnoticed{20};  // a redraw can wait so long
 
-void end(std::optional<Work>& work) {
-    const Work ended = std::move(*work);
-    work.reset();
-    try {
-        ended.job.rethrow();
-    } catch (...) {
-        return ended.fail(describe_current_exception(ended.path).message);
-    }
-    ended.done();
-}
-
 // The wanted frame, or the last where the file has fewer. `options` have a control. Throws as load_scene() does.
 LoadedScene load_frame_or_last(const std::string& path, LoadOptions options) {
     try {
@@ -54,6 +43,19 @@ LoadedScene load_frame_or_last(const std::string& path, LoadOptions options) {
 }
 
 }  // namespace
+
+bool finish(std::optional<Work>& work) {
+    if (!work || !work->job.ended()) return false;
+    const Work ended = *std::exchange(work, std::nullopt);
+    try {
+        ended.job.rethrow();
+    } catch (...) {
+        ended.fail(describe_current_exception(ended.path).message);
+        return true;
+    }
+    ended.done();
+    return true;
+}
 
 bool is_read_at_once(const std::string& path) {
     if (path == standard_stream) return false;
@@ -83,7 +85,7 @@ void start_loading(ViewerState& state, LoadRequest request) {
                                .reload = request.reload});
     if (!at_once) return;
     state.loading->job.wait();
-    end(state.loading);
+    finish(state.loading);
 }
 
 void cancel_work(ViewerState& state) {
@@ -109,11 +111,11 @@ void start_saving(ViewerState& state, const std::string& path, SceneFormat forma
     } catch (...) {
         return fail(describe_current_exception(path).message);
     }
-    if (state.scene().spheres.size() <= spheres_at_once && state.saving->job.wait_for(unnoticed)) end(state.saving);
+    if (state.scene().spheres.size() <= spheres_at_once && state.saving->job.wait_for(unnoticed)) finish(state.saving);
 }
 
 bool is_working(const ViewerState& state) {
-    return state.loading || state.saving || state.exporting || state.comparing || state.copying;
+    return state.loading || state.saving || state.exporting || state.comparing || state.copying || state.selecting;
 }
 
 std::optional<WorkShown> work_of(const ViewerState& state) {
@@ -137,10 +139,8 @@ bool finish_work(ViewerState& state) {
     bool any = false;
     // Saving first: its end may replace what is being loaded.
     for (std::optional<Work>* work :
-         {&state.saving, &state.loading, &state.exporting, &state.filming, &state.comparing, &state.copying}) {
-        if (!*work || !(*work)->job.ended()) continue;
-        end(*work);
-        any = true;
+         {&state.saving, &state.loading, &state.exporting, &state.filming, &state.comparing, &state.copying, &state.selecting}) {
+        any = finish(*work) || any;
     }
     return any;
 }
@@ -159,7 +159,7 @@ void finish_writing(ViewerState& state, std::chrono::milliseconds limit) {
         if (*work) ends(**work);
         work->reset();
     }
-    while (state.saving && ends(*state.saving)) end(state.saving);
+    while (state.saving && ends(*state.saving)) finish(state.saving);
 }
 
 }  // namespace sphereview

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"
 #include "panels/status.hpp"
+#include "viewer/made_beside.hpp"
 
 namespace sphereview {
 
@@ -29,24 +29,6 @@ struct LoadRequest {
     bool or_last_frame = false;  // where the file has fewer frames than the one that is asked for: the last it has
 };
 
-// The name that a job finds for its file; "" until then. From any thread.
-class FoundPath {
-public:
-    explicit FoundPath(std::string path) : path_(std::move(path)) {}
-    std::string get() const {
-        const std::lock_guard lock(mutex_);
-        return path_;
-    }
-    void set(std::string path) {
-        const std::lock_guard lock(mutex_);
-        path_ = std::move(path);
-    }
-
-private:
-    mutable std::mutex mutex_;
-    std::string path_;
-};
-
 // What a thread beside the window's loop does with a file, and what the loop does once it has ended: done(), or fail() where the
 // thread throws. Work that is cancelled calls neither.
 struct Work {
@@ -55,10 +37,10 @@ struct Work {
     std::function<void()> done;
     std::function<void(const std::string& why)> fail;
     std::function<void()> cancel = [] {};
-    bool reload = false;                            // it reads the file that is shown
-    bool then_quit = false;                         // the person has closed the window meanwhile
-    std::shared_ptr<const FoundPath> found_path{};  // instead of `path`, where the job chooses
-    std::function<WorkShown()> words{};             // what is told of a film
+    bool reload = false;                                          // it reads the file that is shown
+    bool then_quit = false;                                       // the person has closed the window meanwhile
+    std::shared_ptr<const HandedOver<std::string>> found_path{};  // instead of `path`, where the job chooses: "" until then
+    std::function<WorkShown()> words{};                           // what is told of a film
     // Ends what a job waits for that is cancelled; whether what it writes will not appear then.
     std::function<bool()> stop = [] { return false; };
 
@@ -67,6 +49,9 @@ struct Work {
         return shown.empty() ? "the view" : shown;  // its name is not found yet
     }
 };
+
+// Acts on it if it has ended. Returns whether it has.
+bool finish(std::optional<Work>& work);
 
 // Whether to read it at once: a regular file that takes no time that anyone sees, or what is missing and says so.
 bool is_read_at_once(const std::string& path);
@@ -84,8 +69,8 @@ void cancel_work(ViewerState& state);
 void start_saving(ViewerState& state, const std::string& path, SceneFormat format, std::function<void()> done,
                   std::function<void(const std::string& why)> fail);
 
-// Whether something is read, written, exported, compared or copied: then finish_work() has to be called again and again, as while
-// a film is made, for which nobody waits.
+// Whether something is read, written, exported, compared, copied or looked for in a box: then finish_work() has to be called again
+// and again, as while a film is made, for which nobody waits.
 bool is_working(const ViewerState& state);
 // In words.
 std::optional<WorkShown> work_of(const ViewerState& state);

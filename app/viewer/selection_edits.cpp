@@ -16,7 +16,7 @@ namespace sphereview {
 
 namespace {
 
-std::string selected_in_words(const ViewerState& state) { return title_of(state.scene(), state.selection); }
+std::string selected_in_words(const ViewerState& state) { return title_of(state.scene(), state.selection.numbers()); }
 
 // Told apart at a glance, on black and on white.
 constexpr std::array<Color, 7> new_colors = {
@@ -115,17 +115,7 @@ EditScene remove_selected(const ViewerState& state) {
     return {RemoveSpheres{state.selection.numbers()}, "Delete " + selected_in_words(state), 0};
 }
 
-EditScene hide_or_show_selected(const ViewerState& state) {
-    const auto& numbers = state.selection.numbers();
-    const bool hide = std::ranges::any_of(numbers, [&](std::uint32_t number) { return !state.scene().spheres[number].hidden; });
-    ChangeSpheres change{numbers, {}};
-    change.spheres.reserve(numbers.size());
-    for (const std::uint32_t number : numbers) {
-        change.spheres.push_back(state.scene().spheres[number]);
-        change.spheres.back().hidden = hide;
-    }
-    return {std::move(change), (hide ? "Hide " : "Show ") + selected_in_words(state), 0};
-}
+EditScene hide_or_show_selected(const ViewerState& state) { return hide_or_show(state.scene(), state.selection.numbers()); }
 
 EditScene move_up(const ViewerState& state) { return reorder_selected(state, -1); }
 EditScene move_down(const ViewerState& state) { return reorder_selected(state, 1); }

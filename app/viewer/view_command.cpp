@@ -22,7 +22,7 @@
 #include "platform/gl_context.hpp"
 #include "viewer/recovery.hpp"
 #include "viewer/scene_file.hpp"
-#include "viewer/unsaved_edits.hpp"
+#include "viewer/scene_saving.hpp"
 #include "viewer/viewer.hpp"
 #include "viewer/window_icon.hpp"
 

@@ -24,9 +24,8 @@ namespace {
 
 constexpr double unit_on_screen = 2.0;  // screen coordinates, at the usual scale
 
-constexpr ImGuiWindowFlags marks_window = bare_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
-                                          ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing |
-                                          ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags marks_window = quiet_window | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar |
+                                          ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
 std::string name_of_end(const AxisEnd& end) { return std::string(end.positive ? "+" : "-") + "xyz"[end.axis]; }
 
@@ -114,7 +113,9 @@ private:
 void draw_axes_on_screen(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels, int unit) {
     const float unit_here = static_cast<float>(unit / (stroke_unit * pixels));
     const float away = (axes_radius + marks_margin) * unit_here;
-    const ImVec2 middle{std::round(picture.x + away), std::round(picture.y + picture.height - away)};
+    const ImVec2 middle{std::round(picture.x + away + (state.rays.on ? state.rays.beside_panel : 0.0F)),
+                        std::round(picture.y + picture.height - away)};
+    if (middle.x + away > picture.x + picture.width) return;
     AxesOnScreen axes(state, context, middle, unit_here);
     const std::optional<AxisEnd> chosen = axes.take_mouse();
     if (chosen) {

@@ -22,7 +22,6 @@
 #include "panels/side_panel.hpp"
 #include "panels/start_page.hpp"
 #include "panels/status.hpp"
-#include "viewer/box_selection.hpp"
 #include "viewer/camera_flight.hpp"
 #include "viewer/frame_player.hpp"
 #include "viewer/picture_comparison.hpp"
@@ -92,9 +91,9 @@ struct ViewerState {
     std::optional<Background> background;  // instead of the scene's, as --background asks
     LightOptions light;                    // instead of the scene's, as --sun and its like ask
     SceneSnapshot snapshot;
-    std::optional<RestPicture> rest_picture;    // of that, being made or there
-    std::shared_ptr<KeptLights> kept_lights;    // of that, or null
-    std::optional<BoxSelection> box_selection;  // under way
+    std::optional<RestPicture> rest_picture;  // of that, being made or there
+    std::shared_ptr<KeptLights> kept_lights;  // of that, or null
+    std::optional<Work> selecting;            // by a box
 
     // The system's; without a window there is none.
     struct Clipboard {

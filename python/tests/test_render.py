@@ -26,8 +26,10 @@ def test_gives_the_picture_that_the_program_writes(seed_scene, tmp_path, run_pro
     assert numpy.array_equal(image, sphereview.read_png(tmp_path / "picture.png"))
 
 
-@pytest.mark.parametrize("shade", ["flat", "headlight", "normal", "depth", "id", "studio"])
-@pytest.mark.parametrize("samples", [1, 4, 16])
+@pytest.mark.parametrize(
+    "shade, samples",
+    [("flat", 1), ("flat", 16), ("headlight", 1), ("normal", 1), ("normal", 4), ("depth", 1), ("id", 1), ("studio", 1), ("studio", 4)],
+)
 def test_options_are_those_of_the_program(seed_scene, tmp_path, run_program, shade, samples):
     scene, picture = tmp_path / "scene.txt", tmp_path / "picture.png"
     rows = zip(*seed_scene)
@@ -244,20 +246,19 @@ def test_backends_agree_also_in_turns_and_threads(seed_scene):
 
 
 LONG = """
-import signal, sys, threading, time, numpy, sphereview
+import sys, threading, time, numpy, sphereview
 rng = numpy.random.default_rng(1)
 centers = rng.uniform(-50, 50, (200_000, 3)) + (0, 0, 200)
-ticks = []
 def tick():
-    while True:
-        ticks.append(time.monotonic())
+    for _ in range(50):
         time.sleep(0.01)
+    print("ticked", flush=True)
 threading.Thread(target=tick, daemon=True).start()
 print("begun", flush=True)
 try:
     sphereview.render(centers, 20.0, (255, 0, 0), "fit", (20000, 20000), 1, "headlight", sys.argv[1])
 except KeyboardInterrupt:
-    print("interrupted", len(ticks) > 20, flush=True)
+    print("interrupted", flush=True)
     image = sphereview.render(centers[:10], 20.0, (255, 0, 0), "fit", (50, 50), backend=sys.argv[1])
     print(image.max())
 """
@@ -268,11 +269,11 @@ except KeyboardInterrupt:
 def test_ctrl_c_interrupts_while_other_threads_run(backend):
     process = subprocess.Popen([sys.executable, "-c", LONG, backend], stdout=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "begun\n"
-    time.sleep(1.5)
+    assert process.stdout.readline() == "ticked\n"
     assert process.poll() is None, "the picture was made too soon to be interrupted"
     sent = time.monotonic()
     process.send_signal(signal.SIGINT)
-    assert process.stdout.readline() == "interrupted True\n"
+    assert process.stdout.readline() == "interrupted\n"
     assert time.monotonic() - sent < 2
     assert process.stdout.read() == "255\n"
     assert process.wait(60) == 0

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
+#include "base/system_call.hpp"
 #endif
 
 namespace sphereview {
@@ -35,15 +35,6 @@ FileLock::Holder FileLock::holder_of(const std::filesystem::path& file) {
 #else
 
 namespace {
-
-// Calls again what a signal has interrupted.
-template <typename Call>
-int uninterrupted(const Call& call) {
-    int result = -1;
-    do result = call();
-    while (result < 0 && errno == EINTR);
-    return result;
-}
 
 // The handle of the file, or -1 with errno. It waits for nobody: a FIFO is opened at once, and then refused.
 int open_at_once(const std::filesystem::path& file, int flags) {

@@ -36,16 +36,16 @@ int leave_open(std::FILE*) { return 0; }
 
 // "; did you mean 'NAME'?" for another file of the folder; "" where none is called nearly so.
 std::string similar_file(const std::string& path) {
-    constexpr std::size_t shortest_name = 6;  // of one letter and an ending every other is near
+    constexpr std::size_t shortest_name = 6;  // of one letter and an ending every other is near: then only the ending may differ
     constexpr std::size_t most_names = 10'000;
     const fs::path typed = path_from(path);
     const std::string name = text_from(typed.filename());
-    if (name.size() < shortest_name) return "";
     std::vector<std::string> names;
     std::error_code error;
     fs::directory_iterator entries(typed.has_parent_path() ? typed.parent_path() : fs::path("."), error);
     for (; !error && entries != fs::directory_iterator() && names.size() < most_names; entries.increment(error)) {
-        names.push_back(text_from(entries->path().filename()));
+        const fs::path& file = entries->path();
+        if (name.size() >= shortest_name || file.stem() == typed.stem()) names.push_back(text_from(file.filename()));
     }
     return did_you_mean(name, names);
 }

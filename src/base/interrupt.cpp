@@ -14,7 +14,8 @@
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
+
+#include "base/system_call.hpp"
 #endif
 
 #include <chrono>
@@ -115,11 +116,7 @@ void pass_interrupts_to(std::function<void(int)> act) {
     for (const int pipe_end : ends) fcntl(pipe_end, F_SETFD, FD_CLOEXEC);
     std::thread([read_end = ends[0], act = std::move(act)] {
         unsigned char number = 0;
-        ssize_t count = 0;
-        do {
-            count = read(read_end, &number, 1);
-        } while (count < 0 && errno == EINTR);
-        if (count == 1) act(number);
+        if (uninterrupted([&] { return read(read_end, &number, 1); }) == 1) act(number);
     }).detach();
     passing_pipe = ends[1];
 #endif

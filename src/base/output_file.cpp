@@ -27,6 +27,7 @@
 #include "base/interrupt.hpp"
 #include "base/path.hpp"
 #include "base/standard_streams.hpp"
+#include "base/system_call.hpp"
 
 namespace sphereview {
 
@@ -152,23 +153,15 @@ bool write_and_close(Opened file, std::string_view bytes, Durability durability)
 
 #else
 
-// Of a system call, which is made again when a signal has interrupted it.
-template <typename Call>
-auto result_of(const Call& call) {
-    auto result = call();
-    while (result == -1 && errno == EINTR) result = call();
-    return result;
-}
-
 // Writes all bytes, and waits where the other end made a pipe non-blocking; false, with errno set, if that fails.
 bool write_all(int handle, std::string_view bytes) {
     while (!bytes.empty()) {
-        const ssize_t count = result_of([&] { return write(handle, bytes.data(), bytes.size()); });
+        const ssize_t count = uninterrupted([&] { return write(handle, bytes.data(), bytes.size()); });
         if (count >= 0) {
             bytes.remove_prefix(static_cast<std::size_t>(count));
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
             pollfd ready{handle, POLLOUT, 0};
-            if (result_of([&] { return poll(&ready, 1, -1); }) < 0) return false;
+            if (uninterrupted([&] { return poll(&ready, 1, -1); }) < 0) return false;
         } else {
             return false;
         }
@@ -184,16 +177,16 @@ constexpr Opened not_opened = -1;
 // A new file for writing, which nobody may read who could not read `old`; not_opened, with errno set, if there can be none.
 Opened create(const fs::path& path, const fs::file_status& old) {
     const auto mode = fs::exists(old) ? static_cast<mode_t>(old.permissions() & fs::perms::all) | S_IWUSR : mode_t{0666};
-    return result_of([&] { return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
+    return uninterrupted([&] { return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode); });
 }
 
 Opened open_special(const std::string& path) {
-    return result_of([&] { return open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC); });
+    return uninterrupted([&] { return open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC); });
 }
 
 // A file that another program has written.
 Opened open_written(const fs::path& path) {
-    return result_of([&] { return open(path.c_str(), O_WRONLY | O_CLOEXEC); });
+    return uninterrupted([&] { return open(path.c_str(), O_WRONLY | O_CLOEXEC); });
 }
 
 // File systems without such a thing say that it is invalid.
@@ -201,7 +194,7 @@ bool sync(int handle) {
 #ifdef F_FULLFSYNC
     if (fcntl(handle, F_FULLFSYNC) == 0) return true;
 #endif
-    return result_of([&] { return fsync(handle); }) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+    return uninterrupted([&] { return fsync(handle); }) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
 }
 
 // Writes all bytes and closes; false, with errno set, if any step fails.
@@ -221,7 +214,8 @@ bool are_names_on_disk(const fs::path& folder) {
     static_cast<void>(folder);
     return true;
 #else
-    const int handle = result_of([&] { return open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
+    const int handle =
+        uninterrupted([&] { return open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
     if (handle < 0) return errno == EACCES;  // a folder may be written to and not be read
     const bool done = sync(handle);
     close(handle);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/path.hpp"
+
 namespace sphereview {
 
 TextPosition position_at(std::string_view text, std::size_t offset, TextPosition origin) {
@@ -33,23 +35,6 @@ std::string found_expected(std::string_view found, std::string_view expected) {
 }
 
 namespace {
-
-void append_utf8(std::string& text, char32_t code) {
-    const auto put = [&text](char32_t byte) { text += static_cast<char>(byte); };
-    if (code < 0x80) return put(code);
-    if (code < 0x800) {
-        put(0xC0 | (code >> 6));
-    } else {
-        if (code < 0x10000) {
-            put(0xE0 | (code >> 12));
-        } else {
-            put(0xF0 | (code >> 18));
-            put(0x80 | ((code >> 12) & 0x3F));
-        }
-        put(0x80 | ((code >> 6) & 0x3F));
-    }
-    put(0x80 | (code & 0x3F));
-}
 
 // "\xNN"
 void append_in_digits(std::string& text, char character) {
@@ -202,24 +187,20 @@ bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || 
 
 std::string utf8_of_utf16(std::string_view bytes) {
     const std::size_t low = bytes.starts_with("\xFF\xFE") ? 0 : 1;  // which of two bytes is the lower one
-    const auto unit_at = [&](std::size_t i) {
-        return static_cast<char32_t>(static_cast<unsigned char>(bytes[i + low]) |
-                                     (static_cast<unsigned char>(bytes[i + 1 - low]) << 8));
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    std::u16string units;
+    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) units += static_cast<char16_t>(byte(i + low) | byte(i + 1 - low) << 8);
+    const auto is_half = [&](std::size_t i, char16_t first) {
+        return i < units.size() && units[i] >= first && units[i] < first + 0x400;
     };
-    constexpr char32_t replacement = 0xFFFD;
-    std::string text;
-    text.reserve(bytes.size() / 2);
-    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) {
-        char32_t code = unit_at(i);
-        if (code >= 0xD800 && code < 0xE000) {
-            const char32_t second = i + 3 < bytes.size() ? unit_at(i + 2) : 0;
-            const bool is_pair = code < 0xDC00 && second >= 0xDC00 && second < 0xE000;
-            code = is_pair ? 0x10000 + ((code - 0xD800) << 10) + (second - 0xDC00) : replacement;
-            if (is_pair) i += 2;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        if (is_half(i, 0xD800) && is_half(i + 1, 0xDC00)) {
+            ++i;
+        } else if (is_half(i, 0xD800) || is_half(i, 0xDC00)) {
+            units[i] = 0xFFFD;
         }
-        append_utf8(text, code);
     }
-    return text;
+    return utf8_from(units);
 }
 
 std::string lower_case(std::string_view text) {

@@ -10,6 +10,10 @@
 
 #ifdef _WIN32
 #include <windows.h>
+#elif defined(__APPLE__)
+#include <mach-o/dyld.h>
+
+#include <cstdint>
 #endif
 
 #include "base/text.hpp"
@@ -116,6 +120,10 @@ fs::path program_file() {
 #if defined(__linux__)
     std::error_code error;
     return fs::read_symlink("/proc/self/exe", error);
+#elif defined(__APPLE__)
+    std::string name(4096, '\0');
+    auto size = static_cast<std::uint32_t>(name.size());
+    return _NSGetExecutablePath(name.data(), &size) == 0 ? fs::path(name.c_str()) : fs::path();
 #elif defined(_WIN32)
     std::wstring name(32768, L'\0');
     name.resize(GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())));

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "scene/numbered.hpp"
+
 namespace sphereview {
 
 namespace {
@@ -67,10 +69,6 @@ void renumber(Names& names, Names::iterator first, Names::iterator last, NewNumb
            (numbers.empty() || numbers.back() < count);
 }
 
-std::vector<Sphere>::iterator place(Scene& scene, std::size_t number) {
-    return scene.spheres.begin() + static_cast<std::ptrdiff_t>(number);
-}
-
 // Each applies one kind of edit. What needs memory comes first, so that a lack of it leaves the scene whole.
 struct Apply {
     Scene& scene;
@@ -91,7 +89,7 @@ struct Apply {
             if (!name.empty()) new_names.emplace_hint(new_names.end(), edit.numbers[i], std::move(name));
         }
         for (Property& property : scene.properties) reserve_values(property, old_count + edit.numbers.size());
-        scene.spheres.resize(old_count + edit.numbers.size());
+        scene.spheres.reserve(old_count + edit.numbers.size());
         RemoveSpheres inverse;
         for (Property& property : scene.properties) {
             const auto* const labels = std::get_if<Labels>(&property.values);
@@ -101,14 +99,8 @@ struct Apply {
         }
         renumber(scene.names, scene.names.lower_bound(edit.numbers.front()), scene.names.end(), AfterInsert(edit.numbers));
         scene.names.merge(new_names);
-        // From the back: the old spheres that come after the i-th new one move up by i + 1 places.
-        std::size_t end = old_count;
-        for (std::size_t i = edit.numbers.size(); i-- > 0;) {
-            const std::size_t begin = edit.numbers[i] - i;
-            std::copy_backward(place(scene, begin), place(scene, end), place(scene, end + i + 1));
-            scene.spheres[edit.numbers[i]] = edit.spheres[i].sphere;
-            end = begin;
-        }
+        make_room(scene.spheres, edit.numbers);
+        for (std::size_t i = 0; i < edit.numbers.size(); ++i) scene.spheres[edit.numbers[i]] = edit.spheres[i].sphere;
         inverse.numbers = std::move(edit.numbers);
         return inverse;
     }
@@ -129,12 +121,7 @@ struct Apply {
             name = scene.names.erase(name);
         }
         renumber(scene.names, scene.names.lower_bound(edit.numbers.front()), scene.names.end(), AfterRemove(edit.numbers));
-        for (std::size_t i = 0; i < edit.numbers.size(); ++i) {
-            const std::size_t begin = edit.numbers[i] + std::size_t{1};
-            const std::size_t end = i + 1 < edit.numbers.size() ? edit.numbers[i + 1] : scene.spheres.size();
-            std::copy(place(scene, begin), place(scene, end), place(scene, begin - i - 1));
-        }
-        scene.spheres.resize(scene.spheres.size() - edit.numbers.size());
+        take_out(scene.spheres, edit.numbers);
         for (Property& property : scene.properties) remove_values(property, edit.numbers);
         for (const WordCount& count : edit.words) {
             const auto property = std::ranges::find(scene.properties, count.property, &Property::name);
@@ -146,9 +133,7 @@ struct Apply {
     Edit operator()(const ReorderSphere& edit) const {
         const auto [low, high] = std::minmax(edit.from, edit.to);
         assert(high < scene.spheres.size());
-        const auto first = place(scene, low);
-        const auto last = place(scene, std::size_t{high} + 1);
-        std::rotate(first, edit.from < edit.to ? first + 1 : last - 1, last);
+        move_one(scene.spheres, edit.from, edit.to);
         for (Property& property : scene.properties) move_value(property, edit.from, edit.to);
         Names::node_type moved = scene.names.extract(edit.from);
         renumber(scene.names, scene.names.lower_bound(low), scene.names.upper_bound(high),

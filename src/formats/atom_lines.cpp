@@ -2,22 +2,15 @@
 
 #include <cmath>
 
-#include "formats/atoms.hpp"
-#include "formats/elements.hpp"
-
 namespace sphereview {
 
 AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::size_t count, bool wanted, const std::string& of_frame,
                           GoesOn goes_on, const char* what) {
-    AtomLines lines{count, goes_on};
+    AtomLines lines{count, goes_on, walker.line_end()};
     for (std::size_t i = 0; i < count; ++i) {
-        if (walker.at_end()) {
-            source.fail_at_end(of_atom(i, count, what).substr(4) + of_frame);
-        }
-        const std::size_t begin = walker.offset();
-        if (wanted && i % atom_lines_a_piece == 0) lines.pieces.push_back(begin);
-        const std::size_t end = walker.step();
-        if (goes_on != nullptr) step_over_rest(source, walker, goes_on, begin, end);
+        if (walker.at_end()) source.fail_at_end(of_atom(i, count, what).substr(4) + of_frame);
+        if (wanted && i % atom_lines_a_piece == 0) lines.pieces.push_back(walker.offset());
+        lines.step(source, walker);
     }
     return lines;
 }
@@ -26,9 +19,11 @@ std::string of_atom(std::size_t index, std::size_t count, const char* what) {
     return std::string(" of ") + what + " " + std::to_string(index + 1) + " of " + std::to_string(count);
 }
 
-void require_finite(const TextSource& source, std::size_t begin, const glm::dvec3& center, std::size_t index, std::size_t count) {
+void require_finite(const TextSource& source, std::string_view line, const glm::dvec3& center, std::size_t index,
+                    std::size_t count) {
     if (std::isfinite(center.x) && std::isfinite(center.y) && std::isfinite(center.z)) return;
-    source.fail(begin, "found a place beyond what a double can hold (at most 1.8e308), expected the place" + of_atom(index, count));
+    source.fail_at(line,
+                   "found a place beyond what a double can hold (at most 1.8e308), expected the place" + of_atom(index, count));
 }
 
 void show_as(LineAtom& atom, const Element& element, const DataOptions& options) {

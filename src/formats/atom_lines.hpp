@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "formats/atoms.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
 #include "formats/property_columns.hpp"
@@ -26,69 +27,130 @@ using GoesOn = bool (*)(std::string_view line, std::string_view rest);
 // Where the lines of one frame's atoms stand.
 struct AtomLines {
     std::size_t count = 0;
-    GoesOn goes_on = nullptr;           // null: each atom has one line
+    GoesOn goes_on = nullptr;  // null: each atom has one line
+    char line_end = '\n';
     std::vector<std::size_t> pieces{};  // where the first line of each atom_lines_a_piece begins; of the wanted frame alone
+
+    // At a piece's first line.
+    LineWalker walker(const TextSource& source, std::size_t piece) const { return {source.text, line_end, pieces[piece]}; }
+    // Of the first atom; "" where there is none.
+    std::string_view first_line(const TextSource& source) const { return count > 0 ? walker(source, 0).step() : ""; }
+
+    // Steps over an atom's lines and returns the first.
+    std::string_view step(const TextSource& source, LineWalker& walker) const {
+        const std::string_view first = walker.step();
+        if (goes_on == nullptr) return first;
+        for (std::string_view line = first; !walker.at_end() && goes_on(line, source.text.substr(walker.offset()));) {
+            line = walker.step();
+        }
+        return first;
+    }
 };
 
 inline constexpr std::size_t atom_lines_a_piece = 1024;  // that one core reads at a time
 
-// Steps over the lines of `count` atoms, or of `what` else has a line each. of_frame: " of frame 3". Throws InputError where the
-// text ends before.
+// Steps over the lines of `count` atoms, or of `what` else has a line each. of_frame: " of frame 3". Throws TextEnds where the text
+// ends before.
 AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::size_t count, bool wanted, const std::string& of_frame,
                           GoesOn goes_on = nullptr, const char* what = "atom");
 
-// Steps over what goes on behind the line [begin, end).
-inline void step_over_rest(const TextSource& source, LineWalker& walker, GoesOn goes_on, std::size_t begin, std::size_t end) {
-    while (!walker.at_end() && goes_on(source.text.substr(begin, end - begin), source.text.substr(walker.offset()))) {
-        begin = walker.offset();
-        end = walker.step();
-    }
-}
+// " of atom 3 of 5", of that index from 0.
+std::string of_atom(std::size_t index, std::size_t count, const char* what = "atom");
 
-// The wanted frame, and how many the file has.
-template <typename Frame>
-struct FoundFrame {
-    Frame frame{};
-    std::int64_t frames = 0;
-    std::string fault{};  // behind the wanted frame, where the file is read no further; "" where nothing is wrong
+// What TokenReader expects in an atom's line: the("x")() is "the x of atom 3 of 5".
+struct OfAtom {
+    std::size_t index = 0;
+    std::size_t count = 0;
+
+    auto operator()(const char* what) const {
+        return [atom = *this, what] { return std::string("the ") + what + of_atom(atom.index, atom.count); };
+    }
 };
 
-// Calls next(frame, number, is_wanted) until it returns false, for there is no more frame; of the wanted one it notes where the
-// atoms are. A fault behind the wanted frame is only kept. Throws what `next` throws, and InputError where there is no such frame.
-template <typename Frame, typename Next>
-FoundFrame<Frame> find_frame(const std::string& name, const DataOptions& options, const Next& next) {
-    const std::int64_t wanted = options.frame;
-    FoundFrame<Frame> found;
-    found.frames = options.part.frames;
+inline glm::dvec3 read_place(TokenReader& reader, const OfAtom& the) {
+    const double x = reader.number(the("x"));
+    const double y = reader.number(the("y"));
+    const double z = reader.number(the("z"));
+    return {x, y, z};
+}
+
+// What finders of frames share, which step from frame to frame without a look at the atoms. Each of them has a type Frame and
+// next(frame, number, wanted), which steps over the next frame, number `number` from 0, and is false when there is none; of the
+// wanted one it notes where the atoms are.
+class FrameFinder {
+public:
+    explicit FrameFinder(const TextSource& source) : source_(source), walker_(source.text, line_end_of(source.text)) {}
+
+    bool at_end() const { return walker_.at_end(); }
+    // Where the next line begins.
+    std::size_t offset() const { return walker_.offset(); }
+
+protected:
+    bool nothing_follows() const { return source_.text.find_first_not_of(white_space, offset()) == std::string_view::npos; }
+
+    // To be called at the beginning of each frame, for messages.
+    void begin_frame(std::int64_t number) { of_frame_ = " of frame " + std::to_string(number); }
+    const std::string& of_frame() const { return of_frame_; }
+
+    // The next line, in the way to `expected`. Throws TextEnds.
+    std::string_view step(std::string_view expected) {
+        if (walker_.at_end()) source_.fail_at_end(std::string(expected) + of_frame_);
+        return walker_.step();
+    }
+
+    // A line with the number of atoms, behind which anything may stand.
+    std::size_t step_over_count() {
+        const std::string_view line = step("the number of atoms");
+        const auto expected = [&] { return "the number of atoms" + of_frame_; };
+        return static_cast<std::size_t>(TokenReader(source_, line).integer(0, most_spheres, expected));
+    }
+
+    AtomLines step_over(std::size_t atoms, bool wanted, GoesOn goes_on = nullptr) {
+        return step_over_atoms(source_, walker_, atoms, wanted, of_frame_, goes_on);
+    }
+
+    const TextSource& source_;
+    LineWalker walker_;
+
+private:
+    std::string of_frame_{};
+};
+
+// Reads the wanted frame, by read_frame(frame), which gives SphereData. beginning: what an empty text lacks. A fault behind the
+// wanted frame is only warned of: what follows is passed over. Throws what `finder` throws, and InputError where there is no such
+// frame.
+template <typename Finder, typename ReadFrame>
+SphereData read_wanted_frame(const TextSource& source, const DataOptions& options, Finder& finder, const char* beginning,
+                             const ReadFrame& read_frame) {
+    using Frame = typename Finder::Frame;
+    Frame wanted;
+    std::int64_t frames = options.part.frames;
+    std::string fault;
     while (true) {
         Frame frame;
         try {
-            if (!next(frame, found.frames, found.frames == wanted)) break;
+            if (!finder.next(frame, frames, frames == options.frame)) break;
         } catch (const InputError& error) {
-            if (found.frames <= wanted) throw;
-            found.fault = error.what();
+            if (frames <= options.frame) throw;
+            fault = early_end(error.what(), frames);
             break;
         }
-        if (found.frames == wanted) found.frame = std::move(frame);
-        ++found.frames;
+        if (frames == options.frame) wanted = std::move(frame);
+        ++frames;
     }
-    if (found.frames > 0) require_frame(name, wanted, found.frames);
-    return found;
+    if (frames == 0) source.fail(source.text.size(), std::string("the text is empty, expected ") + beginning + " of frame 0");
+    require_frame(source.name, options.frame, frames);
+    SphereData data = read_frame(wanted);
+    data.frames = frames;
+    if (!fault.empty()) data.warnings.push_back(fault);
+    return data;
 }
 
-// Notes the number of frames, and warns of the fault behind the wanted one.
-template <typename Frame>
-void note_frames(SphereData& data, const FoundFrame<Frame>& found) {
-    data.frames = found.frames;
-    if (found.fault.empty()) return;
-    data.warnings.push_back(found.fault + "; what follows frame " + std::to_string(found.frames - 1) + " is passed over");
-}
-
-// What SceneFormat::step_over gives, by a finder of frames that stands at the first one of `text`.
-template <typename Frame, typename Finder>
+// What SceneFormat::step_over gives, by a finder of frames that stands at the first one of its text.
+template <typename Finder>
 std::optional<std::size_t> step_over_frame(Finder& finder, bool ended, std::int64_t number) {
     try {
-        Frame frame;
+        typename Finder::Frame frame;
         const bool found = finder.next(frame, number, false);
         if (finder.at_end() && !ended) return std::nullopt;  // a line that belongs to the frame may follow
         return found ? finder.offset() : 0;
@@ -103,11 +165,9 @@ inline std::string_view whole_lines(std::string_view text, bool ended) {
     return ended ? text : text.substr(0, text.rfind(line_end_of(text)) + 1);
 }
 
-// " of atom 3 of 5", of that index from 0.
-std::string of_atom(std::size_t index, std::size_t count, const char* what = "atom");
-
-// Throws InputError where a computed place, of the line that begins at `begin`, is beyond a double.
-void require_finite(const TextSource& source, std::size_t begin, const glm::dvec3& center, std::size_t index, std::size_t count);
+// Throws InputError where a computed place, of the atom with that line, is beyond a double.
+void require_finite(const TextSource& source, std::string_view line, const glm::dvec3& center, std::size_t index,
+                    std::size_t count);
 
 // What a line says.
 struct LineAtom {
@@ -127,24 +187,22 @@ struct Atoms {
     FileProperties properties{};
 };
 
-// Reads a frame's lines. make_reader(piece) makes what reads the lines of one piece: read(begin, end, index) gives the LineAtom of
-// atom `index`, whose line stands at [begin, end) of the text.
+// Reads a frame's lines. make_reader(piece) makes what reads the lines of one piece: read(line, index) gives the LineAtom of atom
+// `index`. Throws MemoryError where the atoms do not fit.
 template <typename MakeReader>
-Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, char line_end, const MakeReader& make_reader) {
+Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, const MakeReader& make_reader) {
+    require_memory_for_spheres(source.name, lines.count);
     Atoms atoms;
     atoms.spheres.resize(lines.count);
     atoms.labels.resize(lines.count <= most_named_atoms ? lines.count : 0);
     std::vector<std::vector<std::size_t>> virtual_sites(lines.pieces.size());
     parallel_in_order(lines.pieces.size(), [&](std::size_t piece) {
         auto reader = make_reader(piece);
-        LineWalker walker(source.text, line_end, lines.pieces[piece]);
+        LineWalker walker = lines.walker(source, piece);
         const std::size_t first = piece * atom_lines_a_piece;
         const std::size_t last = std::min(lines.count, first + atom_lines_a_piece);
         for (std::size_t i = first; i < last; ++i) {
-            const std::size_t begin = walker.offset();
-            const std::size_t end = walker.step();
-            const LineAtom atom = reader.read(begin, end, i);
-            if (lines.goes_on != nullptr) step_over_rest(source, walker, lines.goes_on, begin, end);
+            const LineAtom atom = reader.read(lines.step(source, walker), i);
             atoms.spheres[i] = atom.sphere;
             if (!atoms.labels.empty()) atoms.labels[i] = atom.label;
             if (atom.is_virtual) virtual_sites[piece].push_back(i);
@@ -156,46 +214,30 @@ Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, char lin
     return atoms;
 }
 
-// Reads the columns of a frame's lines that are asked for. words_of_row(begin, end, index, most, words) appends the first `most`
-// fields of the row of atom `index`, whose line stands at [begin, end) of the text, to `words`.
-template <typename WordsOfRow>
-FileProperties read_line_properties(const TextSource& source, const AtomLines& lines, char line_end,
-                                    const std::vector<PropertyColumn>& columns, const DataOptions& options,
-                                    const WordsOfRow& words_of_row) {
+// Reads the columns of a frame's lines that are asked for. fields_of(line, index, most, fields) appends the first `most` fields of
+// the row of atom `index` to `fields`.
+template <typename FieldsOf>
+FileProperties read_line_properties(const TextSource& source, const AtomLines& lines, const std::vector<PropertyColumn>& columns,
+                                    const DataOptions& options, const FieldsOf& fields_of) {
     return read_properties(columns, options, lines.count, source.name, [&](PropertyTable& table) {
-        std::vector<std::string_view> words;
-        LineWalker walker(source.text, line_end, lines.count > 0 ? lines.pieces[0] : 0);
+        if (lines.count == 0) return;
+        std::vector<std::string_view> fields;
+        LineWalker walker = lines.walker(source, 0);
         for (std::size_t i = 0; i < lines.count; ++i) {
-            const std::size_t begin = walker.offset();
-            const std::size_t end = walker.step();
-            words.clear();
-            words_of_row(begin, end, i, table.places(), words);
-            if (lines.goes_on != nullptr) step_over_rest(source, walker, lines.goes_on, begin, end);
-            table.add([&](std::size_t place) { return place < words.size() ? words[place] : std::string_view(); });
+            fields.clear();
+            fields_of(lines.step(source, walker), i, table.places(), fields);
+            table.add([&](std::size_t place) { return place < fields.size() ? fields[place] : std::string_view(); });
         }
     });
 }
 
-// Appends at most `most` words of the line to `words`.
-inline void split_line(std::string_view line, std::size_t most, std::vector<std::string_view>& words) {
-    const char* const end = line.data() + line.size();
-    for (const char* at = line.data(); words.size() < most;) {
-        at = std::find_if_not(at, end, is_space);
-        if (at == end) return;
-        const char* const word = at;
-        at = std::find_if(at, end, is_space);
-        words.emplace_back(word, static_cast<std::size_t>(at - word));
-    }
-}
-
 // The same where the columns are the words of each line.
-inline FileProperties read_word_properties(const TextSource& source, const AtomLines& lines, char line_end,
+inline FileProperties read_word_properties(const TextSource& source, const AtomLines& lines,
                                            const std::vector<PropertyColumn>& columns, const DataOptions& options) {
-    const auto split = [&](std::size_t begin, std::size_t end, std::size_t, std::size_t most,
-                           std::vector<std::string_view>& words) {
-        split_line(source.text.substr(begin, end - begin), most, words);
+    const auto split = [](std::string_view line, std::size_t, std::size_t most, std::vector<std::string_view>& words) {
+        split_line(line, most, words);
     };
-    return read_line_properties(source, lines, line_end, columns, options, split);
+    return read_line_properties(source, lines, columns, options, split);
 }
 
 // Makes data of atoms: name_of(label) calls each that has a label.

@@ -16,6 +16,15 @@ double radius_of(const Element& element, const DataOptions& options);
 // Removes the spheres of these numbers, which ascend, with their names and values; the others move up.
 void remove_spheres(Scene& scene, std::span<const std::size_t> numbers);
 
+// Throws MemoryError when so many spheres, and what is needed beside each, do not fit.
+void require_memory_for_spheres(const std::string& name, std::size_t count, std::size_t bytes_of_each = sizeof(Sphere));
+
+// For a warning of a fault behind that many frames: the fault, and what is passed over.
+std::string early_end(const std::string& fault, std::int64_t frames);
+
+// Warns of rows of the file `name` without coordinates, if there are any: "1 vertex has no coordinates and is left out".
+void warn_of_left_out(SphereData& data, std::size_t count, const std::string& name, const char* one, const char* several);
+
 // Warns of the virtual sites of the file `name`, if there are any.
 void warn_of_virtual_sites(SphereData& data, std::size_t count, const std::string& name, const DataOptions& options);
 

@@ -1,8 +1,10 @@
 // What the readers of CIF share: values, and where in the text they stand. For sources that may include gemmi.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <gemmi/cifdoc.hpp>
+#include <gemmi/numb.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -58,6 +60,12 @@ inline const gemmi::cif::Item& first_item(gemmi::cif::Table& table) {
 inline std::string_view without_quotes(std::string_view value) {
     const bool quoted = value.size() > 1 && (value.front() == '"' || value.front() == '\'') && value.back() == value.front();
     return quoted ? value.substr(1, value.size() - 2) : value;
+}
+
+// The number that a value is, perhaps in quotes; not finite where it is none.
+inline double number_in(const std::string& value) {
+    const double number = gemmi::cif::as_number(value);
+    return std::isfinite(number) ? number : gemmi::cif::as_number(gemmi::cif::as_string(value));
 }
 
 // The text of a value of a table that may lack it; "" where it does, or says ? or a point.

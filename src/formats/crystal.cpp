@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <gemmi/numb.hpp>
 #include <gemmi/symmetry.hpp>
 #include <map>
 #include <optional>
@@ -245,8 +244,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
         glm::dvec3 parts;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::string& value = row[axis];
-            double number = cif::as_number(value);
-            if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));  // in quotes
+            const double number = number_in(value);
             if (!std::isfinite(number) && !cif::is_null(value)) {
                 fail_at_value(source, row, axis,
                               found_expected(value, std::string("fract_") + "xyz"[axis] + " of atom " +
@@ -298,10 +296,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
     atoms.properties = properties.take();
     SphereData data = data_of(std::move(atoms), source.name, options, as_utf8);
     data.warnings.insert(data.warnings.begin(), warnings.begin(), warnings.end());
-    if (nowhere > 0) {
-        data.warnings.push_back(source.name + ": " + in_groups(nowhere) + (nowhere == 1 ? " atom has" : " atoms have") +
-                                " no coordinates and " + (nowhere == 1 ? "is" : "are") + " left out");
-    }
+    warn_of_left_out(data, nowhere, source.name, "atom", "atoms");
     if (others > 0) {
         data.notes.push_back(source.name + ": " + in_groups(others) + (others == 1 ? " atom is" : " atoms are") +
                              " left out: of disordered groups the fullest is shown");

@@ -9,6 +9,7 @@
 #include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/atom_lines.hpp"
 #include "formats/atoms.hpp"
 #include "formats/csv_table.hpp"
 #include "formats/csv_values.hpp"
@@ -93,13 +94,13 @@ public:
 private:
     static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
+    static std::string name_of(CsvColumn column) { return csv_column_names[static_cast<std::size_t>(column)]; }
+
     bool has(CsvColumn column) const { return places_[static_cast<std::size_t>(column)] != nowhere; }
 
     const CsvField& field(CsvColumn column) const {
         const std::size_t place = places_[static_cast<std::size_t>(column)];
-        if (place >= records_.fields().size()) {
-            records_.fail_at_end(csv_column_names[static_cast<std::size_t>(column)]);
-        }
+        if (place >= records_.fields().size()) records_.fail_at_end(name_of(column));
         return records_.fields()[place];
     }
 
@@ -113,7 +114,7 @@ private:
         if (is_missing(text.text)) return false;
         const NumberFault fault = parse_csv_number(text.text, table_.decimal_commas, value);
         if (fault == NumberFault::none) return true;
-        records_.fail(text, std::string(csv_column_names[static_cast<std::size_t>(column)]) + ", " + expected_instead_of(fault));
+        records_.fail(text, name_of(column) + ", " + expected_instead_of(fault));
     }
 
     // False where the row says none: also by 0, which OVITO writes for it.
@@ -123,9 +124,7 @@ private:
         const CsvColumn column = has_radius ? CsvColumn::radius : CsvColumn::diameter;
         double value = 0.0;
         if (!number(column, value)) return false;
-        if (value < 0.0) {
-            records_.fail(field(column), std::string(csv_column_names[static_cast<std::size_t>(column)]) + " above 0");
-        }
+        if (value < 0.0) records_.fail(field(column), name_of(column) + " above 0");
         radius = has_radius ? value : 0.5 * value;
         return radius > 0.0;
     }
@@ -159,7 +158,7 @@ private:
         double value = 0.0;
         const NumberFault fault = parse_csv_number(text.text, true, value);
         if (fault != NumberFault::none || !(value >= 0.0 && value <= color_max)) {
-            records_.fail(text, csv_column_names[static_cast<std::size_t>(column)] + std::string(", a whole number from 0 to 255"));
+            records_.fail(text, name_of(column) + ", a whole number from 0 to 255");
         }
         counts.color_fractions = true;
         counts.color_above_1 |= value > 1.0;
@@ -169,15 +168,7 @@ private:
 
     std::string name_of_row() const {
         if (has(CsvColumn::name)) return as_utf8(unquoted(field(CsvColumn::name)));
-        if (!names_elements_) return "";
-        const std::string_view species = field(CsvColumn::element).text;
-        const std::string_view symbol = element_of_species(species).symbol;
-        return as_utf8(is_whole(species) && !symbol.empty() ? symbol : species);
-    }
-
-    static bool is_whole(std::string_view text) {
-        std::uint64_t ignored = 0;
-        return parse_whole(text, ignored);
+        return names_elements_ ? name_of_species(field(CsvColumn::element).text) : "";
     }
 
     const CsvRecords& records_;
@@ -206,8 +197,7 @@ std::size_t most_records(std::string_view text, const std::vector<std::size_t>& 
     std::vector<std::size_t> counts(places.size() - 1);
     parallel_for(counts.size(), [&](std::size_t i) {
         for (LineWalker lines(text.substr(0, places[i + 1]), line_end, places[i]); !lines.at_end();) {
-            const std::size_t begin = lines.offset();
-            if (lines.step() - begin >= shortest_record) ++counts[i];
+            if (lines.step().size() >= shortest_record) ++counts[i];
         }
     });
     return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
@@ -238,7 +228,7 @@ public:
         if (source_.text.find('"', table_.begin) != std::string_view::npos) {
             // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
             constexpr std::size_t rows_at_once = 4096;
-            CsvRecords records(source_, table_.layout, table_.begin, source_.text.size(), table_.fields + 1);
+            CsvRecords records = rows_from(source_, table_, table_.begin);
             bool more = true;
             while (more) counts += append(scene, read_records(records, colors_to_1, rows_at_once, more));
             return counts;
@@ -260,7 +250,7 @@ public:
     // The values of the spheres, `count` of them, that were read.
     FileProperties read_properties_of(std::size_t count) const {
         const auto walk = [&](PropertyTable& properties) {
-            CsvRecords records(source_, table_.layout, table_.begin, source_.text.size(), table_.fields + 1);
+            CsvRecords records = rows_from(source_, table_, table_.begin);
             const RowReader row(records, table_, options_, false, false);
             glm::dvec3 ignored;
             std::string text;
@@ -349,10 +339,7 @@ SphereData read_csv(std::string_view content, const std::string& name, const Dat
                                 (table.columns.has(CsvColumn::red) ? ", and three more for red, green and blue" : ""));
     }
     if (!table.columns.has(CsvColumn::z)) data.warnings.push_back(name + ": no column for z: all lie in the plane z = 0");
-    if (counts.no_center > 0) {
-        data.warnings.push_back(name + ": " + in_groups(counts.no_center) + (counts.no_center == 1 ? " row has" : " rows have") +
-                                " no coordinates and " + (counts.no_center == 1 ? "is" : "are") + " left out");
-    }
+    warn_of_left_out(data, counts.no_center, name, "row", "rows");
     if (counts.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name);
     if (const std::string words = passed_over_in_words(table.passed_over, options); !words.empty())
         data.notes.push_back(name + ": " + words);

@@ -1,19 +1,44 @@
-// The names that programs give to the columns of tables.
+// Which columns of a table are drawn: by the names that programs give them, and by --columns.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "formats/csv_table.hpp"
+#include "formats/sphere_data.hpp"
 
 namespace sphereview {
+
+enum class CsvColumn : std::size_t { x, y, z, radius, diameter, red, green, blue, color, element, name };
+inline constexpr std::array<const char*, 11> csv_column_names = {"x", "y", "z",     "radius",  "diameter", "r",
+                                                                 "g", "b", "color", "element", "name"};
+
+// Which field of a record each column is.
+struct CsvColumns {
+    std::array<std::optional<std::size_t>, csv_column_names.size()> places{};
+
+    std::optional<std::size_t>& operator[](CsvColumn column) { return places[static_cast<std::size_t>(column)]; }
+    const std::optional<std::size_t>& operator[](CsvColumn column) const { return places[static_cast<std::size_t>(column)]; }
+    bool has(CsvColumn column) const { return (*this)[column].has_value(); }
+};
+
+using ColumnNames = std::vector<std::string>;
 
 // A name without what differs from program to program: letter case, blanks, punctuation and the unit. "positionx" for
 // "Position X [um]" and "POSITION_X".
 std::string column_key(std::string_view name);
 
 // The columns that are drawn among those with such names. Places may be missing: a table needs x and y.
-CsvColumns columns_by_name(const std::vector<std::string>& names);
+struct ChosenColumns {
+    CsvColumns columns{};
+    const ColumnChoice* missing = nullptr;  // the first of the choices that names none of the columns
+    bool places_by_number = false;          // x and y: then no header is needed
+
+    bool has_places() const { return missing == nullptr && columns.has(CsvColumn::x) && columns.has(CsvColumn::y); }
+};
+ChosenColumns choose_columns(const ColumnNames& names, const std::vector<ColumnChoice>& choices);
 
 }  // namespace sphereview

@@ -57,6 +57,15 @@ public:
     // False when there is none; the fields are valid until the next call. Throws InputError where quotes are wrong.
     bool next() { return in_runs_ ? next_record<true>() : next_record<false>(); }
 
+    // The same, and false where quotes are wrong: comments may hold some that nothing closes.
+    bool try_next() {
+        try {
+            return next();
+        } catch (const InputError&) {
+            return false;
+        }
+    }
+
     std::span<const CsvField> fields() const { return {fields_.data(), count_}; }
     // Where the line of the last record begins.
     std::size_t begin() const { return begin_; }
@@ -83,12 +92,12 @@ private:
             return at;
         };
         const char* const first = source_.text.data();
-        const char* const last = first + source_.text.size();
         while (next_ < end_) {
             begin_ = next_;
             LineWalker walker(source_.text, layout_.line_end, next_);
-            const char* at = first + next_;
-            const char* stop = first + walker.step();
+            const std::string_view line = walker.step();
+            const char* at = line.data();
+            const char* stop = at + line.size();
             next_ = walker.offset();
             const char* word = at;
             while (word != stop && is_blank(*word)) ++word;
@@ -103,8 +112,8 @@ private:
                     at = quoted_field(at);
                     if (at > stop) {  // it went on in another line
                         LineWalker rest(source_.text, layout_.line_end, static_cast<std::size_t>(at - first));
-                        stop = at == last ? last : first + rest.step();
-                        next_ = at == last ? source_.text.size() : rest.offset();
+                        stop = rest.at_end() ? at : at + rest.step().size();
+                        next_ = rest.offset();
                     }
                     const bool ended = in_runs && at != stop && is_blank(*at);
                     at = behind_blanks(at, stop);

@@ -6,10 +6,7 @@
 #include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "formats/csv_choices.hpp"
-#include "formats/csv_columns.hpp"
 #include "formats/csv_values.hpp"
-#include "formats/elements.hpp"
 
 namespace sphereview {
 
@@ -18,7 +15,6 @@ namespace {
 constexpr const char* header_syntax = "a header with x, y, z, and perhaps radius, r, g, b, name";
 constexpr int most_titles = 100;   // lines before a header
 constexpr int most_unit_rows = 3;  // behind it: TrackMate has three
-constexpr std::size_t rows_looked_at = 1000;
 
 // By which a line may be divided: what stands between fields before what may stand inside of them.
 constexpr std::string_view separators = ";\t, ";
@@ -58,11 +54,10 @@ public:
         std::optional<std::size_t> first_line;
         for (LineWalker lines(source_.text, table_.layout.line_end, begin); !lines.at_end() && titles >= 0;) {
             begin = lines.offset();
-            const std::size_t end = lines.step();
-            const std::string_view line = trimmed(source_.text.substr(begin, end - begin), white_space);
+            const std::string_view line = trimmed(lines.step(), white_space);
             if (line.empty()) continue;
             if (const std::string_view mark = comment_mark(line); !mark.empty()) {
-                look_at_comment(line.substr(mark.size()), end);
+                look_at_comment(line.substr(mark.size()));
                 continue;
             }
             if (!first_line) first_line = begin;
@@ -85,11 +80,6 @@ private:
         return CsvRecords(source_, table_.layout, begin, source_.text.size(), most_csv_columns);
     }
 
-    // The rows of the table from `begin` on, once it is known how many fields they have.
-    CsvRecords rows_from(std::size_t begin) const {
-        return CsvRecords(source_, table_.layout, begin, source_.text.size(), table_.fields + 1);
-    }
-
     // Spreadsheets say in a line of its own what divides the others: sep=;
     std::size_t take_separator_line() {
         std::string_view rest = source_.text;
@@ -101,48 +91,39 @@ private:
 
     std::string_view candidates() const { return forced_ ? std::string_view(&*forced_, 1) : separators; }
 
-    static bool is_whole_header(const Chosen& chosen) {
-        return chosen.all_found && chosen.columns.has(CsvColumn::x) && chosen.columns.has(CsvColumn::y);
-    }
-
     // Programs of numbers write the header as a comment: the last one counts.
-    void look_at_comment(std::string_view text, std::size_t end) {
-        const auto begin = static_cast<std::size_t>(text.data() - source_.text.data());
-        const TextSource line{source_.name, source_.text.substr(0, std::min(begin + text.size(), end))};
+    void look_at_comment(std::string_view text) {
+        const std::size_t begin = source_.offset_of(text);
+        const TextSource up_to_end{source_.name, source_.text.substr(0, begin + text.size())};
         for (const char separator : candidates()) {
             table_.layout.separator = separator;
-            CsvRecords header(line, table_.layout, begin, line.text.size(), most_csv_columns);
-            if (!has_record(header) || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
+            CsvRecords header(up_to_end, table_.layout, begin, up_to_end.text.size(), most_csv_columns);
+            if (!header.try_next() || header.fields().size() < 2 || header.fields().size() > most_csv_columns) continue;
             ColumnNames names = names_of(header, separator);
-            const Chosen chosen = choose_columns(names, choices_);
-            if (!is_whole_header(chosen) || chosen.places_by_number) continue;
+            const ChosenColumns chosen = choose_columns(names, choices_);
+            if (!chosen.has_places() || chosen.places_by_number) continue;
             comment_.emplace(CommentHeader{std::move(names), separator});
             return;
         }
     }
 
-    // Comments may hold quotes that nothing closes.
-    static bool has_record(CsvRecords& records) {
-        try {
-            return records.next();
-        } catch (const InputError&) {
-            return false;
-        }
+    // Whether the table begins with the line at `begin`: its header, or the first row where there is none, or only a comment.
+    bool begins_at(std::size_t begin) {
+        return has_header_at(begin) || (comment_ && fits_comment(begin)) || (choices_.empty() && is_headless(begin));
     }
 
-    // Whether the table begins with the line at `begin`: its header, or the first row where there is none.
-    bool begins_at(std::size_t begin) {
+    bool has_header_at(std::size_t begin) {
         for (const char separator : candidates()) {
             CsvRecords header = records(separator, begin);
-            if (!has_record(header) || header.fields().size() < 2) continue;
+            if (!header.try_next() || header.fields().size() < 2) continue;
             if (header.fields().size() > most_csv_columns) {
                 header.fail(header.fields()[most_csv_columns], "at most " + std::to_string(most_csv_columns) + " columns");
             }
             const ColumnNames names = names_of(header, separator);
-            const Chosen chosen = choose_columns(names, choices_);
-            if (!is_whole_header(chosen)) continue;
-            if (chosen.places_by_number && !is_row(header, chosen.columns)) continue;
+            const ChosenColumns chosen = choose_columns(names, choices_);
+            if (!chosen.has_places() || (chosen.places_by_number && !is_row(header, chosen.columns))) continue;
             take(chosen, separator);
+            std::size_t first = 0;  // that has a name
             if (chosen.places_by_number) {
                 table_.has_header = false;
                 table_.begin = begin;
@@ -151,49 +132,41 @@ private:
                 refuse_twice(header, names);
                 table_.fields = names.size();
                 table_.begin = behind_units(header.offset());
-                shift_behind_row_names();
+                if (rows_have_names()) first = shift_columns();
                 if (separator == ' ' && !fits_rows()) continue;
             }
-            finish(names);
+            look_at_first_rows(source_, names, first, choices_, table_);
             return true;
         }
-        if (comment_) {
-            for (const char separator : candidates()) {
-                CsvRecords row = records(separator, begin);
-                if (!has_record(row)) continue;
-                const std::size_t extra = row.fields().size() - std::min(row.fields().size(), comment_->names.size());
-                const bool trails = extra == 1 && row.fields().back().text.empty();
-                if ((row.fields().size() != comment_->names.size() && !trails) || row.fields().size() < 2) continue;
-                from_comment(separator, begin);
-                return true;
-            }
+        return false;
+    }
+
+    bool fits_comment(std::size_t begin) {
+        for (const char separator : candidates()) {
+            CsvRecords row = records(separator, begin);
+            if (!row.try_next() || row.fields().size() < 2) continue;
+            const std::size_t named = comment_->names.size();
+            const bool trails = row.fields().size() == named + 1 && row.fields().back().text.empty();
+            if (row.fields().size() != named && !trails) continue;
+            from_comment(separator, begin);
+            return true;
         }
-        return choices_.empty() && is_headless(begin);
+        return false;
     }
 
     CsvTable from_comment(char separator, std::size_t begin) {
         take(choose_columns(comment_->names, choices_), separator);
         table_.fields = comment_->names.size();
         table_.begin = begin;
-        finish(comment_->names);
+        look_at_first_rows(source_, comment_->names, 0, choices_, table_);
         return table_;
-    }
-
-    // Whether the record has numbers, or marks for none, where x and y are.
-    static bool is_row(const CsvRecords& record, const CsvColumns& columns) {
-        const auto is_place = [&](CsvColumn column) {
-            const std::size_t place = *columns[column];
-            return place < record.fields().size() &&
-                   (is_missing(record.fields()[place].text) || is_number(record.fields()[place].text, true));
-        };
-        return is_place(CsvColumn::x) && is_place(CsvColumn::y);
     }
 
     // Rows of numbers alone, of which the first three are a place.
     bool is_headless(std::size_t begin) {
         for (const char separator : candidates()) {
             CsvRecords row = records(separator, begin);
-            if (!has_record(row)) continue;
+            if (!row.try_next()) continue;
             const auto fields = row.fields();
             const bool trails = fields.size() > 1 && fields.back().text.empty();
             const std::size_t count = fields.size() - (trails ? 1 : 0);
@@ -201,34 +174,36 @@ private:
                 return is_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
             };
             if (count < 2 || !std::all_of(fields.begin(), fields.end() - (trails ? 1 : 0), is_value)) continue;
-            // ColumnNames that nobody knows are no reason to guess.
+            // Names that nobody knows are no reason to guess.
             if (unknown_header_) {
                 CsvRecords header = records(separator, *unknown_header_);
-                if (has_record(header) && header.offset() <= begin && names_of(header, separator).size() == count) continue;
+                if (header.try_next() && header.offset() <= begin && names_of(header, separator).size() == count) continue;
                 table_.layout.separator = separator;
             }
-            Chosen chosen;
+            ChosenColumns chosen;
             chosen.columns.places = {0, 1, count > 2 ? std::optional<std::size_t>(2) : std::nullopt};
             table_.fields = count;
-            if (count >= 6 && has_colors(begin, 3)) {
-                for (std::size_t i = 3; i < 6; ++i) chosen.columns.places[static_cast<std::size_t>(CsvColumn::red) + i - 3] = i;
+            if (count >= 6 && has_colors_behind_places(begin)) {
+                chosen.columns[CsvColumn::red] = 3;
+                chosen.columns[CsvColumn::green] = 4;
+                chosen.columns[CsvColumn::blue] = 5;
             }
             ColumnNames numbers;
             for (std::size_t i = 1; i <= count; ++i) numbers.push_back(std::to_string(i));
             take(chosen, separator);
             table_.has_header = false;
             table_.begin = begin;
-            finish(numbers);
+            look_at_first_rows(source_, numbers, 0, choices_, table_);
             return true;
         }
         return false;
     }
 
-    // Whether three columns from `first` on hold nothing but whole numbers from 0 to 255.
-    bool has_colors(std::size_t begin, std::size_t first) {
-        CsvRecords rows = rows_from(begin);
-        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
-            for (std::size_t k = first; k < first + 3; ++k) {
+    // Whether the fourth to sixth column hold nothing but whole numbers from 0 to 255.
+    bool has_colors_behind_places(std::size_t begin) {
+        CsvRecords rows = rows_from(source_, table_, begin);
+        for (std::size_t i = 0; i < csv_rows_looked_at && rows.try_next(); ++i) {
+            for (std::size_t k = 3; k < 6; ++k) {
                 std::uint8_t ignored = 0;
                 if (k >= rows.fields().size() || !parse_whole(rows.fields()[k].text, ignored)) return false;
             }
@@ -236,8 +211,7 @@ private:
         return true;
     }
 
-    void take(const Chosen& chosen, char separator) {
-        shifted_ = false;
+    void take(const ChosenColumns& chosen, char separator) {
         table_.layout.separator = separator;
         table_.columns = chosen.columns;
     }
@@ -256,8 +230,8 @@ private:
 
     // Where the rows begin: units, or other names, may stand in rows of their own.
     std::size_t behind_units(std::size_t begin) {
-        CsvRecords rows = rows_from(begin);
-        for (int skipped = 0; skipped <= most_unit_rows && has_record(rows); ++skipped) {
+        CsvRecords rows = rows_from(source_, table_, begin);
+        for (int skipped = 0; skipped <= most_unit_rows && rows.try_next(); ++skipped) {
             if (is_row(rows, table_.columns)) return skipped == 0 ? begin : rows.begin();
             const auto is_word = [](const CsvField& field) { return !is_number(field.text, true); };
             if (!std::ranges::all_of(rows.fields(), is_word)) break;
@@ -266,106 +240,26 @@ private:
     }
 
     // R's write.table names the rows in a column that the header leaves out.
-    void shift_behind_row_names() {
-        CsvRecords rows = rows_from(table_.begin);
-        if (!has_record(rows) || rows.fields().size() != table_.fields + 1 || rows.fields().back().text.empty()) return;
+    bool rows_have_names() const {
+        CsvRecords rows = rows_from(source_, table_, table_.begin);
+        if (!rows.try_next() || rows.fields().size() != table_.fields + 1 || rows.fields().back().text.empty()) return false;
         const CsvField& first = rows.fields()[0];
-        if (table_.layout.separator != ' ' && !first.quoted && is_number(first.text, true)) return;
+        return table_.layout.separator == ' ' || first.quoted || !is_number(first.text, true);
+    }
+
+    // Behind a field without a name; returns by how many.
+    std::size_t shift_columns() {
         for (auto& place : table_.columns.places) {
             if (place) ++*place;
         }
         ++table_.fields;
-        shifted_ = true;
+        return 1;
     }
 
     // Words between blanks may be a sentence: a header has a row below it, or nothing.
     bool fits_rows() {
-        CsvRecords rows = rows_from(table_.begin);
-        return !has_record(rows) || (rows.fields().size() == table_.fields && is_row(rows, table_.columns));
-    }
-
-    // Looks at the first rows for what the header does not say.
-    void finish(const ColumnNames& names) {
-        CsvColumns& columns = table_.columns;
-        if (columns.has(CsvColumn::radius)) columns[CsvColumn::diameter].reset();
-        look_for_data_behind_marks();
-        bool decimal_points = false;
-        bool elements = columns.has(CsvColumn::element);
-        bool any_element = false;
-        bool any_color = false;
-        bool fractions = false;
-        bool above_1 = false;
-        const std::string element_key = elements ? column_key(name_at(names, *columns[CsvColumn::element])) : "";
-        const bool is_type = element_key != "element" && element_key != "species" && element_key != "symbol" &&
-                             element_key != "atomsymbol" && element_key != "elementsymbol" && !is_chosen("element");
-        CsvRecords rows = rows_from(table_.begin);
-        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
-            const auto field = [&](CsvColumn column) -> std::string_view {
-                const auto place = columns[column];
-                return place && *place < rows.fields().size() ? rows.fields()[*place].text : std::string_view();
-            };
-            for (const CsvColumn column : {CsvColumn::x, CsvColumn::y, CsvColumn::z}) {
-                decimal_points = decimal_points || field(column).find('.') != std::string_view::npos;
-            }
-            if (const std::string_view element = field(CsvColumn::element); !is_missing(element)) {
-                const bool known = is_type ? find_element(element) != nullptr && element[0] >= 'A' && element[0] <= 'Z'
-                                           : &element_of_species(element) != &unknown_element();
-                any_element = any_element || known;
-                elements = elements && (known || !is_type);
-            }
-            any_color = any_color || parse_hex_color(field(CsvColumn::color));
-            for (const CsvColumn column : {CsvColumn::red, CsvColumn::green, CsvColumn::blue}) {
-                double value = 0.0;
-                if (parse_csv_number(field(column), true, value) != NumberFault::none) continue;
-                fractions = fractions || field(column).find_first_of(".,eE") != std::string_view::npos;
-                above_1 = above_1 || value > 1.0;
-            }
-        }
-        table_.decimal_commas = !decimal_points;
-        table_.colors_to_1 = fractions && !above_1;
-        if (!elements || !any_element) columns[CsvColumn::element].reset();
-        if (!any_color || columns.has(CsvColumn::red)) columns[CsvColumn::color].reset();
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const std::size_t place = i + (shifted_ ? 1 : 0);
-            const auto drawn = std::ranges::find(columns.places, std::optional(place));
-            if (drawn == columns.places.end() && !names[i].empty()) table_.passed_over.push_back(names[i]);
-            const auto column =
-                drawn == columns.places.end() ? std::optional<CsvColumn>() : static_cast<CsvColumn>(drawn - columns.places.begin());
-            add_property(names[i], place, column);
-        }
-    }
-
-    void add_property(const std::string& name, std::size_t place, std::optional<CsvColumn> column) {
-        if (column && *column != CsvColumn::radius && *column != CsvColumn::diameter && *column != CsvColumn::element) return;
-        const std::string key = column_key(name);
-        const PropertyKind kind = column == CsvColumn::element      ? PropertyKind::element
-                                  : key == "type" || key == "chain" ? PropertyKind::words
-                                                                    : PropertyKind::found;
-        const bool is_element = column == CsvColumn::element && key != "type";
-        add_column(table_.properties, is_element ? "element" : table_.has_header ? name : "column" + name, kind, place);
-    }
-
-    bool is_chosen(std::string_view column) const {
-        return std::ranges::find(choices_, column, &ColumnChoice::column) != choices_.end();
-    }
-
-    std::string name_at(const ColumnNames& names, std::size_t place) const {
-        const std::size_t i = place - (shifted_ ? 1 : 0);
-        return i < names.size() ? names[i] : "";
-    }
-
-    // A first column may hold names or colours that begin like comments.
-    void look_for_data_behind_marks() {
-        const CsvLayout plain{table_.layout.separator, table_.layout.line_end, false};
-        CsvRecords rows(source_, plain, table_.begin, source_.text.size(), table_.fields + 1);
-        for (std::size_t i = 0; i < rows_looked_at && has_record(rows); ++i) {
-            const bool marked = !rows.fields()[0].quoted && !comment_mark(rows.fields()[0].text).empty();
-            if (!marked) continue;
-            if (rows.fields().size() == table_.fields && table_.columns[CsvColumn::x] != 0 && is_row(rows, table_.columns)) {
-                table_.layout.comments = false;
-            }
-            return;
-        }
+        CsvRecords rows = rows_from(source_, table_, table_.begin);
+        return !rows.try_next() || (rows.fields().size() == table_.fields && is_row(rows, table_.columns));
     }
 
     // What is wrong with the columns of --columns in the header that begins there; "" where nothing is known.
@@ -374,17 +268,16 @@ private:
         std::string fault;
         for (const char separator : candidates()) {
             CsvRecords header = records(separator, begin);
-            if (!has_record(header) || header.fields().size() < 2) continue;
+            if (!header.try_next() || header.fields().size() < 2) continue;
             const ColumnNames names = names_of(header, separator);
-            const ColumnChoice* missing = missing_choice(names, choices_);
-            if (missing == nullptr) {
-                const CsvColumns columns = choose_columns(names, choices_).columns;
-                if (columns.has(CsvColumn::x) && columns.has(CsvColumn::y)) return "";
+            const ChosenColumns chosen = choose_columns(names, choices_);
+            if (chosen.has_places()) return "";
+            if (chosen.missing == nullptr) {
                 return "found no columns for both x and y, expected --columns x=NAME,y=NAME,z=NAME to name them";
             }
             if (fault.empty()) {
-                fault = "found no column " + in_quotes(missing->field) + ", expected a header with the columns of --columns" +
-                        did_you_mean(missing->field, names);
+                fault = "found no column " + in_quotes(chosen.missing->field) +
+                        ", expected a header with the columns of --columns" + did_you_mean(chosen.missing->field, names);
             }
         }
         return fault;
@@ -406,10 +299,18 @@ private:
     std::optional<char> forced_{};
     std::optional<CommentHeader> comment_{};
     std::optional<std::size_t> unknown_header_{};  // where a line with several fields begins that may be one
-    bool shifted_ = false;
 };
 
 }  // namespace
+
+bool is_row(const CsvRecords& record, const CsvColumns& columns) {
+    const auto is_place = [&](CsvColumn column) {
+        const std::size_t place = *columns[column];
+        return place < record.fields().size() &&
+               (is_missing(record.fields()[place].text) || is_number(record.fields()[place].text, true));
+    };
+    return is_place(CsvColumn::x) && is_place(CsvColumn::y);
+}
 
 CsvTable find_csv_table(const TextSource& source, const std::vector<ColumnChoice>& choices) {
     return TableFinder(source, choices).find(most_titles);
@@ -424,7 +325,7 @@ bool is_clearly_csv(std::string_view head) {
         // Between white space a scene's text may begin with its number of spheres.
         if (table.layout.separator == ',' || table.layout.separator == ';') return true;
         const std::string_view row = trimmed(head.substr(table.begin), white_space);
-        return words_of(row.substr(0, row.find_first_of("\r\n")))[0].find_first_not_of("0123456789") != std::string_view::npos;
+        return !is_digits(row.substr(0, row.find_first_of(white_space)));
     } catch (const InputError&) {
         return false;
     }

@@ -1,32 +1,18 @@
 // What a table in text is: what divides it, which of its columns are drawn, and where its rows begin.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "formats/csv_columns.hpp"
 #include "formats/csv_records.hpp"
 #include "formats/lines.hpp"
 #include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
-
-enum class CsvColumn : std::size_t { x, y, z, radius, diameter, red, green, blue, color, element, name };
-inline constexpr std::array<const char*, 11> csv_column_names = {"x", "y", "z",     "radius",  "diameter", "r",
-                                                                 "g", "b", "color", "element", "name"};
-
-// Which field of a record each column is.
-struct CsvColumns {
-    std::array<std::optional<std::size_t>, csv_column_names.size()> places{};
-
-    std::optional<std::size_t>& operator[](CsvColumn column) { return places[static_cast<std::size_t>(column)]; }
-    const std::optional<std::size_t>& operator[](CsvColumn column) const { return places[static_cast<std::size_t>(column)]; }
-    bool has(CsvColumn column) const { return (*this)[column].has_value(); }
-};
 
 struct CsvTable {
     CsvLayout layout{};
@@ -41,6 +27,21 @@ struct CsvTable {
 };
 
 inline constexpr std::size_t most_csv_columns = 100'000;
+
+// The rows of a table, from `begin` on.
+inline CsvRecords rows_from(const TextSource& source, const CsvTable& table, std::size_t begin) {
+    return CsvRecords(source, table.layout, begin, source.text.size(), table.fields + 1);
+}
+
+// Whether the record has numbers, or marks for none, where x and y are, of which each must have a place.
+bool is_row(const CsvRecords& record, const CsvColumns& columns);
+
+inline constexpr std::size_t csv_rows_looked_at = 1000;
+
+// Looks at the first rows for what a header does not say: which of the columns hold colours and elements, how numbers are written,
+// and what there is beside that. `first`: the field that names[0] names.
+void look_at_first_rows(const TextSource& source, const ColumnNames& names, std::size_t first,
+                        const std::vector<ColumnChoice>& choices, CsvTable& table);
 
 // Finds the table in a text: behind titles and comments, with a header or rows of numbers alone. Throws InputError.
 CsvTable find_csv_table(const TextSource& source, const std::vector<ColumnChoice>& choices);

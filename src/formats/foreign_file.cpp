@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
@@ -117,13 +116,6 @@ constexpr auto marks = std::to_array<Mark>({
     {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that", of_text},
 });
 
-bool is_written_number(std::string_view word) {
-    double ignored = 0.0;
-    return parse_double(word, ignored) == NumberFault::none;
-}
-
-bool is_whole(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
-
 // The first lines of a text, as they are; missing ones are empty.
 using FirstLines = std::array<std::string_view, 8>;
 
@@ -141,7 +133,7 @@ bool is_stl(const FirstLines& lines) {
 bool is_lammps_data(const FirstLines& lines) {
     return std::ranges::any_of(lines, [](std::string_view line) {
         const auto words = words_of(line);
-        return words.size() == 3 && is_whole(words[0]) && words[1] == "atom" && words[2] == "types";
+        return words.size() == 3 && is_digits(words[0]) && words[1] == "atom" && words[2] == "types";
     });
 }
 
@@ -152,7 +144,7 @@ bool is_obj(std::string_view text) {
         const auto words = words_of(line);
         if (words.empty()) continue;
         if (words[0] == "mtllib") return true;
-        if (words[0] == "v") return words.size() >= 4 && std::all_of(words.begin() + 1, words.end(), is_written_number);
+        if (words[0] == "v") return words.size() >= 4 && std::all_of(words.begin() + 1, words.end(), is_number);
         if (std::ranges::find(others, words[0]) == others.end()) return false;
     }
     return false;

@@ -8,10 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/atom_lines.hpp"
-#include "formats/atoms.hpp"
 #include "formats/cell.hpp"
 #include "formats/elements.hpp"
 #include "formats/point_radius.hpp"
@@ -39,15 +37,9 @@ struct DumpColumns {
     bool has(DumpField field) const { return std::ranges::find(columns, field, &DumpColumn::field) != columns.end(); }
 };
 
-// What a piece of the text says: where it begins and ends.
-struct DumpLine {
-    std::size_t begin = 0;
-    std::size_t end = 0;
-};
-
 struct DumpFrame {
-    std::optional<DumpLine> box{};  // the head of the box, whose lines follow
-    DumpLine columns{};             // the head of the atoms
+    std::optional<std::string_view> box{};  // the head of the box, whose lines follow
+    std::string_view columns{};             // the head of the atoms
     AtomLines atoms{};
 };
 
@@ -58,70 +50,45 @@ std::optional<std::string_view> item_in(std::string_view line) {
     return trimmed(line.substr(item_head.size()), white_space);
 }
 
-// Finds the frames of a text without looking at their atoms.
-class DumpFinder {
+class DumpFinder : public FrameFinder {
 public:
-    DumpFinder(const TextSource& source, char line_end) : source_(source), walker_(source.text, line_end) {}
+    using Frame = DumpFrame;
+    using FrameFinder::FrameFinder;
 
-    bool at_end() const { return walker_.at_end(); }
-    // Where the next line begins.
-    std::size_t offset() const { return walker_.offset(); }
-
-    // Steps over the next frame, number `number` from 0; false when there is none.
     bool next(DumpFrame& frame, std::int64_t number, bool wanted) {
-        const std::string of_frame = " of frame " + std::to_string(number);
+        begin_frame(number);
         std::optional<std::size_t> count;
         bool begun = false;
-        while (!walker_.at_end()) {
-            const DumpLine line = step();
-            const std::string_view words = trimmed(text_of(line), white_space);
+        while (!at_end()) {
+            const std::string_view line = walker_.step();
+            const std::string_view words = trimmed(line, white_space);
             const auto item = item_in(words);
             // The values of an item that says nothing of atoms.
             if (words.empty() || (begun && !item)) continue;
-            if (!item) source_.fail(words.substr(0, words.find_first_of(white_space)), "ITEM: TIMESTEP" + of_frame);
+            if (!item) source_.fail(words.substr(0, words.find_first_of(white_space)), "ITEM: TIMESTEP" + of_frame());
             begun = true;
             if (item->starts_with("NUMBER OF ATOMS")) {
-                count = number_of_atoms(of_frame);
+                count = step_over_count();
             } else if (item->starts_with("BOX BOUNDS")) {
                 frame.box = line;
             } else if (item->starts_with("ATOMS")) {
-                if (!count) source_.fail(words, "ITEM: NUMBER OF ATOMS" + of_frame + " above it");
+                if (!count) source_.fail(words, "ITEM: NUMBER OF ATOMS" + of_frame() + " above it");
                 frame.columns = line;
-                frame.atoms = step_over_atoms(source_, walker_, *count, wanted, of_frame);
+                frame.atoms = step_over(*count, wanted);
                 return true;
             }
         }
-        if (begun) source_.fail_at_end("ITEM: ATOMS" + of_frame);
+        if (begun) source_.fail_at_end("ITEM: ATOMS" + of_frame());
         return false;
     }
-
-private:
-    DumpLine step() {
-        const std::size_t begin = walker_.offset();
-        return {begin, walker_.step()};
-    }
-
-    std::string_view text_of(const DumpLine& line) const { return source_.text.substr(line.begin, line.end - line.begin); }
-
-    std::size_t number_of_atoms(const std::string& of_frame) {
-        const auto expected = [&] { return "the number of atoms" + of_frame; };
-        if (walker_.at_end()) source_.fail_at_end(expected());
-        const DumpLine line = step();
-        const TextSource up_to_end{source_.name, source_.text.substr(0, line.end), source_.origin};
-        return static_cast<std::size_t>(TokenReader(up_to_end, line.begin, line_ends).integer(0, most_spheres, expected));
-    }
-
-    const TextSource& source_;
-    LineWalker walker_;
 };
 
 // Which columns the head of the atoms names. Of several kinds of places the first is taken: as they are, in parts of the box, and
 // the same two without the jumps at its walls.
-DumpColumns dump_columns(const TextSource& source, const DumpLine& head) {
+DumpColumns dump_columns(const TextSource& source, std::string_view head) {
     constexpr auto kinds = std::to_array<std::array<std::string_view, 3>>(
         {{"x", "y", "z"}, {"xs", "ys", "zs"}, {"xu", "yu", "zu"}, {"xsu", "ysu", "zsu"}});
-    const std::string_view line = source.text.substr(head.begin, head.end - head.begin);
-    auto names = words_of(line.substr(line.find(item_head) + item_head.size(), longest_item));
+    auto names = words_of(head.substr(head.find(item_head) + item_head.size(), longest_item));
     names.erase(names.begin());  // ATOMS
     const auto place_of = [&](std::string_view name) {
         return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
@@ -137,9 +104,8 @@ DumpColumns dump_columns(const TextSource& source, const DumpLine& head) {
     };
     const auto kind = std::ranges::find_if(kinds, is_whole);
     if (kind == kinds.end()) {
-        const std::string_view item = trimmed(line, white_space);
-        throw InputError(source.place(item) +
-                         "found no places among the columns, expected x y z, xs ys zs, xu yu zu or xsu ysu zsu");
+        source.fail_at(trimmed(head, white_space),
+                       "found no places among the columns, expected x y z, xs ys zs, xu yu zu or xsu ysu zsu");
     }
     found.scaled = (kind - kinds.begin()) % 2 == 1;
     add(DumpField::x, (*kind)[0]);
@@ -169,22 +135,19 @@ DumpColumns dump_columns(const TextSource& source, const DumpLine& head) {
 
 // Reads the lines of a box: its lowest and highest x, y and z, and the tilts xy, xz and yz where the box is none with right angles,
 // whose bounds are then those of the box around it. Or the edges a, b and c with the corner.
-Cell read_box(const TextSource& source, const DumpLine& head, char line_end) {
-    const std::string_view words = source.text.substr(head.begin, head.end - head.begin);
-    const bool is_general = words.find("abc origin") != std::string_view::npos;
-    const bool is_tilted = !is_general && words.find("xy") != std::string_view::npos;
+Cell read_box(const TextSource& source, std::string_view head, char line_end) {
+    const bool is_general = head.find("abc origin") != std::string_view::npos;
+    const bool is_tilted = !is_general && head.find("xy") != std::string_view::npos;
     const std::size_t count = is_general ? 4 : is_tilted ? 3 : 2;
     std::array<std::array<double, 4>, 3> numbers{};
-    LineWalker walker(source.text, line_end, head.begin);
+    LineWalker walker(source.text, line_end, source.offset_of(head));
     walker.step();
     for (auto& row : numbers) {
         const auto expected = [&] {
             return std::string("the ") + "xyz"[&row - numbers.data()] + " of the box, " + std::to_string(count) + " numbers";
         };
         if (walker.at_end()) source.fail_at_end(expected());
-        const std::size_t begin = walker.offset();
-        const TextSource line{source.name, source.text.substr(0, walker.step()), source.origin};
-        TokenReader reader(line, begin, line_ends, parse_any_double);
+        TokenReader reader(source, walker.step(), parse_any_double);
         for (std::size_t i = 0; i < count; ++i) row[i] = reader.number(expected);
     }
     Cell box;
@@ -231,18 +194,11 @@ public:
     // ids: one for each atom, or none.
     DumpAtomReader(const TextSource& source, const DumpColumns& columns, const Cell& box, std::size_t count,
                    const DataOptions& options, std::vector<std::int64_t>& ids)
-        : text_(source.text),
-          line_{source.name, {}, source.origin},
-          columns_(columns),
-          box_(box),
-          count_(count),
-          options_(options),
-          ids_(ids) {}
+        : source_(source), columns_(columns), box_(box), count_(count), options_(options), ids_(ids) {}
 
-    LineAtom read(std::size_t begin, std::size_t end, std::size_t index) {
-        line_.text = text_.substr(0, end);
-        TokenReader reader(line_, begin, line_ends, parse_any_double);
-        const auto the = [this, index](const char* what) { return [this, index, what] { return what + of_atom(index, count_); }; };
+    LineAtom read(std::string_view line, std::size_t index) {
+        TokenReader reader(source_, line, parse_any_double);
+        const OfAtom the{index, count_};
         LineAtom atom;
         glm::dvec3& center = atom.sphere.center;
         std::string_view type;
@@ -253,18 +209,18 @@ public:
             reader.skip_tokens(place - at);
             at = place + 1;
             switch (field) {
-                case DumpField::id: ids_[index] = reader.integer(lowest_id, highest_id, the("the id")); break;
-                case DumpField::type: type = reader.word(the("the type")); break;
-                case DumpField::element: element_name = reader.word(the("the element")); break;
-                case DumpField::x: center.x = reader.number(the("the x")); break;
-                case DumpField::y: center.y = reader.number(the("the y")); break;
-                case DumpField::z: center.z = reader.number(the("the z")); break;
-                case DumpField::radius: radius = reader.number_or_0(the("the radius")); break;
-                case DumpField::diameter: radius = 0.5 * reader.number_or_0(the("the diameter")); break;
+                case DumpField::id: ids_[index] = reader.integer(lowest_id, highest_id, the("id")); break;
+                case DumpField::type: type = reader.word(the("type")); break;
+                case DumpField::element: element_name = reader.word(the("element")); break;
+                case DumpField::x: center.x = reader.number(the("x")); break;
+                case DumpField::y: center.y = reader.number(the("y")); break;
+                case DumpField::z: center.z = reader.number(the("z")); break;
+                case DumpField::radius: radius = reader.number_or_0(the("radius")); break;
+                case DumpField::diameter: radius = 0.5 * reader.number_or_0(the("diameter")); break;
             }
         }
         if (columns_.scaled) center = box_.place(center);
-        require_finite(line_, begin, center, index, count_);
+        require_finite(source_, line, center, index, count_);
         // Types may have labels, which often are elements.
         const bool is_number = element_name.empty() && !begins_with_letter(type);
         atom.label = element_name.empty() ? type : element_name;
@@ -278,8 +234,7 @@ private:
     static constexpr std::int64_t lowest_id = std::numeric_limits<std::int64_t>::min();
     static constexpr std::int64_t highest_id = std::numeric_limits<std::int64_t>::max();
 
-    std::string_view text_;
-    TextSource line_;  // the text up to the line's end
+    const TextSource& source_;
     const DumpColumns& columns_;
     const Cell& box_;
     std::size_t count_;  // of the frame's atoms
@@ -322,35 +277,30 @@ std::string name_of_dump_atom(std::string_view label) {
     return begins_with_letter(label) ? name_of_species(label) : "type " + as_utf8(label);
 }
 
-SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, char line_end, const DataOptions& options) {
+SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
     DumpColumns columns = dump_columns(source, frame.columns);
     const bool has_ids = columns.has(DumpField::id);
-    const std::size_t bytes = sizeof(Sphere) + (has_ids ? sizeof(std::int64_t) + sizeof(std::uint32_t) : 0);
-    require_memory(count * bytes, source.name + ": " + in_groups(count) + " spheres need");
+    const std::size_t bytes_of_order = has_ids ? sizeof(std::int64_t) + sizeof(std::uint32_t) : 0;
+    require_memory_for_spheres(source.name, count, sizeof(Sphere) + bytes_of_order);
     Cell box;
     if (columns.scaled) {
-        if (!frame.box) {
-            throw InputError(source.place(frame.columns.begin) +
-                             "found places in parts of a box, expected ITEM: BOX BOUNDS above them");
-        }
-        box = read_box(source, *frame.box, line_end);
+        if (!frame.box) source.fail_at(frame.columns, "found places in parts of a box, expected ITEM: BOX BOUNDS above them");
+        box = read_box(source, *frame.box, frame.atoms.line_end);
     }
     std::vector<std::int64_t> ids(has_ids ? count : 0);
     const auto reader = [&](std::size_t) { return DumpAtomReader(source, columns, box, count, options, ids); };
     bool has_elements = columns.has(DumpField::element);
     if (count > 0 && !has_elements) {
-        const std::size_t first = frame.atoms.pieces[0];
-        LineWalker walker(source.text, line_end, first);
-        has_elements = begins_with_letter(reader(0).read(first, walker.step(), 0).label);
+        has_elements = begins_with_letter(reader(0).read(frame.atoms.first_line(source), 0).label);
     }
-    Atoms atoms = read_atom_lines(source, frame.atoms, line_end, reader);
+    Atoms atoms = read_atom_lines(source, frame.atoms, reader);
     // Labels of types often are elements.
     const auto type = std::ranges::find(columns.columns, DumpField::type, &DumpColumn::field);
     if (has_elements && !columns.has(DumpField::element) && type != columns.columns.end()) {
         add_column(columns.properties, "element", PropertyKind::element, type->place);
     }
-    atoms.properties = read_word_properties(source, frame.atoms, line_end, columns.properties, options);
+    atoms.properties = read_word_properties(source, frame.atoms, columns.properties, options);
     if (has_ids) order_by_id(atoms, ids);
     SphereData data = data_of(std::move(atoms), source.name, options, name_of_dump_atom);
     const bool has_radii = columns.has(DumpField::radius) || columns.has(DumpField::diameter);
@@ -367,20 +317,15 @@ bool shows_lammps(std::string_view head) {
 
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content), options.part.origin};
-    const char line_end = line_end_of(source.text);
-    DumpFinder finder(source, line_end);
-    const auto next = [&](DumpFrame& frame, std::int64_t number, bool wanted) { return finder.next(frame, number, wanted); };
-    const FoundFrame<DumpFrame> found = find_frame<DumpFrame>(name, options, next);
-    if (found.frames == 0) source.fail(source.text.size(), "the text is empty, expected ITEM: TIMESTEP of frame 0");
-    SphereData data = read_dump_frame(source, found.frame, line_end, options);
-    note_frames(data, found);
-    return data;
+    DumpFinder finder(source);
+    return read_wanted_frame(source, options, finder, "ITEM: TIMESTEP",
+                             [&](const DumpFrame& frame) { return read_dump_frame(source, frame, options); });
 }
 
 std::optional<std::size_t> step_over_lammps(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
     const TextSource source{name, whole_lines(text, ended), part.origin};
-    DumpFinder finder(source, line_end_of(source.text));
-    return step_over_frame<DumpFrame>(finder, ended, part.frames);
+    DumpFinder finder(source);
+    return step_over_frame(finder, ended, part.frames);
 }
 
 }  // namespace sphereview

@@ -14,6 +14,23 @@ void TextSource::fail(std::string_view piece, const std::string& expected) const
     throw InputError(place(piece) + found_expected(piece, expected));
 }
 
+void TextSource::fail_at(std::string_view piece, const std::string& message) const { throw InputError(place(piece) + message); }
+
+void TextSource::fail_behind(std::string_view line, const std::string& expected) const {
+    fail_at(line.substr(line.size()), "the line ends, expected " + expected);
+}
+
+void split_line(std::string_view line, std::size_t most, std::vector<std::string_view>& words) {
+    const char* const end = line.data() + line.size();
+    for (const char* at = line.data(); words.size() < most;) {
+        at = std::find_if_not(at, end, is_space);
+        if (at == end) return;
+        const char* const word = at;
+        at = std::find_if(at, end, is_space);
+        words.emplace_back(word, static_cast<std::size_t>(at - word));
+    }
+}
+
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators) {
     std::vector<std::string_view> words;
     for (std::size_t begin = 0; (begin = line.find_first_not_of(separators, begin)) != std::string_view::npos;) {
@@ -22,6 +39,17 @@ std::vector<std::string_view> words_of(std::string_view line, std::string_view s
         begin = end;
     }
     return words;
+}
+
+bool is_number(std::string_view word) {
+    double ignored = 0.0;
+    return parse_any_double(word, ignored) == NumberFault::none;
+}
+
+bool is_digits(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
+
+std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end) {
+    return line.size() <= begin ? "" : trimmed(line.substr(begin, end - begin), " ");
 }
 
 std::string_view behind_comments(std::string_view text) {

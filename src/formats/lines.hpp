@@ -35,26 +35,38 @@ struct TextSource {
     // "NAME:LINE:COLUMN: " of byte `offset`.
     std::string place(std::size_t offset) const;
     // Of a piece of the text.
-    std::string place(std::string_view piece) const { return place(static_cast<std::size_t>(piece.data() - text.data())); }
+    std::string place(std::string_view piece) const { return place(offset_of(piece)); }
+    std::size_t offset_of(std::string_view piece) const { return static_cast<std::size_t>(piece.data() - text.data()); }
     // Throws InputError "NAME:LINE:COLUMN: MESSAGE".
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
     // Throws TextEnds "NAME:LINE:COLUMN: the text ends, expected EXPECTED".
     [[noreturn]] void fail_at_end(const std::string& expected) const;
     // Throws InputError "NAME:LINE:COLUMN: found 'PIECE', expected EXPECTED".
     [[noreturn]] void fail(std::string_view piece, const std::string& expected) const;
+    // Throws InputError "NAME:LINE:COLUMN: MESSAGE" of where a piece of the text begins.
+    [[noreturn]] void fail_at(std::string_view piece, const std::string& message) const;
+    // The same of where it ends: "the line ends, expected EXPECTED".
+    [[noreturn]] void fail_behind(std::string_view line, const std::string& expected) const;
 };
 
 // The pieces of a line between runs of separators.
 std::vector<std::string_view> words_of(std::string_view line, std::string_view separators = white_space);
+
+// Appends the words of a line to `words`, until these are `most`.
+void split_line(std::string_view line, std::size_t most, std::vector<std::string_view>& words);
+
+// Whether a word is a number, by parse_any_double(), or digits alone.
+bool is_number(std::string_view word);
+bool is_digits(std::string_view word);
+
+// What stands in columns [begin, end) of a line, from 0, without blanks; "" behind the line's end.
+std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end);
 
 // The text behind a byte-order mark, white space and lines of comment that begin with '#'.
 std::string_view behind_comments(std::string_view text);
 
 // `bytes` with each that is no part of a UTF-8 sequence replaced by U+FFFD: names must be UTF-8.
 std::string as_utf8(std::string_view bytes);
-
-// How a TokenReader of one line calls the end.
-inline constexpr const char* line_ends = "the line ends";
 
 // How much of a text one core reads at a time.
 inline constexpr std::size_t usual_line_piece = std::size_t{1} << 16;
@@ -71,17 +83,19 @@ public:
     LineWalker(std::string_view text, char line_end, std::size_t offset = 0) : text_(text), line_end_(line_end), offset_(offset) {}
 
     bool at_end() const { return offset_ >= text_.size(); }
+    char line_end() const { return line_end_; }
     // Where the next line begins.
     std::size_t offset() const { return offset_; }
 
-    // Steps over a line and returns where it ends, without what ends it. Not at_end().
-    std::size_t step() {
+    // Steps over a line and returns it, without what ends it. Not at_end().
+    std::string_view step() {
         const std::size_t begin = offset_;
         const void* end = std::memchr(text_.data() + begin, line_end_, text_.size() - begin);
         std::size_t place = text_.size();
         if (end != nullptr) place = static_cast<std::size_t>(static_cast<const char*>(end) - text_.data());
         offset_ = place + (end == nullptr ? 0 : 1);
-        return place > begin && text_[place - 1] == '\r' ? place - 1 : place;
+        if (place > begin && text_[place - 1] == '\r') --place;
+        return {text_.data() + begin, place - begin};
     }
 
 private:
@@ -97,17 +111,15 @@ constexpr bool is_space(char c) { return (c == ' ') | (static_cast<unsigned char
 // what should stand there: its words are only made for a message.
 class TokenReader {
 public:
-    // Begins at the first token at or after `offset`, which lies between two tokens. `end_found`: how messages call the end;
-    // `parse`: what reads a number that read_double() does not read whole.
-    TokenReader(const TextSource& source, std::size_t offset, const char* end_found = "the text ends",
-                NumberFault (*parse)(std::string_view token, double& value) = parse_double)
-        : source_(source),
-          next_(source.text.data() + offset),
-          end_(source.text.data() + source.text.size()),
-          end_found_(end_found),
-          parse_(parse) {
-        skip_space();
-    }
+    // What reads a number that read_double() does not read whole.
+    using Parse = NumberFault (*)(std::string_view token, double& value);
+
+    // Begins at the first token at or after `offset`, which lies between two tokens.
+    TokenReader(const TextSource& source, std::size_t offset, Parse parse = parse_double)
+        : TokenReader(source, source.text.substr(offset), "the text ends", parse) {}
+    // Of one line of the text.
+    TokenReader(const TextSource& source, std::string_view line, Parse parse = parse_double)
+        : TokenReader(source, line, "the line ends", parse) {}
 
     bool at_end() const { return next_ == end_; }
 
@@ -171,6 +183,9 @@ public:
         return next;
     }
 
+    // What is not read yet.
+    std::string_view rest() const { return {next_, static_cast<std::size_t>(end_ - next_)}; }
+
     // The next token; "" at the end.
     std::string_view token() const { return {next_, static_cast<std::size_t>(std::find_if(next_, end_, is_space) - next_)}; }
 
@@ -182,10 +197,16 @@ public:
     [[noreturn]] void fail(const std::string& expected) const { source_.fail(token(), expected); }
 
     [[noreturn]] void fail_at_end(const std::string& found, const std::string& expected) const {
-        source_.fail(source_.text.size(), found + ", expected " + expected);
+        source_.fail_at({end_, 0}, found + ", expected " + expected);
     }
 
 private:
+    // end_found: how messages call the end.
+    TokenReader(const TextSource& source, std::string_view text, const char* end_found, Parse parse)
+        : source_(source), next_(text.data()), end_(text.data() + text.size()), end_found_(end_found), parse_(parse) {
+        skip_space();
+    }
+
     // What the next token is as a number; with a fault the value says nothing.
     struct NextNumber {
         double value = 0.0;
@@ -221,7 +242,7 @@ private:
     const char* next_;
     const char* end_;
     const char* end_found_;
-    NumberFault (*parse_)(std::string_view token, double& value);
+    Parse parse_;
 };
 
 // Calls work(i) for each i below `count`, on all cores; of several exceptions that of the lowest i is thrown here.

@@ -132,6 +132,7 @@ MoleculeScene::MoleculeScene(std::size_t atoms, const DataOptions& options, cons
       name_(name),
       properties_(molecule_columns(has_radii), options, atoms, name),
       wants_texts_(properties_.wants_rows()) {
+    require_memory_for_spheres(name, atoms);
     scene_.spheres.reserve(atoms);
     properties_.next_walk();
 }

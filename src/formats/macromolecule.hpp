@@ -55,7 +55,7 @@ std::vector<std::size_t> surplus_places(std::vector<AlternativePlace> places);
 class MoleculeScene {
 public:
     // `atoms`: how many will be added, of which the texts stay where they are.
-    // `name`: of the file, for messages. has_radii: it says them itself, instead of occupancies and B factors.
+    // `name`: of the file, for messages. has_radii: it says them itself, instead of occupancies and B factors. Throws MemoryError.
     MoleculeScene(std::size_t atoms, const DataOptions& options, const std::string& name, bool has_radii = false);
 
     bool wants_texts() const { return wants_texts_; }

@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <gemmi/cif.hpp>
-#include <gemmi/numb.hpp>
 #include <unordered_map>
 #include <vector>
 
@@ -161,8 +160,7 @@ std::string_view first_of(const cif::Table::Row& row, Column column, Column othe
 
 double coordinate(const TextSource& source, const cif::Table::Row& row, Column column) {
     const std::string& value = row[column];
-    double number = cif::as_number(value);
-    if (!std::isfinite(number)) number = cif::as_number(cif::as_string(value));
+    const double number = number_in(value);
     if (std::isfinite(number)) return number;
     fail_at_value(source, row, column,
                   found_expected(value, std::string(1, "xyz"[column]) + " of atom " + std::to_string(row.row_index + 1) +
@@ -235,7 +233,6 @@ WantedModel find_model(std::vector<AtomTable>& tables, std::int64_t wanted) {
 }
 
 SphereData read_model(const TextSource& source, cif::Table& table, const WantedModel& wanted, const DataOptions& options) {
-    require_memory(wanted.atoms * sizeof(Sphere), source.name + ": " + in_groups(wanted.atoms) + " spheres need");
     MoleculeScene scene(wanted.atoms, options, source.name);
     for (const auto row : table) {
         if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row, scene.wants_texts()));
@@ -262,9 +259,7 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
         table.is_crystal ? read_crystal(source, table.table, options) : read_model(source, table.table, wanted, options);
     data.frames = wanted.frames;
     if (!found.fault.empty()) data.warnings.push_back(found.fault + "; passed over");
-    if (!read.fault.empty()) {
-        data.warnings.push_back(read.fault + "; what follows frame " + std::to_string(wanted.frames - 1) + " is passed over");
-    }
+    if (!read.fault.empty()) data.warnings.push_back(early_end(read.fault, wanted.frames));
     return data;
 }
 

@@ -1,7 +1,6 @@
 #include "formats/pdb_records.hpp"
 
 #include "base/text.hpp"
-#include "formats/lines.hpp"
 
 namespace sphereview {
 
@@ -18,7 +17,7 @@ PdbFrame find_pdb_frame(std::string_view text, std::int64_t wanted, const PartOf
     bool open = false;  // more atoms are of the same frame
     for (LineWalker lines(text, line_end_of(text), part.begin); !lines.at_end();) {
         const std::size_t begin = lines.offset();
-        const std::string_view line = text.substr(begin, lines.step() - begin);
+        const std::string_view line = lines.step();
         if (is_pdb_atom(line)) {
             if (!open) ++found.frames;
             open = found.has_atoms = true;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "formats/lines.hpp"
+#include "formats/macromolecule.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
@@ -23,5 +25,22 @@ struct PdbFrame {
 
 // By `part` it begins behind some frames, which count as looked at.
 PdbFrame find_pdb_frame(std::string_view text, std::int64_t wanted, const PartOfFile& part);
+
+// Reads the wanted frame: atom_of(line, wants_texts) makes a MoleculeAtom of each of its records. has_radii: as MoleculeScene's.
+template <typename AtomOf>
+SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, bool has_radii, const AtomOf& atom_of) {
+    const PdbFrame frame = find_pdb_frame(source.text, options.frame, options.part);
+    if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
+    require_frame(source.name, options.frame, frame.frames);
+    MoleculeScene scene(frame.count, options, source.name, has_radii);
+    for (LineWalker lines(source.text.substr(0, frame.end), line_end_of(source.text), frame.begin); !lines.at_end();) {
+        const std::string_view line = lines.step();
+        if (is_pdb_atom(line)) scene.add(atom_of(line, scene.wants_texts()));
+    }
+    SphereData data = scene.take();
+    data.frames = frame.frames;
+    data.next_frame = frame.next;
+    return data;
+}
 
 }  // namespace sphereview

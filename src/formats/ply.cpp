@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/memory.hpp"
@@ -22,25 +23,6 @@ namespace {
 
 enum PlyField : std::size_t { ply_x, ply_y, ply_z, ply_radius, ply_diameter, ply_red, ply_green, ply_blue, no_field };
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-// What a vertex says; `nothing` where it does not.
-using VertexValues = std::array<double, no_field>;
-
-// A property of vertices, and what it says of a sphere.
-struct VertexProperty {
-    PlyProperty property;
-    PlyField field;
-};
-
-// What of vertices is drawn.
-struct Vertices {
-    std::vector<VertexProperty> properties{};  // all, in the file's order
-    std::size_t count = 0;
-    double full_color = color_max;  // what stands for 255
-    bool whole_colors = true;
-    bool has_radius = false;
-    bool has_color = false;
-};
 
 PlyField field_named(std::string_view name) {
     struct Named {
@@ -67,51 +49,31 @@ PlyField field_named(std::string_view name) {
     return found == names.end() ? no_field : found->field;
 }
 
-Vertices vertices_of(const TextSource& source, const PlyElement& element) {
-    Vertices vertices;
-    vertices.count = element.count;
-    std::array<bool, no_field + 1> has{};
-    for (const PlyProperty& property : element.properties) {
-        PlyField field = property.count_type ? no_field : field_named(property.name);
-        if (has[field]) field = no_field;
-        has[field] = true;
-        vertices.properties.push_back({property, field});
-        if (field == ply_red) vertices.whole_colors = is_whole(property.type);
-    }
-    if (!has[ply_x] || !has[ply_y] || !has[ply_z]) {
-        throw InputError(source.place(element.name) + "found vertices without x, y and z, expected these among their properties");
-    }
-    vertices.has_radius = has[ply_radius] || has[ply_diameter];
-    vertices.has_color = has[ply_red] && has[ply_green] && has[ply_blue];
-    vertices.full_color = vertices.whole_colors ? color_max : 1.0;
-    return vertices;
-}
+// Which properties of vertices are drawn.
+struct DrawnVertices {
+    std::array<std::optional<std::size_t>, no_field> places{};  // among all, of each field
+    bool whole_colors = true;
+    double full_color = color_max;  // what stands for 255
 
-// What the vertices of one piece say beside their spheres.
-struct VertexNotes {
-    std::vector<std::size_t> nowhere{};  // the numbers of those without a place, ascending
-    double largest_color = 0.0;
+    bool has(PlyField field) const { return places[field].has_value(); }
+    bool has_color() const { return has(ply_red) && has(ply_green) && has(ply_blue); }
+    bool holds(std::size_t place) const { return std::ranges::find(places, std::optional(place)) != places.end(); }
 };
 
-Sphere sphere_of(const VertexValues& values, const Vertices& vertices, const DataOptions& options, std::size_t index,
-                 VertexNotes& notes) {
-    Sphere sphere;
-    sphere.center = {values[ply_x], values[ply_y], values[ply_z]};
-    if (!std::isfinite(values[ply_x]) || !std::isfinite(values[ply_y]) || !std::isfinite(values[ply_z])) {
-        notes.nowhere.push_back(index);
-        sphere.center = glm::dvec3(0.0);
+DrawnVertices drawn_of(const TextSource& source, const PlyElement& element) {
+    DrawnVertices drawn;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const PlyProperty& property = element.properties[i];
+        const PlyField field = property.count_type ? no_field : field_named(property.name);
+        if (field == no_field || drawn.has(field)) continue;
+        drawn.places[field] = i;
+        if (field == ply_red) drawn.whole_colors = is_whole(property.type);
     }
-    const double own = values[ply_radius] > 0.0 ? values[ply_radius] : 0.5 * values[ply_diameter];
-    sphere.radius = own > 0.0 && std::isfinite(own) ? own : options.radius.value_or(1.0);
-    if (!vertices.has_color) return sphere;
-    const auto channel = [&](PlyField field) {
-        const double value = values[field];
-        if (std::isfinite(value)) notes.largest_color = std::max(notes.largest_color, value);
-        const double part = value > 0.0 ? std::min(1.0, value / vertices.full_color) : 0.0;
-        return static_cast<std::uint8_t>(std::lround(color_max * part));
-    };
-    sphere.color = {channel(ply_red), channel(ply_green), channel(ply_blue)};
-    return sphere;
+    if (!drawn.has(ply_x) || !drawn.has(ply_y) || !drawn.has(ply_z)) {
+        source.fail_at(element.name, "found vertices without x, y and z, expected these among their properties");
+    }
+    drawn.full_color = drawn.whole_colors ? color_max : 1.0;
+    return drawn;
 }
 
 // A number that is not finite is none, and no fault: scanners write it for points that they did not see.
@@ -120,96 +82,6 @@ NumberFault parse_or_nothing(std::string_view token, double& value) {
     if (fault == NumberFault::not_a_number) return fault;
     if (fault != NumberFault::none) value = nothing;
     return NumberFault::none;
-}
-
-// Reads the lines of one piece.
-class PlyLineReader {
-public:
-    PlyLineReader(const TextSource& source, const Vertices& vertices, const DataOptions& options, VertexNotes& notes)
-        : text_(source.text), line_{source.name, {}}, vertices_(vertices), options_(options), notes_(notes) {}
-
-    LineAtom read(std::size_t begin, std::size_t end, std::size_t index) {
-        line_.text = text_.substr(0, end);
-        TokenReader reader(line_, begin, line_ends, parse_or_nothing);
-        VertexValues values;
-        values.fill(nothing);
-        for (const VertexProperty& next : vertices_.properties) {
-            const auto expected = [&] { return in_quotes(next.property.name) + of_atom(index, vertices_.count, "vertex"); };
-            if (next.property.count_type) {
-                const auto most = static_cast<std::int64_t>(end - begin);
-                reader.skip_tokens(static_cast<std::size_t>(reader.integer(0, most, expected)));
-            } else if (next.field == no_field) {
-                reader.skip_tokens(1);
-            } else {
-                values[next.field] = reader.number(expected);
-            }
-        }
-        return {sphere_of(values, vertices_, options_, index, notes_)};
-    }
-
-private:
-    std::string_view text_;
-    TextSource line_;  // the text up to the line's end
-    const Vertices& vertices_;
-    const DataOptions& options_;
-    VertexNotes& notes_;
-};
-
-// A property of vertices that is kept, at its own size.
-struct KeptVertexProperty {
-    std::size_t place;  // among all
-    Property property;
-};
-
-std::vector<KeptVertexProperty> kept_properties(const Vertices& vertices, const DataOptions& options,
-                                                std::vector<std::string>& names) {
-    std::vector<PropertyColumn> columns;
-    for (std::size_t i = 0; i < vertices.properties.size(); ++i) {
-        const auto& [property, field] = vertices.properties[i];
-        const bool is_drawn = field != no_field && field != ply_radius && field != ply_diameter;
-        if (!property.count_type && !is_drawn) add_column(columns, property.name, PropertyKind::found, i);
-    }
-    std::vector<KeptVertexProperty> kept;
-    for (const PropertyColumn& column : columns) {
-        names.push_back(column.name);
-        if (!is_wanted(options, column.name, vertices.count)) continue;
-        Property property{column.name, std::vector<double>{}};
-        const PlyType type = vertices.properties[column.place].property.type;
-        if (type == PlyType::float32) property.values = std::vector<float>{};
-        if (is_whole(type) && type != PlyType::uint32) property.values = std::vector<std::int32_t>{};
-        kept.push_back({column.place, std::move(property)});
-    }
-    return kept;
-}
-
-// What is not finite is no value.
-void append(Property& property, double value) {
-    if (auto* const numbers = std::get_if<std::vector<float>>(&property.values)) {
-        const auto number = static_cast<float>(value);
-        numbers->push_back(std::isfinite(number) ? number : std::numeric_limits<float>::quiet_NaN());
-    } else if (auto* const wholes = std::get_if<std::vector<std::int32_t>>(&property.values)) {
-        const bool fits = value > no_whole_number && value <= std::numeric_limits<std::int32_t>::max();
-        wholes->push_back(fits ? static_cast<std::int32_t>(value) : no_whole_number);
-    } else {
-        std::get<std::vector<double>>(property.values).push_back(std::isfinite(value) ? value : nothing);
-    }
-}
-
-// The values of a line, one for each of the properties, lists passed over.
-void read_line_values(std::string_view line, const Vertices& vertices, std::vector<std::string_view>& words,
-                      std::vector<double>& values) {
-    words.clear();
-    split_line(line, line.size(), words);
-    values.assign(vertices.properties.size(), nothing);
-    std::size_t at = 0;
-    for (std::size_t i = 0; i < values.size() && at < words.size(); ++i, ++at) {
-        std::size_t count = 0;
-        if (!vertices.properties[i].property.count_type) {
-            parse_or_nothing(words[at], values[i]);
-        } else if (parse_whole(words[at], count)) {
-            at += std::min(count, words.size() - at);
-        }
-    }
 }
 
 bool is_blank_line(std::string_view, std::string_view rest) {
@@ -238,177 +110,216 @@ double number_at(const char* bytes, PlyType type, bool swapped) {
     }
 }
 
-// Walks through the elements of a binary file.
-class BytesReader {
-public:
-    BytesReader(const TextSource& source, const PlyHeader& header)
-        : source_(source),
-          swapped_((header.encoding == PlyEncoding::big_endian) != (std::endian::native == std::endian::big)),
-          next_(header.end) {}
+// What the value of a property is wanted for: to be drawn it must be a number.
+enum class PlyUse : std::uint8_t { none, kept, drawn };
 
-    void skip(const PlyElement& element) {
-        if (!element.has_lists()) {
-            require(element, element.count);
-            next_ += element.count * element.size();
+// Finds the vertices of a file, text or bytes, and reads what their properties say.
+class VertexReader {
+public:
+    // Throws InputError where the file ends too early.
+    VertexReader(const TextSource& source, const PlyHeader& header, const PlyElement& vertex)
+        : source_(source),
+          vertex_(vertex),
+          is_text_(header.encoding == PlyEncoding::ascii),
+          swapped_((header.encoding == PlyEncoding::big_endian) != (std::endian::native == std::endian::big)) {
+        LineWalker walker(source.text, header.line_end, header.end);
+        std::size_t next = header.end;
+        for (const PlyElement& before : header.elements) {
+            if (&before == &vertex) break;
+            if (is_text_) {
+                step_over_atoms(source, walker, before.count, false, " of " + in_quotes(before.name), is_blank_line, "element");
+            } else {
+                next = skip(before, 0, before.count, next);
+            }
+        }
+        if (is_text_) {
+            lines_ = step_over_atoms(source, walker, vertex.count, true, "", is_blank_line, "vertex");
             return;
         }
-        for (std::size_t i = 0; i < element.count; ++i) {
-            for (const PlyProperty& property : element.properties) skip(property, element, i);
+        lines_.count = vertex.count;
+        for (std::size_t first = 0; first < vertex.count; first += atom_lines_a_piece) {
+            lines_.pieces.push_back(next);
+            next = skip(vertex, first, std::min(vertex.count, first + atom_lines_a_piece), next);
         }
     }
 
-    // Where each vertex begins; with lists only one after the other tells.
-    std::vector<Sphere> vertices(const PlyElement& element, const Vertices& vertices, const DataOptions& options,
-                                 std::vector<VertexNotes>& notes) {
-        std::vector<Sphere> spheres;
-        if (element.has_lists()) {
-            notes.resize(1);
-            for (std::size_t i = 0; i < element.count; ++i) {
-                VertexValues values;
-                values.fill(nothing);
-                for (const auto& [property, field] : vertices.properties) {
-                    const std::size_t at = next_;
-                    skip(property, element, i);
-                    if (field != no_field) values[field] = number_at(source_.text.data() + at, property.type, swapped_);
+    // How many pieces each() reads, at once.
+    std::size_t pieces() const { return lines_.pieces.size(); }
+
+    // Calls visit(piece, index, values) for each vertex, with a value for each property that `uses` has a use for: `nothing` where
+    // it is no finite number. Throws InputError.
+    template <typename Visit>
+    void each(const std::vector<PlyUse>& uses, const Visit& visit) const {
+        parallel_in_order(pieces(), [&](std::size_t piece) {
+            std::vector<double> values(uses.size(), nothing);
+            LineWalker walker = lines_.walker(source_, piece);
+            std::size_t next = lines_.pieces[piece];
+            const std::size_t first = piece * atom_lines_a_piece;
+            const std::size_t last = std::min(lines_.count, first + atom_lines_a_piece);
+            for (std::size_t i = first; i < last; ++i) {
+                if (is_text_) {
+                    read_line(lines_.step(source_, walker), i, uses, values);
+                } else {
+                    next = read_bytes(next, i, uses, values);
                 }
-                spheres.push_back(sphere_of(values, vertices, options, i, notes[0]));
-            }
-            return spheres;
-        }
-        require(element, element.count);
-        spheres.resize(element.count);
-        constexpr std::size_t piece_size = 16'384;
-        notes.resize(element.count / piece_size + 1);
-        const std::size_t stride = element.size();
-        parallel_for(notes.size(), [&](std::size_t piece) {
-            const std::size_t end = std::min(element.count, (piece + 1) * piece_size);
-            for (std::size_t i = piece * piece_size; i < end; ++i) {
-                const char* at = source_.text.data() + next_ + i * stride;
-                VertexValues values;
-                values.fill(nothing);
-                for (const auto& [property, field] : vertices.properties) {
-                    if (field != no_field) values[field] = number_at(at, property.type, swapped_);
-                    at += size_of(property.type);
-                }
-                spheres[i] = sphere_of(values, vertices, options, i, notes[piece]);
+                visit(piece, i, values);
             }
         });
-        return spheres;
-    }
-
-    // Of the vertices that begin here, all of which are there.
-    void append_values(const PlyElement& element, std::vector<KeptVertexProperty>& kept) {
-        std::vector<std::size_t> places(element.properties.size());
-        for (std::size_t i = 0; i < element.count; ++i) {
-            for (std::size_t k = 0; k < places.size(); ++k) {
-                places[k] = next_;
-                skip(element.properties[k], element, i);
-            }
-            for (auto& [place, property] : kept) {
-                append(property, number_at(source_.text.data() + places[place], element.properties[place].type, swapped_));
-            }
-        }
     }
 
 private:
-    std::size_t left() const { return source_.text.size() - next_; }
+    void read_line(std::string_view line, std::size_t index, const std::vector<PlyUse>& uses, std::vector<double>& values) const {
+        TokenReader reader(source_, line, parse_or_nothing);
+        for (std::size_t k = 0; k < uses.size(); ++k) {
+            const PlyProperty& property = vertex_.properties[k];
+            const auto expected = [&] { return in_quotes(property.name) + of_atom(index, vertex_.count, "vertex"); };
+            if (property.count_type) {
+                const auto most = static_cast<std::int64_t>(line.size());
+                reader.skip_tokens(static_cast<std::size_t>(reader.integer(0, most, expected)));
+            } else if (uses[k] == PlyUse::drawn) {
+                values[k] = reader.number(expected);
+            } else {
+                values[k] = nothing;
+                if (uses[k] == PlyUse::kept) parse_or_nothing(reader.token(), values[k]);
+                reader.skip_tokens(1);
+            }
+        }
+    }
 
-    [[noreturn]] void fail_at_end(const PlyElement& element, std::size_t index) const {
-        source_.fail(source_.text.size(), "the file ends, expected " + in_quotes(element.name) + " " + std::to_string(index + 1) +
+    // Returns where the vertex ends that begins at `at`.
+    std::size_t read_bytes(std::size_t at, std::size_t index, const std::vector<PlyUse>& uses, std::vector<double>& values) const {
+        for (std::size_t k = 0; k < uses.size(); ++k) {
+            const PlyProperty& property = vertex_.properties[k];
+            if (uses[k] != PlyUse::none) values[k] = number_at(source_.text.data() + at, property.type, swapped_);
+            at = property.count_type ? skip_list(property, vertex_, index, at) : at + size_of(property.type);
+        }
+        return at;
+    }
+
+    // Where element `last` begins, when `first` begins at `at`.
+    std::size_t skip(const PlyElement& element, std::size_t first, std::size_t last, std::size_t at) const {
+        if (element.has_lists()) {
+            for (; first < last; ++first) {
+                for (const PlyProperty& property : element.properties) {
+                    if (property.count_type) {
+                        at = skip_list(property, element, first, at);
+                    } else {
+                        at = behind(1, size_of(property.type), element, first, at);
+                    }
+                }
+            }
+            return at;
+        }
+        const std::size_t size = element.size();
+        return size == 0 ? at : behind(last - first, size, element, first + (source_.text.size() - at) / size, at);
+    }
+
+    std::size_t skip_list(const PlyProperty& property, const PlyElement& element, std::size_t index, std::size_t at) const {
+        const std::size_t values = behind(1, size_of(*property.count_type), element, index, at);
+        const double count = number_at(source_.text.data() + at, *property.count_type, swapped_);
+        if (count < 0.0) source_.fail(at, "found a list of " + shortest(count) + " values, expected 0 or more");
+        return behind(static_cast<std::size_t>(count), size_of(property.type), element, index, values);
+    }
+
+    // Where so many values of that size end which begin at `at`. `missing`: the element that is not whole where the file ends
+    // before.
+    std::size_t behind(std::size_t count, std::size_t size, const PlyElement& element, std::size_t missing, std::size_t at) const {
+        if ((source_.text.size() - at) / size >= count) return at + count * size;
+        source_.fail(source_.text.size(), "the file ends, expected " + in_quotes(element.name) + " " + std::to_string(missing + 1) +
                                               " of " + std::to_string(element.count));
     }
 
-    // That there are the bytes of `count` elements without lists.
-    void require(const PlyElement& element, std::size_t count) const {
-        const std::size_t size = element.size();
-        if (size > 0 && left() / size < count) fail_at_end(element, left() / size);
-    }
-
-    void skip(const PlyProperty& property, const PlyElement& element, std::size_t index) {
-        const std::size_t size = size_of(property.type);
-        std::size_t values = 1;
-        if (property.count_type) {
-            const std::size_t of_count = size_of(*property.count_type);
-            if (left() < of_count) fail_at_end(element, index);
-            const double count = number_at(source_.text.data() + next_, *property.count_type, swapped_);
-            if (count < 0.0) source_.fail(next_, "found a list of " + shortest(count) + " values, expected 0 or more");
-            next_ += of_count;
-            values = static_cast<std::size_t>(count);
-        }
-        if (left() / size < values) fail_at_end(element, index);
-        next_ += values * size;
-    }
-
     const TextSource& source_;
+    const PlyElement& vertex_;
+    bool is_text_;
     bool swapped_;
-    std::size_t next_;
+    AtomLines lines_{};  // or where the pieces of bytes begin
 };
 
-// Where the lines of an element of a text stand.
-AtomLines lines_of(const TextSource& source, const PlyHeader& header, const PlyElement& element) {
-    LineWalker walker(source.text, header.line_end, header.end);
-    for (const PlyElement& before : header.elements) {
-        if (&before == &element) break;
-        step_over_atoms(source, walker, before.count, false, " of " + in_quotes(before.name), is_blank_line, "element");
+// What the vertices of one piece say beside their spheres.
+struct VertexNotes {
+    std::vector<std::size_t> nowhere{};  // the numbers of those without a place, ascending
+    double largest_color = 0.0;
+};
+
+Sphere sphere_of(const std::vector<double>& values, const DrawnVertices& drawn, const DataOptions& options, std::size_t index,
+                 VertexNotes& notes) {
+    const auto value_of = [&](PlyField field) { return drawn.has(field) ? values[*drawn.places[field]] : nothing; };
+    Sphere sphere;
+    sphere.center = {value_of(ply_x), value_of(ply_y), value_of(ply_z)};
+    if (!std::isfinite(sphere.center.x) || !std::isfinite(sphere.center.y) || !std::isfinite(sphere.center.z)) {
+        notes.nowhere.push_back(index);
+        sphere.center = glm::dvec3(0.0);
     }
-    return step_over_atoms(source, walker, element.count, true, "", is_blank_line, "vertex");
+    const double radius = value_of(ply_radius);
+    const double own = radius > 0.0 ? radius : 0.5 * value_of(ply_diameter);
+    sphere.radius = own > 0.0 && std::isfinite(own) ? own : options.radius.value_or(1.0);
+    if (!drawn.has_color()) return sphere;
+    const auto channel = [&](PlyField field) {
+        const double value = value_of(field);
+        if (std::isfinite(value)) notes.largest_color = std::max(notes.largest_color, value);
+        const double part = value > 0.0 ? std::min(1.0, value / drawn.full_color) : 0.0;
+        return static_cast<std::uint8_t>(std::lround(color_max * part));
+    };
+    sphere.color = {channel(ply_red), channel(ply_green), channel(ply_blue)};
+    return sphere;
 }
 
-// Reads the vertices that the header describes, with what they are painted with.
-std::vector<Sphere> read_vertices(const TextSource& source, const PlyHeader& header, const PlyElement& element,
-                                  const Vertices& vertices, const DataOptions& options, std::vector<VertexNotes>& notes) {
-    if (header.encoding != PlyEncoding::ascii) {
-        BytesReader bytes(source, header);
-        for (const PlyElement& before : header.elements) {
-            if (&before == &element) break;
-            bytes.skip(before);
-        }
-        return bytes.vertices(element, vertices, options, notes);
+std::vector<VertexNotes> read_spheres(const VertexReader& vertices, const PlyElement& element, const DrawnVertices& drawn,
+                                      const DataOptions& options, std::vector<Sphere>& spheres) {
+    std::vector<PlyUse> uses(element.properties.size(), PlyUse::none);
+    for (const auto& place : drawn.places) {
+        if (place) uses[*place] = PlyUse::drawn;
     }
-    const AtomLines lines = lines_of(source, header, element);
-    notes.resize(lines.pieces.size());
-    const auto reader = [&](std::size_t piece) { return PlyLineReader(source, vertices, options, notes[piece]); };
-    return read_atom_lines(source, lines, header.line_end, reader).spheres;
-}
-
-// Reads the properties that are asked for, of vertices that were read.
-void read_properties_of(const TextSource& source, const PlyHeader& header, const PlyElement& element, const Vertices& vertices,
-                        const DataOptions& options, SphereData& data) {
-    std::vector<KeptVertexProperty> kept = kept_properties(vertices, options, data.property_names);
-    if (kept.empty()) return;
-    require_memory(kept.size() * element.count * sizeof(double),
-                   source.name + ": the values of " + in_groups(element.count) + " vertices need");
-    if (header.encoding != PlyEncoding::ascii) {
-        BytesReader bytes(source, header);
-        for (const PlyElement& before : header.elements) {
-            if (&before == &element) break;
-            bytes.skip(before);
-        }
-        bytes.append_values(element, kept);
-    } else {
-        const AtomLines lines = lines_of(source, header, element);
-        LineWalker walker(source.text, header.line_end, lines.count > 0 ? lines.pieces[0] : 0);
-        std::vector<std::string_view> words;
-        std::vector<double> values;
-        for (std::size_t i = 0; i < lines.count; ++i) {
-            const std::size_t begin = walker.offset();
-            const std::size_t end = walker.step();
-            step_over_rest(source, walker, lines.goes_on, begin, end);
-            read_line_values(source.text.substr(begin, end - begin), vertices, words, values);
-            for (auto& [place, property] : kept) append(property, values[place]);
-        }
-    }
-    for (KeptVertexProperty& one : kept) data.scene.properties.push_back(std::move(one.property));
+    std::vector<VertexNotes> notes(vertices.pieces());
+    spheres.resize(element.count);
+    vertices.each(uses, [&](std::size_t piece, std::size_t i, const std::vector<double>& values) {
+        spheres[i] = sphere_of(values, drawn, options, i, notes[piece]);
+    });
+    return notes;
 }
 
 // What stands for 255 in the colours: of whole numbers 255, or 65535 where one is larger; else 1, or 255 likewise.
-double full_color_of(const Vertices& vertices, const std::vector<VertexNotes>& notes) {
+double full_color_of(const DrawnVertices& drawn, const std::vector<VertexNotes>& notes) {
     constexpr double most_of_one = 1.5;
     constexpr double most_of_short = 65535.0;
     double largest = 0.0;
     for (const VertexNotes& note : notes) largest = std::max(largest, note.largest_color);
-    if (vertices.whole_colors) return largest > color_max ? most_of_short : color_max;
+    if (drawn.whole_colors) return largest > color_max ? most_of_short : color_max;
     return largest > most_of_one ? color_max : 1.0;
+}
+
+// Values of a property at its own size.
+decltype(Property::values) values_for(PlyType type, std::size_t count) {
+    if (type == PlyType::float32) return std::vector<float>(count);
+    if (is_whole(type) && type != PlyType::uint32) return std::vector<std::int32_t>(count);
+    return std::vector<double>(count);
+}
+
+// Reads the properties that are asked for.
+void read_vertex_properties(const TextSource& source, const VertexReader& vertices, const PlyElement& element,
+                            const DrawnVertices& drawn, const DataOptions& options, SphereData& data) {
+    std::vector<PropertyColumn> columns;
+    for (std::size_t i = 0; i < element.properties.size(); ++i) {
+        const bool is_size = drawn.places[ply_radius] == i || drawn.places[ply_diameter] == i;
+        const bool is_drawn = drawn.holds(i) && !is_size;
+        if (element.properties[i].count_type || is_drawn) continue;
+        add_column(columns, element.properties[i].name, PropertyKind::found, i);
+    }
+    for (const PropertyColumn& column : columns) data.property_names.push_back(column.name);
+    std::erase_if(columns, [&](const PropertyColumn& column) { return !is_wanted(options, column.name, element.count); });
+    if (columns.empty()) return;
+    require_memory(columns.size() * element.count * sizeof(double),
+                   source.name + ": the values of " + in_groups(element.count) + " vertices need");
+    std::vector<PlyUse> uses(element.properties.size(), PlyUse::none);
+    std::vector<Property>& kept = data.scene.properties;
+    for (const PropertyColumn& column : columns) {
+        uses[column.place] = PlyUse::kept;
+        kept.push_back({column.name, values_for(element.properties[column.place].type, element.count)});
+    }
+    vertices.each(uses, [&](std::size_t, std::size_t i, const std::vector<double>& values) {
+        for (std::size_t k = 0; k < kept.size(); ++k) set_number(kept[k], i, values[columns[k].place]);
+    });
 }
 
 }  // namespace
@@ -420,29 +331,25 @@ SphereData read_ply(std::string_view content, const std::string& name, const Dat
     const PlyHeader header = read_ply_header(source);
     const auto element = std::ranges::find(header.elements, "vertex", &PlyElement::name);
     if (element == header.elements.end()) source.fail(header.end, "found no element vertex, expected one in the header");
-    Vertices vertices = vertices_of(source, *element);
+    DrawnVertices drawn = drawn_of(source, *element);
     // No vertex takes less than a byte: what is claimed beyond that is not there.
     const std::size_t most = std::min(element->count, source.text.size());
     if (most > most_spheres)
         throw InputError(name + ": found " + in_groups(most) + " vertices, expected at most " + in_groups(most_spheres));
     require_memory(most * sizeof(Sphere), name + ": up to " + in_groups(most) + " spheres need");
-    std::vector<VertexNotes> notes;
+    const VertexReader vertices(source, header, *element);
     SphereData data;
-    data.scene.spheres = read_vertices(source, header, *element, vertices, options, notes);
-    if (const double full = full_color_of(vertices, notes); full != vertices.full_color) {
-        vertices.full_color = full;
-        notes.clear();
-        data.scene.spheres = read_vertices(source, header, *element, vertices, options, notes);
+    std::vector<VertexNotes> notes = read_spheres(vertices, *element, drawn, options, data.scene.spheres);
+    if (const double full = full_color_of(drawn, notes); full != drawn.full_color) {
+        drawn.full_color = full;
+        notes = read_spheres(vertices, *element, drawn, options, data.scene.spheres);
     }
     std::vector<std::size_t> nowhere;
     for (const VertexNotes& note : notes) nowhere.insert(nowhere.end(), note.nowhere.begin(), note.nowhere.end());
-    read_properties_of(source, header, *element, vertices, options, data);
+    read_vertex_properties(source, vertices, *element, drawn, options, data);
     remove_spheres(data.scene, nowhere);
-    if (!nowhere.empty()) {
-        data.warnings.push_back(name + ": " + in_groups(nowhere.size()) + (nowhere.size() == 1 ? " vertex has" : " vertices have") +
-                                " no coordinates and " + (nowhere.size() == 1 ? "is" : "are") + " left out");
-    }
-    if (!vertices.has_radius && !options.radius) use_radius_of_points(data, name);
+    warn_of_left_out(data, nowhere.size(), name, "vertex", "vertices");
+    if (!drawn.has(ply_radius) && !drawn.has(ply_diameter) && !options.radius) use_radius_of_points(data, name);
     return data;
 }
 

@@ -52,8 +52,7 @@ public:
     PlyHeader read() {
         LineWalker lines(source_.text, header_.line_end);
         for (bool first = true; !lines.at_end(); first = false) {
-            const std::size_t begin = lines.offset();
-            line_ = source_.text.substr(begin, lines.step() - begin);
+            line_ = lines.step();
             words_ = words_of(line_.substr(0, longest_line));
             if (first) {
                 if (words_.empty() || words_[0] != "ply") source_.fail(line_, "ply");
@@ -100,8 +99,7 @@ private:
 
     std::string_view word(std::size_t place, const char* expected) const {
         if (place < words_.size()) return words_[place];
-        source_.fail(static_cast<std::size_t>(line_.data() - source_.text.data()) + line_.size(),
-                     std::string("the line ends, expected ") + expected);
+        source_.fail_behind(line_, expected);
     }
 
     template <typename Table>

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/atoms.hpp"
 #include "formats/lines.hpp"
 #include "formats/point_radius.hpp"
 
@@ -25,10 +25,6 @@ bool is_bare_points(std::string_view text) {
         const std::string_view next = take_line(text);
         if (is_comment(next)) continue;
         const auto words = words_of(next);
-        const auto is_number = [](std::string_view word) {
-            double ignored = 0.0;
-            return parse_any_double(word, ignored) == NumberFault::none;
-        };
         if (words.size() < 3 || !std::all_of(words.begin(), words.begin() + 3, is_number)) return false;
         if (line > 0 && words.size() != words_a_line) return false;
         words_a_line = words.size();
@@ -42,15 +38,12 @@ SphereData read_points(std::string_view text, const std::string& name, const Dat
     const TextSource source{name, text};
     const char line_end = line_end_of(source.text);
     const auto count = static_cast<std::size_t>(std::ranges::count(source.text, line_end)) + 1;
-    require_memory(count * sizeof(Sphere), source.name + ": " + in_groups(count) + " spheres need");
+    require_memory_for_spheres(name, count);
     SphereData data;
     std::vector<Sphere>& spheres = data.scene.spheres;
     spheres.reserve(count);
-    TextSource line{name, {}};
     for (LineWalker walker(source.text, line_end); !walker.at_end();) {
-        const std::size_t begin = walker.offset();
-        line.text = source.text.substr(0, walker.step());
-        TokenReader reader(line, begin, line_ends, parse_any_double);
+        TokenReader reader(source, walker.step(), parse_any_double);
         if (reader.at_end() || is_comment(reader.token())) continue;
         const auto of_point = [&](const char* what) { return [&spheres, what] { return what + std::to_string(spheres.size()); }; };
         Sphere sphere{.radius = options.radius.value_or(1.0), .color = {color_max, color_max, color_max}};

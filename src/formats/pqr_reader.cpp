@@ -3,7 +3,6 @@
 #include <array>
 #include <unordered_map>
 
-#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/atom_names.hpp"
@@ -17,20 +16,15 @@ namespace {
 
 constexpr auto last_fields = std::to_array<const char*>({"x", "y", "z", "charge", "radius"});
 
-bool is_pqr_number(std::string_view word) {
-    double ignored = 0.0;
-    return parse_double(word, ignored) == NumberFault::none;
-}
-
 // Reads ATOM, a number, the atom, its residue, perhaps a chain, the residue's number, and last_fields.
 class PqrAtoms {
 public:
     explicit PqrAtoms(const TextSource& source) : source_(source) {}
 
-    // The atom of the line that begins at `begin`.
-    MoleculeAtom atom(std::size_t begin, std::string_view line) {
-        split(line);
-        const std::size_t places = read_values(begin + line.size());
+    MoleculeAtom atom(std::string_view line) {
+        words_.clear();
+        split_line(line, most_words, words_);
+        const std::size_t places = read_values(line);
         MoleculeAtom atom;
         atom.position = {values_[0], values_[1], values_[2]};
         atom.radius = values_[4];
@@ -49,29 +43,19 @@ private:
     static constexpr std::size_t fewest_names = 5;  // without a chain
     static constexpr std::size_t most_words = 16;   // that are looked at
 
-    void split(std::string_view line) {
-        count_ = 0;
-        std::size_t begin = 0;
-        while (count_ < most_words && (begin = line.find_first_not_of(white_space, begin)) != std::string_view::npos) {
-            const std::size_t end = std::min(line.find_first_of(white_space, begin), line.size());
-            words_[count_++] = line.substr(begin, end - begin);
-            begin = end;
-        }
-    }
-
     // Reads last_fields, and returns where they begin: five numbers end the line. Where more stands behind them, what would be a
-    // chain is none if it is a number. `line_end`: of the text.
-    std::size_t read_values(std::size_t line_end) {
-        const std::size_t usual = count_ - std::min(count_, last_fields.size());
+    // chain is none if it is a number.
+    std::size_t read_values(std::string_view line) {
+        const std::size_t usual = words_.size() - std::min(words_.size(), last_fields.size());
         const bool may_end_so = usual == fewest_names || usual == fewest_names + 1;
         std::size_t read = 0;
         while (may_end_so && read < last_fields.size() && parse_double(words_[usual + read], values_[read]) == NumberFault::none)
             ++read;
         if (read == last_fields.size()) return usual;
-        const std::size_t places = fewest_names + (count_ > 4 && !is_pqr_number(words_[4]) ? 1 : 0);
+        const std::size_t places = fewest_names + (words_.size() > 4 && !is_number(words_[4]) ? 1 : 0);
         for (std::size_t i = 0; i < last_fields.size(); ++i) {
             const std::string expected = std::string("the atom's ") + last_fields[i];
-            if (places + i >= count_) source_.fail(line_end, "the line ends, expected " + expected);
+            if (places + i >= words_.size()) source_.fail_behind(line, expected);
             const NumberFault fault = parse_double(words_[places + i], values_[i]);
             if (fault != NumberFault::none) source_.fail(words_[places + i], expected + ", " + expected_instead_of(fault));
         }
@@ -89,8 +73,7 @@ private:
     }
 
     const TextSource& source_;
-    std::array<std::string_view, most_words> words_{};  // of the line, the first count_
-    std::size_t count_ = 0;
+    std::vector<std::string_view> words_{};  // of the line
     std::array<double, last_fields.size()> values_{};
     std::string key_{};
     std::unordered_map<std::string, const Element*> elements_{};
@@ -108,7 +91,7 @@ bool shows_pqr(std::string_view head) {
             continue;
         }
         const auto words = words_of(line);
-        if (words.size() < 9 || !std::all_of(words.end() - 5, words.end(), is_pqr_number)) return false;
+        if (words.size() < 9 || !std::all_of(words.end() - 5, words.end(), is_number)) return false;
         const std::string_view charge = words[words.size() - 2];
         constexpr std::size_t decimals_of_occupancy = 2;
         const std::size_t point = charge.find('.');
@@ -119,22 +102,8 @@ bool shows_pqr(std::string_view head) {
 
 SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content)};
-    const PdbFrame frame = find_pdb_frame(source.text, options.frame, options.part);
-    if (!frame.has_atoms) fail_without_atoms(source, "a record ATOM or HETATM");
-    require_frame(name, options.frame, frame.frames);
-    require_memory(frame.count * sizeof(Sphere), name + ": " + in_groups(frame.count) + " spheres need");
-    MoleculeScene scene(frame.count, options, name, true);
     PqrAtoms atoms(source);
-    LineWalker lines(source.text.substr(0, frame.end), line_end_of(source.text), frame.begin);
-    while (!lines.at_end()) {
-        const std::size_t begin = lines.offset();
-        const std::string_view line = source.text.substr(begin, lines.step() - begin);
-        if (is_pdb_atom(line)) scene.add(atoms.atom(begin, line));
-    }
-    SphereData data = scene.take();
-    data.frames = frame.frames;
-    data.next_frame = frame.next;
-    return data;
+    return read_pdb_frame(source, options, true, [&](std::string_view line, bool) { return atoms.atom(line); });
 }
 
 }  // namespace sphereview

@@ -56,6 +56,28 @@ bool is_wanted(const DataOptions& options, std::string_view name, std::size_t sp
     return std::ranges::any_of(options.properties, is_it);
 }
 
+bool set_number(Property& property, std::size_t sphere, double value) {
+    const bool is_whole = value == std::floor(value);
+    if (auto* const doubles = std::get_if<std::vector<double>>(&property.values)) {
+        (*doubles)[sphere] = std::isfinite(value) ? value : no_number;
+        return !std::isinf(value);
+    }
+    if (auto* const floats = std::get_if<std::vector<float>>(&property.values)) {
+        const auto number = static_cast<float>(value);
+        (*floats)[sphere] = std::isfinite(number) ? number : static_cast<float>(no_number);
+        return !std::isinf(number);
+    }
+    if (auto* const wholes = std::get_if<std::vector<std::int32_t>>(&property.values)) {
+        const bool fits = is_whole && value > no_whole_number && value <= std::numeric_limits<std::int32_t>::max();
+        (*wholes)[sphere] = fits ? static_cast<std::int32_t>(value) : no_whole_number;
+        return fits || std::isnan(value);
+    }
+    Labels& labels = std::get<Labels>(property.values);
+    const bool fits = is_whole && value >= 0.0 && value < static_cast<double>(labels.words.size());
+    if (fits) labels.numbers[sphere] = static_cast<std::uint32_t>(value);
+    return fits;
+}
+
 PropertyValues::PropertyValues(const PropertyColumn& column, std::size_t count)
     : column_(column),
       count_(count),

@@ -49,6 +49,10 @@ inline constexpr std::size_t most_property_columns = 1000;
 // Whether a property of so many spheres is asked for.
 bool is_wanted(const DataOptions& options, std::string_view name, std::size_t spheres);
 
+// Gives a sphere of a property another value; of a category the word with that number. False where the property cannot hold the
+// number: then the sphere has no value, or, of a category, the one that it had.
+bool set_number(Property& property, std::size_t sphere, double value);
+
 // The values of one column while they are read, a sphere after the other.
 class PropertyValues {
 public:

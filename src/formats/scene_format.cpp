@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/gunzip.hpp"
+#include "base/path.hpp"
 #include "base/text.hpp"
 #include "formats/foreign_file.hpp"
 #include "formats/text_format.hpp"
@@ -161,7 +162,13 @@ const SceneFormat& detect_format(std::string_view content, std::string_view name
         const bool may_be = named == nullptr || !format->is_data || (*named == SceneFormat::text && format->may_end_in_txt);
         if (may_be && format->sniff(content)) return *format;
     }
-    return named == nullptr ? table[0] : *named;
+    if (named != nullptr) return *named;
+    const std::string ending = text_from(path_from(without_gzip_ending(name)).extension());
+    if (const std::string meant = did_you_mean(ending, format_endings()); !meant.empty()) {
+        throw InputError(std::string(name) + ": found the ending " + in_quotes(ending) +
+                         " and nothing that shows a format, expected the ending of one" + meant);
+    }
+    return table[0];
 }
 
 Scene parse_scene(std::string_view content, const std::string& name) {

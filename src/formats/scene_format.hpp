@@ -79,7 +79,7 @@ std::string name_fault(std::string_view path);
 
 // The format of a file that begins with `content`. A name of data decides. Else the content does, as far as it is clear; where the
 // name is one for text or TOML, only between these, and tables in text. At last the name. Throws InputError for what is known to be
-// of no format here (foreign_file.hpp).
+// of no format here (foreign_file.hpp), and where nothing shows the format but an ending that is nearly one of a format's.
 const SceneFormat& detect_format(std::string_view content, std::string_view name);
 
 // Reads a scene of any format. Throws as SceneFormat::read.

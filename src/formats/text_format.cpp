@@ -1,7 +1,6 @@
 #include "formats/text_format.hpp"
 
 #include <algorithm>
-#include <exception>
 
 #include "base/memory.hpp"
 #include "base/parallel.hpp"
@@ -41,7 +40,6 @@ TextPosition moved_to(TextPosition origin, TextPosition end) {
 struct Piece {
     std::size_t end = 0;    // where the next sphere begins; 0 when there are none
     TextPosition extent{};  // where its text ends, were 1:1 its beginning
-    std::exception_ptr fault;
 };
 
 }  // namespace
@@ -104,7 +102,7 @@ std::size_t SphereTextReader::read_pieces(const TextSource& source, std::size_t 
     const std::size_t here = std::min(tokens_before[count] / tokens_of_sphere, *count_ - earlier);
     spheres_.resize(earlier + here);
     std::vector<Piece> pieces(count);
-    parallel_for(count, [&](std::size_t i) {
+    parallel_in_order(count, [&](std::size_t i) {
         const std::size_t first = std::min(here, spheres_begun_before(tokens_before[i]));
         const std::size_t last = std::min(here, spheres_begun_before(tokens_before[i + 1]));
         if (first == last) return;
@@ -112,21 +110,16 @@ std::size_t SphereTextReader::read_pieces(const TextSource& source, std::size_t 
         if (offset > begin && !is_space(text[offset - 1])) {  // inside a token of the piece before
             while (!is_space(text[offset])) ++offset;
         }
-        try {
-            TokenReader reader(source, offset);
-            reader.skip_tokens(first * tokens_of_sphere - tokens_before[i]);
-            const std::size_t own = reader.offset();
-            for (std::size_t s = earlier + first; s < earlier + last; ++s) spheres_[s] = read_sphere(reader, s);
-            pieces[i].end = reader.offset();
-            pieces[i].extent = position_at(text.substr(own), pieces[i].end - own);
-        } catch (...) {
-            pieces[i].fault = std::current_exception();
-        }
+        TokenReader reader(source, offset);
+        reader.skip_tokens(first * tokens_of_sphere - tokens_before[i]);
+        const std::size_t own = reader.offset();
+        for (std::size_t s = earlier + first; s < earlier + last; ++s) spheres_[s] = read_sphere(reader, s);
+        pieces[i].end = reader.offset();
+        pieces[i].extent = position_at(text.substr(own), pieces[i].end - own);
     });
 
     std::size_t end = begin;
     for (const Piece& piece : pieces) {
-        if (piece.fault) std::rethrow_exception(piece.fault);  // of several the first in the text
         if (piece.end == 0) continue;
         end = piece.end;
         place = moved_to(place, piece.extent);

@@ -8,6 +8,7 @@
 #include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "formats/property_columns.hpp"
 #include "formats/toml_values.hpp"
 
 namespace sphereview {
@@ -59,7 +60,7 @@ public:
                 read_strings(*array);
             } else {
                 begin();
-                for (const toml::node& value : *array) add(value);
+                for (std::size_t i = 0; i < spheres_; ++i) set_value(i, *array->get(i));
             }
         } else if (const auto* text = values.as_string()) {
             begin();
@@ -121,36 +122,17 @@ private:
     void begin() {
         require_memory(spheres_ * sizeof(double), document_.name + ": the values of " + in_groups(spheres_) + " spheres need");
         switch (type_) {
-            case ValueType::real: property_.values = std::vector<double>{}; break;
-            case ValueType::small_real: property_.values = std::vector<float>{}; break;
-            case ValueType::whole: property_.values = std::vector<std::int32_t>{}; break;
-            case ValueType::word: property_.values = std::move(labels_); break;
+            case ValueType::real: property_.values = std::vector<double>(spheres_); break;
+            case ValueType::small_real: property_.values = std::vector<float>(spheres_); break;
+            case ValueType::whole: property_.values = std::vector<std::int32_t>(spheres_); break;
+            case ValueType::word:
+                labels_.numbers.resize(spheres_);
+                property_.values = std::move(labels_);
+                break;
         }
-        reserve_values(property_, spheres_);
     }
 
-    // False where the kind does not have such a value.
-    bool append(double value) {
-        const bool is_whole = std::floor(value) == value;
-        if (auto* const reals = std::get_if<std::vector<double>>(&property_.values)) {
-            reals->push_back(value);
-        } else if (auto* const small = std::get_if<std::vector<float>>(&property_.values)) {
-            const auto number = static_cast<float>(value);
-            if (std::isinf(number)) return false;
-            small->push_back(number);
-        } else if (auto* const wholes = std::get_if<std::vector<std::int32_t>>(&property_.values)) {
-            const bool fits = is_whole && value > no_whole_number && value <= std::numeric_limits<std::int32_t>::max();
-            if (!fits && !std::isnan(value)) return false;
-            wholes->push_back(fits ? static_cast<std::int32_t>(value) : no_whole_number);
-        } else {
-            Labels& labels = std::get<Labels>(property_.values);
-            if (!is_whole || !(value >= 0.0 && value < static_cast<double>(labels.words.size()))) return false;
-            labels.numbers.push_back(static_cast<std::uint32_t>(value));
-        }
-        return true;
-    }
-
-    void add(const toml::node& node) {
+    void set_value(std::size_t sphere, const toml::node& node) {
         double value = no_value;
         if (const auto* whole = node.as_integer()) {
             value = static_cast<double>(whole->get());
@@ -159,17 +141,17 @@ private:
         } else {
             wrong(document_, node, in_words(type_));
         }
-        if (std::isinf(value) || !append(value)) wrong(document_, node, in_words(type_));
+        if (!set_number(property_, sphere, value)) wrong(document_, node, in_words(type_));
     }
 
     void read_text(const TextSource& text, const toml::node& node) {
         std::size_t count = 0;
         const auto expected = [&] { return "value " + std::to_string(count + 1) + " of " + std::to_string(spheres_); };
-        for (TokenReader reader(text, 0, "the text ends", parse_value); !reader.at_end(); ++count) {
+        for (TokenReader reader(text, std::size_t{0}, parse_value); !reader.at_end(); ++count) {
             if (count == spheres_) reader.fail("the end of the text after " + std::to_string(spheres_) + " values");
             const std::string_view token = reader.token();
             const double value = reader.number(expected);
-            if (!append(value)) text.fail(token, in_words(type_));
+            if (!set_number(property_, count, value)) text.fail(token, in_words(type_));
         }
         require_count(node, count);
     }
@@ -185,14 +167,9 @@ private:
 }  // namespace
 
 std::vector<Property> read_properties(const TomlText& document, const toml::node& node, std::size_t spheres) {
-    const std::string expected = "'property' as tables, each headed [[property]]";
-    const toml::array* array = node.as_array();
-    if (array == nullptr) wrong(document, node, expected);
     std::vector<Property> properties;
     std::set<std::string> names;
-    for (const toml::node& item : *array) {
-        const toml::table* table = item.as_table();
-        if (table == nullptr) wrong(document, item, expected);
+    for (const toml::table* table : tables_in(document, node, "property")) {
         properties.push_back(PropertyReader(document, *table, properties.size(), spheres).read());
         const std::string& name = properties.back().name;
         if (!names.insert(name).second) {

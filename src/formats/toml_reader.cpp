@@ -17,8 +17,10 @@ namespace sphereview {
 
 namespace {
 
-void read_sphere(const TomlText& document, const toml::table& table, std::size_t index, Scene& scene) {
+// The next sphere of the scene.
+void read_sphere(const TomlText& document, const toml::table& table, Scene& scene) {
     static const std::vector<std::string> keys = {"name", "color", "center", "radius", "hidden"};
+    const std::size_t index = scene.spheres.size();
     const TableReader reader(document, table, "[[sphere]] " + std::to_string(index + 1), keys);
     Sphere sphere;
     sphere.center = reader.vector(reader.require("center"), "center");
@@ -66,14 +68,9 @@ Camera read_camera(const TomlText& document, const toml::table& table) {
 
 std::vector<SavedView> read_views(const TomlText& document, const toml::node& node) {
     static const std::vector<std::string> keys = {"name", "eye", "center", "right", "up", "projection"};
-    const std::string expected = "'view' as tables, each headed [[view]]";
-    const toml::array* array = node.as_array();
-    if (array == nullptr) wrong(document, node, expected);
     std::vector<SavedView> views;
     std::set<std::string> names;
-    for (const toml::node& item : *array) {
-        const toml::table* table = item.as_table();
-        if (table == nullptr) wrong(document, item, expected);
+    for (const toml::table* table : tables_in(document, node, "view")) {
         const TableReader reader(document, *table, "[[view]] " + std::to_string(views.size() + 1), keys);
         const toml::node& name = reader.require("name");
         SavedView view{reader.value<std::string>(name, "'name' as a string"), {}};
@@ -176,15 +173,7 @@ void read_spheres(const TomlText& document, const TableReader& reader, Scene& sc
         }
     }
     if (tables != nullptr) {
-        const toml::array* array = tables->as_array();
-        const std::string expected = "'sphere' as tables, each headed [[sphere]]";
-        if (array == nullptr) wrong(document, *tables, expected);
-        scene.spheres.reserve(array->size());
-        for (std::size_t i = 0; i < array->size(); ++i) {
-            const toml::table* sphere = array->at(i).as_table();
-            if (sphere == nullptr) wrong(document, array->at(i), expected);
-            read_sphere(document, *sphere, i, scene);
-        }
+        for (const toml::table* table : tables_in(document, *tables, "sphere")) read_sphere(document, *table, scene);
     }
 }
 

@@ -51,6 +51,18 @@ void wrong(const TomlText& document, const toml::node& node, const std::string& 
     fail(document, node, "found " + found(node) + ", expected " + expected);
 }
 
+std::vector<const toml::table*> tables_in(const TomlText& document, const toml::node& node, const std::string& key) {
+    const std::string expected = "'" + key + "' as tables, each headed [[" + key + "]]";
+    const toml::array* array = node.as_array();
+    if (array == nullptr) wrong(document, node, expected);
+    std::vector<const toml::table*> tables;
+    for (const toml::node& item : *array) {
+        tables.push_back(item.as_table());
+        if (tables.back() == nullptr) wrong(document, item, expected);
+    }
+    return tables;
+}
+
 std::string unknown_key(std::string_view key, const std::string& where, std::span<const std::string> known) {
     return "found the unknown key " + in_quotes(key) + " in " + where + ", expected one of " + joined(known, ", ") +
            did_you_mean(key, known);

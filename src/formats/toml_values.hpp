@@ -34,6 +34,9 @@ std::size_t offset_of(const TomlText& document, const toml::source_position& pla
 std::string found(const toml::node& node);
 [[noreturn]] void wrong(const TomlText& document, const toml::node& node, const std::string& expected);
 
+// The tables of `node`, each headed [[KEY]]. Throws InputError for anything else.
+std::vector<const toml::table*> tables_in(const TomlText& document, const toml::node& node, const std::string& key);
+
 std::string unknown_key(std::string_view key, const std::string& where, std::span<const std::string> known);
 
 // The text inside a string value, with its place in the file: where it begins, or, where escapes shift what follows them, that of

@@ -82,7 +82,7 @@ void append_light(std::string& text, const Light& light) {
         append_float(text, value);
         text += '\n';
     };
-    text += text.empty() ? "[light]\n" : "\n[light]\n";
+    text += "\n[light]\n";
     if (light.lights) text += "lights = " + std::to_string(*light.lights) + "\n";
     if (light.sky) append("sky", *light.sky);
     if (light.key != Light{}.key) append("key", light.key);
@@ -160,7 +160,7 @@ bool speaks_for_itself(const Labels& labels) {
 }
 
 void append_property(std::string& text, const Property& property) {
-    text += text.empty() ? "[[property]]\nname = " : "\n[[property]]\nname = ";
+    text += "\n[[property]]\nname = ";
     append_string(text, property.name);
     text += '\n';
     if (const auto* const labels = std::get_if<Labels>(&property.values)) {
@@ -195,12 +195,12 @@ std::string write_toml(const Scene& scene) {
     }
 
     if (scene.camera != Camera{}) {
-        text += text.empty() ? "[camera]\n" : "\n[camera]\n";
+        text += "\n[camera]\n";
         append_camera(text, scene.camera);
     }
     if (scene.light != Light{}) append_light(text, scene.light);
     for (const SavedView& view : scene.views) {
-        text += text.empty() ? "[[view]]\nname = " : "\n[[view]]\nname = ";
+        text += "\n[[view]]\nname = ";
         append_string(text, view.name);
         text += '\n';
         append_camera(text, view.camera);
@@ -221,7 +221,7 @@ std::string write_toml(const Scene& scene) {
         }
     }
     if (text.empty()) return "# An empty scene.\n";
-    return text[0] == '\n' ? text.substr(1) : text;
+    return text[0] == '\n' ? text.substr(1) : text;  // a table's head, without the blank line above
 }
 
 }  // namespace sphereview

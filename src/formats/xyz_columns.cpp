@@ -4,7 +4,6 @@
 #include <initializer_list>
 #include <optional>
 
-#include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "scene/sphere.hpp"
@@ -87,7 +86,7 @@ public:
             first += count;
         } while (!ended_);
         if (has(columns, XyzField::position) || has(columns, XyzField::flat_position)) return layout;
-        throw InputError(source_.place(value_) + "found properties without a position, expected pos:R:3 among them");
+        source_.fail_at(value_, "found properties without a position, expected pos:R:3 among them");
     }
 
 private:
@@ -109,20 +108,17 @@ private:
                                std::size_t first, std::optional<XyzField> field) {
         constexpr std::size_t most_parts = 64;
         const PropertyKind kind = type == 'r' ? PropertyKind::real : type == 'i' ? PropertyKind::whole : PropertyKind::words;
-        const auto add = [&](const std::string& of, PropertyKind its_kind, std::size_t place) {
-            add_column(properties, of, its_kind, place);
-        };
-        const std::string text(name);
         if (field == XyzField::species) {
-            add("element", PropertyKind::element, first);
+            add_column(properties, "element", PropertyKind::element, first);
         } else if (count == 1) {
-            add(text, kind, first);
+            add_column(properties, name, kind, first);
         } else if (count <= most_parts) {
             const bool is_vector = count == 3 && (type == 'r' || type == 'i');
             for (std::size_t i = 0; i < count; ++i) {
-                add(text + "." + (is_vector ? std::string(1, "xyz"[i]) : std::to_string(i + 1)), kind, first + i);
+                const std::string part = is_vector ? std::string(1, "xyz"[i]) : std::to_string(i + 1);
+                add_column(properties, std::string(name) + "." + part, kind, first + i);
             }
-            if (is_vector && field != XyzField::color) add(text, PropertyKind::magnitude, first);
+            if (is_vector && field != XyzField::color) add_column(properties, name, PropertyKind::magnitude, first);
         }
     }
 
@@ -164,8 +160,8 @@ private:
 
 }  // namespace
 
-XyzLayout xyz_layout(const TextSource& source, std::size_t begin) {
-    const auto properties = find_properties(source.text.substr(begin));
+XyzLayout xyz_layout(const TextSource& source, std::string_view comment) {
+    const auto properties = find_properties(comment);
     if (!properties) {
         return {.columns = {{XyzField::species, 0}, {XyzField::position, 1}},
                 .properties = {{"element", PropertyKind::element, 0}},

@@ -30,8 +30,8 @@ struct XyzLayout {
     bool is_plain = false;                     // nothing names the columns
 };
 
-// `source` ends with the frame's comment, which begins at `begin`: `Properties=species:S:1:pos:R:3:...` names the columns; without
-// it they are a species and a position. Other properties are passed over. Throws InputError where Properties are wrong.
-XyzLayout xyz_layout(const TextSource& source, std::size_t begin);
+// `comment`: the frame's, in which `Properties=species:S:1:pos:R:3:...` names the columns; without it they are a species and a
+// position. Other properties are passed over. Throws InputError where Properties are wrong.
+XyzLayout xyz_layout(const TextSource& source, std::string_view comment);
 
 }  // namespace sphereview

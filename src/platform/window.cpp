@@ -146,20 +146,25 @@ void listen(GLFWwindow* window, std::vector<InputEvent>& events) {
     glfw().SetWindowContentScaleCallback(window, [](GLFWwindow* w, float, float) { events_of(w).push_back(WindowChanged{}); });
 }
 
-// Moves a window whose last screen is gone so that its title bar lies on a screen.
+// What of a screen windows may cover.
+struct WorkArea {
+    int x = 0;
+    int y = 0;
+    int width = 0;
+    int height = 0;
+
+    explicit WorkArea(GLFWmonitor* monitor) { glfw().GetMonitorWorkarea(monitor, &x, &y, &width, &height); }
+};
+
+// Whether the window's title bar is: the screen that it was on may be gone.
 bool is_on_a_screen(const WindowPlace& place) {
     int count = 0;
     GLFWmonitor** monitors = glfw().GetMonitors(&count);
-    for (int i = 0; i < count; ++i) {
-        int x = 0;
-        int y = 0;
-        int width = 0;
-        int height = 0;
-        glfw().GetMonitorWorkarea(monitors[i], &x, &y, &width, &height);
-        if (*place.x + place.width > x + 50 && *place.x < x + width - 50 && *place.y >= y && *place.y < y + height - 50)
-            return true;
-    }
-    return false;
+    return std::any_of(monitors, monitors + count, [&](GLFWmonitor* monitor) {
+        const WorkArea area(monitor);
+        return *place.x + place.width > area.x + 50 && *place.x < area.x + area.width - 50 && *place.y >= area.y &&
+               *place.y < area.y + area.height - 50;
+    });
 }
 
 // The wanted size times the screen's scale, and no larger than the screen.
@@ -174,13 +179,9 @@ WindowPlace fitting(WindowPlace place) {
         place.height = static_cast<int>(static_cast<float>(place.height) * std::max(scale, 1.0F));
     }
 #endif
-    int x = 0;
-    int y = 0;
-    int width = 0;
-    int height = 0;
-    glfw().GetMonitorWorkarea(monitor, &x, &y, &width, &height);
-    if (width > 0) place.width = std::min(place.width, width);
-    if (height > 0) place.height = std::min(place.height, height);
+    const WorkArea area(monitor);
+    if (area.width > 0) place.width = std::min(place.width, area.width);
+    if (area.height > 0) place.height = std::min(place.height, area.height);
     return place;
 }
 

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 #include "base/number.hpp"
+#include "scene/numbered.hpp"
 
 namespace sphereview {
 
@@ -20,12 +22,15 @@ bool same_bytes(const std::vector<Number>& a, const std::vector<Number>& b) {
 
 bool same_bytes(const Labels& a, const Labels& b) { return a == b; }
 
-template <typename Number>
-std::size_t size_of_values(const std::vector<Number>& values) {
-    return values.size();
+// The vector with a value for each sphere.
+template <typename Values>
+auto& one_for_each(Values& values) {
+    if constexpr (std::is_same_v<std::remove_const_t<Values>, Labels>) {
+        return values.numbers;
+    } else {
+        return values;
+    }
 }
-
-std::size_t size_of_values(const Labels& labels) { return labels.numbers.size(); }
 
 template <typename Number>
 double number_in(const std::vector<Number>& values, std::size_t sphere) {
@@ -50,24 +55,11 @@ std::string text_in(const std::vector<std::int32_t>& values, std::size_t sphere)
 std::string text_in(const Labels& labels, std::size_t sphere) { return labels.words[labels.numbers[sphere]]; }
 
 template <typename Number>
-std::vector<Number>& one_for_each(std::vector<Number>& values) {
-    return values;
+bool has_value(const std::vector<Number>& values, std::size_t sphere) {
+    return !std::isnan(number_in(values, sphere));
 }
 
-std::vector<std::uint32_t>& one_for_each(Labels& labels) { return labels.numbers; }
-
-bool has_value(double value) { return !std::isnan(value); }
-bool has_value(float value) { return !std::isnan(value); }
-bool has_value(std::int32_t value) { return value != no_whole_number; }
-
-template <typename Number>
-bool any_value(const std::vector<Number>& values) {
-    return std::ranges::any_of(values, [](Number value) { return has_value(value); });
-}
-
-bool any_value(const Labels& labels) {
-    return std::ranges::any_of(labels.numbers, [&](std::uint32_t number) { return !labels.words[number].empty(); });
-}
+bool has_value(const Labels& labels, std::size_t sphere) { return !labels.words[labels.numbers[sphere]].empty(); }
 
 template <typename Number>
 std::vector<Number> chosen(const std::vector<Number>& values, std::span<const std::uint32_t> spheres) {
@@ -89,20 +81,6 @@ Labels chosen(const Labels& labels, std::span<const std::uint32_t> spheres) {
         number = place;
     }
     return some;
-}
-
-// From the back: the old values that come after the i-th new one move up by i + 1 places.
-template <typename Number>
-void make_room(std::vector<Number>& values, std::span<const std::uint32_t> spheres) {
-    std::size_t end = values.size();
-    values.resize(end + spheres.size());
-    for (std::size_t i = spheres.size(); i-- > 0;) {
-        const std::size_t begin = spheres[i] - i;
-        const auto first = values.begin();
-        std::copy_backward(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
-                           first + static_cast<std::ptrdiff_t>(end + i + 1));
-        end = begin;
-    }
 }
 
 template <typename Number>
@@ -140,7 +118,7 @@ void put_in(Labels& labels, std::span<const std::uint32_t> spheres, const Proper
 }  // namespace
 
 std::size_t size_of(const Property& property) {
-    return std::visit([](const auto& values) { return size_of_values(values); }, property.values);
+    return std::visit([](const auto& values) { return one_for_each(values).size(); }, property.values);
 }
 
 double number_at(const Property& property, std::size_t sphere) {
@@ -158,7 +136,13 @@ bool operator==(const Property& a, const Property& b) {
 }
 
 bool has_values(const Property& property) {
-    return std::visit([](const auto& values) { return any_value(values); }, property.values);
+    const auto has_any = [](const auto& values) {
+        for (std::size_t i = 0; i < one_for_each(values).size(); ++i) {
+            if (has_value(values, i)) return true;
+        }
+        return false;
+    };
+    return std::visit(has_any, property.values);
 }
 
 const Property* find_property(const std::vector<Property>& properties, std::string_view name) {
@@ -185,18 +169,7 @@ Property values_of(const Property& property, std::span<const std::uint32_t> sphe
 }
 
 void remove_values(Property& property, std::span<const std::uint32_t> spheres) {
-    const auto remove = [&](auto& values) {
-        auto& all = one_for_each(values);
-        const auto first = all.begin();
-        for (std::size_t i = 0; i < spheres.size(); ++i) {
-            const std::size_t begin = std::size_t{spheres[i]} + 1;
-            const std::size_t end = i + 1 < spheres.size() ? spheres[i + 1] : all.size();
-            std::copy(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end),
-                      first + static_cast<std::ptrdiff_t>(begin - i - 1));
-        }
-        all.resize(all.size() - spheres.size());
-    };
-    std::visit(remove, property.values);
+    std::visit([spheres](auto& values) { take_out(one_for_each(values), spheres); }, property.values);
 }
 
 void insert_values(Property& property, std::span<const std::uint32_t> spheres, const Property* from) {
@@ -209,13 +182,7 @@ void insert_values(Property& property, std::span<const std::uint32_t> spheres, c
 }
 
 void move_value(Property& property, std::size_t from, std::size_t to) {
-    const auto move = [&](auto& values) {
-        auto& all = one_for_each(values);
-        const auto first = all.begin() + static_cast<std::ptrdiff_t>(std::min(from, to));
-        const auto last = all.begin() + static_cast<std::ptrdiff_t>(std::max(from, to) + 1);
-        std::rotate(first, from < to ? first + 1 : last - 1, last);
-    };
-    std::visit(move, property.values);
+    std::visit([from, to](auto& values) { move_one(one_for_each(values), from, to); }, property.values);
 }
 
 }  // namespace sphereview

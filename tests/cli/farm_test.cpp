@@ -1,6 +1,7 @@
 // Renders that are spread, go on after an end, and are proved.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <sstream>
 
 #include "cli/fails.hpp"
@@ -162,7 +163,11 @@ TEST_F(Farm, AManifestGoesOnWhereItWasCutOff) {
     std::size_t third = 0;
     for (int i = 0; i < 3; ++i) third = text.find('\n', third) + 1;
     folder_.write("made.jsonl", text.substr(0, third + 40));
-    EXPECT_EQ(verify().output, "3 of 3 pictures rendered again: all are equal\n");
+    const Outcome cut = verify();
+    EXPECT_EQ(cut.output, "3 of 3 pictures rendered again: all are equal\n");
+    EXPECT_EQ(cut.errors,
+              "made.jsonl:4:1: the line is cut off: its picture is not looked at\n"
+              "3 of 6 pictures have no line: a.xyz, 3; a.xyz, 4; a.xyz, 5\n");
     // The pictures are all there, but of three it is not known what they are of.
     const Outcome outcome = farm({"--manifest", "made.jsonl", "--turntable", "12", "--skip-existing", "--verbose"});
     EXPECT_TRUE(contains(outcome.errors, "3 of 6 pictures are there already\n")) << outcome;
@@ -198,6 +203,59 @@ TEST_F(Farm, WhatWasMadeOfSomethingElseIsMadeAnew) {
     EXPECT_EQ(folder_.read("out/3.png"), picture);
     folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
     expect_anew({}, "6" + differ);
+}
+
+// Of a longer list of frames only those are made anew that it changes.
+TEST_F(Farm, ALongerListLeavesThePicturesThatItDoesNotChange) {
+    folder_.write("camera.toml", "[camera]\neye = [0, 0, -9]\ncenter = [0, 0, -8]\nright = [1, 0, 0]\nup = [0, 1, 0]\n");
+    const auto rendered = [&](const std::string& frames, const std::vector<std::string>& more) {
+        std::vector<std::string> arguments = {"a.xyz",          "--frames",  frames,        "-s",
+                                              "20x16",          "-o",        "out/{frame}", "--manifest",
+                                              "out/made.jsonl", "--no-sync", "--verbose",   "--skip-existing"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = render(folder_, arguments);
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        return outcome.errors;
+    };
+    const auto begun_anew = [&] { folder_.write("out/made.jsonl", ""); };
+    const std::string changed = "out/made.jsonl: rendered anew are ";
+    for (const std::vector<std::string>& camera :
+         std::vector<std::vector<std::string>>{{"--fit", "first"}, {"--camera", "camera.toml"}, {"--no-fit"}}) {
+        begun_anew();
+        EXPECT_TRUE(contains(rendered("0:2", camera), "0 of 2 pictures are there already\n"));
+        const std::string longer = rendered("0:5", camera);
+        EXPECT_TRUE(contains(longer, "2 of 5 pictures are there already\n") && !contains(longer, changed)) << longer;
+        EXPECT_TRUE(contains(rendered(camera.front() == "--fit" ? "0,3" : "3,1", camera), "2 of 2 pictures are there already\n"));
+        const Outcome all = run({.arguments = {"verify", "out/made.jsonl", "--backend", "cpu"}, .folder = folder_.path()});
+        EXPECT_EQ(all.output, "5 of 5 pictures rendered again: all are equal\n") << all;
+        EXPECT_FALSE(all.errors.find(" pictures ") != std::string::npos) << all;
+    }
+    // The fitted camera sees more, and colours have another range.
+    begun_anew();
+    rendered("0:2", {});
+    EXPECT_TRUE(contains(rendered("0:5", {}), changed + "2 pictures"));
+    const std::vector<std::string> by_range = {"--camera", "camera.toml", "--color-by", "x"};
+    begun_anew();
+    rendered("1:3", by_range);
+    EXPECT_TRUE(contains(rendered("0:3", by_range), changed + "2 pictures"));
+    // The same number and place, but another frame, or the same frame from another side.
+    const std::vector<std::string> turned = {"--camera", "camera.toml", "--turntable", "4"};
+    begun_anew();
+    rendered("0", turned);
+    EXPECT_TRUE(contains(rendered("0:4", turned), changed + "3 pictures"));
+    EXPECT_TRUE(contains(rendered("0:4", {"--camera", "camera.toml", "--turntable", "8"}), changed + "3 pictures"));
+}
+
+TEST_F(Farm, VerifySaysWhatIsMissing) {
+    expect_done({"--manifest", "made.jsonl"});
+    std::filesystem::remove(folder_.path("out/2.png"));
+    const Outcome gone = verify();
+    EXPECT_EQ(gone.status, 0) << gone;
+    EXPECT_EQ(gone.errors, "1 of 6 pictures are not here: out/2.png\n");
+    expect_done({"--manifest", "made.jsonl", "--part", "1/3"});
+    EXPECT_EQ(verify().errors, "4 of 6 pictures have no line: a.xyz, 1; a.xyz, 2; a.xyz, 4; a.xyz, 5\n");
+    expect_done({"--manifest", "others.jsonl", "--part", "2/3"});
+    EXPECT_EQ(verify({"others.jsonl"}).errors, "2 of 6 pictures have no line: a.xyz, 2; a.xyz, 5\n");
 }
 
 }  // namespace

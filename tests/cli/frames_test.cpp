@@ -5,10 +5,14 @@
 #include <sched.h>
 #endif
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <sstream>
 
+#include "support/eventually.hpp"
 #include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
@@ -60,6 +64,13 @@ TEST_F(Frames, HaveOneCamera) {
     expect_done({"--fit", "first", "breathing.xyz", "--frames", ":", "-s", "100x100"});
     EXPECT_EQ(picture("breathing-00000.png"), picture("alone.png"));
     EXPECT_EQ(red_pixels("breathing-00001.png"), red_pixels("breathing-00000.png"));
+}
+
+// The camera of the first frame need not see the others.
+TEST_F(Frames, SayThatNoPixelShowsASphere) {
+    folder_.write("a.xyz", "1\n\nH 0 0 0\n1\n\nH 900 900 900\n");
+    EXPECT_EQ(render({"a.xyz", "--frames", "all", "-s", "9x9", "--fit", "first"}).errors,
+              "a.xyz, 1: no pixel shows a sphere; --fit frames all\n");
 }
 
 // By the first frame's range and scale: made of each frame's own values, colours and sizes would come and go.
@@ -223,6 +234,38 @@ TEST_F(Frames, TurnWhileTheyRunAndTheLightStays) {
     EXPECT_GT(front.at(12, 12)[0], back.at(12, 12)[0]);
 }
 
+// One that is written to a pipe is done when the pipe has taken it; the next one waits for a reader.
+TEST_F(Frames, SayHowManyWereDoneWhenInterrupted) {
+    std::string text;
+    for (int i = 0; i < 9; ++i) text += "1\n\nO " + std::to_string(i) + " 0 0\n";
+    folder_.write("a.xyz", text);
+    ASSERT_EQ(mkfifo(folder_.path("3.png").c_str(), 0600), 0);
+    Running program(cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "9x9", "-o", "{frame}.png"}));
+    ASSERT_TRUE(eventually([&] { return folder_.has("2.png"); }));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, 130) << outcome;
+    EXPECT_TRUE(outcome.errors == "sphereview: interrupted; 3 of 9 pictures were done\n") << outcome;
+    EXPECT_FALSE(folder_.has("4.png"));
+}
+
+#ifndef SPHEREVIEW_SANITIZED  // AddressSanitizer reserves more address space than any sensible limit
+// Threads that have a frame each need more than one that does all.
+TEST_F(Frames, AreDoneOneAtATimeWhereThereIsNoMemoryForSeveral) {
+    std::string text;
+    for (int frame = 0; frame < 4; ++frame) {
+        text += "20000\n\n";
+        for (int i = 0; i < 20'000; ++i) text += "O " + std::to_string(i % 100) + " " + std::to_string(i / 100 + frame) + " 0\n";
+    }
+    folder_.write("a.xyz", text);
+    Command command = cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "700x700", "--no-sync", "-o", "{frame}.png"});
+    command.most_memory = 130'000'000;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, "");
+}
+#endif
+
 #ifdef __linux__
 
 // Children of this process have one core while it lives.
@@ -278,7 +321,7 @@ TEST_F(Frames, SeveralAtOnceAreAsOneAfterTheOther) {
     folder_.write("a.xyz", text);
     const std::vector<std::vector<std::string>> runs = {
         {"--json", "--manifest", "out/m.jsonl", "-o", "out/{frame:02}"},
-        {"--color-by", "v", "--legend", "-v", "-o", "out/{frame:02}", "--shade", "normals"},
+        {"--color-by", "v", "--legend", "--verbose", "-o", "out/{frame:02}", "--shade", "normal"},
         {"--frames", "0:7", "-o", "-"},
         {"-o", "-"},
     };
@@ -292,6 +335,7 @@ TEST_F(Frames, SeveralAtOnceAreAsOneAfterTheOther) {
         const OneCore one;
         const std::string alone = all_of(folder_, render(arguments));
         std::filesystem::remove_all(folder_.path("out"));
+        EXPECT_FALSE(contains(alone, "(see 'sphereview render")) << "refused";
         EXPECT_TRUE(at_once == alone) << at_once.substr(0, 2000) << "\n-- alone:\n" << alone.substr(0, 2000);
     }
 }

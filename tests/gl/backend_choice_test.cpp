@@ -15,24 +15,12 @@ constexpr const char* old_driver = "MESA_GL_VERSION_OVERRIDE";
 
 class BackendChoice : public testing::Test {
 protected:
-    BackendChoice() {
-        folder_.write("red.txt", red_scene);
-        folder_.write("many.txt", many_spheres(capacity() + 1));
-    }
+    BackendChoice() { folder_.write("red.txt", red_scene); }
 
     Outcome render_small(const std::vector<std::string>& arguments, const Environment& environment = {}) const {
         std::vector<std::string> all = {"render", "-s", "5x5"};
         all.insert(all.end(), arguments.begin(), arguments.end());
         return run({.arguments = all, .folder = folder_.path(), .environment = environment});
-    }
-
-    // How many spheres the GL backends take, as doctor says.
-    static int capacity() {
-        static const int spheres = [] {
-            const Json report = Json::parse(run({"doctor", "--json"}).output);
-            return report["backends"][0]["spheres_in_uniform_block"].get<int>();
-        }();
-        return spheres;
     }
 
     TemporaryFolder folder_;
@@ -152,8 +140,10 @@ TEST_F(BackendChoice, TooLittleAddressSpaceForADriverIsForTheCpu) {
 #endif
 
 TEST_F(BackendChoice, MoreSpheresThanTheUniformBufferHoldsAreInTextures) {
-    EXPECT_GE(capacity(), 1024);
-    folder_.write("full.txt", many_spheres(capacity()));
+    const int capacity = Json::parse(run({"doctor", "--json"}).output)["backends"][0]["spheres_in_uniform_block"].get<int>();
+    EXPECT_GE(capacity, 1024);
+    folder_.write("full.txt", many_spheres(capacity));
+    folder_.write("many.txt", many_spheres(capacity + 1));
     for (const char* backend : {"auto", "egl", "osmesa"}) {
         const Outcome outcome = render_small({"many.txt", "full.txt", "red.txt", "--backend", backend, "--verbose"});
         EXPECT_EQ(outcome.status, 0) << outcome;

@@ -6,16 +6,13 @@
 
 #include "formats/sphere_data.hpp"
 #include "oracle/backends.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview::oracle {
 
 namespace {
 
-#ifdef SPHEREVIEW_SANITIZED
-constexpr int side = 300;
-#else
-constexpr int side = 1000;
-#endif
+constexpr int side = test::is_sanitized ? 300 : 1000;
 
 Trials full_size_trials() {
     Trials trials;

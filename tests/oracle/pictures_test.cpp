@@ -37,7 +37,7 @@ void expect_the_oracles_pictures(const Trials& trials) {
 // In parts, so that tests that run side by side share the work.
 class Pictures : public testing::TestWithParam<std::size_t> {
 protected:
-    static constexpr std::size_t parts = 4;
+    static constexpr std::size_t parts = 2;
 
     static Trials made_by_hand(const Trials& all) {
         Trials part;
@@ -82,7 +82,7 @@ TEST_P(Pictures, orthographic_made_by_hand) {
     expect_the_oracles_pictures(made_by_hand(all));
 }
 
-INSTANTIATE_TEST_SUITE_P(part, Pictures, testing::Range(std::size_t{0}, std::size_t{4}));
+INSTANTIATE_TEST_SUITE_P(part, Pictures, testing::Range(std::size_t{0}, std::size_t{2}));
 
 }  // namespace
 

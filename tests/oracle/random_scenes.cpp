@@ -77,13 +77,7 @@ Sphere random_sphere(const Camera& camera, PictureSize size, double scale, Rando
 
 std::uint64_t seed() { return test::number_from_environment("SPHEREVIEW_SEED", 20240229); }
 
-bool is_sampled(std::size_t index) {
-#ifdef SPHEREVIEW_SANITIZED
-    return index % 10 == 0;
-#else
-    return index < static_cast<std::size_t>(-1);
-#endif
-}
+bool is_sampled(std::size_t index) { return !test::is_sanitized || index % 10 == 0; }
 
 Camera random_camera(Random& random, double scale) {
     for (;;) {

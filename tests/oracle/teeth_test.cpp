@@ -58,8 +58,13 @@ std::size_t caught(const Proven& proven, const std::function<Answers(const Trial
     return count;
 }
 
+const Proven& proven_trials() {
+    static const Proven some = proven(some_trials());
+    return some;
+}
+
 void expect_caught(const std::string& mistake, const std::function<Answers(const Trial&)>& answers,
-                   const Proven& among = proven(some_trials())) {
+                   const Proven& among = proven_trials()) {
     const std::size_t count = caught(among, answers);
     std::cout << mistake << ": noticed in " << count << " of " << among.trials.size() << " scenes\n";
     EXPECT_GT(count, 0U) << mistake;
@@ -151,17 +156,13 @@ void shrink(CandidateLists& lists, const Trial& trial, const PixelRange& by) {
     });
 }
 
-// With pictures by the filter, which a sanitised build can afford; the oracle's own are in pictures_test.cpp.
+// With pictures by the filter; the oracle's own are in pictures_test.cpp.
 const Proven& some_tile_trials() {
     static const Proven some = [] {
         Proven trials;
         const Trials all = tile_trials();
         for (std::size_t i = 0; i < all.size(); i += 3) trials.trials.push_back(all[i]);
-#ifdef SPHEREVIEW_SANITIZED
-        trials.trials.push_back(crowded_tiles_trial({411, 17}, 3000, 4));
-#else
         trials.trials.push_back(crowded_tiles_trial({29, 233}, 10'000, 20));
-#endif
         for (const Trial& trial : trials.trials) trials.pictures.push_back(filtered_picture(trial.scene, trial.size).numbers);
         return trials;
     }();
@@ -175,57 +176,36 @@ void expect_lists_caught(const std::string& mistake, const Change& change) {
     }
 }
 
-TEST(Teeth, ties_that_go_to_the_last) {
-    expect_caught("the last of equals", [](const Trial& t) { return picture(t.scene, t.size, {.first_of_equals = false}); });
+void expect_rules_caught(const std::string& mistake, const Rules& rules, const Proven& among = proven_trials()) {
+    expect_caught(
+        mistake, [&](const Trial& trial) { return picture(trial.scene, trial.size, rules); }, among);
 }
 
-TEST(Teeth, tangents_that_miss) {
-    expect_caught("tangents miss", [](const Trial& t) { return picture(t.scene, t.size, {.tangent_hits = false}); });
-}
-
-TEST(Teeth, hits_at_the_eye) {
-    expect_caught("a hit at t = 0", [](const Trial& t) { return picture(t.scene, t.size, {.zero_is_positive = true}); });
-}
-
-TEST(Teeth, the_near_root_from_inside) {
-    expect_caught("near root", [](const Trial& t) { return picture(t.scene, t.size, {.near_root_from_inside = true}); });
-}
-
-// The orthographic trials, by the oracle.
-const Proven& parallel_trials() {
-    static const Proven some = [] {
-        Proven trials;
-        for (std::uint64_t i = 0; i < 60; ++i) {
-            trials.trials.push_back(i % 2 == 0 ? orthographic(lattice_trial(seed() + i)) : parallel_near_miss_trial(seed() + i));
-        }
-        for (const Trial& trial : trials.trials) trials.pictures.push_back(picture(trial.scene, trial.size));
-        return trials;
-    }();
-    return some;
-}
-
-void expect_rules_caught(const std::string& mistake, const Rules& rules) {
-    const auto by_rules = [&](const Trial& trial) { return picture(trial.scene, trial.size, rules); };
-    expect_caught(mistake, by_rules, parallel_trials());
-}
-
-TEST(Teeth, orthographic_mistakes) {
-    expect_rules_caught("parallel rays that begin in the eye", {.origins_in_plane = false});
-    expect_rules_caught("the root that counts for the eye", {.side_of_eye = true});
-    expect_rules_caught("parallel rays, tangents miss", {.tangent_hits = false});
-    expect_rules_caught("parallel rays, a hit at t = 0", {.zero_is_positive = true});
-}
-
-TEST(Teeth, the_textbook_formula_in_float) { expect_caught("b^2 - 4ac in float", textbook); }
-
-TEST(Teeth, pictures_that_are_not_certified) {
+// In one test, as those below, because a process of its own for each would make the trials' pictures again.
+TEST(Teeth, wrong_definitions_and_pictures_that_are_not_certified) {
+    expect_rules_caught("the last of equals", {.first_of_equals = false});
+    expect_rules_caught("tangents miss", {.tangent_hits = false});
+    expect_rules_caught("a hit at t = 0", {.zero_is_positive = true});
+    expect_rules_caught("near root", {.near_root_from_inside = true});
+    expect_caught("b^2 - 4ac in float", textbook);
     for (const Backend backend : tested_backends()) {
         OpenBackend open = opened(backend);
         expect_caught("not certified, " + open.description, [&](const Trial& t) { return visible_spheres(open, t, false); });
     }
 }
 
-// In one test, because a process of its own for each would make the trials' pictures again.
+TEST(Teeth, orthographic_mistakes) {
+    Trials trials;
+    for (std::uint64_t i = 0; i < 60; ++i) {
+        trials.push_back(i % 2 == 0 ? orthographic(lattice_trial(seed() + i)) : parallel_near_miss_trial(seed() + i));
+    }
+    const Proven parallel = proven(std::move(trials));
+    expect_rules_caught("parallel rays that begin in the eye", {.origins_in_plane = false}, parallel);
+    expect_rules_caught("the root that counts for the eye", {.side_of_eye = true}, parallel);
+    expect_rules_caught("parallel rays, tangents miss", {.tangent_hits = false}, parallel);
+    expect_rules_caught("parallel rays, a hit at t = 0", {.zero_is_positive = true}, parallel);
+}
+
 TEST(Teeth, lists_that_are_wrong_and_lists_that_are_right) {
     // Tiles that miss a pixel at their border.
     expect_lists_caught("a column too few at the left", [](auto& lists, auto& trial) { shrink(lists, trial, {1, 0, 0, 0}); });

@@ -7,20 +7,15 @@
 #include "cpu/cpu_renderer.hpp"
 #include "oracle/backends.hpp"
 #include "oracle/long_filter.hpp"
+#include "support/trials.hpp"
 
 namespace sphereview::oracle {
 
 namespace {
 
-#ifdef SPHEREVIEW_SANITIZED
-constexpr bool is_slow = true;
-#else
-constexpr bool is_slow = false;
-#endif
-
 Trials several_levels_trials() {
     Trials trials = {crowded_tiles_trial({827, 9}, 2000, 4), crowded_tiles_trial({411, 17}, 3000, 4)};
-    if (!is_slow) {
+    if (!test::is_sanitized) {
         trials.push_back(crowded_tiles_trial({83, 61}, 5000, 8));
         trials.push_back(crowded_tiles_trial({29, 233}, 10'000, 20));
     }
@@ -41,7 +36,7 @@ TEST(Tiles, of_several_sizes) {
         most_on_cpu = std::max(most_on_cpu, levels(with_small_budget(cpu_tile_costs)));
         expected.push_back(filtered_picture(trial.scene, trial.size).numbers);
     }
-    EXPECT_GE(most_on_gpu, is_slow ? 2U : 3U);
+    EXPECT_GE(most_on_gpu, test::is_sanitized ? 2U : 3U);
     EXPECT_GE(most_on_cpu, 2U);
     for (const Backend backend : tested_backends()) {
         OpenBackend open = opened(backend);
@@ -55,7 +50,7 @@ TEST(Tiles, of_several_sizes) {
 // All in a square of so many pixels at (24, 16), a corner of tiles of any size up to 8.
 Trial crowd_in_one_tile(const std::string& name, int side, double least, double most) {
     Random random(seed() + static_cast<std::uint64_t>(side));
-    constexpr int count = is_slow ? 10'000 : 100'000;
+    constexpr int count = test::is_sanitized ? 10'000 : 100'000;
     Trial trial{std::to_string(count) + " spheres in one tile, " + name, {}, {203, 150}};
     const Camera& camera = trial.scene.camera;
     const double m = trial.size.shorter_side();

@@ -172,9 +172,11 @@ TEST_F(ExportDialog, HasPresets) {
     FileBrowser with_view = form();
     with_view.view = PictureSize{1234, 567};
     harness.put(with_view);
+    harness.click("export sizes");
     harness.click("export 1920 x 1080");
     EXPECT_EQ(size().width, 1920);
     EXPECT_EQ(size().height, 1080);
+    harness.click("export sizes");
     harness.click("export view");
     EXPECT_EQ(size().width, 1234);
     EXPECT_EQ(size().height, 567);

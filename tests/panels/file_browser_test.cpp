@@ -300,7 +300,7 @@ TEST_F(BrowserDialog, ShowsHiddenFilesAndOneKindWhenAsked) {
     EXPECT_TRUE(harness.panels.has("entry .secret.txt"));
     EXPECT_TRUE(harness.panels.has("entry four.txt"));
     harness.click("browser kind");
-    harness.click("kind TOML");
+    harness.click("browser kind TOML (.toml)");
     EXPECT_FALSE(harness.panels.has("entry four.txt"));
     EXPECT_TRUE(harness.panels.has("entry Sieben Kugeln äöü.toml"));
 }
@@ -310,12 +310,12 @@ TEST_F(BrowserDialog, SavesInTheFormatThatIsChosen) {
     EXPECT_TRUE(harness.panels.has("entry Sieben Kugeln äöü.toml")) << "files of all formats are shown";
     harness.type_over("browser name", "new.txt");
     harness.click("browser kind");
-    harness.click("kind TOML");
+    harness.click("browser kind TOML (.toml)");
     EXPECT_EQ(browser().name, "new.toml") << "the name follows the format";
     harness.type_over("browser name", "other.txt");
     EXPECT_EQ(browser().kind, 0U) << "the format follows the name";
     harness.click("browser kind");
-    harness.click("kind TOML");
+    harness.click("browser kind TOML (.toml)");
     harness.enter_over("browser name", "plain");
     EXPECT_EQ(accepted, Accepted{folder.path("plain.toml")});
 }

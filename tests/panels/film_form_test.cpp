@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "panels/harness.hpp"
+#include "panels/widgets.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sphereview {
@@ -97,14 +98,14 @@ TEST_F(FilmDialog, HasForEachKindWhatThatCanBe) {
     harness.click("film transparent");
     EXPECT_FALSE(form().chosen.transparent) << "such a film is opaque";
     harness.click("browser kind");
-    harness.click("kind Pictures");
+    harness.click("browser kind Pictures (.png)");
     EXPECT_EQ(harness.top<FileBrowser>().name, "{name}-{frame:05}.png");
     EXPECT_FALSE(harness.panels.has("film rate") || harness.panels.has("film quality"));
     EXPECT_EQ(judged.back(), folder.path("{name}-{frame:05}.png"));
     harness.click("film transparent");
     EXPECT_TRUE(form().chosen.transparent);
     harness.click("browser kind");
-    harness.click("kind Animated");
+    harness.click("browser kind Animated (.png)");
     EXPECT_EQ(harness.top<FileBrowser>().name, "a.png");
     EXPECT_TRUE(harness.panels.has("film rate"));
     harness.enter_over("browser name", "b{frame}");
@@ -134,11 +135,30 @@ TEST_F(FilmDialog, StaysWhileSomethingIsWrong) {
     EXPECT_EQ(accepted.size(), 1U);
 }
 
+// In large text as well; where that leaves no room, the form scrolls and the buttons stay.
 TEST_F(FilmDialog, HasRoomForEverythingInASmallWindow) {
-    put(10);
-    const WidgetRectangle ok = harness.panels.rectangles.at("browser ok");
-    EXPECT_LT(ok.bottom, 600.0F);
-    EXPECT_LT(harness.panels.rectangles.at("film summary").bottom, ok.top);
+    struct Case {
+        float text_scale;
+        ImVec2 window;
+        bool scrolls;
+    };
+    for (const auto& [text_scale, size, scrolls] :
+         {Case{1.0F, {800.0F, 600.0F}, false}, {2.0F, {1280.0F, 800.0F}, false}, {3.0F, {1280.0F, 800.0F}, true}}) {
+        SCOPED_TRACE(text_scale);
+        ImGui::GetIO().DisplaySize = size;
+        ImGui::GetIO().FontGlobalScale = text_scale * 15.0F / ImGui::GetFont()->FontSize;
+        apply_style(text_scale);
+        harness.panels.scale = text_scale;
+        put(10);
+        const auto& widgets = harness.panels.rectangles;
+        const WidgetRectangle ok = widgets.at("browser ok");
+        EXPECT_LT(ok.bottom, size.y);
+        EXPECT_LT(widgets.at("film summary").bottom, ok.top);
+        const float lowest = widgets.at("film marks").bottom;
+        EXPECT_EQ(lowest > ok.top, scrolls);
+        for (const auto& [name, at] : widgets) EXPECT_LT(at.right, size.x) << name;
+        harness.escape();
+    }
 }
 
 }  // namespace

@@ -121,6 +121,14 @@ public:
         drag(from, {from.x + pixels, from.y});
     }
 
+    // The edits since the last call: some, all of one gesture.
+    std::vector<EditScene> edits_of_one_gesture() {
+        std::vector<EditScene> edits = taken<EditScene>();
+        EXPECT_FALSE(edits.empty());
+        for (const EditScene& edit : edits) EXPECT_TRUE(edit.gesture != 0 && edit.gesture == edits.front().gesture);
+        return edits;
+    }
+
     // How many rows were drawn.
     std::size_t rows() const {
         std::size_t count = 0;

@@ -216,23 +216,29 @@ TEST(Inspector, DrawsTheSphereThatWasClicked) {
     EXPECT_NE(panel.text().find("centre C of sphere 0"), std::string::npos) << "one that is not explained cannot be chosen";
 }
 
-// Whatever the width and the text's size, what is written in the drawings stands apart, and what matters most is there.
-TEST(Inspector, NothingIsWrittenOverAnotherTextInADrawing) {
+// Whatever the width and the text's size, what is written in the drawings stands apart, from points as well, and what matters most
+// is there.
+TEST(Inspector, NothingIsWrittenOverATextOrAPointOfADrawing) {
     Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 30.0, 300.0}, 20.0}, {{9e4, 0.0, 1e5}, 1.0}});
     for (const float text_scale : {1.0F, 2.0F, 3.0F}) {
         for (const float width : {90.0F, 160.0F, 240.0F, 460.0F, 700.0F}) {
             SCOPED_TRACE(std::to_string(width) + " pixels, text of size " + std::to_string(text_scale));
             InspectorHarness panel(scene, width);
+            // The ray to a sun that nearly touches the sphere's edge, from where it leaves it.
+            panel.pixel().light = InspectedLight{.number = 0, .direction = {1.0, 0.2, -0.3}, .shines = true, .why = "shines"};
             ImGui::GetIO().FontGlobalScale = text_scale;
             panel.frames(3);
-            std::vector<std::pair<std::string, WidgetRectangle>> texts;
+            EXPECT_TRUE(panel.has("light drawing mark 0"));
+            std::vector<std::pair<std::string, WidgetRectangle>> drawn;  // marks come before texts
             for (const auto& [name, at] : panel.rectangles) {
-                if (name.find(" drawing text ") == std::string::npos) continue;
-                for (const auto& [other, there] : texts) {
-                    EXPECT_FALSE(at.left < there.right && there.left < at.right && at.top < there.bottom && there.top < at.bottom)
+                const bool is_text = name.find(" drawing text ") != std::string::npos;
+                if (!is_text && name.find(" drawing mark ") == std::string::npos) continue;
+                for (const auto& [other, there] : drawn) {
+                    EXPECT_FALSE(is_text && at.left < there.right && there.left < at.right && at.top < there.bottom &&
+                                 there.top < at.bottom)
                         << name << " and " << other;
                 }
-                texts.emplace_back(name, at);
+                drawn.emplace_back(name, at);
             }
             if (width < 200.0F || text_scale > 2.0F) continue;
             for (const char* name : {"ray drawing text eye", "ray drawing text t1"}) EXPECT_TRUE(panel.has(name)) << name;

@@ -7,6 +7,7 @@
 #include "panels/menus.hpp"
 #include "support/panel_harness.hpp"
 #include "viewer/layout.hpp"
+#include "viewer/view_marks.hpp"
 
 namespace sphereview {
 
@@ -92,23 +93,33 @@ TEST(Layout, TheSidePanelYieldsToToolsThatAreOpen) {
     EXPECT_EQ(state.settings.panel_width, ViewerSettings{}.panel_width) << "what the person chose is kept";
 }
 
-TEST(Layout, TheRaysPanelLeavesTheAxesFreeWhereThereIsRoomForBoth) {
+TEST(Layout, TheRaysPanelAndTheAxesCoverNothingOfEachOther) {
     ViewerState state({}, {});
-    state.picture_size = {700, 800};
+    Scene scene;
+    scene.spheres.resize(1);
+    state.document = Document(scene);
     state.rays.on = true;
-    state.rays.size = {700, 800};
-    Rectangle picture;
-    PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
     state.rays.choice.shown = RaysShown::all;
-    window.frames(3);
-    EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 116.0F);
-    window.scale = 2.0F;
-    ImGui::GetIO().FontGlobalScale = 2.0F;
-    for (float height = 700.0F; height <= 900.0F; height += 20.0F) {
-        ImGui::GetIO().DisplaySize.y = height;
-        window.frames(3);
-        if (picture.height - 232.0F < 540.0F) continue;
-        EXPECT_LE(window.rectangles.at("rays").bottom, picture.y + picture.height - 232.0F) << height;
+    PanelHarness window(
+        [&](const PanelContext& context) {
+            const Rectangle picture = draw_panels(state, context, {});
+            state.picture_size = {static_cast<int>(picture.width), static_cast<int>(picture.height)};
+            state.rays.size = state.picture_size;
+            draw_view_marks(state, context, picture, 1.0);
+        },
+        {}, 1400.0F, 900.0F);
+    for (const float text_scale : {1.0F, 2.0F}) {
+        window.scale = text_scale;
+        ImGui::GetIO().FontGlobalScale = text_scale;
+        for (const ImVec2 size : {ImVec2{1400.0F, 900.0F}, {1400.0F, 760.0F}, {800.0F, 600.0F}, {1000.0F, 500.0F}}) {
+            SCOPED_TRACE(std::to_string(size.x) + " x " + std::to_string(size.y));
+            ImGui::GetIO().DisplaySize = size;
+            window.frames(4);
+            ASSERT_TRUE(window.has("axes"));
+            const WidgetRectangle rays = window.rectangles.at("rays");
+            const WidgetRectangle axes = window.rectangles.at("axes");
+            EXPECT_TRUE(rays.bottom <= axes.top || rays.right <= axes.left);
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -10,25 +9,10 @@ namespace sphereview {
 
 namespace {
 
-using Bits = std::array<std::uint64_t, 4>;
-
-Bits bits(const Sphere& s) {
-    return {std::bit_cast<std::uint64_t>(s.center.x), std::bit_cast<std::uint64_t>(s.center.y),
-            std::bit_cast<std::uint64_t>(s.center.z), std::bit_cast<std::uint64_t>(s.radius)};
-}
-
 const Sphere& changed_sphere(const EditScene& edit) { return std::get<ChangeSpheres>(edit.edit).spheres.at(0); }
 
 void drag_number(SidePanelHarness& panel, const std::string& field, float from, float to) {
     panel.drag(panel.place(field, from), panel.place(field, to));
-}
-
-// The edits since the last call: some, all of one gesture.
-std::vector<EditScene> edits_of_one_gesture(SidePanelHarness& panel) {
-    std::vector<EditScene> edits = panel.taken<EditScene>();
-    EXPECT_FALSE(edits.empty());
-    for (const EditScene& edit : edits) EXPECT_TRUE(edit.gesture != 0 && edit.gesture == edits.front().gesture);
-    return edits;
 }
 
 void open(SidePanelHarness& panel, const std::string& field) {
@@ -46,21 +30,24 @@ TEST(SphereEditor, DraggingANumberChangesThatValueAloneInOneGesture) {
     for (const std::size_t which : {0U, 1U, 2U, 3U}) {
         const std::string slider = std::array{"slider x", "slider y", "slider z", "slider radius"}[which];
         SidePanelHarness panel(10, {3});
-        const Bits before = bits(panel.sphere(3));
+        const Sphere before = panel.sphere(3);
         drag_number(panel, slider, 0.4F, 0.8F);
-        const auto edits = edits_of_one_gesture(panel);
+        const auto edits = panel.edits_of_one_gesture();
         ASSERT_GE(edits.size(), 5U) << slider;
         for (const EditScene& edit : edits) {
             EXPECT_EQ(edit.name, which == 3 ? "Change radius of sphere 3" : "Move sphere 3");
             EXPECT_EQ(std::get<ChangeSpheres>(edit.edit).numbers, std::vector<std::uint32_t>{3});
-            const Bits after = bits(changed_sphere(edit));
-            for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(after[i] == before[i], i != which) << slider << " " << i;
+            const Sphere& after = changed_sphere(edit);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const auto value = static_cast<SphereValue>(i);
+                EXPECT_EQ(same_bits(value_of(after, value), value_of(before, value)), i != which) << slider << " " << i;
+            }
         }
         EXPECT_EQ(panel.sphere(4), line_of_spheres(10).spheres[4]);
         drag_number(panel, slider, 0.8F, 0.3F);
-        EXPECT_NE(edits_of_one_gesture(panel).front().gesture, edits.front().gesture) << "each drag is a gesture of its own";
+        EXPECT_NE(panel.edits_of_one_gesture().front().gesture, edits.front().gesture) << "each drag is a gesture of its own";
         for (int i = 0; i < 2; ++i) panel.document.undo();
-        EXPECT_EQ(bits(panel.sphere(3)), before) << "one step takes all of a drag back";
+        EXPECT_TRUE(same_bits(panel.sphere(3), before)) << "one step takes all of a drag back";
         EXPECT_FALSE(panel.document.can_undo());
     }
 }
@@ -143,24 +130,18 @@ TEST(SphereEditor, TabGoesThroughTheNumbersInTheirOrder) {
     EXPECT_EQ(panel.state().numbers.typed, "");
 }
 
-TEST(SphereEditor, NonsenseEscapeAndEnterWithoutTypingChangeNothing) {
-    for (const auto& [slider, text] :
-         {std::pair("slider x", "abc"), std::pair("slider y", "1e999"), std::pair("slider z", "nan"), std::pair("slider x", "inf"),
-          std::pair("slider y", "1 2"), std::pair("slider z", " "), std::pair("slider radius", "0"),
-          std::pair("slider radius", "-3"), std::pair("slider radius", "1e-999"), std::pair("slider radius", "2,5")}) {
-        SidePanelHarness panel(10, {3});
+// What else a field refuses: number_field_test.cpp.
+TEST(SphereEditor, WhatIsRefusedChangesNothing) {
+    SidePanelHarness panel(10, {3});
+    for (const auto& [slider, text] : {std::pair("slider x", "1e999"), std::pair("slider y", "nan"), std::pair("slider z", " "),
+                                       std::pair("slider radius", "0"), std::pair("slider radius", "1e-999")}) {
         type_into(panel, slider, text);
-        EXPECT_TRUE(panel.taken<EditScene>().empty()) << slider << " " << text;
-        EXPECT_EQ(bits(panel.sphere(3)), bits(line_of_spheres(10).spheres[3]));
         EXPECT_EQ(panel.state().numbers.typed, "") << "the number is back";
-        EXPECT_EQ(panel.state().numbers.refused, trimmed(text).empty() ? "" : slider + std::string_view("slider ").size());
     }
-    SidePanelHarness panel(10, {7});
-    type_into(panel, "slider x", "", ImGuiKey_Enter);
     type_into(panel, "slider x", "12", ImGuiKey_Escape);
     panel.click("slider y", 1);
     EXPECT_TRUE(panel.taken<EditScene>().empty());
-    EXPECT_EQ(bits(panel.sphere(7)), bits(line_of_spheres(10).spheres[7]));
+    EXPECT_TRUE(same_bits(panel.sphere(3), line_of_spheres(10).spheres[3]));
 }
 
 TEST(SphereEditor, ExtremeScenesAreEdited) {
@@ -180,48 +161,6 @@ TEST(SphereEditor, ExtremeScenesAreEdited) {
     }
 }
 
-TEST(SphereEditor, ColorIsEditedInWholeNumbers) {
-    SidePanelHarness panel(5, {2});
-    panel.enter("red", "200-50+51");
-    EXPECT_EQ(panel.sphere(2).color, (Color{201, 20, 30}));
-    EXPECT_EQ(panel.document.undo_name(), "Recolour sphere 2");
-    panel.undo();
-    EXPECT_EQ(panel.document.scene(), line_of_spheres(5)) << "typing is one step";
-    for (const char* refused : {"256", "-1", "12.5"}) {
-        panel.enter("green", refused);
-        EXPECT_NE(panel.text().find(": a whole number from 0 to 255 is expected."), std::string::npos) << panel.text();
-    }
-    panel.take_actions();
-    panel.drag_by("red", 37.0F);
-    edits_of_one_gesture(panel);
-    panel.document.undo();
-    EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
-}
-
-TEST(SphereEditor, EveryColorIsShownWithoutChange) {
-    Scene scene = line_of_spheres(256);
-    for (std::size_t i = 0; i < 256; ++i) {
-        const auto part = static_cast<std::uint8_t>(i);
-        scene.spheres[i].color = {part, static_cast<std::uint8_t>(255 - part), part};
-    }
-    SidePanelHarness panel(scene);
-    for (std::uint32_t i = 0; i < 256; ++i) panel.select({i});
-    EXPECT_TRUE(panel.take_actions().empty());
-}
-
-TEST(SphereEditor, PickerIsOneGesture) {
-    SidePanelHarness panel(5, {2});
-    panel.click("color");  // the swatch opens it
-    panel.frames(3);
-    panel.take_actions();
-    const ImVec2 start = ImGui::GetIO().MousePos;
-    // The picker opens where there is room: above the swatch.
-    panel.drag({start.x + 10.0F, start.y - 100.0F}, {start.x + 30.0F, start.y - 140.0F});
-    edits_of_one_gesture(panel);
-    panel.document.undo();
-    EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
-}
-
 TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
     SidePanelHarness panel(5, {4, 1, 2});
     panel.click("hidden");
@@ -234,22 +173,6 @@ TEST(SphereEditor, ColorAndHiddenAreSetForAllThatAreSelected) {
         EXPECT_EQ(panel.sphere(i).color, (Color{before.r, before.g, i == 1 || i == 2 || i == 4 ? std::uint8_t{77} : before.b}))
             << i;
     }
-}
-
-TEST(SphereEditor, ADragOfAColorMovesAllByAsMuchAndLeavesTheOthers) {
-    Scene scene = line_of_spheres(3);
-    scene.spheres[0].color = {10, 20, 250};
-    scene.spheres[1].color = {30, 40, 50};
-    SidePanelHarness panel(scene);
-    panel.select({0, 1});
-    panel.frames(3);  // the numbers go below each other, and the list gives them its room
-    panel.drag_by("blue", 23.0F);
-    const int by = panel.sphere(1).color.b - 50;
-    EXPECT_GT(by, 5);
-    EXPECT_EQ(panel.sphere(0).color, (Color{10, 20, 255}));
-    EXPECT_EQ(panel.sphere(1).color.r, 30);
-    EXPECT_EQ(panel.sphere(1).color.g, 40);
-    EXPECT_EQ(panel.sphere(2), scene.spheres[2]);
 }
 
 TEST(SphereEditor, DragsMoveAllByTheSameDifferenceInOneStep) {
@@ -267,7 +190,7 @@ TEST(SphereEditor, DragsMoveAllByTheSameDifferenceInOneStep) {
             EXPECT_EQ(panel.sphere(i), expected) << which << " " << i;
         }
         panel.document.undo();
-        for (std::uint32_t i = 0; i < 6; ++i) EXPECT_EQ(bits(panel.sphere(i)), bits(before.spheres[i]));
+        for (std::uint32_t i = 0; i < 6; ++i) EXPECT_TRUE(same_bits(panel.sphere(i), before.spheres[i]));
         EXPECT_FALSE(panel.document.can_undo());
     }
 }
@@ -354,27 +277,6 @@ TEST(SphereEditor, ManyAreSummedUp) {
     EXPECT_NE(panel.text().find("all hidden"), std::string::npos);
     panel.click("hidden");
     for (const std::uint32_t i : {0U, 1U, 2U}) EXPECT_FALSE(panel.sphere(i).hidden);
-}
-
-TEST(SphereEditor, ChannelsStandBelowEachOtherWhereALineHasNoRoomForThem) {
-    Scene scene = line_of_spheres(3);
-    for (std::size_t i = 0; i < 3; ++i) scene.spheres[i].color = {static_cast<std::uint8_t>(100 + 50 * i), 144, 144};
-    const auto lines = [&](float width, const std::vector<std::uint32_t>& selected) {
-        SidePanelState state;
-        PanelHarness panel(
-            PanelHarness::in_window([&](const PanelContext& context) { draw_sphere_editor(context, state); }, width, 700.0F), scene,
-            1400.0F, 1200.0F);
-        panel.selection.set(selected);
-        panel.frames(3);
-        EXPECT_NE(panel.text().find("144"), std::string::npos) << panel.text();
-        EXPECT_GE(panel.rectangles.at("slider red").right - panel.rectangles.at("slider red").left, ImGui::GetFontSize());
-        const auto top = [&](const char* name) { return panel.rectangles.at(name).top; };
-        EXPECT_EQ(top("color"), top("slider blue"));
-        return top("slider red") == top("slider blue") ? 1 : 3;
-    };
-    EXPECT_EQ(lines(340.0F, {1}), 1);
-    EXPECT_EQ(lines(200.0F, {1}), 3);
-    EXPECT_EQ(lines(340.0F, {0, 1, 2}), 3) << "\"100 to 200\" is longer";
 }
 
 TEST(SphereEditor, TheButtonSaysWhatTheCommandDoes) {

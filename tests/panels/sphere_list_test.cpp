@@ -194,7 +194,7 @@ TEST(SphereList, RightClickOffersCommandsForTheRow) {
     panel.click("row menu Rename");
     panel.frames(3);
     EXPECT_TRUE(panel.has("rename"));
-    EXPECT_EQ(panel.state().renaming, 1U);
+    EXPECT_EQ(panel.state().renaming.of, 1U);
     panel.select({1, 2});
     panel.click("row 2", 1);
     EXPECT_EQ(panel.selection.numbers(), (Numbers{1, 2})) << "a selected row keeps the selection";
@@ -239,30 +239,6 @@ TEST(ScenePanel, BackgroundIsChosen) {
     panel.take_actions();
     choose("colour");
     EXPECT_TRUE(panel.taken<EditScene>().empty());
-}
-
-TEST(ScenePanel, TheFrameOfSeveralIsChosen) {
-    SidePanelHarness panel(line_of_spheres(2));
-    EXPECT_FALSE(panel.has("frame"));
-    panel.frames_of_file = 11;
-    panel.frame_of_file = 2;
-    panel.frames(2);
-    panel.take_actions();
-    panel.click(panel.place("frame", 0.99F));
-    auto shown = panel.taken<ShowFrame>();
-    ASSERT_FALSE(shown.empty());
-    EXPECT_EQ(shown.front().frame, 10);
-    panel.click(panel.place("frame", 0.01F));
-    shown = panel.taken<ShowFrame>();
-    ASSERT_FALSE(shown.empty());
-    EXPECT_EQ(shown.front().frame, 0);
-    panel.click("slider frame");
-    panel.frames(3);
-    panel.type("2*4");
-    panel.tap(ImGuiKey_Enter);
-    shown = panel.taken<ShowFrame>();
-    ASSERT_EQ(shown.size(), 1U);
-    EXPECT_EQ(shown.front().frame, 8);
 }
 
 TEST(ScenePanel, SmallPanelsScroll) {

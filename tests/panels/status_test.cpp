@@ -138,10 +138,6 @@ TEST(StatusBar, TellsOfAnEmptyScene) {
     EXPECT_TRUE(bar.says("0.0 ms")) << bar.text();
     EXPECT_FALSE(bar.says("hidden"));
     EXPECT_FALSE(bar.says("background"));
-    EXPECT_FALSE(bar.says("frame "));
-    bar.panels.frame_of_file = 3;
-    bar.panels.frames_of_file = 120;
-    EXPECT_TRUE(bar.says("frame 3 of 0..119")) << bar.text();
     bar.panels.document = Document(scene_of(1));
     EXPECT_TRUE(bar.says("1 sphere"));
     EXPECT_FALSE(bar.says("1 spheres"));

@@ -84,10 +84,29 @@ TEST(Timeline, AHandleIsDraggedAndHoldsTheFilm) {
 
 TEST(Timeline, SaysWhichFrameOfHowManyIsShown) {
     TimelineHarness panel;
-    EXPECT_TRUE(panel.says("20 of 0..100"));
+    EXPECT_TRUE(panel.says("[ 20 ] of 0..100")) << panel.text();
     EXPECT_FALSE(panel.says("+"));
     panel.facts.counting = true;
-    EXPECT_TRUE(panel.says("20 of 0..100+"));
+    EXPECT_TRUE(panel.says("[ 20 ] of 0..100+"));
+}
+
+TEST(Timeline, TheNumberIsTypedOrDragged) {
+    TimelineHarness panel;
+    panel.click("slider frame");
+    panel.frames(3);
+    panel.type("2*4");
+    panel.tap(ImGuiKey_Enter);
+    EXPECT_EQ(panel.frames_taken(), std::vector<std::int64_t>{8});
+    panel.click("slider frame");
+    panel.frames(3);
+    panel.type("101");  // the last is 100
+    panel.tap(ImGuiKey_Enter);
+    EXPECT_TRUE(panel.frames_taken().empty());
+    const ImVec2 from = panel.place("slider frame");
+    panel.drag(from, {from.x + 33.0F, from.y});
+    const std::vector<std::int64_t> asked = panel.frames_taken();
+    ASSERT_FALSE(asked.empty());
+    EXPECT_EQ(asked.back(), 50);
 }
 
 TEST(Timeline, SaysWhatChangesApplyTo) {
@@ -105,7 +124,7 @@ TEST(Timeline, ChoosesSpeedAndRepeat) {
     EXPECT_TRUE(panel.says("24 / s"));
     panel.click("speed");
     panel.frames(3);
-    panel.click("speed 60");
+    panel.click("speed 60 / s");
     panel.frames(3);
     EXPECT_EQ(panel.choices.speed, 60.0);
     for (const Repeat repeat : {Repeat::loop, Repeat::back_and_forth, Repeat::once}) {

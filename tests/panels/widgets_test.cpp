@@ -140,9 +140,6 @@ TEST(NumberText, SaysHowManyDigitsAreMeant) {
 }
 
 TEST(NumberText, IsShort) {
-    EXPECT_EQ(rounded_text(12.5, -2), "12.50");
-    EXPECT_EQ(rounded_text(-12.3456, 0), "-12");
-    EXPECT_EQ(rounded_text(1e20 / 3.0, 17), "3.33e+19");
     EXPECT_EQ(short_text(1.0 / 3.0), "0.3333");
     EXPECT_EQ(short_text(-0.0), "0");
     EXPECT_EQ(short_text(1e20), "1e+20");

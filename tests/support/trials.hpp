@@ -6,12 +6,14 @@
 
 namespace sphereview::test {
 
-// A quarter of `count` with sanitizers, with which each trial takes several times as long.
 #ifdef SPHEREVIEW_SANITIZED
-constexpr int trials(int count) { return (count + 3) / 4; }
+inline constexpr bool is_sanitized = true;
 #else
-constexpr int trials(int count) { return count; }
+inline constexpr bool is_sanitized = false;
 #endif
+
+// A quarter of `count` with sanitizers, with which each trial takes several times as long.
+constexpr int trials(int count) { return is_sanitized ? (count + 3) / 4 : count; }
 
 // A number that a person sets to try other inputs; SPHEREVIEW_SEED is one.
 inline std::uint64_t number_from_environment(const char* variable, std::uint64_t otherwise) {

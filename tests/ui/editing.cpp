@@ -90,10 +90,10 @@ void replace_by_rename(const TemporaryFolder& folder, const std::string& name, c
     std::filesystem::rename(folder.write("." + name + ".new", bytes), folder.path(name));
 }
 
-Editing::Editing(const std::string& name)
+Editing::Editing(const std::string& name, const ScreenOptions& screen)
     : name_(name),
       scene_(folder_.write(name, name.ends_with(".toml") ? two_spheres_in_toml : two_spheres)),
-      window_(folder_, {scene_}) {
+      window_(folder_, {scene_}, screen) {
     window_.key("m");  // else the frame of the export is drawn over the picture
 }
 

@@ -48,7 +48,7 @@ void replace_by_rename(const TemporaryFolder& folder, const std::string& name, c
 class Editing : public testing::Test {
 protected:
     // The scene's file is `name`: what its format cannot hold cannot be saved either.
-    explicit Editing(const std::string& name = "scene.txt");
+    explicit Editing(const std::string& name = "scene.txt", const ScreenOptions& screen = {});
 
     // Where the window shows the middle of the picture, and so of the red sphere; so many pixels beside it.
     Place red(double right = 0.0, double down = 0.0);

@@ -18,6 +18,8 @@ namespace {
 
 class PictureAtRest : public Editing {
 protected:
+    PictureAtRest() : Editing("scene.txt", {.width = 700, .height = 800}) {}
+
     // The window at rest shows the file's scene so.
     void expect_rest(int samples, const std::string& shading = "flat") {
         SCOPED_TRACE(shading + " with " + std::to_string(samples));
@@ -74,6 +76,7 @@ TEST(Exporting, WritesTheBytesOfRenderAndReplacesNothing) {
     window.click_widget("browser name");
     window.key("ctrl+a");
     window.type("scene.png");
+    window.click_widget("export sizes");
     window.click_widget("export 1920 x 1080");
     window.click_widget("browser ok");
     answer(window, "replace", "Cancel");
@@ -122,7 +125,7 @@ TEST(Exporting, MakesPicturesOfAllFrames) {
     window.key("shift+F12");
     window.wait_for("dialogs", Json::array({"film"}));
     window.click_widget("browser kind");
-    window.click_widget("kind Pictures");
+    window.click_widget("browser kind Pictures (.png)");
     window.click_widget("browser ok");
     announced(window, "a-{frame:05}.png (2 pictures, 64 x 48)");
     EXPECT_EQ(window.at("filming"), nullptr);

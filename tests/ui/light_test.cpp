@@ -10,6 +10,8 @@ namespace sphereview::test {
 
 namespace {
 
+constexpr ScreenOptions small_screen{.width = 700, .height = 800};  // light takes long for each pixel
+
 // Whether a draft was shown of a picture that was then finished.
 bool grew(const TemporaryFolder& folder) {
     std::istringstream log(folder.read("frames.log"));
@@ -29,7 +31,7 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
     const TemporaryFolder folder;
     folder.write("home/config/sphereview/viewer.json", R"({"axes": false})");
     const std::string scene = folder.write("scene.txt", two_spheres);
-    ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5", "--lights", "64", "--size", "100x100"});
+    ViewerWindow window(folder, {scene, "--sun", "1,2,-3", "--sky", "0.5", "--lights", "64", "--size", "100x100"}, small_screen);
     window.key("m");
     window.wait_until("the default",
                       [](const Json& f) { return f.at("shading") == "studio" && f.at("samples") == 16 && f.at("exact") == true; });
@@ -51,7 +53,7 @@ TEST(Light, StudioWith16SamplesIsTheDefaultAndGrowsToTheExport) {
 TEST(Light, WithoutASunTheInspectorFollowsTheRayToTheSkysStrongestLight) {
     const TemporaryFolder folder;
     folder.write("home/config/sphereview/viewer.json", R"({"axes": false})");
-    ViewerWindow window(folder, {folder.write("scene.txt", two_spheres), "--lights", "16", "--size", "100x100"});
+    ViewerWindow window(folder, {folder.write("scene.txt", two_spheres), "--lights", "16", "--size", "100x100"}, small_screen);
     window.key("i");
     window.wait_until("the inspector", [](const Json& f) { return f.at("shown").at("inspector") == true; });
     window.move_to(window.on_screen(33, 0));  // the green sphere
@@ -60,7 +62,7 @@ TEST(Light, WithoutASunTheInspectorFollowsTheRayToTheSkysStrongestLight) {
 
 class LightPanel : public Editing {
 protected:
-    LightPanel() : Editing("scene.toml") {}
+    LightPanel() : Editing("scene.toml", small_screen) {}
 };
 
 TEST_F(LightPanel, MovesTheSunInOneStepThatIsSaved) {

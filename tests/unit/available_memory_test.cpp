@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "base/control_groups.hpp"
 #include "base/error.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/message_of.hpp"

@@ -32,8 +32,8 @@ void open_hard_scene(ViewerState& state) {
 // Whether the selection that is under way comes to its end.
 bool ends(ViewerState& state) {
     return eventually([&] {
-        finish_box_selection(state);
-        return !state.box_selection;
+        finish_work(state);
+        return !state.selecting;
     });
 }
 
@@ -62,7 +62,7 @@ TEST(BoxSelection, DoesNotWaitForExactWork) {
     ViewerState state{ViewOptions{}, ViewerSettings{}};
     open_hard_scene(state);
     select_seen(state, {0, 0, 1000, 1000}, false);
-    ASSERT_TRUE(state.box_selection) << "a million pixels of exact work were waited for";
+    ASSERT_TRUE(state.selecting) << "a million pixels of exact work were waited for";
     EXPECT_TRUE(state.selection.empty());
     // Another box takes its place: of a few pixels, so that it ends soon.
     select_seen(state, {500, 500, 2, 2}, true);
@@ -74,7 +74,7 @@ TEST(BoxSelection, GivesWayToWhatIsSelectedMeanwhile) {
     ViewerState state{ViewOptions{}, ViewerSettings{}};
     open_hard_scene(state);
     select_seen(state, {450, 450, 64, 64}, false);
-    ASSERT_TRUE(state.box_selection);
+    ASSERT_TRUE(state.selecting);
     state.selection.set_only(7);
     EXPECT_TRUE(ends(state));
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{7});
@@ -84,7 +84,7 @@ TEST(BoxSelection, IsDroppedWhenItsNumbersMeanOtherSpheres) {
     ViewerState state{ViewOptions{}, ViewerSettings{}};
     open_hard_scene(state);
     select_seen(state, {450, 450, 64, 64}, false);
-    ASSERT_TRUE(state.box_selection);
+    ASSERT_TRUE(state.selecting);
     state.document.apply(RemoveSpheres{{0}}, "Delete sphere");
     EXPECT_TRUE(ends(state));
     EXPECT_TRUE(state.selection.empty());

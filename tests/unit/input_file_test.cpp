@@ -37,6 +37,12 @@ TEST(InputFile, RefusesAMissingFileAndAFolder) {
     folder.write("pep.pdb", "");
     EXPECT_EQ(message_of<InputError>([&] { InputFile(folder.path("pep.pbd")); }),
               folder.path("pep.pbd") + ": cannot be read: No such file or directory; did you mean 'pep.pdb'?");
+    // Of a short name every other would be near: only the ending is looked at.
+    folder.write("t.csv", "");
+    EXPECT_EQ(message_of<InputError>([&] { InputFile(folder.path("t.cvs")); }),
+              folder.path("t.cvs") + ": cannot be read: No such file or directory; did you mean 't.csv'?");
+    EXPECT_EQ(message_of<InputError>([&] { InputFile(folder.path("u.csv")); }),
+              folder.path("u.csv") + ": cannot be read: No such file or directory");
     EXPECT_EQ(message_of<InputError>([] { InputFile(""); }), ": cannot be read: No such file or directory");
     EXPECT_EQ(message_of<InputError>([&] { InputFile(folder.path()); }),
               folder.path() + ": cannot be read: it is a folder; expected a file");

@@ -308,7 +308,8 @@ TEST(LiveLists, OfAMillionSpheresFollowsManyEdits) {
     Random random(5);
     const PixelGrid grid{{1000, 1000}, 1};
     Scene scene;
-    for (int i = 0; i < 1'000'000; ++i) scene.spheres.push_back(random_sphere(random, 0.3));
+    constexpr int count = test::is_sanitized ? 100'000 : 1'000'000;
+    for (int i = 0; i < count; ++i) scene.spheres.push_back(random_sphere(random, 0.3));
     const Camera camera = scene.camera;
     Document document(std::move(scene));
     LiveLists edited = built_from(document.scene(), grid);

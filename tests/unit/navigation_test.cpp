@@ -55,15 +55,8 @@ Camera any_camera(Random& random, double scale) {
     return camera;
 }
 
-PictureSize any_size(Random& random) { return {random.whole(1, 2000), random.whole(1, 2000)}; }
-
 glm::dvec2 any_place(Random& random, PictureSize size) {
     return {random.between(0.0, size.width), random.between(0.0, size.height)};
-}
-
-glm::dvec3 ahead_of(const Camera& camera) {
-    const glm::dvec3 ahead = glm::normalize(glm::cross(camera.right, camera.up));
-    return glm::dot(ahead, camera.center - camera.eye) < 0.0 ? -ahead : ahead;
 }
 
 void expect_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
@@ -85,7 +78,7 @@ struct Trial {
     Random& random;
     double scale;
     Camera camera;
-    PictureSize size = any_size(random);
+    PictureSize size{random.whole(1, 2000), random.whole(1, 2000)};
     glm::dvec2 place = any_place(random, size);
 };
 
@@ -157,7 +150,7 @@ TEST(Orbited, KeepsThePivotsPixelAndDistance) {
 
 TEST(Orbited, TakesWhatLiesBeforeThePivotAlongWithThePointer) {
     expect_in_trials(4, 2000, [](const Trial& t) {
-        const glm::dvec3 ahead = ahead_of(t.camera);
+        const glm::dvec3 ahead = camera_axes(t.camera).ahead;
         const double height = std::fabs(glm::dot(glm::normalize(t.camera.up), y_axis));
         if (height < 0.1 || std::fabs(ahead.y) > 0.99) return;
         const glm::dvec3 pivot = t.camera.center + ahead * glm::length(t.camera.right);
@@ -191,7 +184,7 @@ TEST(Orbited, StopsAtThePoles) {
             EXPECT_LT(std::fabs(camera.up.y), 2e-4 * glm::length(camera.up));
             // As high or low as the roll lets it.
             const double highest = std::sqrt(1.0 - std::pow(glm::dot(glm::normalize(begin.right), y_axis), 2));
-            EXPECT_NEAR(std::fabs(ahead_of(camera).y), highest, 1e-6);
+            EXPECT_NEAR(std::fabs(camera_axes(camera).ahead.y), highest, 1e-6);
             // And back again, to the other pole.
             camera = orbited(camera, pivot, 0.0, -towards * (pi - 2e-4));
             EXPECT_LT(std::fabs(camera.up.y), 2e-4 * glm::length(camera.up));
@@ -298,7 +291,7 @@ TEST(Orthographic, MovesAndZoomsAlongItsPlane) {
         const glm::dvec3 point = point_at(camera, t.size, t.place, depth);
         EXPECT_NEAR(depth_of(camera, point) / depth, 1.0, 1e-9);
         expect_shown(camera, t.size, point, t.place);
-        const glm::dvec3 ahead = ahead_of(camera);
+        const glm::dvec3 ahead = camera_axes(camera).ahead;
         const auto expect_same_plane = [&](const Camera& moved) {
             EXPECT_EQ(moved.projection, Projection::orthographic);
             EXPECT_NEAR(glm::dot(ahead, moved.eye - camera.eye) / t.scale, 0.0, 1e-7);

@@ -1,4 +1,4 @@
-// Work on several cores, beside the caller, and in a process of its own.
+// Work on several cores, and beside the caller.
 #include "base/parallel.hpp"
 
 #include <gtest/gtest.h>
@@ -7,14 +7,8 @@
 #include <unistd.h>
 #endif
 
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
-#include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <future>
 #include <stdexcept>
 #include <thread>
@@ -22,23 +16,12 @@
 
 #include "base/background_job.hpp"
 #include "base/error.hpp"
-#include "base/isolated_call.hpp"
 #include "support/eventually.hpp"
 #include "support/no_threads.hpp"
 
 namespace sphereview {
 
 namespace {
-
-using End = IsolatedResult::End;
-
-IsolatedResult isolated(const std::function<std::string()>& call) { return call_isolated(call, std::chrono::minutes(5)); }
-
-// Not by std::raise(), which a sanitizer's handler would survive to tell of.
-std::string crash() {
-    std::signal(SIGABRT, SIG_DFL);
-    std::abort();
-}
 
 TEST(Parallel, CallsEachOnce) {
     for (const std::size_t count : {0U, 1U, 2U, 3U, 1000U, 100'000U}) {
@@ -229,18 +212,6 @@ TEST(BackgroundJob, LeavesLongWorkThatAsksWhetherToEnd) {
     check_cancelled();  // of no loop: nothing happens
 }
 
-TEST(IsolatedCall, PassesOnWhatIsReturnedAndSaid) {
-    const std::string large(300'000, 'x');  // more than a pipe holds
-    const IsolatedResult result = isolated([&] {
-        std::fputs("to the terminal", stdout);
-        std::fputs("one\ntwo\n", stderr);
-        return large;
-    });
-    EXPECT_EQ(result.end, End::returned);
-    EXPECT_EQ(result.value, large);
-    EXPECT_EQ(result.errors, "one\ntwo\n");
-}
-
 #ifdef __linux__
 // A window draws and answers meanwhile, on the same cores.
 TEST(BackgroundJob, GivesWayWithAllItsThreads) {
@@ -265,29 +236,6 @@ TEST(BackgroundJob, GivesWayWithAllItsThreads) {
     EXPECT_EQ(nicest(), usual) << "the loop's own threads became slow";
 }
 #endif
-
-TEST(IsolatedCall, SaysHowElseItEnded) {
-    const IsolatedResult crashed = isolated(crash);
-    EXPECT_EQ(crashed.end, End::crashed);
-    EXPECT_EQ(crashed.code, SIGABRT);
-    const IsolatedResult ended = isolated([]() -> std::string { std::_Exit(7); });
-    EXPECT_EQ(ended.end, End::exited);
-    EXPECT_EQ(ended.code, 7);
-    EXPECT_EQ(isolated([]() -> std::string { std::_Exit(0); }).end, End::exited);
-    EXPECT_EQ(isolated([]() -> std::string { throw std::runtime_error("no"); }).end, End::exited);
-}
-
-TEST(IsolatedCall, EndsAtTheLimit) {
-    const IsolatedResult result = call_isolated(
-        [] {
-            std::fputs("begun", stderr);
-            while (true) std::this_thread::sleep_for(std::chrono::hours(1));
-            return std::string();
-        },
-        std::chrono::milliseconds(300));
-    EXPECT_EQ(result.end, End::timed_out);
-    EXPECT_EQ(result.errors, "begun");
-}
 
 }  // namespace
 

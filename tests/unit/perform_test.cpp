@@ -222,14 +222,14 @@ TEST_F(Commands, AViewIsSavedNamedAndFlownTo) {
     run_command(state, CommandId::save_view);
     EXPECT_EQ(state.scene().views, (std::vector<SavedView>{{"view 1", first}, {"view 2", state.camera}}));
     EXPECT_EQ(state.document.undo_name(), "Save view 'view 2'");
-    EXPECT_EQ(state.side_panel.renamed_view, 1U);
+    EXPECT_EQ(state.side_panel.renamed_view.of, 1U);
     EXPECT_TRUE(state.panel_shown);
     EXPECT_EQ(state.scene().camera, before.camera);
     // What is kept already is not kept again, but named.
     state.camera = first;
     run_command(state, CommandId::save_view);
     EXPECT_EQ(state.scene().views.size(), 2U);
-    EXPECT_EQ(state.side_panel.renamed_view, 0U);
+    EXPECT_EQ(state.side_panel.renamed_view.of, 0U);
     EXPECT_NE(state.messages.announcement.find("'view 1'"), std::string::npos);
     state.camera.eye.x = 9.0;
     perform(state, {ShowView{first}});

@@ -25,7 +25,6 @@
 #include "support/temporary_folder.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
-#include "viewer/unsaved_edits.hpp"
 #include "viewer/viewer_state.hpp"
 
 namespace sphereview {

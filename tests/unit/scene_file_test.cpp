@@ -11,6 +11,7 @@
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_properties.hpp"
+#include "viewer/scene_saving.hpp"
 
 namespace sphereview {
 

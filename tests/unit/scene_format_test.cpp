@@ -95,6 +95,15 @@ TEST(DetectFormat, KnowsDataOfAnotherNameByItsContent) {
     }
 }
 
+TEST(DetectFormat, GuessesAMisspeltEndingWhereNothingElseTells) {
+    EXPECT_EQ(message_of<InputError>([] { detect_format("hello", "a.b/t.cvs.gz"); }),
+              "a.b/t.cvs.gz: found the ending '.cvs' and nothing that shows a format, expected the ending of one; did you mean "
+              "'.csv'?");
+    EXPECT_EQ(detect_format("hello", "a.d/xyz").name, "text");
+    EXPECT_EQ(detect_format("hello", "a.dat").name, "text");
+    EXPECT_EQ(detect_format("x,y,z\n1,2,3\n", "t.cvs").name, "CSV");
+}
+
 TEST(ParseScene, ReadsEitherFormatWhateverTheName) {
     const Scene text = parse_scene("1 1 2 3 4 5 6 7", "s.toml");
     const Scene toml = parse_scene("[[sphere]]\ncolor = [1, 2, 3]\ncenter = [4, 5, 6]\nradius = 7\n", "s.txt");

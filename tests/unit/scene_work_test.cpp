@@ -13,6 +13,7 @@
 #include "support/eventually.hpp"
 #include "support/no_threads.hpp"
 #include "support/temporary_folder.hpp"
+#include "viewer/box_selection.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/scene_file.hpp"
 
@@ -133,9 +134,9 @@ TEST_F(Outputs, ThePictureAtRestIsRelitAtOnce) {
     const auto seen = [] { return std::vector<std::int32_t>(64 * 64, visible_background); };
     make_rest_picture(state, seen);
     ASSERT_TRUE(test::eventually(made));
-    ASSERT_TRUE(state.kept_lights && state.kept_lights->picture());
+    ASSERT_TRUE(state.kept_lights && state.kept_lights->picture.get());
     const auto kept = state.kept_lights;
-    const auto kept_picture = kept->picture();
+    const auto kept_picture = kept->picture.get();
     for (const auto& [sky, key, sun] : {std::array{0.5, 1.0, 1.0}, {0.5, 0.25, 1.0}, {0.2, 0.25, 0.001}, {0.2, 0.0, 4.0}}) {
         const std::shared_ptr<const Image> before = state.rest_picture->image;
         Light light = state.shown_light();
@@ -149,7 +150,7 @@ TEST_F(Outputs, ThePictureAtRestIsRelitAtOnce) {
         ASSERT_TRUE(test::eventually(made));
         // Nothing was decided again.
         EXPECT_EQ(state.kept_lights, kept);
-        EXPECT_EQ(kept->picture(), kept_picture);
+        EXPECT_EQ(kept->picture.get(), kept_picture);
         OpenBackend cpu;
         Timings timings;
         PictureFacts facts;

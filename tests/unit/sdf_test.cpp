@@ -59,6 +59,10 @@ TEST(Sdf, ReadsWhatProgramsWrite) {
     EXPECT_EQ(sdf("\n\n\n  0  0  0 V2000\nM  END\n").scene, Scene{});
     EXPECT_EQ(sdf("\n\n\n  0  0  0 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS 0 0 0 0 0\nM  V30 END CTAB\nM  END\n").scene, Scene{});
     EXPECT_EQ(sdf("\n\n\n  1  0 V2000\n 1.0D0 0 0 R#\n").scene.spheres.at(0).color, unknown_element().color);
+    // In the columns of an atom four whole numbers are no bond.
+    const SphereData whole = sdf("\n\n\n  1  0 V2000\n        10        -2         3 6   0  0\nM  END\n");
+    EXPECT_EQ(whole.scene.spheres.at(0).center, glm::dvec3(10, -2, 3));
+    EXPECT_EQ(sdf("\n\n\n  1  0 V2000\n         1         2         3 6   0  0\n").scene.names.at(0), "C");
 }
 
 TEST(SdfErrors, SayWhatIsWrong) {
@@ -79,6 +83,8 @@ TEST(SdfErrors, SayWhatIsWrong) {
             {"\n\n\n  2  1 V2000\n    0.0    0.0    0.0 C   0  0\n  1  2  1  0\nM  END\n",
              "6:1: found a line of a bond, expected atom 2 of 2"},
             {"\n\n\n  1  0 V2000\n    0.0    0.0    0.0 C   0  0\n    1.0    0.0    0.0 O   0  0\n  1  2  1  0\nM  END\n",
+             "6:1: found a line of an atom behind 1 of 1, expected a bond or M  END of frame 0"},
+            {"\n\n\n  1  0 V2000\n    0.0    0.0    0.0 C   0  0\n         1         2         3 6   0  0\nM  END\n",
              "6:1: found a line of an atom behind 1 of 1, expected a bond or M  END of frame 0"},
             {v3000 + "M  END\n", "5:1: found 'M  END', expected M  V30 BEGIN ATOM of frame 0"},
             {v3000 + "M  V30 BEGIN ATOM\n", "5:1: found 'M  V30 BEGIN ATOM', expected M  V30 COUNTS of frame 0 above it"},
