@@ -192,9 +192,17 @@ NearestHit::NearestHit(const Camera& camera, const ExactBasis& basis, PictureSiz
 
 std::int32_t NearestHit::visible() const { return best_ ? best_->sphere.number : visible_background; }
 
+const ApproximateVector& NearestHit::origin(int exponent) const {
+    if (basis_.orthographic && origin_exponent_ != exponent) {
+        origin_ = basis_.origin(size_, pixel_, exponent);
+        origin_exponent_ = exponent;
+    }
+    return origin_;
+}
+
 ApproximateVector NearestHit::center(const ScaledSphere& sphere) const {
     if (!basis_.orthographic) return sphere.center;
-    const auto [x, y, z] = basis_.origin(size_, pixel_, sphere.exponent);
+    const auto& [x, y, z] = origin(sphere.exponent);
     return {sphere.center[0] - x, sphere.center[1] - y, sphere.center[2] - z};
 }
 
@@ -230,8 +238,8 @@ NearestHit::Best NearestHit::best_of(const ScaledSphere& sphere) const {
                           : b.high >= 0.0                    ? (b + root) / square_
                                                              : c(sphere) / (b - root);
     best.square_t = square_ * t;
-    const ApproximateVector origin = basis_.origin(size_, pixel_, sphere.exponent);
-    for (std::size_t i = 0; i < 3; ++i) best.point[i] = basis_.orthographic ? origin[i] + t * ray_[i] : t * ray_[i];
+    const ApproximateVector& begin = origin(sphere.exponent);
+    for (std::size_t i = 0; i < 3; ++i) best.point[i] = basis_.orthographic ? begin[i] + t * ray_[i] : t * ray_[i];
     return best;
 }
 

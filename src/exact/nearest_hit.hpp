@@ -108,7 +108,9 @@ public:
     const ApproximateVector& point() const { return best_->point; }
     // The ray's direction; in perspective the point, which is one, too.
     const ApproximateVector& ahead() const { return basis_.orthographic ? ray_ : best_->point; }
-    // From where the ray begins.
+    // Where the ray begins, relative to the eye, times 2^exponent; 0 in perspective.
+    const ApproximateVector& origin(int exponent) const;
+    // From there to the point.
     Approximate distance() const { return best_->square_t / sqrt(square_); }
     // The power of that point with respect to another sphere on its scale: |m|^2 - r^2, with m from the sphere's centre to it.
     Approximate power(const ScaledSphere& sphere) const;
@@ -142,6 +144,8 @@ private:
     Pixel pixel_;
     ApproximateVector ray_;
     Approximate square_;  // A
+    mutable ApproximateVector origin_{};
+    mutable std::optional<int> origin_exponent_;  // of what origin_ is kept for
     std::optional<Best> best_;
     std::unique_ptr<ExactRay> exact_ray_;  // once it was asked for
     std::int64_t in_integers_ = 0;

@@ -159,10 +159,12 @@ double BoundLanes::farthest_sure_hit() const {
 }
 
 DifferenceLanes::DifferenceLanes(std::size_t count) : count_(full_lanes(count)) {
-    for (Lane<double>* lane :
-         {&center_x_, &center_y_,     &center_z_, &c_high_,  &c_low_,   &c_error_,    &x_,          &y_,       &z_,
-          &square_,   &error_,        &length_,   &ahead_x_, &ahead_y_, &ahead_z_,    &inaccuracy_, &scene_x_, &scene_y_,
-          &scene_z_,  &scene_radius_, &sum_x_,    &sum_y_,   &sum_z_,   &sum_length_, &radius_}) {
+    for (
+        Lane<double>* lane :
+        {&center_x_, &center_y_,     &center_z_,      &c_high_,       &c_low_,   &c_error_,    &x_,          &y_,        &z_,
+         &square_,   &error_,        &length_,        &ahead_x_,      &ahead_y_, &ahead_z_,    &inaccuracy_, &scene_x_,  &scene_y_,
+         &scene_z_,  &scene_radius_, &sum_x_,         &sum_y_,        &sum_z_,   &sum_length_, &radius_,     &origin_x_, &origin_y_,
+         &origin_z_, &origin_error_, &origin_length_, &origin_square_}) {
         lane->fill(std::numeric_limits<double>::quiet_NaN());
     }
 }
@@ -184,6 +186,13 @@ void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
     c_low_[lane] = sphere.c.low;
     c_error_[lane] = sphere.c.error + 4.0 * u * std::fabs(sphere.c.low);
     const auto off = [](const Approximate& a) { return std::fabs(a.low) + a.error; };
+    const auto& [origin_x, origin_y, origin_z] = nearest.origin(sphere.exponent);
+    origin_x_[lane] = origin_x.high;
+    origin_y_[lane] = origin_y.high;
+    origin_z_[lane] = origin_z.high;
+    origin_error_[lane] = std::max({off(origin_x), off(origin_y), off(origin_z)});
+    origin_length_[lane] = std::fabs(origin_x.high) + std::fabs(origin_y.high) + std::fabs(origin_z.high);
+    origin_square_[lane] = origin_x.high * origin_x.high + origin_y.high * origin_y.high + origin_z.high * origin_z.high;
     const double error = std::max({off(x), off(y), off(z)});
     const double length = std::fabs(x.high) + std::fabs(y.high) + std::fabs(z.high);
     const bool known = 2.0 * error < length && std::isfinite(off(x) + off(y) + off(z));
@@ -211,8 +220,45 @@ void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
     radius_[lane] = sphere.radius.high;
 }
 
+// The sign of c seen from where the rays begin: c - 2 C.Q + Q.Q.
 SPHEREVIEW_FOR_EACH_SIMD
+DifferenceLanes::Sides DifferenceLanes::sides(const ScaledSphere& sphere) const {
+    const double cx = sphere.center[0].high;
+    const double cy = sphere.center[1].high;
+    const double cz = sphere.center[2].high;
+    const double size = std::fabs(cx) + std::fabs(cy) + std::fabs(cz);
+    const auto off = [](const Approximate& a) { return std::fabs(a.low) + a.error; };
+    const double center_off = std::max({off(sphere.center[0]), off(sphere.center[1]), off(sphere.center[2])});
+    const double c = sphere.c.high;
+    const double c_off = off(sphere.c);
+    Lane<std::int64_t> outside;
+    Lane<std::int64_t> inside;
+    for (std::size_t i = 0; i < count_; ++i) {
+        const double along_x = cx * origin_x_[i];
+        const double along_y = cy * origin_y_[i];
+        const double along_z = cz * origin_z_[i];
+        const double of_origin = c - 2.0 * (along_x + along_y + along_z) + origin_square_[i];
+        const double terms =
+            std::fabs(c) + 2.0 * (std::fabs(along_x) + std::fabs(along_y) + std::fabs(along_z)) + origin_square_[i];
+        const double off_terms = origin_length_[i] * center_off + (size + origin_length_[i]) * origin_error_[i];
+        const double doubt = 1.0625 * (6.0 * u * terms + 2.0 * off_terms + c_off) + too_small;
+        outside[i] = of_origin > doubt ? takes_part_[i] : 0;
+        inside[i] = of_origin < -doubt ? takes_part_[i] : 0;
+    }
+    return {set_of(outside, count_), set_of(inside, count_)};
+}
+
 LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
+    if (sphere.side != EyeSide::in_plane) return challenged_by(sphere, sphere.side == EyeSide::outside);
+    const auto [outside, inside] = sides(sphere);
+    LaneSet challenged = set_of(takes_part_, count_);
+    if (outside != 0) challenged &= ~outside | challenged_by(sphere, true);
+    if (inside != 0) challenged &= ~inside | challenged_by(sphere, false);
+    return challenged;
+}
+
+SPHEREVIEW_FOR_EACH_SIMD
+LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere, bool outside) const {
     const glm::dvec3 position = sphere.position;
     const double cx = sphere.center[0].high;
     const double cy = sphere.center[1].high;
@@ -221,8 +267,6 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere) const {
     const double c_high = sphere.c.high;
     const double c_low = sphere.c.low;
     const double c_error = sphere.c.error + 4.0 * u * std::fabs(c_low);
-    if (sphere.side == EyeSide::in_plane) return set_of(takes_part_, count_);
-    const bool outside = sphere.side == EyeSide::outside;
     Lane<std::int64_t> challenged;
     std::int64_t any = 0;
     for (std::size_t i = 0; i < count_; ++i) {

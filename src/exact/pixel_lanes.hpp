@@ -83,6 +83,15 @@ public:
     LaneSet challenged_by(const ScaledSphere& sphere) const;
 
 private:
+    // The same if all rays begin outside of the sphere, or none does.
+    LaneSet challenged_by(const ScaledSphere& sphere, bool outside) const;
+    // The pixels whose rays surely begin outside of a sphere, and inside.
+    struct Sides {
+        LaneSet outside;
+        LaneSet inside;
+    };
+    Sides sides(const ScaledSphere& sphere) const;
+
     std::size_t count_;
     Lane<std::int64_t> takes_part_{};  // 1 or 0
     Lane<double> center_x_;            // of the sphere that is hit, in the scene
@@ -101,6 +110,13 @@ private:
     Lane<double> error_;       // of each of the hit's components
     Lane<double> length_;      // |x| + |y| + |z|
     Lane<double> inaccuracy_;  // what bounds the error of V, by the sizes of C and x: docs/exactness.md
+
+    Lane<double> origin_x_;  // where the ray begins, relative to the eye; not a number before anything is hit
+    Lane<double> origin_y_;
+    Lane<double> origin_z_;
+    Lane<double> origin_error_;  // of each component
+    Lane<double> origin_length_;
+    Lane<double> origin_square_;
 
     // For the power as a sum of products with differences.
     double difference_unit_ = 0.0;

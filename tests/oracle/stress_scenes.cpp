@@ -141,6 +141,12 @@ Trials stress_trials(int count, PictureSize size) {
     trials.back().scene.camera.center = {0, 0, 1e-305};
     add("small ones from beside a screen that is far too near", [](double i) { return Sphere{{0, 0, 200}, 1e-3 * (i + 1)}; });
     trials.back().scene.camera.center = {0, 0, 1e-305};
+    // Before and behind the plane that parallel rays begin in.
+    add("far to one side, through nearly one point", [](double i) {
+        const glm::dvec3 center{1e15 + i / 8, 3e14, 1e15 - i / 8};
+        return Sphere{center, glm::length(center) - 100};
+    });
+    trials.push_back(orthographic(trials.back()));
     return trials;
 }
 
