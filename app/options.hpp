@@ -128,7 +128,7 @@ struct ViewOptions {
     std::optional<PictureSize> size;  // of exports, instead of the last ones
     std::optional<int> samples;       // instead of the last
     std::string shader_folder;        // instead of the shaders in the program; "" for those
-    std::string redraw_log;           // hidden: a JSON line for each frame goes there
+    std::string redraw_log;           // hidden: a JSON line for each redraw goes there
     ProgramTexts program{};           // for Help > About
 };
 

@@ -86,7 +86,7 @@ struct FileBrowser {
     std::string error;                       // what is wrong, or why the last try did not work
     std::function<void(const std::string& path, PictureSize size)> accept;
 
-    // What the dialog remembers from frame to frame.
+    // What the dialog remembers from redraw to redraw.
     std::vector<FileEntry> entries;
     std::string listed_folder;  // of `entries`
     std::size_t listed_kind = 0;

@@ -48,7 +48,7 @@ struct FilmForm {
     // Notes how many frames are known by now; whether these are others than before.
     std::function<bool(FilmForm& form)> refresh = [](FilmForm&) { return false; };
 
-    // What the form remembers from frame to frame: the judgement, and of what it is.
+    // What the form remembers from redraw to redraw: the judgement, and of what it is.
     FilmJudgement judged;
     std::optional<FilmChoices> judged_choices;
     std::string judged_path;

@@ -50,7 +50,7 @@ struct Inspection {
     bool second_is_next = false;             // the next click pins the second
 };
 
-// What the inspector remembers from frame to frame.
+// What the inspector remembers from redraw to redraw.
 struct InspectorState {
     std::optional<std::int32_t> subject;  // the sphere that the drawings are about; by default what the pixel shows
     bool second_in_detail = false;        // of two pixels

@@ -37,7 +37,7 @@ struct OwnLook {
     bool sizes_chosen = false;
 };
 
-// What the part of the side panel remembers from frame to frame.
+// What the part of the side panel remembers from redraw to redraw.
 struct LookPanelState {
     ColorBy colors{};                  // what is chosen; without a property: nothing yet
     std::optional<ColorMap> last_map;  // that was chosen for numbers

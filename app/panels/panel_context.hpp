@@ -60,7 +60,7 @@ struct PinPixel {
 using Action = std::variant<EditScene, SelectSpheres, RunCommand, OpenFile, ShowFrame, MeasureSphere, ShowView, RequestProperties,
                             InspectorWish, PinPixel>;
 
-// Where the widgets of a frame were drawn, by name, in screen coordinates: what tests aim a mouse at.
+// Where the widgets of a redraw were drawn, by name, in screen coordinates: what tests aim a mouse at.
 struct WidgetRectangle {
     float left = 0.0F;
     float top = 0.0F;

@@ -38,11 +38,11 @@ struct Renaming {
 // Draws the box. Returns whether the name is to be taken: Escape has given the present one back.
 bool draw_renaming(const PanelContext& context, Renaming& renaming, const char* widget);
 
-// What the side panel remembers from frame to frame.
+// What the side panel remembers from redraw to redraw.
 struct SidePanelState {
     std::string filter;
     Renaming renaming;                 // of a sphere
-    FilterSearch search;               // for the spheres that pass the filter; goes on from frame to frame
+    FilterSearch search;               // for the spheres that pass the filter; goes on from redraw to redraw
     std::uint64_t searched = 0;        // Document::names_revision() of the search; of a condition revision()
     bool scroll_to_selection = false;  // set by whoever selects elsewhere
     ListScroll scroll;
