@@ -332,6 +332,10 @@ void draw_marks(const PanelContext& context, MarksChoice& marks) {
 std::pair<Clicked, FileEntry> draw_form(const PanelContext& context, FileBrowser& browser) {
     draw_path(context, browser);
     const float width = ImGui::GetContentRegionAvail().x;
+    if (browser.below_list <= 0.0F) {  // nothing is drawn yet: at least as much, so that ImGui does not scroll to the name
+        const float lines = 1.0F + (browser.size ? 2.0F : 0.0F) + (browser.marks ? 1.0F : 0.0F) + (browser.film ? 8.0F : 0.0F);
+        browser.below_list = lines * ImGui::GetFrameHeightWithSpacing();
+    }
     const float fewest = browser.film ? 2.0F : 5.0F;  // lines: a film's form leaves less room in a small window
     const float room = ImGui::GetContentRegionAvail().y - browser.below_list - ImGui::GetStyle().ItemSpacing.y;
     const float height = std::max(fewest * ImGui::GetTextLineHeightWithSpacing(), std::floor(room));
