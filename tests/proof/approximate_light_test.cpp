@@ -86,7 +86,7 @@ void expect_what_integers_say(bool parallel, int trials) {
               << ", of the shadow of " << shadows.unsure << ", of a ball of " << balls.unsure << '\n';
     EXPECT_GT(dark, facing.all / 10);
     EXPECT_LT(facing.unsure, facing.all / 50);
-    EXPECT_LT(shadows.unsure, shadows.all / 50);
+    EXPECT_LT(shadows.unsure, shadows.all / 25);
     EXPECT_LT(balls.unsure, balls.all * 2 / 3);
 }
 
