@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "base/text.hpp"
 #include "panels/math_text.hpp"
@@ -166,7 +165,7 @@ private:
             ImGui::Separator();
             draw_dim_words("and " + in_groups(all_hits - shown) + " more hits, farther away");
         }
-        for (const PassedSphere& passed : e.passed) {
+        for (const SphereOnLine& passed : e.passed) {
             if (has_sphere(scene_, passed.number)) draw_passed(passed, behind_in_words(e));
         }
         if (!pixel.place.with_passed) draw_dim_words("Pin the pixel (Space) to see what its ray just misses in so large a scene.");
@@ -188,7 +187,7 @@ private:
                                 kind_of(pixel)};
         const auto explained = [&](std::int32_t number) {
             return std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
-                   std::ranges::find(e.passed, number, &PassedSphere::number) != e.passed.end();
+                   std::ranges::find(e.passed, number, &SphereOnLine::number) != e.passed.end();
         };
         if (state_.subject && !explained(*state_.subject)) state_.subject.reset();
         const std::int32_t subject = state_.subject      ? *state_.subject
@@ -308,7 +307,7 @@ private:
         note_widget(context_, "lit colour");
     }
 
-    void draw_passed(const PassedSphere& passed, const char* behind) {
+    void draw_passed(const SphereOnLine& passed, const char* behind) {
         const bool missed = passed.discriminant_sign < 0;
         draw_title(passed.number, "passed " + std::to_string(passed.number), missed ? "missed" : behind, color_of_sign(-1));
         draw_coefficients(shortest(passed.a), shortest(passed.b), shortest(passed.c), passed);

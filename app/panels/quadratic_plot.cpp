@@ -32,7 +32,7 @@ QuadraticPlot plot_of(const PixelExplanation& explanation, std::int32_t subject)
         plot.curves.back().first_counts = hit.counts == CountingRoot::t1;
         plot.curves.back().second_counts = hit.counts != CountingRoot::t1;
     }
-    for (const PassedSphere& passed : explanation.passed) plot.curves.push_back(curve_of(passed));
+    for (const SphereOnLine& passed : explanation.passed) plot.curves.push_back(curve_of(passed));
     std::erase_if(plot.curves, [](const QuadraticCurve& curve) { return !is_finite(curve); });
     if (plot.curves.empty()) return plot;
     const auto front = std::ranges::find(plot.curves, subject, &QuadraticCurve::number);

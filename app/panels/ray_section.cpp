@@ -136,7 +136,7 @@ std::vector<SectionCircle> circles_of(const SectionSubject& of, const Plane& pla
         circle.second_counts = !circle.first_counts;
         add(circle);
     }
-    for (const PassedSphere& passed : of.explanation.passed) {
+    for (const SphereOnLine& passed : of.explanation.passed) {
         if (!has_sphere(of.scene, passed.number)) continue;
         SectionCircle circle = circle_of(of, plane, passed.number);
         circle.met = passed.discriminant_sign >= 0;
@@ -213,7 +213,7 @@ RaySection section_of(const SectionSubject& of, std::optional<std::int32_t> subj
     const PixelExplanation& e = of.explanation;
     const auto is_of = [&](std::int32_t number) {
         return has_sphere(of.scene, number) && (std::ranges::find(e.hits, number, &ExplainedHit::number) != e.hits.end() ||
-                                                std::ranges::find(e.passed, number, &PassedSphere::number) != e.passed.end());
+                                                std::ranges::find(e.passed, number, &SphereOnLine::number) != e.passed.end());
     };
     if (!subject || !is_of(*subject)) {
         subject = !e.hits.empty() ? e.hits.front().number : !e.passed.empty() ? e.passed.front().number : -1;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -255,7 +254,7 @@ ImVec4 color_of_sign(int sign) {
 void show_numbers(const Scene& scene, const PixelExplanation& e, std::int32_t number, const std::string& behind) {
     std::string text = title_of(scene, number);
     const auto hit = std::ranges::find(e.hits, number, &ExplainedHit::number);
-    const auto passed = std::ranges::find(e.passed, number, &PassedSphere::number);
+    const auto passed = std::ranges::find(e.passed, number, &SphereOnLine::number);
     if (hit != e.hits.end()) {
         text += "\nt₁ = " + shortest(hit->t1) + "\nt₂ = " + shortest(hit->t2);
     } else if (passed != e.passed.end() && passed->discriminant_sign >= 0) {

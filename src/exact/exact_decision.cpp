@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "exact/rays.hpp"
-#include "exact/visible.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -71,7 +70,7 @@ EyeSide side_of_plane(const Sphere& sphere, const Camera& camera) {
 EyeSide EyeSides::operator()(const Sphere& sphere) const {
     if (!camera_.orthographic()) return eye_side(sphere, camera_.eye);
     const glm::dvec3 c = sphere.center - camera_.eye;
-    const double size = std::fabs(c.x) + std::fabs(c.y) + std::fabs(c.z) + sphere.radius;
+    const double size = taxicab_length(c) + sphere.radius;
     if (size > smallest_double_size && size < largest_double_size) {
         // The normal is within 20 units of 2^-53, C within one, the sum within 5.
         const double doubt = 64.0 * double_unit * size;
@@ -119,22 +118,6 @@ std::optional<ExactRoot> ExactRay::hit(const Sphere& sphere) const {
     auto root = smallest_positive_root(ExactQuadratic(sphere, origin, direction_, square_, scale));
     if (root) root->exponent = scale.exponent();
     return root;
-}
-
-std::int32_t decide_exactly(const Camera& camera, PictureSize size, Pixel pixel, std::span<const Contender> contenders) {
-    const ExactRay ray(camera, size, pixel);
-    std::int32_t visible = visible_background;
-    std::optional<ExactRoot> nearest;
-    for (const Contender& contender : contenders) {
-        auto root = ray.hit(*contender.sphere);
-        if (!root) continue;
-        const int order = nearest ? compare(*root, *nearest) : -1;
-        if (order < 0 || (order == 0 && contender.number < visible)) {
-            nearest = std::move(root);
-            visible = contender.number;
-        }
-    }
-    return visible;
 }
 
 }  // namespace sphereview

@@ -1,9 +1,7 @@
 // The last word on visibility: exact integers on common powers of two. Nothing is rounded, nothing overflows.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <span>
 
 #include "exact/exact_quadratic.hpp"
 #include "exact/filter.hpp"
@@ -48,14 +46,5 @@ private:
     IntegerVector direction_;
     Integer square_;
 };
-
-// A sphere that a pixel may show.
-struct Contender {
-    std::int32_t number;  // ties are won by the lower one
-    const Sphere* sphere;
-};
-
-// The number of the contender whose smallest positive root is smallest, or visible_background when none has one.
-std::int32_t decide_exactly(const Camera& camera, PictureSize size, Pixel pixel, std::span<const Contender> contenders);
 
 }  // namespace sphereview

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cstdint>
 #include <optional>
 
 #include "scene/camera.hpp"

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "exact/exact_decision.hpp"
 #include "exact/exact_quadratic.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -81,7 +82,7 @@ public:
     // The discriminant is below 0: the ray passes the centre at a distance above the radius, as hit_bounds() has it.
     bool surely_missed(const Sphere& sphere) const {
         const glm::dvec3 from_eye = sphere.center - eye_;
-        const double size = std::fabs(from_eye.x) + std::fabs(from_eye.y) + std::fabs(from_eye.z) + sphere.radius + basis_.reach;
+        const double size = taxicab_length(from_eye) + sphere.radius + basis_.reach;
         if (!basis_.in_range || !std::isfinite(error_scale_) || !(size > smallest_double_size && size < largest_double_size)) {
             return false;
         }

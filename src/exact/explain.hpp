@@ -23,38 +23,29 @@ enum class CountingRoot {
     t2_surface  // the eye is on the surface: t1 = 0 does not count
 };
 
-// One sphere that the pixel's ray hits. All numbers are the exact ones rounded once to the nearest double (infinite when
+// A sphere and the line of the pixel's ray. All numbers are the exact ones rounded once to the nearest double (infinite when
 // a double cannot hold them), so they can be checked against a t^2 + b t + c = 0 with
 // a = D.D, b = 2 D.(O - C), c = (O - C).(O - C) - r^2, discriminant = b^2 - 4 a c.
-struct ExplainedHit {
-    std::int32_t number = 0;         // in the scene
-    EyeSide eye = EyeSide::outside;  // where the ray begins
-    Projection projection = Projection::perspective;
+struct SphereOnLine {
+    std::int32_t number = 0;  // in the scene
     double a = 0.0;
     double b = 0.0;
     double c = 0.0;
     double discriminant = 0.0;
-    int discriminant_sign = 0;  // exact: 0 is tangent, 1 two roots
-    double t1 = 0.0;
+    int discriminant_sign = 0;  // exact: -1 is passed by, 0 tangent, 1 two roots
+    double t1 = 0.0;            // where it is met
     double t2 = 0.0;
+};
+
+// One that the ray hits.
+struct ExplainedHit : SphereOnLine {
+    EyeSide eye = EyeSide::outside;  // where the ray begins
+    Projection projection = Projection::perspective;
     CountingRoot counts = CountingRoot::t1;
     double t = 0.0;                // t1 or t2
     glm::dvec3 point{0.0};         // O + t D
     glm::dvec3 normal{0.0};        // (point - C) / r, away from the centre
     bool as_near_as_last = false;  // exactly the same t as the hit before
-};
-
-// One sphere that the pixel's ray does not hit: its line passes it by (discriminant < 0), or meets it behind the eye alone. The
-// numbers are rounded as those of a hit.
-struct PassedSphere {
-    std::int32_t number = 0;
-    double a = 0.0;
-    double b = 0.0;
-    double c = 0.0;
-    double discriminant = 0.0;
-    int discriminant_sign = 0;  // exact: -1 passed by, 0 or 1 met behind the eye
-    double t1 = 0.0;            // where it is met
-    double t2 = 0.0;
 };
 
 struct PixelExplanation {
@@ -68,7 +59,9 @@ struct PixelExplanation {
     std::int64_t hidden = 0;
     std::int64_t elsewhere = 0;                     // not tried, for they are in no list of the pixel: missed or behind
     DecisionLevel level = DecisionLevel::in_float;  // what it took
-    std::vector<PassedSphere> passed{};             // those in front first, then those behind the eye; the nearest of each first
+    // Spheres that the ray does not hit: those that its line passes by in front first, then those that it meets behind the eye
+    // alone; the nearest of each first.
+    std::vector<SphereOnLine> passed{};
 
     // The number of the sphere that the pixel shows, or visible_background.
     std::int32_t visible() const { return hits.empty() ? visible_background : hits.front().number; }

@@ -29,11 +29,17 @@ LaneSet set_of(const Lane<std::int64_t>& flags, std::size_t count) {
     return set;
 }
 
+// How far off the high part may be.
+double off(const Approximate& number) { return std::fabs(number.low) + number.error; }
+double largest_off(const ApproximateVector& v) { return std::max({off(v[0]), off(v[1]), off(v[2])}); }
+
+glm::dvec3 high_parts(const ApproximateVector& v) { return {v[0].high, v[1].high, v[2].high}; }
+
 }  // namespace
 
 BoundedSphere::BoundedSphere(const Sphere& sphere, const glm::dvec3& eye, double error_scale, double reach)
     : center(sphere.center - eye), radius(sphere.radius) {
-    const auto size = [&] { return std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius + reach * scale; };
+    const auto size = [&] { return taxicab_length(center) + radius + reach * scale; };
     const auto in_range = [](double s) { return s > smallest_double_size && s < largest_double_size; };
     if (!in_range(size())) {
         const bool overflows = !std::isfinite(largest_of(center));
@@ -57,14 +63,9 @@ BoundLanes::BoundLanes(std::span<const glm::dvec3> rays, std::span<const glm::dv
     : count_(full_lanes(rays.size())), in_eye_(origins.empty()) {
     assert(!rays.empty() && rays.size() <= most_lanes && (in_eye_ || origins.size() == rays.size()));
     for (std::size_t i = 0; i < count_; ++i) {
-        const glm::dvec3& ray = rays[std::min(i, rays.size() - 1)];
-        x_[i] = ray.x;
-        y_[i] = ray.y;
-        z_[i] = ray.z;
-        const glm::dvec3 origin = in_eye_ ? glm::dvec3(0.0) : origins[std::min(i, rays.size() - 1)];
-        origin_x_[i] = origin.x;
-        origin_y_[i] = origin.y;
-        origin_z_[i] = origin.z;
+        const std::size_t filled = std::min(i, rays.size() - 1);
+        ray_.set(i, rays[filled]);
+        origin_.set(i, in_eye_ ? glm::dvec3(0.0) : origins[filled]);
         smallest_high_[i] = low_[i] = second_low_[i] = never;
         sure_[i] = guess_[i] = -1;
     }
@@ -79,13 +80,13 @@ LaneSet BoundLanes::add_on_side(std::int64_t index, const BoundedSphere& sphere)
         const double reach_square = reach * reach;
         std::int64_t near = 0;
         for (std::size_t i = 0; i < count_; ++i) {
-            const double cx = in_eye ? c.x : c.x - scale * origin_x_[i];
-            const double cy = in_eye ? c.y : c.y - scale * origin_y_[i];
-            const double cz = in_eye ? c.z : c.z - scale * origin_z_[i];
-            const double along = cx * x_[i] + cy * y_[i] + cz * z_[i];
-            const double px = cx - along * x_[i];
-            const double py = cy - along * y_[i];
-            const double pz = cz - along * z_[i];
+            const double cx = in_eye ? c.x : c.x - scale * origin_.x[i];
+            const double cy = in_eye ? c.y : c.y - scale * origin_.y[i];
+            const double cz = in_eye ? c.z : c.z - scale * origin_.z[i];
+            const double along = cx * ray_.x[i] + cy * ray_.y[i] + cz * ray_.z[i];
+            const double px = cx - along * ray_.x[i];
+            const double py = cy - along * ray_.y[i];
+            const double pz = cz - along * ray_.z[i];
             near |= static_cast<std::int64_t>(px * px + py * py + pz * pz <= reach_square);
         }
         if (near == 0) return 0;
@@ -93,10 +94,10 @@ LaneSet BoundLanes::add_on_side(std::int64_t index, const BoundedSphere& sphere)
     Lane<std::int64_t> contends;
     std::int64_t any = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-        const double cx = in_eye ? c.x : c.x - scale * origin_x_[i];
-        const double cy = in_eye ? c.y : c.y - scale * origin_y_[i];
-        const double cz = in_eye ? c.z : c.z - scale * origin_z_[i];
-        const HitBounds<double> hit = hit_bounds<side>(cx, cy, cz, r, w, x_[i], y_[i], z_[i]);
+        const double cx = in_eye ? c.x : c.x - scale * origin_.x[i];
+        const double cy = in_eye ? c.y : c.y - scale * origin_.y[i];
+        const double cz = in_eye ? c.z : c.z - scale * origin_.z[i];
+        const HitBounds<double> hit = hit_bounds<side>(cx, cy, cz, r, w, ray_.x[i], ray_.y[i], ray_.z[i]);
         const double low = hit.low * unit - underflow;
         const double high = hit.high * unit + underflow;
         // All loads before all stores: a conditional one would keep this from becoming SIMD.
@@ -158,16 +159,7 @@ double BoundLanes::farthest_sure_hit() const {
     return std::bit_cast<double>(most) * distance_unit;
 }
 
-DifferenceLanes::DifferenceLanes(std::size_t count) : count_(full_lanes(count)) {
-    for (
-        Lane<double>* lane :
-        {&center_x_, &center_y_,     &center_z_,      &c_high_,       &c_low_,   &c_error_,    &x_,          &y_,        &z_,
-         &square_,   &error_,        &length_,        &ahead_x_,      &ahead_y_, &ahead_z_,    &inaccuracy_, &scene_x_,  &scene_y_,
-         &scene_z_,  &scene_radius_, &sum_x_,         &sum_y_,        &sum_z_,   &sum_length_, &radius_,     &origin_x_, &origin_y_,
-         &origin_z_, &origin_error_, &origin_length_, &origin_square_}) {
-        lane->fill(std::numeric_limits<double>::quiet_NaN());
-    }
-}
+DifferenceLanes::DifferenceLanes(std::size_t count) : count_(full_lanes(count)) {}
 
 void DifferenceLanes::use(const SphereScale& scale) {
     // Differences of spheres are less than 4 where the largest is below 1, and below 2^930 wherever what comes first cannot tell.
@@ -178,45 +170,36 @@ void DifferenceLanes::set(std::size_t lane, const NearestHit& nearest) {
     takes_part_[lane] = 1;
     if (nearest.sphere() == nullptr) return;
     const ScaledSphere& sphere = *nearest.sphere();
-    const auto& [x, y, z] = nearest.point();
-    center_x_[lane] = sphere.position.x;
-    center_y_[lane] = sphere.position.y;
-    center_z_[lane] = sphere.position.z;
+    center_.set(lane, sphere.position);
     c_high_[lane] = sphere.c.high;
     c_low_[lane] = sphere.c.low;
     c_error_[lane] = sphere.c.error + 4.0 * u * std::fabs(sphere.c.low);
-    const auto off = [](const Approximate& a) { return std::fabs(a.low) + a.error; };
-    const auto& [origin_x, origin_y, origin_z] = nearest.origin(sphere.exponent);
-    origin_x_[lane] = origin_x.high;
-    origin_y_[lane] = origin_y.high;
-    origin_z_[lane] = origin_z.high;
-    origin_error_[lane] = std::max({off(origin_x), off(origin_y), off(origin_z)});
-    origin_length_[lane] = std::fabs(origin_x.high) + std::fabs(origin_y.high) + std::fabs(origin_z.high);
-    origin_square_[lane] = origin_x.high * origin_x.high + origin_y.high * origin_y.high + origin_z.high * origin_z.high;
-    const double error = std::max({off(x), off(y), off(z)});
-    const double length = std::fabs(x.high) + std::fabs(y.high) + std::fabs(z.high);
+    const ApproximateVector& begin = nearest.origin(sphere.exponent);
+    const glm::dvec3 origin = high_parts(begin);
+    origin_.set(lane, origin);
+    origin_error_[lane] = largest_off(begin);
+    origin_length_[lane] = taxicab_length(origin);
+    origin_square_[lane] = dot(origin, origin);
+    const auto& [x, y, z] = nearest.point();
+    const double error = largest_off(nearest.point());
+    const glm::dvec3 point = high_parts(nearest.point());
+    const double length = taxicab_length(point);
     const bool known = 2.0 * error < length && std::isfinite(off(x) + off(y) + off(z));
-    x_[lane] = known ? x.high : std::numeric_limits<double>::quiet_NaN();
-    y_[lane] = y.high;
-    z_[lane] = z.high;
-    const auto& [ahead_x, ahead_y, ahead_z] = nearest.ahead();
-    ahead_x_[lane] = ahead_x.high;
-    ahead_y_[lane] = ahead_y.high;
-    ahead_z_[lane] = ahead_z.high;
-    const double ahead_length = std::fabs(ahead_x.high) + std::fabs(ahead_y.high) + std::fabs(ahead_z.high);
-    square_[lane] = x.high * ahead_x.high + y.high * ahead_y.high + z.high * ahead_z.high;
+    glm::dvec3 hit = point;
+    if (!known) hit.x = std::numeric_limits<double>::quiet_NaN();
+    hit_.set(lane, hit);
+    const glm::dvec3 ahead = high_parts(nearest.ahead());
+    const double ahead_length = taxicab_length(ahead);
+    ahead_.set(lane, ahead);
+    square_[lane] = dot(point, ahead);
     error_[lane] = error;
     length_[lane] = length;
     inaccuracy_[lane] = 8.0 * u * ahead_length + 4.0 * error * (ahead_length / length);
-    scene_x_[lane] = sphere.sphere->center.x;
-    scene_y_[lane] = sphere.sphere->center.y;
-    scene_z_[lane] = sphere.sphere->center.z;
+    scene_.set(lane, sphere.sphere->center);
     scene_radius_[lane] = sphere.sphere->radius;
-    const auto& [cx, cy, cz] = sphere.center;
-    sum_x_[lane] = cx.high - 2.0 * x_[lane];
-    sum_y_[lane] = cy.high - 2.0 * y.high;
-    sum_z_[lane] = cz.high - 2.0 * z.high;
-    sum_length_[lane] = std::max({std::fabs(cx.high), std::fabs(cy.high), std::fabs(cz.high)}) + 2.0 * length;
+    const glm::dvec3 center = high_parts(sphere.center);
+    sum_.set(lane, center - 2.0 * hit);
+    sum_length_[lane] = largest_of(center) + 2.0 * length;
     radius_[lane] = sphere.radius.high;
 }
 
@@ -227,16 +210,15 @@ DifferenceLanes::Sides DifferenceLanes::sides(const ScaledSphere& sphere) const 
     const double cy = sphere.center[1].high;
     const double cz = sphere.center[2].high;
     const double size = std::fabs(cx) + std::fabs(cy) + std::fabs(cz);
-    const auto off = [](const Approximate& a) { return std::fabs(a.low) + a.error; };
-    const double center_off = std::max({off(sphere.center[0]), off(sphere.center[1]), off(sphere.center[2])});
+    const double center_off = largest_off(sphere.center);
     const double c = sphere.c.high;
     const double c_off = off(sphere.c);
     Lane<std::int64_t> outside;
     Lane<std::int64_t> inside;
     for (std::size_t i = 0; i < count_; ++i) {
-        const double along_x = cx * origin_x_[i];
-        const double along_y = cy * origin_y_[i];
-        const double along_z = cz * origin_z_[i];
+        const double along_x = cx * origin_.x[i];
+        const double along_y = cy * origin_.y[i];
+        const double along_z = cz * origin_.z[i];
         const double of_origin = c - 2.0 * (along_x + along_y + along_z) + origin_square_[i];
         const double terms =
             std::fabs(c) + 2.0 * (std::fabs(along_x) + std::fabs(along_y) + std::fabs(along_z)) + origin_square_[i];
@@ -270,19 +252,19 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere, bool outside)
     Lane<std::int64_t> challenged;
     std::int64_t any = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-        const double apart_x = position.x - center_x_[i];
-        const double apart_y = position.y - center_y_[i];
-        const double apart_z = position.z - center_z_[i];
-        const double along_x = x_[i] * apart_x;
-        const double along_y = y_[i] * apart_y;
-        const double along_z = z_[i] * apart_z;
+        const double apart_x = position.x - center_.x[i];
+        const double apart_y = position.y - center_.y[i];
+        const double apart_z = position.z - center_.z[i];
+        const double along_x = hit_.x[i] * apart_x;
+        const double along_y = hit_.y[i] * apart_y;
+        const double along_z = hit_.z[i] * apart_z;
         const double c_apart = (c_high - c_high_[i]) + (c_low - c_low_[i]);
         const double power = c_apart - 2.0 * (along_x + along_y + along_z);
         const double terms = std::fabs(c_apart) + 2.0 * (std::fabs(along_x) + std::fabs(along_y) + std::fabs(along_z));
         const double off = error_[i] * (std::fabs(apart_x) + std::fabs(apart_y) + std::fabs(apart_z));
         const double doubt = 1.0625 * (6.0 * u * terms + 2.0 * off + (c_error + c_error_[i])) + too_small;
         // V: is the hit before the middle between the sphere's roots?
-        const double before_middle = ahead_x_[i] * cx + ahead_y_[i] * cy + ahead_z_[i] * cz - square_[i];
+        const double before_middle = ahead_.x[i] * cx + ahead_.y[i] * cy + ahead_.z[i] * cz - square_[i];
         const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + too_small;
         const bool not_nearer_outside = (power > doubt) & (before_middle > middle_doubt);
         const bool not_nearer_else = power < -doubt;
@@ -298,13 +280,13 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere, bool outside)
     const double unit = difference_unit_;
     any = 0;
     for (std::size_t i = 0; i < count_; ++i) {
-        const double apart_x = scene.center.x - scene_x_[i];
-        const double apart_y = scene.center.y - scene_y_[i];
-        const double apart_z = scene.center.z - scene_z_[i];
+        const double apart_x = scene.center.x - scene_.x[i];
+        const double apart_y = scene.center.y - scene_.y[i];
+        const double apart_z = scene.center.z - scene_.z[i];
         const double radii_apart = scene.radius - scene_radius_[i];
-        const double part_x = apart_x * ((cx + sum_x_[i]) * unit);
-        const double part_y = apart_y * ((cy + sum_y_[i]) * unit);
-        const double part_z = apart_z * ((cz + sum_z_[i]) * unit);
+        const double part_x = apart_x * ((cx + sum_.x[i]) * unit);
+        const double part_y = apart_y * ((cy + sum_.y[i]) * unit);
+        const double part_z = apart_z * ((cz + sum_.z[i]) * unit);
         const double part_r = radii_apart * ((radius + radius_[i]) * unit);
         const double power = (part_x + part_y + part_z) - part_r;
         const double terms = std::fabs(part_x) + std::fabs(part_y) + std::fabs(part_z) + std::fabs(part_r);
@@ -312,7 +294,7 @@ LaneSet DifferenceLanes::challenged_by(const ScaledSphere& sphere, bool outside)
         const double off = inexact * (std::fabs(apart_x) + std::fabs(apart_y) + std::fabs(apart_z));
         const double off_radius = too_small * unit * std::fabs(radii_apart);
         const double doubt = 1.0625 * (7.0 * u * terms + off + off_radius) + smallest_doubt;
-        const double before_middle = ahead_x_[i] * cx + ahead_y_[i] * cy + ahead_z_[i] * cz - square_[i];
+        const double before_middle = ahead_.x[i] * cx + ahead_.y[i] * cy + ahead_.z[i] * cz - square_[i];
         const double middle_doubt = inaccuracy_[i] * (size + length_[i]) + too_small;
         const bool not_nearer_outside = (power > doubt) & (before_middle > middle_doubt);
         const bool not_nearer_else = power < -doubt;

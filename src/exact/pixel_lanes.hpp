@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 
 #include "exact/filter.hpp"
@@ -19,6 +20,19 @@ using LaneSet = std::uint64_t;
 
 template <typename T>
 using Lane = std::array<T, most_lanes>;
+
+// A vector of each pixel.
+struct VectorLanes {
+    Lane<double> x;
+    Lane<double> y;
+    Lane<double> z;
+
+    void set(std::size_t lane, const glm::dvec3& vector) {
+        x[lane] = vector.x;
+        y[lane] = vector.y;
+        z[lane] = vector.z;
+    }
+};
 
 // Distances of different spheres are compared in times of this, so that none overflows.
 inline constexpr double distance_unit = 0x1p8;
@@ -53,14 +67,10 @@ private:
     template <EyeSide side, bool in_eye>
     LaneSet add_on_side(std::int64_t index, const BoundedSphere& sphere);
 
-    std::size_t count_;  // of lanes; the last pixel is repeated to fill them up
-    Lane<double> x_;     // unit directions
-    Lane<double> y_;
-    Lane<double> z_;
-    bool in_eye_;            // all begin there
-    Lane<double> origin_x_;  // else: where they begin
-    Lane<double> origin_y_;
-    Lane<double> origin_z_;
+    std::size_t count_;   // of lanes; the last pixel is repeated to fill them up
+    VectorLanes ray_;     // unit directions
+    bool in_eye_;         // all begin there
+    VectorLanes origin_;  // else: where they begin
     Lane<double> smallest_high_;
     Lane<double> low_;
     Lane<double> second_low_;
@@ -92,43 +102,38 @@ private:
     };
     Sides sides(const ScaledSphere& sphere) const;
 
-    std::size_t count_;
-    Lane<std::int64_t> takes_part_{};  // 1 or 0
-    Lane<double> center_x_;            // of the sphere that is hit, in the scene
-    Lane<double> center_y_;
-    Lane<double> center_z_;
-    Lane<double> c_high_;
-    Lane<double> c_low_;
-    Lane<double> c_error_;
-    Lane<double> x_;  // the hit, relative to the eye; not a number where nothing is known
-    Lane<double> y_;
-    Lane<double> z_;
-    Lane<double> ahead_x_;  // the ray's direction; in perspective the hit, which is one
-    Lane<double> ahead_y_;
-    Lane<double> ahead_z_;
-    Lane<double> square_;      // x . ahead
-    Lane<double> error_;       // of each of the hit's components
-    Lane<double> length_;      // |x| + |y| + |z|
-    Lane<double> inaccuracy_;  // what bounds the error of V, by the sizes of C and x: docs/exactness.md
+    static constexpr Lane<double> unknown = [] {
+        Lane<double> lane{};
+        lane.fill(std::numeric_limits<double>::quiet_NaN());
+        return lane;
+    }();
+    static constexpr VectorLanes unknown_vectors{unknown, unknown, unknown};
 
-    Lane<double> origin_x_;  // where the ray begins, relative to the eye; not a number before anything is hit
-    Lane<double> origin_y_;
-    Lane<double> origin_z_;
-    Lane<double> origin_error_;  // of each component
-    Lane<double> origin_length_;
-    Lane<double> origin_square_;
+    std::size_t count_;
+    Lane<std::int64_t> takes_part_{};       // 1 or 0
+    VectorLanes center_ = unknown_vectors;  // of the sphere that is hit, in the scene
+    Lane<double> c_high_ = unknown;
+    Lane<double> c_low_ = unknown;
+    Lane<double> c_error_ = unknown;
+    VectorLanes hit_ = unknown_vectors;    // x, relative to the eye; not a number where nothing is known
+    VectorLanes ahead_ = unknown_vectors;  // the ray's direction; in perspective the hit, which is one
+    Lane<double> square_ = unknown;        // x . ahead
+    Lane<double> error_ = unknown;         // of each of the hit's components
+    Lane<double> length_ = unknown;        // |x| + |y| + |z|
+    Lane<double> inaccuracy_ = unknown;    // what bounds the error of V, by the sizes of C and x: docs/exactness.md
+
+    VectorLanes origin_ = unknown_vectors;  // where the ray begins, relative to the eye; not a number before anything is hit
+    Lane<double> origin_error_ = unknown;   // of each component
+    Lane<double> origin_length_ = unknown;
+    Lane<double> origin_square_ = unknown;
 
     // For the power as a sum of products with differences.
     double difference_unit_ = 0.0;
-    Lane<double> scene_x_;  // of the sphere that is hit: its numbers in the scene,
-    Lane<double> scene_y_;
-    Lane<double> scene_z_;
-    Lane<double> scene_radius_;
-    Lane<double> sum_x_;  // its centre relative to the eye, less twice the hit,
-    Lane<double> sum_y_;
-    Lane<double> sum_z_;
-    Lane<double> sum_length_;  // the sizes of what was summed,
-    Lane<double> radius_;      // and its radius
+    VectorLanes scene_ = unknown_vectors;  // of the sphere that is hit: its numbers in the scene,
+    Lane<double> scene_radius_ = unknown;
+    VectorLanes sum_ = unknown_vectors;  // its centre relative to the eye, less twice the hit,
+    Lane<double> sum_length_ = unknown;  // the sizes of what was summed,
+    Lane<double> radius_ = unknown;      // and its radius
 };
 
 }  // namespace sphereview

@@ -1,9 +1,6 @@
 // The rays of a picture in floating point, and how far they can be trusted.
 #pragma once
 
-#include <cmath>
-#include <glm/vec3.hpp>
-
 #include "base/square_root.hpp"
 #include "scene/camera.hpp"
 

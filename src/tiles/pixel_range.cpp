@@ -204,7 +204,7 @@ PixelPlanes::PixelPlanes(const Camera& camera, PictureSize size, int scale) {
 PixelRange PixelPlanes::range(const glm::vec4& sphere) const {
     const PixelRange everything = {0, 0, columns_.count - 1, rows_.count - 1};
     const glm::dvec3 center(sphere);
-    const double distance_sum = std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z);
+    const double distance_sum = taxicab_length(center);
     // The eye on the surface is uploaded as radius 0. The origin with radius 0 marks a sphere about which nothing is known.
     const double radius = sphere.w == 0.0F ? glm::length(center) : std::fabs(static_cast<double>(sphere.w));
     if (!usable_ || distance_sum + radius == 0.0) return everything;

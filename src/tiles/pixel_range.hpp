@@ -12,6 +12,7 @@
 
 #include "exact/candidates.hpp"
 #include "scene/camera.hpp"
+#include "scene/vectors.hpp"
 
 namespace sphereview {
 
@@ -80,7 +81,7 @@ public:
         if (sphere.w == 0.0F) return 0.0F;     // the eye on the surface: the sphere may be hit right before it
         const glm::dvec3 center(sphere);
         const double radius = std::fabs(static_cast<double>(sphere.w));
-        const double all = std::fabs(center.x) + std::fabs(center.y) + std::fabs(center.z) + radius + reach_;
+        const double all = taxicab_length(center) + radius + reach_;
         const double nearest = orthographic_ ? nearest_depth(sphere) : std::fabs(glm::length(center) - radius);
         return static_cast<float>(std::max(0.0, nearest - tolerance * all));
     }

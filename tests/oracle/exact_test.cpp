@@ -1,12 +1,13 @@
 // The parts of src/exact on their own, against the oracle.
 #include <gtest/gtest.h>
 
-#include "cpu/cpu_renderer.hpp"
 #include "exact/exact_decision.hpp"
 #include "exact/exact_quadratic.hpp"
 #include "exact/resolve.hpp"
 #include "oracle/oracle.hpp"
 #include "oracle/scenes.hpp"
+#include "support/decide_exactly.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview::oracle {
 
@@ -101,13 +102,12 @@ TEST(ExactDecision, is_the_oracles) {
 }
 
 TEST(DrawnSpheres, leave_out_copies_and_hidden_spheres) {
-    Scene scene;
-    scene.spheres = {{{0, 0, 200}, 20, {1, 2, 3}, true},  // hidden: no other is its copy
-                     {{-0.0, 0, 200}, 20, {4, 5, 6}},
-                     {{0.0, -0.0, 200}, 20, {7, 8, 9}},
-                     {{0, 0, 200.00000000000003}, 20, {}},
-                     {{0, 0, 200}, 20.000000000000004, {}},
-                     {{0, 0, 200}, 20, {}}};
+    Scene scene = scene_of({{{0, 0, 200}, 20, {1, 2, 3}, true},  // hidden: no other is its copy
+                            {{-0.0, 0, 200}, 20, {4, 5, 6}},
+                            {{0.0, -0.0, 200}, 20, {7, 8, 9}},
+                            {{0, 0, 200.00000000000003}, 20, {}},
+                            {{0, 0, 200}, 20.000000000000004, {}},
+                            {{0, 0, 200}, 20, {}}});
     const DrawnSpheres drawn = drawn_spheres(scene);
     EXPECT_EQ(drawn.numbers, (std::vector<std::int32_t>{1, 3, 4}));
     EXPECT_EQ(drawn.size(), 3U);
@@ -151,8 +151,7 @@ TEST(Resolver, decides_what_is_doubtful_and_counts_it) {
 }
 
 TEST(Resolver, leaves_decided_pixels_alone) {
-    Scene scene;
-    scene.spheres = {{{0, 0, 200}, 20, {}, true}, {{0, 0, 300}, 20}, {{0, 0, 200}, 20}};
+    Scene scene = scene_of({{{0, 0, 200}, 20, {}, true}, {{0, 0, 300}, 20}, {{0, 0, 200}, 20}});
     const DrawnSpheres drawn = drawn_spheres(scene);
     const Resolver resolver(scene, drawn, {3, 1});
     std::vector<std::int32_t> visible = {visible_background, 0, doubtful(0)};  // the middle is wrong, but decided
@@ -169,8 +168,7 @@ TEST(Resolver, leaves_decided_pixels_alone) {
 }
 
 TEST(Resolver, says_what_only_whole_numbers_decide) {
-    Scene scene;
-    scene.spheres = {{{20, 0, 200}, 20}, {{0, 20, 200}, 20}};  // both touch the axis at 200
+    Scene scene = scene_of({{{20, 0, 200}, 20}, {{0, 20, 200}, 20}});  // both touch the axis at 200
     const DrawnSpheres drawn = drawn_spheres(scene);
     DecisionLevel level = DecisionLevel::in_float;
     EXPECT_EQ(Resolver(scene, drawn, {1, 1}).resolve({0, 0}, level), 0);

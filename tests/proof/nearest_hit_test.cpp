@@ -3,13 +3,12 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
 #include <iostream>
 
 #include "exact/pixel_lanes.hpp"
-#include "exact/visible.hpp"
 #include "proof/trial.hpp"
 #include "scene/vectors.hpp"
+#include "support/decide_exactly.hpp"
 
 namespace sphereview {
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "exact/exact_decision.hpp"
+#include "support/decide_exactly.hpp"
 #include "support/eventually.hpp"
 #include "unit/random_scene.hpp"
 #include "viewer/viewer_state.hpp"
