@@ -3,8 +3,13 @@
 namespace sphereview {
 
 AskedPoint::AskedPoint(const HitPlaces& places, Pixel pixel, const Sphere& sphere, EyeSide side,
-                       const std::optional<HitPlace>& place)
-    : places_(places), pixel_(pixel), sphere_(sphere), side_(side), place_(place ? *place : places.at(pixel, sphere, side)) {}
+                       const std::optional<HitPlace>& place, std::int64_t* in_integers)
+    : places_(places),
+      pixel_(pixel),
+      sphere_(sphere),
+      side_(side),
+      place_(place ? *place : places.at(pixel, sphere, side)),
+      in_integers_(in_integers) {}
 
 const ApproximateLitPoint& AskedPoint::approximate() {
     if (!approximate_) approximate_.emplace(places_.camera(), places_.exact_basis(), places_.size(), pixel_, sphere_, side_);
@@ -12,7 +17,7 @@ const ApproximateLitPoint& AskedPoint::approximate() {
 }
 
 const ExactLitPoint& AskedPoint::exact() {
-    ++in_integers_;
+    if (in_integers_ != nullptr) ++*in_integers_;
     if (!exact_) exact_.emplace(places_.camera(), places_.size(), pixel_, sphere_, side_);
     return *exact_;
 }

@@ -14,18 +14,15 @@ namespace sphereview {
 class AskedPoint {
 public:
     // Of the sphere that the pixel shows. `side`: the eye's. `place`: of the point, where one is known better than double finds it.
-    // What is passed in must outlive it.
+    // `in_integers`: counts the questions that need integers; may be null. What is passed in must outlive it.
     AskedPoint(const HitPlaces& places, Pixel pixel, const Sphere& sphere, EyeSide side,
-               const std::optional<HitPlace>& place = std::nullopt);
+               const std::optional<HitPlace>& place = std::nullopt, std::int64_t* in_integers = nullptr);
 
     // Whether the normal, turned to the eye, is less than a right angle from the light's direction.
     bool faces(const glm::dvec3& direction);
 
     // Whether another sphere, outside of which the eye lies, keeps the light from the point.
     bool blocked(const Sphere& other, const glm::dvec3& direction);
-
-    // So many questions needed integers.
-    std::int64_t in_integers() const { return in_integers_; }
 
 private:
     const ApproximateLitPoint& approximate();
@@ -38,7 +35,7 @@ private:
     HitPlace place_;
     std::optional<ApproximateLitPoint> approximate_;  // once it was asked for, and below
     std::optional<ExactLitPoint> exact_;
-    std::int64_t in_integers_ = 0;
+    std::int64_t* in_integers_;
 };
 
 }  // namespace sphereview

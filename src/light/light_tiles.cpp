@@ -4,12 +4,10 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "base/parallel.hpp"
 #include "base/simd.hpp"
 #include "base/square_root.hpp"
-#include "light/asked_point.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {
@@ -19,9 +17,8 @@ namespace {
 constexpr float never = std::numeric_limits<float>::infinity();
 
 constexpr std::size_t at_once = 256;  // points or spheres: what the loops below turn into SIMD stays in the nearest cache
-constexpr std::size_t in_word = 64;
+constexpr std::size_t in_word = PointBits::in_word;
 constexpr std::size_t fewest_tiles = 8;
-constexpr std::size_t spheres_between_checks = 4096;
 constexpr std::size_t most_asked = 16;  // tiles that a disc asks one by one whether it is needed
 using Numbers = std::array<float, at_once>;
 
@@ -76,14 +73,6 @@ float square(float x) { return x * x; }
 
 }  // namespace
 
-LightCounts& LightCounts::operator+=(const LightCounts& other) {
-    points_facing += other.points_facing;
-    tests += other.tests;
-    doubts += other.doubts;
-    in_integers += other.in_integers;
-    return *this;
-}
-
 std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::size_t set, const glm::dvec3& direction) {
     const glm::dvec3 l = unit(direction);
     const glm::dvec3 across = perpendicular(l);
@@ -91,22 +80,12 @@ std::span<const std::uint64_t> LightTiles::lit(const LitScene& lit_scene, std::s
     const Points points{lit_scene.points.begins.at(set), lit_scene.points.begins.at(set + 1)};
     if (find_far(lit_scene, direction)) {
         light_known(lit_scene, points, direction);
-        darken(lit_scene, points, lit_scene.trees.known.at(set), far_, direction);
+        shadows_.darken(lit_scene, lit_scene.trees.known.at(set), far_, direction, left_, counts_);
     } else {
-        left_.assign((points.end - points.begin + in_word - 1) / in_word, 0);
+        left_.reset(points.begin, points.end);
     }
-    ask_unknown(lit_scene, points, lit_scene.trees.unknown.at(set), direction);
-    return left_;
-}
-
-bool LightTiles::has_light(Points points, std::size_t point) const {
-    const std::size_t i = point - points.begin;
-    return (left_[i / in_word] >> i % in_word & 1U) != 0;
-}
-
-void LightTiles::take_light(Points points, std::size_t point) {
-    const std::size_t i = point - points.begin;
-    left_[i / in_word] &= ~(std::uint64_t{1} << i % in_word);
+    ask_unknown(lit_scene, lit_scene.trees.unknown.at(set), direction);
+    return left_.words();
 }
 
 void LightTiles::light_known(const LitScene& lit_scene, Points points, const glm::dvec3& direction) {
@@ -154,12 +133,12 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
     const auto faces = [&](std::size_t point) {
         if (std::ranges::binary_search(all.unknown, point)) return false;  // decide() asks about them
         ++counts_.doubts;
-        return asks(lit_scene, point, [&](AskedPoint& asked) { return asked.faces(direction); });
+        return lit_scene.asked(point, counts_).faces(direction);
     };
     Projected projected;
     Numbers facing;
     const float doubt = limits_.facing_doubt;
-    left_.assign((points.end - points.begin + in_word - 1) / in_word, 0);
+    left_.reset(points.begin, points.end);
     for (std::size_t from = points.begin; from < points.end; from += at_once) {
         const std::size_t count = std::min(at_once, points.end - from);
         project(&all.x[from], &all.y[from], &all.z[from], static_cast<int>(count), axes_, projected);
@@ -172,7 +151,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
                 float& lowest = lowest_[plane_.index(projected.x[i], projected.y[i])];
                 lowest = std::min(lowest, projected.height[i]);
             }
-            left_[(from - points.begin + first) / in_word] = word;
+            left_.words()[(from - points.begin + first) / in_word] = word;
             counts_.points_facing += std::popcount(word);
         }
     }
@@ -184,28 +163,14 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
     }
 }
 
-template <typename Ask>
-bool LightTiles::asks(const LitScene& lit_scene, std::size_t point, const Ask& ask) {
-    const std::int32_t own = lit_scene.number(point);
-    const std::vector<std::uint32_t>& unknown = lit_scene.points.unknown;
-    std::optional<HitPlace> place;
-    const auto found = std::ranges::lower_bound(unknown, point);
-    if (found != unknown.end() && *found == point) {
-        place = lit_scene.points.unknown_places[static_cast<std::size_t>(found - unknown.begin())];
-    }
-    AskedPoint asked(lit_scene.places, lit_scene.pixel(point), lit_scene.sphere(own), lit_scene.side(own), place);
-    const bool answer = ask(asked);
-    counts_.in_integers += asked.in_integers();
-    return answer;
-}
-
 template <typename Keeps>
 void LightTiles::sift(const LitScene& lit_scene, Points points, const Keeps& keeps) {
     const LitPoints& all = lit_scene.points;
     constexpr std::size_t words_at_once = at_once / in_word;
     Projected projected;
-    for (std::size_t first = 0; first < left_.size(); first += words_at_once) {
-        const auto words = std::span(left_).subspan(first, std::min(words_at_once, left_.size() - first));
+    const std::span<std::uint64_t> all_words = left_.words();
+    for (std::size_t first = 0; first < all_words.size(); first += words_at_once) {
+        const auto words = all_words.subspan(first, std::min(words_at_once, all_words.size() - first));
         if (std::ranges::all_of(words, [](std::uint64_t word) { return word == 0; })) continue;
         // The points are projected again: that takes less time than to read kept projections, and no memory.
         const std::size_t from = points.begin + first * in_word;
@@ -337,85 +302,13 @@ void LightTiles::decide(const LitScene& lit_scene, Points points, const glm::dve
 }
 
 // Whether a light shines on the points of which float knows too little.
-void LightTiles::ask_unknown(const LitScene& lit_scene, Points points, const PointTree& tree, const glm::dvec3& direction) {
+void LightTiles::ask_unknown(const LitScene& lit_scene, const PointTree& tree, const glm::dvec3& direction) {
     if (tree.empty()) return;
     for (const std::uint32_t point : tree.points) {
         ++counts_.doubts;
-        if (!asks(lit_scene, point, [&](AskedPoint& asked) { return asked.faces(direction); })) continue;
-        const std::size_t i = point - points.begin;
-        left_[i / in_word] |= std::uint64_t{1} << i % in_word;
+        if (lit_scene.asked(point, counts_).faces(direction)) left_.give(point);
     }
-    darken(lit_scene, points, tree, lit_scene.trees.casting, direction);
-}
-
-void LightTiles::darken(const LitScene& lit_scene, Points points, const PointTree& tree, std::span<const std::int32_t> spheres,
-                        const glm::dvec3& direction) {
-    if (tree.empty()) return;
-    asked_.assign(spheres.begin(), spheres.end());
-    darken({lit_scene, points, tree, direction}, tree.balls.size() - 1, 0, 0);
-}
-
-void LightTiles::darken(const Asked& asked, std::size_t level, std::size_t ball, std::size_t first) {
-    check_cancelled();
-    std::size_t in_ball = PointTree::in_leaf;
-    for (std::size_t i = 0; i < level; ++i) in_ball *= PointTree::branches;
-    const std::size_t begin = ball * in_ball;
-    const std::size_t end = std::min(begin + in_ball, asked.tree.points.size());
-    const auto points = std::span(asked.tree.points).subspan(begin, end - begin);
-    if (std::ranges::none_of(points, [&](std::uint32_t point) { return has_light(asked.points, point); })) return;
-
-    // The ball's own list follows that of the ball around it.
-    const HitPlace& place = asked.tree.balls[level][ball];
-    const std::size_t last = asked_.size();
-    const auto is_dark = [&](std::int32_t number) {
-        ++counts_.doubts;
-        const Shadow shadow = asked.lit_scene.places.sharper_shadow(place, asked.lit_scene.sphere(number), asked.direction);
-        if (shadow == Shadow::unsure) asked_.push_back(number);
-        return shadow == Shadow::all;
-    };
-    bool dark = last_blocker_ >= 0 && is_dark(last_blocker_);
-    asked_.resize(last);
-    for (std::size_t i = first; i < last && !dark; ++i) {
-        const std::int32_t number = asked_[i];
-        dark = is_dark(number);
-        if (dark) last_blocker_ = number;
-    }
-    if (dark) {
-        for (const std::uint32_t point : points) take_light(asked.points, point);
-    } else if (asked_.size() > last) {
-        if (level == 0) {
-            darken_points(asked, begin, end, last);
-        } else {
-            const std::size_t balls = asked.tree.balls[level - 1].size();
-            for (std::size_t i = ball * PointTree::branches; i < std::min((ball + 1) * PointTree::branches, balls); ++i) {
-                darken(asked, level - 1, i, last);
-            }
-        }
-    }
-    asked_.resize(last);
-}
-
-void LightTiles::darken_points(const Asked& asked, std::size_t begin, std::size_t end, std::size_t first) {
-    for (std::size_t at = begin; at < end; ++at) {
-        const std::uint32_t point = asked.tree.points[at];
-        if (!has_light(asked.points, point)) continue;
-        const std::int32_t own = asked.lit_scene.number(point);
-        const bool dark = asks(asked.lit_scene, point, [&](AskedPoint& asked_point) {
-            const auto blocks = [&](std::int32_t number) {
-                ++counts_.doubts;
-                return number >= 0 && number != own && asked_point.blocked(asked.lit_scene.sphere(number), asked.direction);
-            };
-            if (blocks(last_blocker_)) return true;
-            for (std::size_t i = first; i < asked_.size(); ++i) {
-                if (i % spheres_between_checks == 0) check_cancelled();
-                if (!blocks(asked_[i])) continue;
-                last_blocker_ = asked_[i];
-                return true;
-            }
-            return false;
-        });
-        if (dark) take_light(asked.points, point);
-    }
+    shadows_.darken(lit_scene, tree, lit_scene.trees.casting, direction, left_, counts_);
 }
 
 bool LightTiles::is_lit(const LitScene& lit_scene, const Facing& facing, const glm::dvec3& direction) {
@@ -432,17 +325,16 @@ bool LightTiles::is_lit(const LitScene& lit_scene, const Facing& facing, const g
     }
     if (!doubt) return true;
     const std::int32_t own = lit_scene.number(facing.point);
-    return asks(lit_scene, facing.point, [&](AskedPoint& asked) {
-        for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
-            const Disc& disc = discs_[lists_[i]];
-            if (facing.height >= disc.high()) break;
-            const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
-            if (distance > disc.surely_out() || disc.number == own) continue;
-            ++counts_.doubts;
-            if (asked.blocked(lit_scene.sphere(disc.number), direction)) return false;
-        }
-        return true;
-    });
+    AskedPoint asked = lit_scene.asked(facing.point, counts_);
+    for (std::uint32_t i = begins_[at]; i < begins_[at + 1]; ++i) {
+        const Disc& disc = discs_[lists_[i]];
+        if (facing.height >= disc.high()) break;
+        const float distance = square(facing.x - disc.x) + square(facing.y - disc.y);
+        if (distance > disc.surely_out() || disc.number == own) continue;
+        ++counts_.doubts;
+        if (asked.blocked(lit_scene.sphere(disc.number), direction)) return false;
+    }
+    return true;
 }
 
 }  // namespace sphereview

@@ -8,47 +8,11 @@
 #include <vector>
 
 #include "base/uninitialized.hpp"
-#include "light/blockers.hpp"
-#include "light/hit_places.hpp"
 #include "light/light_plane.hpp"
-#include "light/lit_points.hpp"
-#include "light/point_tree.hpp"
-#include "scene/scene.hpp"
+#include "light/lit_scene.hpp"
+#include "light/tree_shadows.hpp"
 
 namespace sphereview {
-
-// What the lights of a picture have in common.
-struct LitScene {
-    const Scene& scene;
-    const DrawnSpheres& drawn;
-    std::span<const std::uint32_t> order;  // of the drawn spheres' indices, and of the blockers
-    const HitPlaces& places;
-    std::span<const EyeSide> sides;  // the eye's, by number
-    const Block& block;
-    std::span<const std::int32_t> visible;  // the numbers of the spheres that the block shows
-    const LitPoints& points;
-    const Blockers& blockers;
-    const PointTrees& trees;
-
-    Pixel pixel(std::size_t point) const {
-        return {block.x + points.places[point] % block.width, block.y + points.places[point] / block.width};
-    }
-    // The number of the sphere that a point lies on.
-    std::int32_t number(std::size_t point) const { return visible[static_cast<std::size_t>(points.places[point])]; }
-    const Sphere& sphere(std::int32_t number) const { return scene.spheres[static_cast<std::size_t>(number)]; }
-    EyeSide side(std::int32_t number) const { return sides[static_cast<std::size_t>(number)]; }
-};
-
-// How much there was to do. `doubts`: questions that float left open, of a point or some points and a sphere. `in_integers`: those
-// of them that 106 bits left open, too.
-struct LightCounts {
-    std::int64_t points_facing = 0;
-    std::int64_t tests = 0;
-    std::int64_t doubts = 0;
-    std::int64_t in_integers = 0;
-
-    LightCounts& operator+=(const LightCounts& other);
-};
 
 // The directions of the plane that is perpendicular to a light, and to the light; of length 1.
 struct LightAxes {
@@ -124,24 +88,7 @@ private:
     void decide(const LitScene& lit_scene, Points points, const glm::dvec3& direction);
     // Which of the spheres that are too far for float may keep the light from a point. Returns false where one keeps it from all.
     bool find_far(const LitScene& lit_scene, const glm::dvec3& direction);
-    void ask_unknown(const LitScene& lit_scene, Points points, const PointTree& tree, const glm::dvec3& direction);
-    // Takes the light from those of a tree's points that still have it and lie in the shadow of one of some spheres.
-    void darken(const LitScene& lit_scene, Points points, const PointTree& tree, std::span<const std::int32_t> spheres,
-                const glm::dvec3& direction);
-    // ask(AskedPoint&), which is returned.
-    template <typename Ask>
-    bool asks(const LitScene& lit_scene, std::size_t point, const Ask& ask);
-    struct Asked {
-        const LitScene& lit_scene;
-        Points points;
-        const PointTree& tree;
-        const glm::dvec3& direction;
-    };
-    // Of the points in one ball, by the spheres of asked_ from `first` on.
-    void darken(const Asked& asked, std::size_t level, std::size_t ball, std::size_t first);
-    void darken_points(const Asked& asked, std::size_t begin, std::size_t end, std::size_t first);
-    bool has_light(Points points, std::size_t point) const;
-    void take_light(Points points, std::size_t point);
+    void ask_unknown(const LitScene& lit_scene, const PointTree& tree, const glm::dvec3& direction);
     bool is_lit(const LitScene& lit_scene, const Facing& facing, const glm::dvec3& direction);
 
     static constexpr int coarse_shift = 3;
@@ -149,15 +96,14 @@ private:
     LightTileLimits limits_;
     LightAxes axes_{};
     LightPlane plane_{};
-    std::size_t most_side_ = 768;      // tiles across; fewer, once the lists came out too long
-    std::vector<float> lowest_;        // of each tile the lowest undecided point; infinite when there is none
-    std::vector<float> coarse_;        // the lowest of 8 x 8 tiles
-    std::vector<float> cut_;           // every point of the tile below this is in shadow
-    std::vector<std::uint64_t> left_;  // a bit for each point: faces the light, and is not found to be in shadow
+    std::size_t most_side_ = 768;  // tiles across; fewer, once the lists came out too long
+    std::vector<float> lowest_;    // of each tile the lowest undecided point; infinite when there is none
+    std::vector<float> coarse_;    // the lowest of 8 x 8 tiles
+    std::vector<float> cut_;       // every point of the tile below this is in shadow
+    PointBits left_;               // faces the light, and is not found to be in shadow
     std::vector<Disc> discs_;
-    std::vector<std::int32_t> far_;    // numbers of spheres, beside the discs
-    std::vector<std::int32_t> asked_;  // numbers of spheres of which not all is sure, ball in ball
-    std::int32_t last_blocker_ = -1;   // the number of a sphere that may well keep the light from the next points, too
+    std::vector<std::int32_t> far_;  // numbers of spheres, beside the discs
+    TreeShadows shadows_;
     std::vector<std::uint32_t> begins_;
     UninitializedVector<std::uint32_t> lists_;
     LightCounts counts_;

@@ -6,7 +6,6 @@
 #include <span>
 
 #include "base/parallel.hpp"
-#include "base/square_root.hpp"
 #include "scene/vectors.hpp"
 
 namespace sphereview {

@@ -2,7 +2,6 @@
 // (label long), which is this file with SPHEREVIEW_LONG defined.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <iterator>

@@ -7,6 +7,7 @@
 #include "oracle/random.hpp"
 #include "oracle/scenes.hpp"
 #include "oracle/whole_numbers.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview::oracle {
 
@@ -89,8 +90,7 @@ TEST(WholeNumbers, doubles_are_taken_apart_and_put_together) {
 
 // By hand: the default camera, 3 x 3 pixels, rays (2i / 3 - 2 / 3, ..., 2) times 50.
 TEST(Oracle, pictures_that_are_known) {
-    Scene scene;
-    scene.spheres = {{{0, 0, 200}, 20}};
+    Scene scene = scene_of({{{0, 0, 200}, 20}});
     EXPECT_EQ(picture(scene, {3, 3}), (std::vector<std::int32_t>{-1, -1, -1, -1, 0, -1, -1, -1, -1}));
     scene.spheres.push_back({{0, 0, 200}, 20});  // a copy
     EXPECT_EQ(picture(scene, {1, 1}), (std::vector<std::int32_t>{0}));

@@ -5,6 +5,7 @@
 #include <glm/vec4.hpp>
 
 #include "oracle/scenes.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview::oracle {
 
@@ -16,12 +17,6 @@ double above(double value) { return std::nextafter(value, HUGE_VAL); }
 double below(double value) { return std::nextafter(value, -HUGE_VAL); }
 
 Sphere sphere(double x, double y, double z, double radius) { return {{x, y, z}, radius, red}; }
-
-Scene scene_of(std::vector<Sphere> spheres) {
-    Scene scene;
-    scene.spheres = std::move(spheres);
-    return scene;
-}
 
 // The default camera with 25 pixels to the side: pixel rays are the whole vectors (k, l, 25), -12 <= k, l <= 12.
 constexpr PictureSize whole_rays{25, 25};

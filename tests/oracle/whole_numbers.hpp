@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
