@@ -14,11 +14,6 @@ namespace sphereview {
 
 namespace {
 
-DataOptions with_properties(DataOptions data, const LookOptions& look) {
-    for (std::string& property : properties_for(look)) data.properties.push_back(std::move(property));
-    return data;
-}
-
 void append(std::string& text, double number) { text += shortest(number) + " "; }
 
 void append(std::string& text, const Camera& camera) {

@@ -26,12 +26,6 @@ bool is_read_by_frames(const InputStream& stream, const SceneFormat& format, con
     return stream.size() && memory && *stream.size() > *memory / 2;
 }
 
-DataOptions data_for(const LoadOptions& options) {
-    DataOptions wanted = options.data;
-    for (std::string& property : properties_for(options.look)) wanted.properties.push_back(std::move(property));
-    return wanted;
-}
-
 // As SceneFormat::read, with only a part of the text in memory; goes no farther than it takes to count `enough` frames.
 SphereData read_frame(FrameReader& reader, const LoadOptions& options, std::int64_t enough) {
     if (options.control != nullptr) options.control->total = std::filesystem::file_size(path_from(reader.name()));
@@ -67,7 +61,7 @@ LoadedScene read_scene(const std::string& path, const LoadOptions& options) {
         loaded.scene = loaded.format.stream(stream, sizeof(Sphere) + options.more_per_sphere, progress);
         return loaded;
     }
-    const DataOptions wanted = data_for(options);
+    const DataOptions wanted = with_properties(options.data, options.look);
     SphereData data;
     if (is_read_by_frames(stream, loaded.format, wanted)) {
         FrameReader reader(path, wanted);
@@ -93,7 +87,7 @@ bool is_large(const std::string& path) {
 
 // Goes no farther than it takes to see whether there is another frame behind. Nothing where the format does not step over frames.
 std::optional<LoadedScene> read_up_to_frame(const std::string& path, const LoadOptions& options) {
-    FrameReader reader(path, data_for(options));
+    FrameReader reader(path, with_properties(options.data, options.look));
     if (reader.format().step_over == nullptr) return std::nullopt;
     const std::int64_t enough = options.data.frame + 2;
     LoadedScene loaded = loaded_from(read_frame(reader, options, enough), reader.name(), reader.format());

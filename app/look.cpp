@@ -62,12 +62,12 @@ Json to_json(const AppliedLook& look) {
     return json;
 }
 
-std::vector<std::string> properties_for(const LookOptions& options) {
-    std::vector<std::string> names;
-    if (options.color_by) names.push_back(*options.color_by);
-    if (options.size_by) names.push_back(*options.size_by);
-    if (options.radii) names.insert(names.end(), element_property_names.begin(), element_property_names.end());
-    return names;
+DataOptions with_properties(DataOptions data, const LookOptions& look) {
+    std::vector<std::string>& names = data.properties;
+    if (look.color_by) names.push_back(*look.color_by);
+    if (look.size_by) names.push_back(*look.size_by);
+    if (look.radii) names.insert(names.end(), element_property_names.begin(), element_property_names.end());
+    return data;
 }
 
 AppliedLook apply_look(Scene& scene, const LookOptions& options, const std::string& name, const std::vector<std::string>& has) {

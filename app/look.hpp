@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/json.hpp"
+#include "formats/sphere_data.hpp"
 #include "look/coloring.hpp"
 #include "look/sizes.hpp"
 #include "scene/scene.hpp"
@@ -26,8 +27,8 @@ struct LookOptions {
     bool operator==(const LookOptions&) const = default;
 };
 
-// The properties that a file has to be read with.
-std::vector<std::string> properties_for(const LookOptions& options);
+// How a file is to be read, with the properties that the look needs as well.
+DataOptions with_properties(DataOptions data, const LookOptions& look);
 
 // What became of them.
 struct AppliedLook {

@@ -1,6 +1,5 @@
 // The program's entry and its last catch-all: errors become one line on stderr and the documented exit status.
 #include <cstdio>
-#include <cstdlib>
 #include <new>
 
 #include "app/command_line.hpp"

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdio>
 
-#include "app/compare_words.hpp"
 #include "app/frame_sequence.hpp"
 #include "app/json.hpp"
 #include "base/input_file.hpp"

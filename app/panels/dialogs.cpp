@@ -14,10 +14,7 @@ namespace sphereview {
 
 namespace {
 
-float text_height(const std::string& unsafe, float width) {
-    const std::string text = shown_lines(unsafe);
-    return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
-}
+float text_height(const std::string& unsafe, float width) { return wrapped_height(shown_lines(unsafe), width); }
 
 // Wrapped text; what is higher than `most` is scrolled, so that the buttons below stay in the window.
 void draw_text(const std::string& text, float width, float most) {

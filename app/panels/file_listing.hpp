@@ -1,4 +1,4 @@
-// Paths as a person types and reads them, and what lies in a folder, for the file dialog.
+// Paths as a person types and reads them, and the table of what lies in a folder, for the file dialog.
 #pragma once
 
 #include <filesystem>
@@ -32,5 +32,14 @@ void sort_entries(std::vector<FileEntry>& entries, const FileOrder& order);
 // "812 B", "3.4 kB", "132 MB"; "2026-11-29 04:35" in local time.
 std::string size_text(std::uint64_t bytes);
 std::string date_text(std::int64_t seconds);
+
+enum class Clicked { nothing, entry, twice };
+struct ClickedEntry {
+    Clicked clicked = Clicked::nothing;
+    FileEntry entry{};
+};
+
+// The browser's entries in a table of that height. Returns the entry that was clicked.
+ClickedEntry draw_entries(const PanelContext& context, FileBrowser& browser, float height);
 
 }  // namespace sphereview

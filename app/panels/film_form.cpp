@@ -125,10 +125,6 @@ void draw_background(const PanelContext& context, FilmForm& form) {
     explain_item("What the window shows over its picture");
 }
 
-float wrapped_height(const std::string& text, float width) {
-    return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
-}
-
 }  // namespace
 
 float left_of_film_fields() {

@@ -255,6 +255,10 @@ void fault_text(const std::string& text) {
 
 float width_of(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
+float wrapped_height(std::string_view text, float width) {
+    return ImGui::CalcTextSize(text.data(), text.data() + text.size(), false, width).y;
+}
+
 void draw_swatch(const Color& color, ImVec2 place, float side, float scale, float opacity) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{place.x + side, place.y + side};

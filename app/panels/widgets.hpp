@@ -83,6 +83,8 @@ void fault_text(const std::string& text);
 
 // Of a text on one line, in pixels.
 float width_of(std::string_view text);
+// Of a text on lines of that width.
+float wrapped_height(std::string_view text, float width);
 
 // A square of a sphere's colour, at a place in screen coordinates.
 void draw_swatch(const Color& color, ImVec2 place, float side, float scale, float opacity = 1.0F);

@@ -167,9 +167,7 @@ FramesAhead::Count FramesAhead::count() const {
 }
 
 void FramesAhead::work(Shared& shared, const std::string& path, const LoadOptions& options) {
-    DataOptions data = options.data;
-    for (std::string& property : properties_for(options.look)) data.properties.push_back(std::move(property));
-    FrameReader reader(path, std::move(data));
+    FrameReader reader(path, with_properties(options.data, options.look));
     reader.watch([&shared](double part) { shared.part = part; });
     while (const std::optional<Task> task = shared.next_task()) {
         if (task->frame) {

@@ -27,25 +27,21 @@ void show_scene_camera(ViewerState& state) {
     state.camera = state.scene().camera;
 }
 
+// An undo or redo, which may move the view and has a name.
+void take_step(ViewerState& state, bool moves_view, const std::string& name, Touched (Document::*step)()) {
+    note_frame_before_edit(state, false);
+    const bool follows = moves_view && state.inspected_camera() == state.scene().camera;
+    const bool is_look = state.look_steps.contains(name);
+    const Touched touched = (state.document.*step)();
+    if (!is_look) select_touched(state, touched);
+    if (follows) show_scene_camera(state);
+}
+
 }  // namespace
 
-void undo(ViewerState& state) {
-    note_frame_before_edit(state, false);
-    const bool follows = state.document.undo_moves_view() && state.inspected_camera() == state.scene().camera;
-    const bool is_look = state.look_steps.contains(state.document.undo_name());
-    const Touched touched = state.document.undo();
-    if (!is_look) select_touched(state, touched);
-    if (follows) show_scene_camera(state);
-}
+void undo(ViewerState& state) { take_step(state, state.document.undo_moves_view(), state.document.undo_name(), &Document::undo); }
 
-void redo(ViewerState& state) {
-    note_frame_before_edit(state, false);
-    const bool follows = state.document.redo_moves_view() && state.inspected_camera() == state.scene().camera;
-    const bool is_look = state.look_steps.contains(state.document.redo_name());
-    const Touched touched = state.document.redo();
-    if (!is_look) select_touched(state, touched);
-    if (follows) show_scene_camera(state);
-}
+void redo(ViewerState& state) { take_step(state, state.document.redo_moves_view(), state.document.redo_name(), &Document::redo); }
 
 void apply(ViewerState& state, EditScene action) {
     const bool adds_or_removes =

@@ -22,11 +22,14 @@ std::array<double, 3> place_of(const std::vector<Sphere>& spheres, std::uint32_t
 
 auto key_of(const std::vector<Sphere>& spheres, std::uint32_t number) { return std::pair(place_of(spheres, number), number); }
 
+auto is_unread(const ViewerState& state) {
+    return [&state](const std::string& name) { return find_property(state.scene().properties, name) == nullptr; };
+}
+
 // What is not read is no choice any more.
 void forget_unread(ViewerState& state) {
     state.all_properties = false;
-    std::erase_if(state.property_names,
-                  [&](const std::string& name) { return find_property(state.scene().properties, name) == nullptr; });
+    std::erase_if(state.property_names, is_unread(state));
 }
 
 using Numbers = std::vector<std::uint32_t>;
@@ -76,10 +79,7 @@ void note_properties(ViewerState& state, const LoadedScene& loaded) {
     state.file_order = state.document.order_revision();
 }
 
-bool has_unread_properties(const ViewerState& state) {
-    return std::ranges::any_of(state.property_names,
-                               [&](const std::string& name) { return find_property(state.scene().properties, name) == nullptr; });
-}
+bool has_unread_properties(const ViewerState& state) { return std::ranges::any_of(state.property_names, is_unread(state)); }
 
 std::vector<std::string> told_properties(const ViewerState& state) {
     if (!state.panel_shown) return {};

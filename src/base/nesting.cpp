@@ -26,6 +26,11 @@ std::size_t behind_string(std::string_view text, std::size_t begin) {
     return text.size();
 }
 
+// The offset behind the string or comment at `begin`.
+std::size_t behind_string_or_comment(std::string_view text, std::size_t begin) {
+    return text[begin] == '#' ? std::min(text.find('\n', begin), text.size()) : behind_string(text, begin);
+}
+
 }  // namespace
 
 std::optional<TooDeep> find_too_deep(std::string_view text) {
@@ -34,8 +39,8 @@ std::optional<TooDeep> find_too_deep(std::string_view text) {
     for (std::size_t i = 0; i < text.size(); ++i) {
         switch (text[i]) {
             case '"':
-            case '\'': i = behind_string(text, i) - 1; break;
-            case '#': i = std::min(text.find('\n', i), text.size()) - 1; break;
+            case '\'':
+            case '#': i = behind_string_or_comment(text, i) - 1; break;
             case '.':
                 if (++dots >= most_nested) return TooDeep{i, true};
                 break;
@@ -67,8 +72,8 @@ std::size_t behind_statement(std::string_view text, std::size_t begin) {
     for (std::size_t i = begin; i < text.size(); ++i) {
         switch (text[i]) {
             case '"':
-            case '\'': i = behind_string(text, i) - 1; break;
-            case '#': i = std::min(text.find('\n', i), text.size()) - 1; break;
+            case '\'':
+            case '#': i = behind_string_or_comment(text, i) - 1; break;
             case '[':
             case '{': ++brackets; break;
             case ']':

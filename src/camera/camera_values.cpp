@@ -1,6 +1,5 @@
 #include "camera/camera_values.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 

@@ -62,6 +62,16 @@ struct Vicinity {
         return {point.x * scale - origin.x * scale, point.y * scale - origin.y * scale, point.z * scale - origin.z * scale};
     }
 
+    // Where an eye at such a place is in the scene.
+    glm::dvec3 eye(const ViewAxes& axes, double x, double y, double z) const {
+        glm::dvec3 eye{0.0};
+        for (int i = 0; i < 3; ++i) {
+            const double scaled = origin[i] * scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
+            eye[i] = std::clamp(std::ldexp(scaled, exponent), -farthest, farthest);
+        }
+        return without_negative_zero(eye);
+    }
+
     glm::dvec3 origin;
     double smallest = 0.0;  // what radii count as, at least
     int exponent = 0;
@@ -102,13 +112,8 @@ Camera fitted_orthographic(const Scene& scene, const ViewAxes& axes, const Vicin
     const double half = std::max(0.5 * (right + left), 0.5 * (up + down)) * (32.0 / 31.0);
     const glm::dvec3 corner = vicinity.place(bounds.high);
     const double z = -(square_root(dot(corner, corner)) + half);
-    glm::dvec3 eye{0.0};
-    for (int i = 0; i < 3; ++i) {
-        const double scaled = vicinity.origin[i] * vicinity.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
-        eye[i] = std::clamp(std::ldexp(scaled, vicinity.exponent), -farthest, farthest);
-    }
     const double edge = std::min(std::ldexp(half, vicinity.exponent), 0.25 * farthest);
-    return camera_with(without_negative_zero(eye), distance / half_side * edge * axes.ahead, edge * axes.right, edge * axes.up,
+    return camera_with(vicinity.eye(axes, x, y, z), distance / half_side * edge * axes.ahead, edge * axes.right, edge * axes.up,
                        Projection::orthographic);
 }
 
@@ -212,12 +217,7 @@ std::optional<Camera> fitted(const Scene& scene, const ViewAxes& axes, Projectio
     const double x = 0.5 * (right - left);
     const double y = 0.5 * (up - down);
     const double z = std::min(-0.5 * (right + left), -0.5 * (up + down)) / slope;
-    glm::dvec3 eye{0.0};
-    for (int i = 0; i < 3; ++i) {
-        const double scaled = vicinity.origin[i] * vicinity.scale + (x * axes.right[i] + y * axes.up[i] + z * axes.ahead[i]);
-        eye[i] = std::clamp(std::ldexp(scaled, vicinity.exponent), -farthest, farthest);
-    }
-    return camera_with(without_negative_zero(eye), distance * axes.ahead, half_side * axes.right, half_side * axes.up);
+    return camera_with(vicinity.eye(axes, x, y, z), distance * axes.ahead, half_side * axes.right, half_side * axes.up);
 }
 
 }  // namespace sphereview

@@ -38,6 +38,13 @@ Camera moved_to(const Camera& camera, const glm::dvec3& eye) {
     return settled(camera, eye, camera.center - camera.eye, camera.right, camera.up);
 }
 
+// rotated(v): a direction as it is after the turn.
+template <typename Rotated>
+Camera turned_about(const Camera& camera, const glm::dvec3& pivot, const Rotated& rotated) {
+    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(camera.center - camera.eye), rotated(camera.right),
+                   rotated(camera.up));
+}
+
 // Turned about an axis of length 1 through 0, by the right-hand rule (Rodrigues).
 glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
     const glm::dvec3 along = glm::dot(axis, v) * axis;
@@ -131,8 +138,7 @@ Camera orbited(const Camera& camera, const glm::dvec3& pivot, double turn, doubl
     const double tilt_angle = allowed_tilt(attitude, tilt) * (directions.mirrored ? -1.0 : 1.0);
     const double turn_angle = turn * (directions.mirrored != attitude.upside_down ? -1.0 : 1.0);
     const auto rotated = [&](const glm::dvec3& v) { return turned(turned(v, directions.right, tilt_angle), world_up, turn_angle); };
-    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(camera.center - camera.eye), rotated(camera.right),
-                   rotated(camera.up));
+    return turned_about(camera, pivot, rotated);
 }
 
 Camera tumbled(const Camera& camera, const glm::dvec3& pivot, double turn, double tilt) {
@@ -141,8 +147,7 @@ Camera tumbled(const Camera& camera, const glm::dvec3& pivot, double turn, doubl
     const auto rotated = [&](const glm::dvec3& v) {
         return turned(turned(v, directions.right, hand * tilt), directions.up, hand * turn);
     };
-    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(camera.center - camera.eye), rotated(camera.right),
-                   rotated(camera.up));
+    return turned_about(camera, pivot, rotated);
 }
 
 Camera turned_to(const Camera& camera, const glm::dvec3& pivot, const CameraAxes& axes) {
@@ -150,8 +155,7 @@ Camera turned_to(const Camera& camera, const glm::dvec3& pivot, const CameraAxes
     const auto rotated = [&](const glm::dvec3& v) {
         return glm::dot(v, before.right) * axes.right + glm::dot(v, before.up) * axes.up + glm::dot(v, before.ahead) * axes.ahead;
     };
-    return settled(camera, pivot + rotated(camera.eye - pivot), rotated(camera.center - camera.eye), rotated(camera.right),
-                   rotated(camera.up));
+    return turned_about(camera, pivot, rotated);
 }
 
 Camera panned(const Camera& camera, PictureSize size, const glm::dvec2& pixels, double depth) {

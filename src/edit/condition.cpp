@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -305,15 +304,6 @@ bool SphereTest::operator()(std::uint32_t sphere) const {
         }
     }
     return truths[0];
-}
-
-std::vector<std::uint32_t> spheres_where(const Condition& condition, const Scene& scene) {
-    const SphereTest test(condition, scene);
-    std::vector<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
-        if (test(i)) found.push_back(i);
-    }
-    return found;
 }
 
 }  // namespace sphereview

@@ -42,8 +42,6 @@ private:
     std::vector<Step> steps_{};
 };
 
-inline constexpr const char* condition_syntax = "NAME = VALUE, NAME < VALUE and so on, with and, or, not and brackets";
-
 // Whether a text compares something: then it is meant as a condition, and as no name.
 bool is_condition(std::string_view text);
 
@@ -77,8 +75,5 @@ private:
     std::vector<Condition::Step> steps_;
     std::vector<Test> tests_{};
 };
-
-// Every sphere for which it holds; ascending. Throws as SphereTest.
-std::vector<std::uint32_t> spheres_where(const Condition& condition, const Scene& scene);
 
 }  // namespace sphereview

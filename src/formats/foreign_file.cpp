@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <vector>
 
 #include "base/text.hpp"
-#include "formats/elements.hpp"
 #include "formats/lines.hpp"
 
 namespace sphereview {

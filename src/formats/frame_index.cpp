@@ -3,7 +3,6 @@
 #include "formats/frame_index.hpp"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <filesystem>
 #include <system_error>

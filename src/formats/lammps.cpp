@@ -2,7 +2,6 @@
 // of the columns behind it.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <span>
 #include <tuple>
 #include <utility>
 

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
-#include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 

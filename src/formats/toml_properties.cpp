@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 
-#include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"

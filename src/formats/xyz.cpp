@@ -1,8 +1,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.hpp"
-#include "base/memory.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/atom_lines.hpp"

@@ -60,6 +60,10 @@ using Program = GlObject<glDeleteProgram>;
 // An integer limit of the context, such as GL_MAX_TEXTURE_SIZE.
 GLint gl_limit(GLenum name);
 
+// Of the bound 2D texture. An integer texture is complete only without filtering and mipmaps; else texelFetch reads 0, which is a
+// sphere.
+void read_single_texels();
+
 // What the current context says of itself, and the limits that matter here.
 struct GlDescription {
     std::string vendor;

@@ -10,9 +10,7 @@ void upload(const Image& picture, Texture& texture) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, transparent ? GL_RGBA8 : GL_RGB8, picture.width(), picture.height(), 0,
                  transparent ? GL_RGBA : GL_RGB, GL_UNSIGNED_BYTE, picture.bytes().data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    read_single_texels();
     check_gl("uploading a finished picture");
 }
 

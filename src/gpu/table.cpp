@@ -72,9 +72,7 @@ void Table::upload(const void* data, std::size_t count, TexelKind kind, TextureU
     } else {
         const auto rows = static_cast<GLsizei>(((count + spare) >> shift_) + 1);
         glBindTexture(GL_TEXTURE_2D, texture_.name());
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        read_single_texels();
         glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format.internal), GLsizei{1} << shift_, rows, 0, format.format,
                      format.type, nullptr);
     }

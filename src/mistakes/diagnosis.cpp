@@ -4,9 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cstdlib>
-#include <functional>
 #include <limits>
-#include <span>
 #include <unordered_map>
 
 #include "base/parallel.hpp"

@@ -1,7 +1,6 @@
 #include "scene/camera.hpp"
 
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "base/square_root.hpp"
 #include "scene/vectors.hpp"

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <map>
 #include <type_traits>
-#include <utility>
 
 #include "base/number.hpp"
 #include "scene/numbered.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <span>
 
 #include "exact/exact_decision.hpp"

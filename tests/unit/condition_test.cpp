@@ -28,6 +28,15 @@ Scene charged_atoms() {
     return scene;
 }
 
+Numbers spheres_where(const Condition& condition, const Scene& scene) {
+    const SphereTest test(condition, scene);
+    Numbers found;
+    for (std::uint32_t i = 0; i < scene.spheres.size(); ++i) {
+        if (test(i)) found.push_back(i);
+    }
+    return found;
+}
+
 Numbers spheres_matching(const std::string& text) { return spheres_where(Condition(text), charged_atoms()); }
 
 std::string condition_fault(const std::string& text) {
