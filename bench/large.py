@@ -24,7 +24,7 @@ def peak_mb(shown: Viewer) -> float | None:
 
 
 def orbit(shown: Viewer, runs: int) -> dict:
-    """Orbits with nothing selected, and times each movement until a frame of another camera has been swapped."""
+    """Orbits with nothing selected, and times each movement until a redraw of another camera has been swapped."""
     left, top, right, bottom = shown.rest()["picture"]
     x, y = (left + right) / 2, (top + bottom) / 2
     shown.mouse.move(x, y)
@@ -37,13 +37,13 @@ def orbit(shown: Viewer, runs: int) -> dict:
     shown.rest()
     answers, steps = [], []
     for number in range(runs):
-        before = shown.frames[-1]["camera"]
+        before = shown.redraws[-1]["camera"]
         x += 9 if number % 2 == 0 else -9
         begin = time.perf_counter()
         shown.mouse.move(x, y)
-        frame = shown.wait("the turned camera", lambda frame: frame["camera"] != before)
+        redraw = shown.wait("the turned camera", lambda redraw: redraw["camera"] != before)
         answers.append((time.perf_counter() - begin) * 1e3)
-        steps.append(frame["step"])
+        steps.append(redraw["step"])
     shown.mouse.button(False)
     shown.rest()
     return {"answer_ms": statistics.median(answers), "worst_ms": max(answers), "step": statistics.median(steps)}
@@ -53,20 +53,20 @@ def move_all(shown: Viewer, count: int) -> dict:
     """The peak of memory after opening, after selecting everything, and after moving it all and undoing that."""
     peaks = {"open": peak_mb(shown)}
     shown.mouse.key("Control_L", "a")
-    frame = shown.wait("everything selected",
-                       lambda frame: frame["selected"] == count and frame["resting"] and "slider x" in frame["widgets"])
+    redraw = shown.wait("everything selected",
+                         lambda redraw: redraw["selected"] == count and redraw["resting"] and "slider x" in redraw["widgets"])
     peaks["select all"] = peak_mb(shown)
-    left, top, right, bottom = frame["widgets"]["slider x"]
-    x, y, before = (left + right) / 2, (top + bottom) / 2, frame["undo"]
+    left, top, right, bottom = redraw["widgets"]["slider x"]
+    x, y, before = (left + right) / 2, (top + bottom) / 2, redraw["undo"]
     shown.mouse.move(x, y)
     shown.mouse.button(True)
     shown.rest()
     shown.mouse.move(x + 5, y)
-    shown.wait("the move", lambda frame: frame["undo"] != before)
+    shown.wait("the move", lambda redraw: redraw["undo"] != before)
     shown.mouse.button(False)
     revision = shown.rest()["revision"]
     shown.mouse.key("Control_L", "z")
-    shown.wait("the undo", lambda frame: frame["revision"] != revision and frame["undo"] == before and frame["resting"])
+    shown.wait("the undo", lambda redraw: redraw["revision"] != revision and redraw["undo"] == before and redraw["resting"])
     peaks["move all, undo"] = peak_mb(shown)
     return peaks
 
@@ -83,10 +83,10 @@ def large(bench: Bench) -> tuple[list[Row], dict]:
             opened = [opening(bench, scene, count) for _ in range(min(bench.runs, 3))]
             point = {"spheres": count, "open": {key: statistics.median(run[key] for run in opened) for key in opened[0]}}
             with viewer(bench, scene) as shown:
-                shown.wait("the scene", lambda frame: frame["spheres"] == count and frame["resting"])
+                shown.wait("the scene", lambda redraw: redraw["spheres"] == count and redraw["resting"])
                 point["peak_mb"] = move_all(shown, count)
             with viewer(bench, scene) as shown:
-                shown.wait("the scene", lambda frame: frame["spheres"] == count and frame["resting"])
+                shown.wait("the scene", lambda redraw: redraw["spheres"] == count and redraw["resting"])
                 point["orbit"] = orbit(shown, max(20, bench.runs))
                 point["drag"] = drag(shown, max(20, bench.runs))
             case = Case(f"edit-{scene_set}-{count}", [bench.program("live"), scene_set, str(count), str(bench.runs), "edit"],

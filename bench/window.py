@@ -1,6 +1,6 @@
 """The window as a person feels it: from a movement of the mouse to the picture that shows it, and what resting costs.
 
-Drives the real program in Xvfb, with the mouse moved through XTest. A frame counts when its buffers have been swapped.
+Drives the real program in Xvfb, with the mouse moved through XTest. A redraw counts when its buffers have been swapped.
 """
 import ctypes
 import json
@@ -51,7 +51,7 @@ class Viewer:
         self.started = time.perf_counter()
         self.stream = None
         self.part = ""
-        self.frames: list[dict] = []
+        self.redraws: list[dict] = []
 
     def read(self) -> None:
         if self.stream is None:
@@ -60,21 +60,21 @@ class Viewer:
             self.stream = self.log.open(encoding="utf-8")
         self.part += self.stream.read()
         *lines, self.part = self.part.split("\n")
-        self.frames += [json.loads(line) for line in lines]
+        self.redraws += [json.loads(line) for line in lines]
 
     def wait(self, what: str, condition) -> dict:
         end = time.perf_counter() + PATIENCE_S
         while time.perf_counter() < end:
             self.read()
-            if self.frames and condition(self.frames[-1]):
-                return self.frames[-1]
+            if self.redraws and condition(self.redraws[-1]):
+                return self.redraws[-1]
             if self.process.poll() is not None:
                 raise CannotRun("the viewer", self.process.returncode, self.process.stderr.read().strip())
             time.sleep(0.0002)
         raise CannotRun(f"the viewer, waiting for {what}", -1)
 
     def rest(self) -> dict:
-        return self.wait("rest", lambda frame: frame["resting"])
+        return self.wait("rest", lambda redraw: redraw["resting"])
 
     def cpu_seconds(self) -> float:
         fields = Path(f"/proc/{self.process.pid}/stat").read_text().rpartition(")")[2].split()
@@ -91,7 +91,7 @@ def viewer(bench: Bench, scene: Path, *options: str):
         process = None
         try:
             display = ":" + xvfb.stdout.readline().strip()
-            log = Path(home) / "frames.log"
+            log = Path(home) / "redraws.log"
             environment = {**os.environ, "DISPLAY": display, "HOME": home, "XDG_CONFIG_HOME": home, "XDG_STATE_HOME": home,
                            "LIBGL_ALWAYS_SOFTWARE": "1"}
             process = subprocess.Popen([bench.program("sphereview"), str(scene), "--redraw-log", str(log), *options], env=environment,
@@ -110,28 +110,28 @@ def drag(shown: Viewer, runs: int) -> dict:
         left, top, right, bottom = shown.rest()["widgets"][widget]
         return (left + right) / 2, (top + bottom) / 2
 
-    shown.wait("the list", lambda frame: frame["resting"] and "row 0" in frame["widgets"])
+    shown.wait("the list", lambda redraw: redraw["resting"] and "row 0" in redraw["widgets"])
     shown.mouse.move(*middle("row 0"))
     shown.mouse.button(True)
     shown.mouse.button(False)
-    shown.wait("the selection", lambda frame: frame["selection"] == [0] and frame["resting"] and "slider x" in frame["widgets"])
+    shown.wait("the selection", lambda redraw: redraw["selection"] == [0] and redraw["resting"] and "slider x" in redraw["widgets"])
     x, y = middle("slider x")
     shown.mouse.move(x, y)
     shown.mouse.button(True)
     shown.rest()
-    answers, frames, steps = [], [], []
+    answers, seconds, steps = [], [], []
     for number in range(runs):
-        before = shown.frames[-1]["revision"]
+        before = shown.redraws[-1]["revision"]
         x += 3 if number % 2 == 0 else -3
         begin = time.perf_counter()
         shown.mouse.move(x, y)
-        frame = shown.wait("the moved sphere", lambda frame: frame["revision"] > before)
+        redraw = shown.wait("the moved sphere", lambda redraw: redraw["revision"] > before)
         answers.append((time.perf_counter() - begin) * 1e3)
-        frames.append(frame["seconds"] * 1e3)
-        steps.append(frame["step"])
+        seconds.append(redraw["seconds"] * 1e3)
+        steps.append(redraw["step"])
     shown.mouse.button(False)
     shown.rest()
-    return {"answer_ms": statistics.median(answers), "worst_ms": max(answers), "frame_ms": statistics.median(frames),
+    return {"answer_ms": statistics.median(answers), "worst_ms": max(answers), "redraw_ms": statistics.median(seconds),
             "step": statistics.median(steps)}
 
 
@@ -145,22 +145,22 @@ def first_light(bench: Bench, scene: Path, runs: int) -> dict:
             shown.mouse.button(True)
             begin = time.perf_counter()
             shown.mouse.move(left + width / 2 + (20 if number % 2 == 0 else -20), top + height / 2)
-            shown.wait("a movement", lambda frame: frame["draft"] is None and not frame["exact"])
+            shown.wait("a movement", lambda redraw: redraw["draft"] is None and not redraw["exact"])
             answers.append((time.perf_counter() - begin) * 1e3)
             shown.mouse.button(False)
-            firsts.append(shown.wait("light", lambda frame: frame["draft"] is not None)["draft"] * 1e3)
+            firsts.append(shown.wait("light", lambda redraw: redraw["draft"] is not None)["draft"] * 1e3)
     return {"first_light_ms": statistics.median(firsts), "answer_ms": statistics.median(answers), "worst_answer_ms": max(answers)}
 
 
 def opening(bench: Bench, scene: Path, count: int) -> dict:
-    """From the start of the program to its first frame, and to the first picture of the whole scene."""
+    """From the start of the program to its first redraw, and to the first picture of the whole scene."""
     with viewer(bench, scene) as shown:
         started = shown.started
-        shown.wait("a first frame", lambda frame: True)
+        shown.wait("a first redraw", lambda redraw: True)
         first = time.perf_counter()
-        shown.wait("the scene", lambda frame: frame["spheres"] == count)
+        shown.wait("the scene", lambda redraw: redraw["spheres"] == count)
         picture = time.perf_counter()
-        shown.wait("rest", lambda frame: frame["spheres"] == count and frame["resting"])
+        shown.wait("rest", lambda redraw: redraw["spheres"] == count and redraw["resting"])
         return {"window_ms": (first - started) * 1e3, "picture_ms": (picture - started) * 1e3,
                 "exact_ms": (time.perf_counter() - started) * 1e3}
 
@@ -179,16 +179,16 @@ def window(bench: Bench) -> tuple[list[Row], dict]:
         with viewer(bench, bench.scene("volume", count)) as shown:
             size = shown.rest()["picture_size"]
             result = drag(shown, max(20, bench.runs))
-            before, begin, frames = shown.cpu_seconds(), time.perf_counter(), len(shown.frames)
+            before, begin, redraws = shown.cpu_seconds(), time.perf_counter(), len(shown.redraws)
             time.sleep(5.0)
             shown.read()
             result["idle_percent"] = 100.0 * (shown.cpu_seconds() - before) / (time.perf_counter() - begin)
-            result["idle_frames"] = len(shown.frames) - frames
+            result["idle_redraws"] = len(shown.redraws) - redraws
             result["size"] = size
         data[str(count)] = result
         rows.append(Row(f"window, {count:,} spheres, {size[0]} x {size[1]}",
                         f"a slider's movement answered in {result['answer_ms']:.1f} ms (worst {result['worst_ms']:.0f}), "
-                        f"of it the frame {result['frame_ms']:.1f} ms, every {result['step']:g}th pixel"))
+                        f"of it the redraw {result['redraw_ms']:.1f} ms, every {result['step']:g}th pixel"))
         rows.append(at_most("  answer", result["answer_ms"], 30, " ms"))
         rows.append(at_most("  an idle window's part of a core", result["idle_percent"], 1, " %"))
     return rows, data

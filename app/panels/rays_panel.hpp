@@ -3,7 +3,6 @@
 
 #include <imgui.h>
 
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <optional>
 #include <string>

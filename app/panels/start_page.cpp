@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <utility>
 
 #include "base/path.hpp"
 #include "base/user_folders.hpp"

@@ -147,7 +147,7 @@ std::string spheres_text(std::size_t spheres, std::size_t hidden, std::size_t se
 
 std::string pixel_text(int x, int y) { return std::to_string(x) + ", " + std::to_string(y); }
 
-// Seconds can be anything a driver says, also before the first frame.
+// Seconds can be anything a driver says, also before the first redraw.
 std::string time_text(double seconds) { return fixed(std::clamp(seconds * 1000.0, 0.0, 99'999.9), 1) + " ms"; }
 
 // ", charge 0.25, chain A"
@@ -216,7 +216,7 @@ void draw_status_bar(const PanelContext& context, const Status& status) {
     if (fit({renderer, counts, time, step, pixel})) columns.put(status.renderer, renderer);
     columns.put(counts_now, counts);
     if (shows_time) {
-        columns.put(time_text(status.frame_seconds), time, true);
+        columns.put(time_text(status.trace_seconds), time, true);
         columns.put(status.step > 1 ? "1/" + std::to_string(status.step) : "", step);
     }
     columns.put(status.pixel ? pixel_text(status.pixel->x, status.pixel->y) : "", pixel, true);

@@ -40,7 +40,7 @@ CancelledWork draw_messages(const PanelContext& context, Messages& messages, con
 
 struct Status {
     std::string renderer;        // "llvmpipe (LLVM 15.0.6, 256 bits)"
-    double frame_seconds = 0.0;  // of the last traced frame
+    double trace_seconds = 0.0;  // of the last trace
     int step = 1;                // its grid; more than 1: coarse
     std::optional<Pixel> pixel;  // under the pointer
     PictureSize size;

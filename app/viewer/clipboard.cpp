@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "formats/scene_format.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"

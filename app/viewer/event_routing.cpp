@@ -100,7 +100,7 @@ std::vector<InputEvent> EventRouting::take(InputQueue& input, DialogKeys& keys, 
         const auto command = command_for_key(commands, key.name, key.modifiers.control, key.modifiers.shift, key.modifiers.alt);
         return command == CommandId::next_frame || command == CommandId::previous_frame;
     };
-    std::vector<InputEvent> events = input.take_frame(opens && waited_for_box_ <= longest_wait_for_box, adds_up);
+    std::vector<InputEvent> events = input.take(opens && waited_for_box_ <= longest_wait_for_box, adds_up);
     if (!events.empty()) pacing_.touch();
     for (const InputEvent& event : events) {
         if (takes_over(event)) state_.flight.reset();

@@ -129,7 +129,7 @@ ImguiBridge::~ImguiBridge() {
 void ImguiBridge::set_theme(Theme theme) {
     if (theme == theme_) return;
     theme_ = theme;
-    font_pixels_ = 0.0F;  // the next frame gives the style anew
+    font_pixels_ = 0.0F;  // the next redraw gives the style anew
 }
 
 void ImguiBridge::build_fonts() {
@@ -184,7 +184,7 @@ void ImguiBridge::feed(const InputEvent& event) {
     }
 }
 
-void ImguiBridge::begin_frame(const std::vector<InputEvent>& events, double seconds_since_last, bool navigates) {
+void ImguiBridge::begin_redraw(const std::vector<InputEvent>& events, double seconds_since_last, bool navigates) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags = navigates ? ImGuiConfigFlags_NavEnableKeyboard : ImGuiConfigFlags_None;
     const Window::Extent extent = window_.extent();
@@ -211,7 +211,7 @@ void ImguiBridge::begin_frame(const std::vector<InputEvent>& events, double seco
     ImGui::NewFrame();
 }
 
-void ImguiBridge::end_frame() {
+void ImguiBridge::end_redraw() {
     ImGui::Render();
     window_.set_pointer(shape_for(ImGui::GetMouseCursor()));
 }

@@ -22,11 +22,11 @@ public:
     void set_text_scale(double text_scale) { text_scale_ = text_scale; }
     void set_theme(Theme theme);
 
-    // Begins a frame with these events. A change of the screen's scale builds the fonts anew.
+    // Begins a redraw with these events. A change of the screen's scale builds the fonts anew.
     // `navigates`: arrows, Enter and Escape move through what has popped up, such as a menu.
-    void begin_frame(const std::vector<InputEvent>& events, double seconds_since_last, bool navigates);
-    // Ends the frame; render() draws it into the bound framebuffer.
-    void end_frame();
+    void begin_redraw(const std::vector<InputEvent>& events, double seconds_since_last, bool navigates);
+    // Ends the redraw; render() draws it into the bound framebuffer.
+    void end_redraw();
     void render();
 
     // How large sizes in ImGui's coordinates are to be drawn: 1 on usual screens.

@@ -84,7 +84,7 @@ void InputQueue::add(std::vector<InputEvent> events) {
     events_.insert(events_.end(), std::make_move_iterator(events.begin()), std::make_move_iterator(events.end()));
 }
 
-std::vector<InputEvent> InputQueue::take_frame(bool keys_wait, const AddsUp& adds_up) {
+std::vector<InputEvent> InputQueue::take(bool keys_wait, const AddsUp& adds_up) {
     Taken taken{.adds_up = adds_up};
     const auto is_typed = [](const InputEvent& event) {
         const auto* key = std::get_if<KeyChanged>(&event);

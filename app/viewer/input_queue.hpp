@@ -22,7 +22,7 @@ public:
     // `keys_wait`: what is typed, and all that follows it, stays for a later redraw. `adds_up`: whether a redraw can take several
     // presses of that key, because no widget of ImGui's asks for it.
     using AddsUp = std::function<bool(const KeyChanged&)>;
-    std::vector<InputEvent> take_frame(bool keys_wait = false, const AddsUp& adds_up = {});
+    std::vector<InputEvent> take(bool keys_wait = false, const AddsUp& adds_up = {});
 
 private:
     std::deque<InputEvent> events_;

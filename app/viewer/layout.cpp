@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "panels/comparison.hpp"
 #include "panels/inspector.hpp"

@@ -9,7 +9,7 @@
 
 namespace sphereview {
 
-// What the picture was like when the panels are drawn; one frame old.
+// What the picture was like when the panels are drawn; one redraw old.
 struct RedrawFacts {
     Status status;
     Inspection inspection;

@@ -89,8 +89,8 @@ std::string title_of(const PictureState& state) { return sphereview::title_of(st
 
 }  // namespace
 
-PictureConsequences MouseControl::frame(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
-                                        std::vector<Action>& actions) {
+PictureConsequences MouseControl::redraw(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
+                                         std::vector<Action>& actions) {
     PictureConsequences consequences;
     if (mode_ == Mode::none && mouse.available) {
         for (const int button : {left, right, middle}) {

@@ -11,7 +11,7 @@
 
 namespace sphereview {
 
-// The mouse in one frame. Places are pixels of the picture from its top left corner.
+// The mouse in one redraw. Places are pixels of the picture from its top left corner.
 struct PictureMouse {
     glm::dvec2 place{0.0};
     glm::dvec2 corner{0.0};  // the picture's, in pixels of the window: a panel that opens moves it under a pointer that rests
@@ -56,8 +56,8 @@ struct PictureConsequences {
 
 class MouseControl {
 public:
-    PictureConsequences frame(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
-                              std::vector<Action>& actions);
+    PictureConsequences redraw(const PictureMouse& mouse, const PictureState& state, std::uint64_t& gesture,
+                               std::vector<Action>& actions);
 
     // Something follows the pointer.
     bool is_dragging() const { return mode_ != Mode::none && dragging_; }
@@ -95,7 +95,7 @@ private:
     bool has_moved_ = false;  // spheres, which Escape takes back
     glm::dvec2 start_{0.0};
     glm::dvec2 last_{0.0};
-    // Where the picture was in the latest frame of the drag.
+    // Where the picture was in the latest redraw of the drag.
     glm::dvec2 corner_{0.0};
     PictureSize size_{};
     glm::dvec3 grabbed_point_{0.0};  // in the scene, where the button went down

@@ -55,24 +55,24 @@ public:
     void play(double besides, bool settles) {
         settles_ = settles;
         besides_ += (besides - besides_) * (besides_ == 0.0 ? 1.0 : 0.1);
-        budget_ = std::clamp(film_part / film_rate - besides_, least_budget, frame_budget);
+        budget_ = std::clamp(film_part / film_rate - besides_, least_budget, redraw_budget);
     }
     void end_play() {
         settles_ = false;
         besides_ = 0.0;
-        budget_ = frame_budget;
+        budget_ = redraw_budget;
     }
 
     // Something happened: some redraws must be drawn, until the panels have settled.
     void touch() {
-        frames_ = settles_ ? 1 : settling_frames;
+        redraws_ = settles_ ? 1 : settling_redraws;
         goes_on_ = false;
     }
     // There is another picture to show, which changes nothing of the panels.
-    void show_once() { frames_ = frames_ > 0 ? frames_ : 1; }
+    void show_once() { redraws_ = redraws_ > 0 ? redraws_ : 1; }
     // A redraw was drawn.
     void drew(int step) {
-        if (frames_ > 0) --frames_;
+        if (redraws_ > 0) --redraws_;
         coarse_ = step > 1;
         goes_on_ = false;
     }
@@ -80,20 +80,20 @@ public:
     void refined_a_part() { goes_on_ = true; }
 
     // Whatever has happened is shown.
-    bool is_settled() const { return frames_ == 0; }
+    bool is_settled() const { return redraws_ == 0; }
     // Nothing is to be drawn before the next event.
-    bool rests() const { return frames_ == 0 && !coarse_; }
+    bool rests() const { return redraws_ == 0 && !coarse_; }
     // How long to wait for events before the next redraw; nothing: until one comes.
     std::optional<double> patience() const {
-        if (frames_ > 0) return 0.0;
+        if (redraws_ > 0) return 0.0;
         if (!coarse_) return std::nullopt;
         return goes_on_ ? 0.0 : refine_after;
     }
     // Whether nothing moves, and the picture is coarse: time to make it fine.
-    bool refines() const { return frames_ == 0 && coarse_; }
+    bool refines() const { return redraws_ == 0 && coarse_; }
 
     // Seconds for the trace of a moving picture; with what shows it, about 30 ms a redraw.
-    static constexpr double frame_budget = 0.024;
+    static constexpr double redraw_budget = 0.024;
     static constexpr double film_rate = 24.0;     // redraws a second, at least
     static constexpr double refine_after = 0.08;  // seconds without an event
     // Seconds for what is drawn of a fine picture before the next look for events.
@@ -124,20 +124,20 @@ private:
     }
 
     // ImGui shows what a click did in the next redraw, and places what is new in the one after that.
-    static constexpr int settling_frames = 3;
+    static constexpr int settling_redraws = 3;
 
-    int frames_ = settling_frames;
+    int redraws_ = settling_redraws;
     bool coarse_ = false;
     bool goes_on_ = false;       // a part of the fine picture is drawn
     int level_ = 0;              // the step of what moves is 2^this
     bool tries_ = false;         // the last redraw was made finer
-    int wait_ = 0;               // so many frames before the next try,
+    int wait_ = 0;               // so many redraws before the next try,
     int pause_ = 0;              // and as many as that were after the last that failed
     int left_level_ = 0;         // from which the last redraw was made coarser,
     double left_seconds_ = 0.0;  // where one took so long; 0: it was not
-    int stays_ = 0;              // so many frames that are not made coarser
+    int stays_ = 0;              // so many redraws that are not made coarser
     bool settles_ = false;       // in the redraws of a film
-    double budget_ = frame_budget;
+    double budget_ = redraw_budget;
     double besides_ = 0.0;  // seconds of a redraw of a film besides the trace, of late; 0: none was drawn
 };
 

@@ -14,7 +14,7 @@ namespace sphereview {
 namespace {
 
 // A light rectangle beside a dark one, which are seen on every colour, and a light veil inside; each of an opacity up to 255.
-void draw_frame(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int light, int inside = 0) {
+void draw_border(const Rectangle& picture, ImVec2 low, ImVec2 high, int dark, int light, int inside = 0) {
     const OverPicture draw(picture);
     draw->AddRectFilled(low, high, IM_COL32(255, 255, 255, inside));
     draw->AddRect(ImVec2(low.x - 1.0F, low.y - 1.0F), ImVec2(high.x + 1.0F, high.y + 1.0F), IM_COL32(0, 0, 0, dark));
@@ -52,7 +52,7 @@ ImVec2 on_screen(const Rectangle& picture, double pixels, const glm::dvec2& plac
 void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, const Rectangle& picture, double pixels, float scale) {
     const auto at = [&](const glm::dvec2& place) { return on_screen(picture, pixels, place); };
     if (const auto box = mouse.box()) {
-        draw_frame(picture, at(glm::min(box->from, box->to)), at(glm::max(box->from, box->to)), 160, 220, 40);
+        draw_border(picture, at(glm::min(box->from, box->to)), at(glm::max(box->from, box->to)), 160, 220, 40);
     }
     if (const auto point = mouse.turns_about()) {
         const auto place = place_of(state.camera, state.picture_size, *point);
@@ -75,7 +75,7 @@ void draw_export_area(const ViewerState& state, const Rectangle& picture) {
     const ImVec2 middle(picture.x + 0.5F * picture.width, picture.y + 0.5F * picture.height);
     const ImVec2 low(std::floor(middle.x - half_width), std::floor(middle.y - half_height));
     const ImVec2 high(std::ceil(middle.x + half_width), std::ceil(middle.y + half_height));
-    draw_frame(picture, low, high, 140, 90);
+    draw_border(picture, low, high, 140, 90);
 }
 
 }  // namespace sphereview

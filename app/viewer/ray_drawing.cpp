@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 #include "camera/beside.hpp"
 #include "camera/navigation.hpp"

@@ -3,12 +3,8 @@
 // there was when the rays were shown.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "app/render_picture.hpp"

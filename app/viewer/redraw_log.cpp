@@ -66,32 +66,32 @@ RedrawLog::RedrawLog(const std::string& path) : file_(nullptr, std::fclose) {
     if (!file_) throw OutputError(path, std::strerror(errno), errno);
 }
 
-void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& frame,
+void RedrawLog::add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& redraw,
                     const WidgetRectangles& widgets) {
     if (!file_) return;
     Json rectangles = Json::object();
     for (const auto& [name, r] : widgets) rectangles.set(name, {r.left, r.top, r.right, r.bottom});
     Json dialogs = Json::array();
     for (const Dialog& dialog : state.dialogs) dialogs.push_back(id_of(dialog));
-    const Rectangle& p = frame.picture;
+    const Rectangle& p = redraw.picture;
     const Camera& camera = state.camera;
     const Json line = {
-        {"frame", frame.number},
+        {"redraw", redraw.number},
         {"revision", state.document.revision()},
         {"step", facts.status.step},
-        {"builds", frame.builds},
-        {"explanations", frame.explanations},
-        {"exact", frame.exact},
-        {"draft", frame.draft},
-        {"samples", frame.exact ? state.settings.samples : 1},
+        {"builds", redraw.builds},
+        {"explanations", redraw.explanations},
+        {"exact", redraw.exact},
+        {"draft", redraw.draft},
+        {"samples", redraw.exact ? state.settings.samples : 1},
         {"shading", name_of(state.settings.shading)},
-        {"making", frame.making},
-        {"resting", frame.resting},
-        {"seconds", frame.seconds},
-        {"title", frame.title},
+        {"making", redraw.making},
+        {"resting", redraw.resting},
+        {"seconds", redraw.seconds},
+        {"title", redraw.title},
         {"renderer", facts.status.renderer},
         {"path", state.path},
-        {"scene_frame", {state.frame, state.frames}},
+        {"frame", {state.frame, state.frames}},
         {"playing", state.player.clock.plays()},
         {"changed", state.document.is_changed()},
         {"spheres", state.scene().spheres.size()},

@@ -1,4 +1,4 @@
-// One JSON line a frame, for programs that drive the window: where its widgets are, what it shows, whether it rests.
+// One JSON line a redraw, for programs that drive the window: where its widgets are, what it shows, whether it rests.
 #pragma once
 
 #include <cstdio>
@@ -17,7 +17,7 @@ struct LoggedRedraw {
     bool exact = false;              // the picture is what `render` writes
     bool making = false;             // that picture is being made
     std::optional<double> draft;     // seconds from when the picture was begun of which a draft is shown
-    bool resting = false;            // nothing waits to be done: the next frame comes with the next event
+    bool resting = false;            // nothing waits to be done: the next redraw comes with the next event
     Rectangle picture;
     double seconds = 0.0;  // from the first of its events to the swap
     std::string title;
@@ -30,7 +30,7 @@ public:
 
     bool wanted() const { return file_ != nullptr; }
     // `facts`: of the picture that the redraw shows.
-    void add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& frame, const WidgetRectangles& widgets);
+    void add(const ViewerState& state, const RedrawFacts& facts, const LoggedRedraw& redraw, const WidgetRectangles& widgets);
 
 private:
     std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;

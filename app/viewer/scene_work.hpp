@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "app/load_scene.hpp"
 #include "base/background_job.hpp"

@@ -1,7 +1,5 @@
 #include "viewer/traced_rays.hpp"
 
-#include <algorithm>
-
 #include "base/parallel.hpp"
 #include "camera/navigation.hpp"
 #include "cpu/cpu_renderer.hpp"

@@ -3,9 +3,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <future>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>

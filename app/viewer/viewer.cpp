@@ -197,14 +197,14 @@ void Viewer::redraw() {
     const auto begin = Clock::now();
     const Window::Extent framebuffer = window_.framebuffer();
     if (framebuffer.width == 0 || framebuffer.height == 0) {  // minimised
-        input_.take_frame();
+        input_.take();
         pacing_.drew(1);
         return;
     }
     std::vector<Action> actions;
     facts_.keys = {};
     const std::vector<InputEvent> events = routing_.take(input_, facts_.keys, actions);
-    imgui_.begin_frame(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
+    imgui_.begin_redraw(events, seconds_between(last_redraw_, begin), has_popped_up(state_));
     // The box that is typed into loses the keyboard, and gives what it holds, before a save or a quit could miss that.
     if (routing_.waits_for_typing()) ImGui::SetWindowFocus(nullptr);
     widgets_.clear();
@@ -264,7 +264,7 @@ void Viewer::redraw() {
     note_facts();
     follow_rays(state_);
     draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them
-    imgui_.end_frame();
+    imgui_.end_redraw();
     imgui_.set_text_scale(state_.settings.text_scale);
     imgui_.set_theme(theme_of(state_.settings));
     show(area_);

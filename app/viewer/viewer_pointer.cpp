@@ -58,7 +58,7 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
         state_.measuring.on,
         middle_of_rays(state_),
         [&](glm::dvec2 place) { return state_.rays.on && eye_pixel_at(state_, place, pick(place), true).has_value(); }};
-    const PictureConsequences done = mouse_.frame(mouse, picture, state_.gesture, context.actions);
+    const PictureConsequences done = mouse_.redraw(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
     if (done.clicked && state_.has_pins()) pin_clicked(*done.clicked, mouse.shift);

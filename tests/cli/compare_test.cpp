@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "cli/fails.hpp"
+#include "cli/in_folder.hpp"
 #include "support/json.hpp"
 #include "support/picture.hpp"
 #include "support/render.hpp"
@@ -13,17 +13,14 @@
 namespace sphereview::test {
 namespace {
 
-class Compare : public testing::Test {
+class Compare : public InFolder {
 protected:
     Compare() {
         folder_.write("scene.txt", "2  255 0 0  0 0 300 50  0 0 255  -30 0 250 30");
         render(folder_, {"scene.txt", "-s", "60x40", "-o", "right.png"});
     }
 
-    Outcome compare(std::vector<std::string> arguments) {
-        arguments.insert(arguments.begin(), "compare");
-        return run({.arguments = arguments, .folder = folder_.path()});
-    }
+    Outcome compare(const std::vector<std::string>& arguments) { return sphereview(all_words({"compare"}, arguments)); }
 
     // The right picture upside down, as a PPM.
     void write_upside_down(const std::string& name) {
@@ -32,8 +29,6 @@ protected:
         for (std::size_t row = 40; row-- > 0;) bytes += right.bytes.substr(row * 180, 180);
         folder_.write(name, bytes);
     }
-
-    TemporaryFolder folder_;
 };
 
 TEST_F(Compare, SaysNothingElseOfAnEqualPicture) {

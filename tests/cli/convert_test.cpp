@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "cli/fails.hpp"
+#include "cli/in_folder.hpp"
 #include "support/folders.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
@@ -40,15 +41,11 @@ constexpr const char* hard_text =
     "255 0 1\n0.1 -0 1.7976931348623157e+308\n5e-324\n"
     "0 255 2\n0.30000000000000004 2.2250738585072014e-308 -123456789.12345679\n1e+22\n";
 
-class Convert : public testing::Test {
+class Convert : public InFolder {
 protected:
     Outcome convert(const std::vector<std::string>& arguments, const std::string& input = "") const {
-        std::vector<std::string> all = {"convert"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        return run({.arguments = all, .folder = folder_.path(), .input = input});
+        return sphereview(all_words({"convert"}, arguments), input);
     }
-
-    TemporaryFolder folder_;
 };
 
 TEST_F(Convert, ThereAndBackGivesTheSameBytes) {
@@ -115,15 +112,11 @@ std::string content_of(const std::string& path) {
 }
 
 Outcome script(const std::string& name, const std::vector<std::string>& arguments = {}) {
-    std::vector<std::string> all = {source_file("scenes/make/") + name};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return run({.arguments = all, .program = PYTHON});
+    return run({.arguments = all_words({source_file("scenes/make/") + name}, arguments), .program = PYTHON});
 }
 
 std::string first_line_as_text(const std::string& scene, const std::vector<std::string>& options = {}) {
-    std::vector<std::string> arguments = {"convert", scene, "-", "--to", "text"};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    return lines(run(arguments).output).front();
+    return lines(run(all_words({"convert", scene, "-", "--to", "text"}, options)).output).front();
 }
 
 TEST(Examples, AreWhatTheirScriptsWrite) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/fails.hpp"
+#include "cli/in_folder.hpp"
 #include "support/gzip.hpp"
 #include "support/json.hpp"
 #include "support/render.hpp"
@@ -12,27 +13,11 @@ namespace {
 
 constexpr const char* two_frames = "1\nfirst\nO 0 0 100\n2\nsecond\nN 0 0 100\nH 1 0 100\n";
 
-class Data : public testing::Test {
+class Data : public InFolder {
 protected:
-    Outcome sphereview(const std::vector<std::string>& arguments, const std::string& input = "") const {
-        return run({.arguments = arguments, .folder = folder_.path(), .input = input});
-    }
-
     std::string as_text(const std::vector<std::string>& arguments, const std::string& input = "") const {
-        std::vector<std::string> all = {"convert"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        all.insert(all.end(), {"-", "--to", "text"});
-        return sphereview(all, input).output;
+        return sphereview(all_words(all_words({"convert"}, arguments), {"-", "--to", "text"}), input).output;
     }
-
-    void expect_fault(const std::vector<std::string>& arguments, const std::string& line) const {
-        const Outcome outcome = sphereview(arguments);
-        EXPECT_EQ(outcome.status, 2) << outcome;
-        EXPECT_EQ(outcome.output, "");
-        EXPECT_EQ(outcome.errors, line + "\n");
-    }
-
-    TemporaryFolder folder_;
 };
 
 TEST_F(Data, IsConvertedToTextAndToml) {

@@ -123,9 +123,7 @@ TEST(Explain, TellsWhyTheSunDoesNotShine) {
     EXPECT_TRUE(contains(outcome.output, "sky: ")) << outcome;
     // A sun of which nothing more is said is beside a sky that leaves room for its light.
     const auto lit = [&](const std::vector<std::string>& options) {
-        std::vector<std::string> all = {"--shade", "studio", "--sun", "0,0,-3"};
-        all.insert(all.end(), options.begin(), options.end());
-        return explain(scene, all).output;
+        return explain(scene, all_words({"--shade", "studio", "--sun", "0,0,-3"}, options)).output;
     };
     EXPECT_EQ(lit({}), lit({"--sky", "0.4", "--sun-strength", "0.7"}));
     EXPECT_EQ(lit({"--sky", "1"}), lit({"--sky", "1", "--sun-strength", "1"}));
@@ -180,9 +178,7 @@ TEST(Explain, CountsTheLightsOfTheSky) {
 TEST(Explain, FollowsTheRayToOneLightOfTheSky) {
     const std::string under_plate = "2 200 30 40 0 0 200 20 9 9 9 0 1060 180 1000";
     const auto asked = [&](const std::string& scene, const std::vector<std::string>& options) {
-        std::vector<std::string> all = {"--json", "--shade", "studio", "--lights", "16"};
-        all.insert(all.end(), options.begin(), options.end());
-        const Outcome outcome = explain(scene, all);
+        const Outcome outcome = explain(scene, all_words({"--json", "--shade", "studio", "--lights", "16"}, options));
         EXPECT_EQ(outcome.status, 0) << outcome;
         return Json::parse(outcome.output);
     };
@@ -214,9 +210,7 @@ TEST(Explain, FollowsTheRayToOneLightOfTheSky) {
     EXPECT_EQ(asked(under_plate, {"--sun", "0,0,-1", "--light", "3"}).at("explained_light").at("number"), 3);
 
     const auto words = [&](const std::vector<std::string>& options) {
-        std::vector<std::string> all = {"--shade", "studio", "--lights", "16"};
-        all.insert(all.end(), options.begin(), options.end());
-        return explain(under_plate, all);
+        return explain(under_plate, all_words({"--shade", "studio", "--lights", "16"}, options));
     };
     const std::string number = std::to_string(brightest);
     EXPECT_TRUE(contains(words({}).output, "light " + number + ", of the sky's the nearest to the key light: L = (")) << words({});
@@ -229,9 +223,7 @@ TEST(Explain, FollowsTheRayToOneLightOfTheSky) {
 TEST(Explain, RefusesALightThatThereIsNot) {
     const std::string scene = "1 200 30 40 0 0 200 20";
     const auto refused = [&](const std::vector<std::string>& options, const std::string& message) {
-        std::vector<std::string> all = {"--shade", "studio", "--lights", "16"};
-        all.insert(all.end(), options.begin(), options.end());
-        EXPECT_TRUE(fails(explain(scene, all), 2, message));
+        EXPECT_TRUE(fails(explain(scene, all_words({"--shade", "studio", "--lights", "16"}, options)), 2, message));
     };
     refused({"--light", "17"}, "sphereview: --light: found 17, expected 1 to 16");
     refused({"--light", "0"}, "sphereview: --light: found 0, expected 1 to 16");

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "cli/fails.hpp"
+#include "cli/in_folder.hpp"
 #include "support/json.hpp"
 #include "support/picture.hpp"
 #include "support/render.hpp"
@@ -14,40 +14,23 @@ namespace {
 
 constexpr const char* three = "3\n1 2 3\n0 0 100 1\n4 5 6\n10 0 100 2\n7 8 9\n20 0 100 4\n";
 
-class Look : public testing::Test {
+class Look : public InFolder {
 protected:
     Look() { folder_.write("a.txt", three); }
-
-    Outcome sphereview(const std::vector<std::string>& arguments) const {
-        return run({.arguments = arguments, .folder = folder_.path()});
-    }
 
     // The scene with the look, as text, and what was said.
     std::pair<std::string, std::string> converted(const std::vector<std::string>& arguments,
                                                   const std::string& file = "a.txt") const {
-        std::vector<std::string> all = {"convert", file, "-", "--to", "text"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        const Outcome outcome = sphereview(all);
+        const Outcome outcome = sphereview(all_words({"convert", file, "-", "--to", "text"}, arguments));
         EXPECT_EQ(outcome.status, 0) << outcome;
         return {outcome.output, outcome.errors};
     }
 
-    void expect_fault(const std::vector<std::string>& arguments, const std::string& line) const {
-        const Outcome outcome = sphereview(arguments);
-        EXPECT_EQ(outcome.status, 2) << outcome;
-        EXPECT_EQ(outcome.output, "");
-        EXPECT_EQ(outcome.errors, line + "\n");
-    }
-
     Picture picture(const std::vector<std::string>& options) const {
-        std::vector<std::string> all = {"a.txt", "-o", "-"};
-        all.insert(all.end(), options.begin(), options.end());
-        const Outcome outcome = render(folder_, all);
+        const Outcome outcome = render(folder_, all_words({"a.txt", "-o", "-"}, options));
         EXPECT_EQ(outcome.status, 0) << outcome;
         return decode_png(outcome.output);
     }
-
-    TemporaryFolder folder_;
 };
 
 }  // namespace
@@ -151,9 +134,7 @@ TEST_F(Look, ALegendIsBesideOtherMarks) {
     for (const char* size : {"200x200", "200x500", "640x200"}) {
         for (const char* background : {"black", "white", "transparent"}) {
             const auto with = [&](const std::vector<std::string>& marks) {
-                std::vector<std::string> all = {"--fit", "-s", size, "--color-by", "radius", "--background", background};
-                all.insert(all.end(), marks.begin(), marks.end());
-                return picture(all);
+                return picture(all_words({"--fit", "-s", size, "--color-by", "radius", "--background", background}, marks));
             };
             const Picture plain = with({});
             const std::vector<bool> legend = differing(with({"--legend"}), plain);

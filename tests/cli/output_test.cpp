@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "cli/fails.hpp"
+#include "cli/in_folder.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 #include "support/trials.hpp"
@@ -12,13 +13,11 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-class Output : public testing::Test {
+class Output : public InFolder {
 protected:
     Output() { folder_.write("red.txt", red_scene); }
 
     Outcome render_into(const std::string& path) const { return render(folder_, {"red.txt", "-s", "5x5", "-o", path}); }
-
-    TemporaryFolder folder_;
 };
 
 // tests/unit/output_file_test.cpp has every reason.
@@ -41,8 +40,7 @@ TEST_F(Output, IsNamedAsWhatItIs) {
         EXPECT_TRUE(fails(render_into("x" + ending), 2, "x" + ending + said));
         EXPECT_TRUE(fails(render_into("{name}" + ending), 2, "{name}" + ending + said));
         EXPECT_TRUE(fails(render(folder_, {"red.txt", "--expect", "none.png", "--diff", "d" + ending}), 2, "d" + ending + said));
-        EXPECT_TRUE(fails(run({.arguments = {"compare", "red.png", "red.txt", "--diff", "d" + ending}, .folder = folder_.path()}),
-                          2, "d" + ending + said));
+        EXPECT_TRUE(fails(sphereview({"compare", "red.png", "red.txt", "--diff", "d" + ending}), 2, "d" + ending + said));
     }
     EXPECT_TRUE(fails(render_into("x."), 2, "x.: found no ending behind the last '.', expected .png or a name without one\n"));
     EXPECT_EQ(folder_.names(), before);
@@ -168,9 +166,7 @@ TEST(ExitStatus, SaysWhatWentWrongAndOfSeveralTheHighestCounts) {
         {{"blue.txt", "--expect", "golden.png", "-o", "/dev/full"}, 4},
     };
     for (const auto& [arguments, status] : cases) {
-        std::vector<std::string> all = {"-s", "5x5"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        const Outcome outcome = render(folder, all);
+        const Outcome outcome = render(folder, all_words({"-s", "5x5"}, arguments));
         EXPECT_EQ(outcome.status, status) << testing::PrintToString(arguments) << ": " << outcome;
         EXPECT_EQ(outcome.errors.empty(), status == 0) << outcome;
     }

@@ -149,10 +149,9 @@ TEST(BackendVariable, ChoosesUnlessTheOptionDoes) {
         {"cpu", {"--backend", "vulkan"}, "--backend: found 'vulkan', expected auto, egl, osmesa, wgl or cpu", 2},
     };
     for (const auto& [variable, options, said, status] : cases) {
-        std::vector<std::string> arguments = {"render", "scene.txt", "-s", "5x5", "--verbose"};
-        arguments.insert(arguments.end(), options.begin(), options.end());
-        const Outcome outcome =
-            run({.arguments = arguments, .folder = folder.path(), .environment = {{"SPHEREVIEW_BACKEND", variable}}});
+        const Outcome outcome = run({.arguments = all_words({"render", "scene.txt", "-s", "5x5", "--verbose"}, options),
+                                     .folder = folder.path(),
+                                     .environment = {{"SPHEREVIEW_BACKEND", variable}}});
         EXPECT_EQ(outcome.status, status) << outcome;
         EXPECT_TRUE(contains(outcome.errors, said));
     }

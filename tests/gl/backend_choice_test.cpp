@@ -18,9 +18,8 @@ protected:
     BackendChoice() { folder_.write("red.txt", red_scene); }
 
     Outcome render_small(const std::vector<std::string>& arguments, const Environment& environment = {}) const {
-        std::vector<std::string> all = {"render", "-s", "5x5"};
-        all.insert(all.end(), arguments.begin(), arguments.end());
-        return run({.arguments = all, .folder = folder_.path(), .environment = environment});
+        return run(
+            {.arguments = all_words({"render", "-s", "5x5"}, arguments), .folder = folder_.path(), .environment = environment});
     }
 
     TemporaryFolder folder_;
@@ -95,10 +94,9 @@ TEST_F(BackendChoice, FallsBackToTheCpuWhereNoGlServesAndSaysWhyButReplacesNoNam
                                                   {{"--backend", "osmesa"}, "", backend + osmesa},
                                                   {{"--device", "0"}, "", egl.substr(egl.find(": ") + 2)},
                                                   {{}, "egl", backend + egl}}) {
-            std::vector<std::string> arguments = {"red.txt"};
-            arguments.insert(arguments.end(), options.begin(), options.end());
             const Outcome outcome =
-                render_small(arguments, {variable, {"SPHEREVIEW_BACKEND", *named == 0 ? std::nullopt : std::optional(named)}});
+                render_small(all_words({"red.txt"}, options),
+                             {variable, {"SPHEREVIEW_BACKEND", *named == 0 ? std::nullopt : std::optional(named)}});
             EXPECT_EQ(outcome.status, 3) << outcome;
             EXPECT_TRUE(matches(outcome.errors, "red\\.txt: " + why + "\n"));
             EXPECT_EQ(lines(outcome.errors).size(), 1U) << outcome;

@@ -10,6 +10,7 @@
 
 #include "gpu/live_picture.hpp"
 #include "image/image.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview::test {
 
@@ -18,8 +19,7 @@ inline constexpr Color blue{0, 0, 250};
 
 // A red sphere in the middle, and a blue one that covers its right side.
 inline Scene two_spheres() {
-    Scene scene;
-    scene.spheres = {{{0, 0, 200}, 40, red, false}, {{40, 0, 150}, 30, blue, false}};
+    Scene scene = scene_of({{{0, 0, 200}, 40, red, false}, {{40, 0, 150}, 30, blue, false}});
     return scene;
 }
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <memory>
 
 #include "exact/resolve.hpp"
 #include "gl/contexts.hpp"
@@ -12,6 +11,7 @@
 #include "shade/picture_shader.hpp"
 #include "support/render.hpp"
 #include "support/shaded_scenes.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview::test {
 namespace {
@@ -76,8 +76,7 @@ TEST_P(WindowShading, IsWithinOneOfTheExports) {
 
 // A free sphere has no shadow but its own, so what moves looks nearly like the export.
 TEST_P(WindowShading, OfLightIsNearlyTheExports) {
-    Scene scene;
-    scene.spheres = {{{10, -5, 200}, 60, {220, 160, 90}, false}};
+    Scene scene = scene_of({{{10, -5, 200}, 60, {220, 160, 90}, false}});
     for (const Light& light : {Light{}, Light{.lights = {}, .sky = 0.4, .sun = Sun{{3.0, 1.0, -2.0}, 0.8}}}) {
         scene.light = light;
         scene.light.lights = 1024;

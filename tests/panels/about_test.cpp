@@ -27,7 +27,7 @@ TEST(AboutPanel, TellsTheVersionTheRendererAndTheLicences) {
     EXPECT_EQ(harness.vertices(), 0);
     EXPECT_EQ(asked, 0);
     about.shown = true;
-    harness.frames(4);
+    harness.redraws(4);
     const std::string text = harness.text();
     for (const char* words : {"sphereview 1.2.3", "Renderer: llvmpipe %s", "Dear ImGui"}) {
         EXPECT_NE(text.find(words), std::string::npos) << words << " is not in " << text;

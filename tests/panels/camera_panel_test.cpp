@@ -24,10 +24,7 @@ TEST(CameraPanel, ButtonsRunCommands) {
     OpenCameraPanel panel;
     panel.click("use view");
     panel.click("home");
-    const auto commands = panel.taken<RunCommand>();
-    ASSERT_EQ(commands.size(), 2U);
-    EXPECT_EQ(commands[0].command, CommandId::use_view_as_camera);
-    EXPECT_EQ(commands[1].command, CommandId::go_home);
+    EXPECT_EQ(panel.commands_taken(), (std::vector{CommandId::use_view_as_camera, CommandId::go_home}));
 }
 
 TEST(CameraPanel, NumbersAreTyped) {
@@ -79,7 +76,7 @@ TEST(CameraPanel, AViewThatHasMovedBecomesTheScenesFirst) {
     Camera moved;
     moved.eye = {1.0, 0.0, 0.0};
     panel.moved_view = moved;
-    panel.frames(2);
+    panel.redraws(2);
     panel.drag_by("roll", 23.0F);
     EXPECT_EQ(panel.camera().eye, moved.eye);
     EXPECT_NE(roll_of(panel.camera()), 0.0);
@@ -106,7 +103,7 @@ TEST(CameraPanel, WhatIsNoCameraIsRefused) {
 TEST(CameraPanel, TheProjectionIsAnEdit) {
     OpenCameraPanel panel;
     panel.click("projection");
-    panel.frames(3);
+    panel.redraws(3);
     panel.click("projection orthographic");
     EXPECT_TRUE(panel.camera().orthographic());
     EXPECT_EQ(panel.document.undo_name(), "Change the projection");

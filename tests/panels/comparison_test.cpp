@@ -54,7 +54,7 @@ TEST(ComparisonPanel, TakesTheSidePanelsPlace) {
         for (const bool inspector : {false, true}) {
             ImGui::GetIO().DisplaySize = size;
             state.inspector_shown = inspector;
-            window.frames(2);
+            window.redraws(2);
             const WidgetRectangle shown = window.rectangles.at("comparison");
             EXPECT_GE(shown.left, picture.x + picture.width) << "covers nothing of the picture";
             EXPECT_LE(shown.right, size.x);
@@ -64,14 +64,14 @@ TEST(ComparisonPanel, TakesTheSidePanelsPlace) {
     }
     state.inspector_shown = true;
     window.scale = 2.0F;
-    window.frames(2);
+    window.redraws(2);
     EXPECT_GE(window.rectangles.at("comparison").left, 0.0F) << "over the others where there is no room beside them";
     EXPECT_LE(window.rectangles.at("comparison").right, 800.0F);
     window.scale = 1.0F;
     ImGui::GetIO().DisplaySize = {1400.0F, 900.0F};
     state.inspector_shown = false;
     state.comparison->open = false;
-    window.frames(2);
+    window.redraws(2);
     EXPECT_TRUE(state.panel_drawn);
     EXPECT_EQ(picture.width, before.width);
 }

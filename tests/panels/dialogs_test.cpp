@@ -252,7 +252,7 @@ TEST_F(ExportDialog, ComesBackWithTheErrorOfWhoWrites) {
     };
     harness.put(failing);
     harness.enter();
-    harness.panels.frames(4);
+    harness.panels.redraws(4);
     EXPECT_EQ(harness.top_id(), "export");
     EXPECT_NE(harness.panels.text().find("the disk is full"), std::string::npos);
     harness.type_over("browser name", folder.path("other.png"));

@@ -50,7 +50,7 @@ protected:
     FilmForm& form() { return *harness.top<FileBrowser>().film; }
     bool says(const std::string& words) {
         harness.panels.move({1.0F, 1.0F});  // no tooltip, which would be the text
-        harness.panels.frames(2);
+        harness.panels.redraws(2);
         return harness.panels.text().find(words) != std::string::npos;
     }
 };
@@ -125,7 +125,7 @@ TEST_F(FilmDialog, TakesNoQualityBeyondTheBest) {
 TEST_F(FilmDialog, StaysWhileSomethingIsWrong) {
     put(10);
     harness.type_over("film frames", "9");
-    harness.panels.frames(2);
+    harness.panels.redraws(2);
     EXPECT_TRUE(says("no frame 9"));
     harness.click("browser ok");
     harness.enter();

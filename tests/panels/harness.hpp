@@ -9,6 +9,7 @@
 #include "panels/dialogs.hpp"
 #include "panels/side_panel.hpp"
 #include "support/panel_harness.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -20,18 +21,18 @@ struct DialogHarness {
     // Puts a dialog on top and waits until it has its place.
     void put(Dialog dialog) {
         dialogs.push_back(std::move(dialog));
-        panels.frames(4);
+        panels.redraws(4);
     }
     void enter() { press({.enter = true}); }
     void escape() { press({.escape = true}); }
     void step(int by) { press({.step = by}); }
     void press(DialogKeys pressed) {
         keys = pressed;
-        panels.frames(4);
+        panels.redraws(4);
     }
     void click(const std::string& widget) {
         panels.click(widget);
-        panels.frames(4);
+        panels.redraws(4);
     }
     // In a text box: what was there before is replaced.
     void type_over(const std::string& widget, const std::string& text) {
@@ -48,7 +49,7 @@ struct DialogHarness {
     }
     void double_click(const std::string& widget) {
         panels.double_click(widget);
-        panels.frames(4);
+        panels.redraws(4);
     }
     template <typename Kind>
     Kind& top() {
@@ -59,8 +60,7 @@ struct DialogHarness {
 
 // Spheres 0, 1, 2, ... in a line, with values that no slider gives.
 inline Scene line_of_spheres(std::size_t count) {
-    Scene scene;
-    scene.spheres.resize(count);
+    Scene scene = scene_of_alike(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto x = static_cast<double>(i);
         scene.spheres[i] = {{x / 3.0, x / 7.0 - 5.0, 200.0 + x / 11.0}, 1.0 + x / 13.0, {10, 20, 30}};
@@ -89,7 +89,7 @@ public:
     // Selects as a click does, without one.
     void select(const std::vector<std::uint32_t>& numbers) {
         selection.set(numbers);
-        frames(2);
+        redraws(2);
     }
     void type_into(const std::string& widget, const std::string& text) {
         click(widget);
@@ -97,13 +97,13 @@ public:
     }
     void begin_renaming(std::uint32_t number, const std::string& typed) {
         start_renaming(state(), document.scene(), number);
-        frames(4);
+        redraws(4);
         ASSERT_TRUE(has("rename"));
         type(typed);
     }
     void undo() {
         document.undo();
-        frames();
+        redraws();
     }
     void expect_selected(const std::vector<std::uint32_t>& numbers) const { EXPECT_EQ(selection.numbers(), numbers); }
     const Sphere& sphere(std::uint32_t number) const { return document.scene().spheres.at(number); }
@@ -111,7 +111,7 @@ public:
     // In a number's field, which a click opens.
     void enter(const std::string& number, const std::string& text) {
         click("slider " + number);
-        frames(3);
+        redraws(3);
         type(text);
         tap(ImGuiKey_Enter);
         move({1000.0F, 900.0F});  // no tooltip, which would end the text
@@ -129,6 +129,18 @@ public:
         return edits;
     }
 
+    // That what is held without moving, and let go, asks for nothing.
+    void expect_nothing_while_held(ImVec2 held_place) {
+        move(held_place);
+        press();
+        redraws(2);
+        take_actions();
+        redraws(5);
+        release();
+        redraws(2);
+        EXPECT_TRUE(take_actions().empty());
+    }
+
     // How many rows were drawn.
     std::size_t rows() const {
         std::size_t count = 0;
@@ -143,7 +155,7 @@ struct OpenPartHarness : SidePanelHarness {
     template <typename Set>
     OpenPartHarness(const std::string& part, const Set& set, float height = 700.0F) : SidePanelHarness(scene_with(set), height) {
         click(part);
-        frames(2);
+        redraws(2);
         take_actions();
     }
 

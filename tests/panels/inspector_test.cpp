@@ -2,6 +2,7 @@
 
 #include "panels/inspector.hpp"
 #include "support/panel_harness.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -38,12 +39,6 @@ private:
     }
 };
 
-Scene of(std::vector<Sphere> spheres) {
-    Scene scene;
-    scene.spheres = std::move(spheres);
-    return scene;
-}
-
 void expect_in_order(const std::string& text, const std::vector<std::string>& parts) {
     std::size_t place = 0;
     for (const std::string& part : parts) {
@@ -55,7 +50,7 @@ void expect_in_order(const std::string& text, const std::vector<std::string>& pa
 
 TEST(Inspector, ShowsTheFormulaeAndTheHitsInOrder) {
     Scene scene =
-        of({{{0.0, 0.0, 400.0}, 20.0}, {{0.0, 0.0, 200.0}, 20.0}, {{0.0, 90.0, 200.0}, 20.0}, {{0.0, 0.0, -200.0}, 20.0}});
+        scene_of({{{0.0, 0.0, 400.0}, 20.0}, {{0.0, 0.0, 200.0}, 20.0}, {{0.0, 90.0, 200.0}, 20.0}, {{0.0, 0.0, -200.0}, 20.0}});
     scene.spheres.push_back({{0.0, 0.0, 100.0}, 5.0, {}, true});
     scene.names[1] = "sun";
     InspectorHarness panel(scene);
@@ -99,13 +94,13 @@ TEST(Inspector, ShowsTheFormulaeAndTheHitsInOrder) {
 }
 
 TEST(Inspector, ShowsWhatIsSpecialAboutARay) {
-    Scene white = of({{{0.0, 90.0, 200.0}, 20.0}});
+    Scene white = scene_of({{{0.0, 90.0, 200.0}, 20.0}});
     white.background = {{255, 255, 255}, false};
     const std::vector<std::pair<Scene, std::vector<std::string>>> cases = {
-        {of({{{20.0, 0.0, 200.0}, 20.0}}), {"4ac = 0  = 0 exactly: tangent, one root", "tangent", "t = 2", "only exact"}},
-        {of({{{0.0, 0.0, 10.0}, 50.0}}), {"seen", "t1 = -0.4", "t2 = 0.6", "the eye is inside", "t = 0.6"}},
+        {scene_of({{{20.0, 0.0, 200.0}, 20.0}}), {"4ac = 0  = 0 exactly: tangent, one root", "tangent", "t = 2", "only exact"}},
+        {scene_of({{{0.0, 0.0, 10.0}, 50.0}}), {"seen", "t1 = -0.4", "t2 = 0.6", "the eye is inside", "t = 0.6"}},
         {white, {"No hit: the pixel shows the background, white.", "missed", "1 missed"}},
-        {of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 210.0}, 30.0}}), {"sphere 0", "seen", "sphere 1", "exactly as", "near"}}};
+        {scene_of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 210.0}, 30.0}}), {"sphere 0", "seen", "sphere 1", "exactly as", "near"}}};
     for (const auto& [scene, words] : cases) expect_in_order(InspectorHarness(scene).text(), words);
 }
 
@@ -118,7 +113,7 @@ TEST(Inspector, ShowsTheNearestOfManyHits) {
 }
 
 TEST(Inspector, CountsWhatWasNotTried) {
-    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
+    InspectorHarness panel(scene_of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_EQ(panel.text().find("in all"), std::string::npos);
     panel.pixel().explanation.elsewhere = 1000;
     panel.pixel().explanation.missed = 7;
@@ -126,7 +121,7 @@ TEST(Inspector, CountsWhatWasNotTried) {
 }
 
 TEST(Inspector, SaysWhereParallelRaysDoNotGo) {
-    Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, -200.0}, 20.0}});
+    Scene scene = scene_of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, -200.0}, 20.0}});
     scene.camera.projection = Projection::orthographic;
     InspectorHarness panel(scene);
     expect_in_order(panel.text(), {"sphere 0", "1 behind where the ray begins: no positive root"});
@@ -140,13 +135,13 @@ TEST(Inspector, AsksForAPixel) {
 }
 
 TEST(Inspector, LeavesOutSpheresThatAreGone) {
-    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 300.0}, 20.0}}));
+    InspectorHarness panel(scene_of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 300.0}, 20.0}}));
     panel.document.apply(RemoveSpheres{{1}}, "");
     EXPECT_EQ(panel.text().find("sphere 1"), std::string::npos);
 }
 
 TEST(Inspector, FollowsTheRayToTheSun) {
-    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}}));
+    InspectorHarness panel(scene_of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_EQ(panel.text().find("sun"), std::string::npos);
     panel.pixel().light = InspectedLight{.number = 0, .direction = {1.0, 2.0, -3.0}, .why = "does not shine: so it is"};
     expect_in_order(panel.text(),
@@ -155,7 +150,7 @@ TEST(Inspector, FollowsTheRayToTheSun) {
 }
 
 TEST(Inspector, FollowsTheRayToALightOfTheSky) {
-    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{90.0, 0.0, 200.0}, 20.0}}));
+    InspectorHarness panel(scene_of({{{0.0, 0.0, 200.0}, 20.0}, {{90.0, 0.0, 200.0}, 20.0}}));
     panel.pixel().light = InspectedLight{.number = 17, .direction = {1.0, 2.0, -3.0}, .why = "is kept away", .blocker = 1};
     panel.pixel().sky = "3 of 5 lights shine";
     expect_in_order(panel.text(), {"from the point P to the light: sphere 1 is in the way.", "light 17: L = (1, 2, -3)",
@@ -164,7 +159,7 @@ TEST(Inspector, FollowsTheRayToALightOfTheSky) {
 }
 
 TEST(Inspector, ShowsHowTheColourOfALitPixelComesAbout) {
-    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0, {200, 100, 50}}}));
+    InspectorHarness panel(scene_of({{{0.0, 0.0, 200.0}, 20.0, {200, 100, 50}}}));
     EXPECT_EQ(panel.text().find("B = "), std::string::npos);
     panel.pixel().light = InspectedLight{.number = 0, .direction = {0.0, 0.0, -1.0}, .shines = true, .why = "shines"};
     // Light of strength 0.8 from the eye: 1.8 * 0.8 / 1.6 = 0.9.
@@ -180,7 +175,7 @@ TEST(Inspector, ShowsHowTheColourOfALitPixelComesAbout) {
 }
 
 TEST(Inspector, IsAskedByItsButtons) {
-    const Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}});
+    const Scene scene = scene_of({{{0.0, 0.0, 200.0}, 20.0}});
     InspectorHarness panel(scene);
     panel.click("unpin");
     EXPECT_EQ(panel.taken<InspectorWish>(), std::vector{InspectorWish::pin});
@@ -194,7 +189,7 @@ TEST(Inspector, IsAskedByItsButtons) {
 }
 
 TEST(Inspector, ComparesTwoPixels) {
-    const Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}});
+    const Scene scene = scene_of({{{0.0, 0.0, 200.0}, 20.0}});
     InspectorHarness panel(scene);
     panel.inspection.pinned = true;
     panel.inspection.second = inspected(scene, {0, 0});
@@ -206,20 +201,20 @@ TEST(Inspector, ComparesTwoPixels) {
 }
 
 TEST(Inspector, DrawsTheSphereThatWasClicked) {
-    InspectorHarness panel(of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 300.0}, 20.0}}));
+    InspectorHarness panel(scene_of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 0.0, 300.0}, 20.0}}));
     EXPECT_NE(panel.text().find("centre C of sphere 0"), std::string::npos);
     panel.click("hit 1");
     EXPECT_NE(panel.text().find("centre C of sphere 1"), std::string::npos);
     // The first sphere, in the drawing: its circle is at the left of the other's.
     panel.click(panel.place("quadratic drawing", 0.5F, 0.98F));
-    panel.inspection.first = inspected(of({{{0.0, 0.0, 200.0}, 20.0}}));
+    panel.inspection.first = inspected(scene_of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_NE(panel.text().find("centre C of sphere 0"), std::string::npos) << "one that is not explained cannot be chosen";
 }
 
 // Whatever the width and the text's size, what is written in the drawings stands apart, from points as well, and what matters most
 // is there.
 TEST(Inspector, NothingIsWrittenOverATextOrAPointOfADrawing) {
-    Scene scene = of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 30.0, 300.0}, 20.0}, {{9e4, 0.0, 1e5}, 1.0}});
+    Scene scene = scene_of({{{0.0, 0.0, 200.0}, 20.0}, {{0.0, 30.0, 300.0}, 20.0}, {{9e4, 0.0, 1e5}, 1.0}});
     for (const float text_scale : {1.0F, 2.0F, 3.0F}) {
         for (const float width : {90.0F, 160.0F, 240.0F, 460.0F, 700.0F}) {
             SCOPED_TRACE(std::to_string(width) + " pixels, text of size " + std::to_string(text_scale));
@@ -227,7 +222,7 @@ TEST(Inspector, NothingIsWrittenOverATextOrAPointOfADrawing) {
             // The ray to a sun that nearly touches the sphere's edge, from where it leaves it.
             panel.pixel().light = InspectedLight{.number = 0, .direction = {1.0, 0.2, -0.3}, .shines = true, .why = "shines"};
             ImGui::GetIO().FontGlobalScale = text_scale;
-            panel.frames(3);
+            panel.redraws(3);
             EXPECT_TRUE(panel.has("light drawing mark 0"));
             std::vector<std::pair<std::string, WidgetRectangle>> drawn;  // marks come before texts
             for (const auto& [name, at] : panel.rectangles) {

@@ -55,15 +55,7 @@ TEST(LightPanel, TheSunIsWhereItIsDraggedInOneStep) {
 // Whoever holds the sun where it is changes nothing.
 TEST(LightPanel, NothingIsAskedForWhileTheHeldSunRests) {
     OpenLightPanel panel({.sun = Sun{}});
-    panel.move(panel.ball(0.3F, 0.3F));
-    panel.press();
-    panel.frames(2);
-    panel.take_actions();
-    panel.frames(5);
-    EXPECT_TRUE(panel.take_actions().empty());
-    panel.release();
-    panel.frames(2);
-    EXPECT_TRUE(panel.take_actions().empty());
+    panel.expect_nothing_while_held(panel.ball(0.3F, 0.3F));
 }
 
 TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
@@ -133,11 +125,11 @@ TEST(LightPanel, SkyKeyAndLightsAreEdits) {
     EXPECT_EQ(panel.light().key, 0.0);
     EXPECT_EQ(panel.document.undo_name(), "Change the key light");
     panel.click("lights");
-    panel.frames(3);
+    panel.redraws(3);
     panel.click("lights 128");
     EXPECT_EQ(panel.light().lights, 128);
     panel.click("lights");
-    panel.frames(3);
+    panel.redraws(3);
     panel.click("lights automatic");
     EXPECT_EQ(panel.light().lights, std::nullopt);
     for (int i = 0; i < 6; ++i) panel.undo();
@@ -149,11 +141,11 @@ TEST(LightPanel, SkyKeyAndLightsAreEdits) {
 TEST(LightPanel, OffersTheShadingThatShowsLight) {
     OpenLightPanel panel;
     panel.click("studio");
-    const auto commands = panel.taken<RunCommand>();
+    const std::vector<CommandId> commands = panel.commands_taken();
     ASSERT_EQ(commands.size(), 1U);
-    for (CommandInfo& info : panel.commands) info.checked = info.id == commands[0].command;
-    panel.frames(2);
-    EXPECT_EQ(info_of(panel.commands, commands[0].command).label, "Studio");
+    for (CommandInfo& info : panel.commands) info.checked = info.id == commands[0];
+    panel.redraws(2);
+    EXPECT_EQ(info_of(panel.commands, commands[0]).label, "Studio");
     EXPECT_FALSE(panel.has("studio"));
 }
 

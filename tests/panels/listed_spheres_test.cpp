@@ -4,6 +4,7 @@
 
 #include "panels/harness.hpp"
 #include "panels/listed_spheres.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -12,8 +13,7 @@ namespace {
 using Numbers = std::vector<std::uint32_t>;
 
 Scene some() {
-    Scene scene;
-    scene.spheres.resize(125);
+    Scene scene = scene_of_alike(125);
     scene.names = {{0, "Sun"}, {12, "sunflower 3"}, {99, "Ümlaut"}};
     return scene;
 }
@@ -50,8 +50,7 @@ TEST(SphereFilter, FindsNumbersByTheirFirstDigits) {
 }
 
 TEST(SphereFilter, NumbersAreThoseWhoseTextBeginsSo) {
-    Scene scene;
-    scene.spheres.resize(2345);
+    Scene scene = scene_of_alike(2345);
     for (const std::string digits : {"0", "1", "2", "9", "10", "23", "234", "2344", "2345", "01", "00"}) {
         Numbers expected;
         for (std::uint32_t number = 0; number < 2345; ++number) {
@@ -110,7 +109,7 @@ TEST(SphereList, AMillionSpheresTakeNoMoreWorkThanTheVisibleRows) {
     for (const std::uint32_t number : {999'999U, 654'321U, 500'000U}) {
         panel.selection.set_only(number);
         panel.state().scroll_to_selection = true;
-        panel.frames(3);
+        panel.redraws(3);
         ASSERT_TRUE(panel.has("row " + std::to_string(number)));
         EXPECT_LE(panel.rows(), 40U);
         EXPECT_LE(panel.vertices(), 2 * vertices);
@@ -126,13 +125,13 @@ TEST(SphereList, EveryRowOfAMillionIsReached) {
     SidePanelHarness panel(line_of_spheres(1'000'000));
     panel.click("row 2");
     panel.tap(ImGuiKey_End);
-    panel.frames(2);
+    panel.redraws(2);
     panel.expect_selected({999'999});
     EXPECT_TRUE(panel.has("row 999999"));
     panel.tap(ImGuiKey_UpArrow);
     panel.expect_selected({999'998});
     panel.tap(ImGuiKey_Home);
-    panel.frames(2);
+    panel.redraws(2);
     panel.expect_selected({0});
     EXPECT_TRUE(panel.has("row 0"));
     // By the scroll bar to the very end, and back by the wheel a little.
@@ -145,12 +144,12 @@ TEST(SphereList, EveryRowOfAMillionIsReached) {
     panel.click("row 999999");
     panel.expect_selected({999'999});
     panel.wheel(1.0F);
-    panel.frames();
+    panel.redraws();
     EXPECT_FALSE(panel.has("row 999999")) << "out of sight after three rows";
     EXPECT_TRUE(panel.has("row 999996"));
     panel.move(panel.place("row 999995"));
     for (int i = 0; i < 100; ++i) panel.wheel(1.0F);
-    panel.frames();
+    panel.redraws();
     EXPECT_FALSE(panel.has("row 999996"));
     EXPECT_TRUE(panel.has("row 999690"));
 }
@@ -203,10 +202,10 @@ TEST(SphereList, WhatFulfilsAConditionIsSelectedAndHidden) {
     panel.type_into("filter", "radius > 500");
     EXPECT_EQ(panel.rows(), 0U);
     panel.document.apply(ChangeSpheres{{5}, {{{}, 1000.0}}}, "");
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_EQ(panel.state().search.found(), Numbers{5});
     panel.document.apply(RemoveSpheres{{0, 1}}, "");
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_EQ(panel.state().search.found(), Numbers{3});
 }
 
@@ -225,10 +224,10 @@ TEST(SphereList, AConditionSaysWhatIsWrongAndAsksForWhatIsNotRead) {
     EXPECT_FALSE(panel.taken<RequestProperties>().empty());
     EXPECT_FALSE(panel.has("filter fault"));
     panel.document.add_properties({{"Mass", std::vector<double>(125, 2.0)}});
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_EQ(panel.state().search.found().size(), 125U);
     panel.take_actions();
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_TRUE(panel.taken<RequestProperties>().empty());
 }
 
@@ -245,22 +244,22 @@ TEST(SphereList, AFilterOfManyNamesAnswersBeforeItIsDone) {
     // A move of a sphere begins nothing anew; a name does.
     const double part = panel.state().search.part();
     panel.document.apply(ChangeSpheres{{5}, {scene.spheres[6]}}, "");
-    panel.frames();
+    panel.redraws();
     EXPECT_GT(panel.state().search.part(), part);
     panel.document.apply(RenameSphere{8, "Planet X"}, "");
-    panel.frames();
+    panel.redraws();
     EXPECT_LE(panel.state().search.part(), part);
-    panel.frames(10);
+    panel.redraws(10);
     EXPECT_TRUE(panel.state().search.done());
     EXPECT_EQ(panel.state().search.found(), (Numbers{7, 8, 100'007, 200'007}));
     panel.click("select filtered");
     EXPECT_EQ(panel.selection.size(), 4U);
     panel.document.undo();
-    panel.frames(12);
+    panel.redraws(12);
     EXPECT_EQ(panel.state().search.found().size(), 3U) << "undoing a name is followed, too";
     EXPECT_EQ(panel.rows(), 3U);
     panel.document.apply(RemoveSpheres{{0, 1, 2}}, "");
-    panel.frames(12);
+    panel.redraws(12);
     EXPECT_EQ(panel.state().search.found().front(), 4U) << "a sphere that is gone counts";
 }
 

@@ -3,8 +3,6 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
-#include <cmath>
-
 #include "look/sizes.hpp"
 #include "panels/harness.hpp"
 
@@ -22,9 +20,9 @@ struct OpenLookPanel : OpenPartHarness {
 
     void choose(const std::string& field, const std::string& entry) {
         click(field);
-        frames(3);
+        redraws(3);
         click(field + " " + entry);
-        frames(3);
+        redraws(3);
     }
     std::vector<Color> colors() const {
         std::vector<Color> found;
@@ -61,7 +59,7 @@ TEST(LookPanel, ColorsByNumbersInOneStep) {
     EXPECT_EQ(panel.legend(), "colours by charge: viridis from -1 to 3");
     EXPECT_NE(panel.look().colors.map, ColorMap::turbo);
     panel.document.redo();
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_EQ(panel.legend(), "colours by charge: turbo from -1 to 3");
     EXPECT_EQ(panel.look().colors.map, ColorMap::turbo);
     panel.undo();
@@ -100,7 +98,7 @@ TEST(LookPanel, TheRangeIsTypedOrOfTheDataOrOfWhatIsSeen) {
     panel.click("range of seen");
     ASSERT_TRUE(panel.look().asks_for_seen);
     panel.look().seen = {0, 1};
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_EQ(panel.look().colors.range, (ValueRange{-1.0, 0.0}));
     EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {0.0, 1.0, 1.0}));
     panel.click("logarithm");
@@ -131,28 +129,28 @@ TEST(LookPanel, ColorsByWords) {
 TEST(LookPanel, WaitsForWhatIsNotReadYet) {
     OpenLookPanel panel;
     panel.property_names = {"charge", "mass", "chain"};
-    panel.frames(2);
+    panel.redraws(2);
     panel.click("colour by");
-    panel.frames(3);
+    panel.redraws(3);
     panel.take_actions();
     panel.click("colour by mass");
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_FALSE(panel.taken<RequestProperties>().empty());
     EXPECT_FALSE(panel.document.can_undo());
     panel.document.add_properties({{"mass", std::vector<float>{2.0F, 1.0F, 1.5F}}});
-    panel.frames(3);
+    panel.redraws(3);
     EXPECT_EQ(panel.colors(), panel.expected(ColorMap::viridis, {1.0, 0.0, 0.5}));
     panel.take_actions();
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_TRUE(panel.take_actions().empty());
     // What cannot be read is asked for no more.
     panel.property_names = {"charge", "mass", "chain", "lost"};
-    panel.frames(2);
+    panel.redraws(2);
     panel.choose("colour by", "lost");
     panel.property_names.pop_back();
-    panel.frames(2);
+    panel.redraws(2);
     panel.take_actions();
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_TRUE(panel.take_actions().empty());
     EXPECT_FALSE(panel.look().recolors);
 }
@@ -161,10 +159,10 @@ TEST(LookPanel, SizesByNumbers) {
     OpenLookPanel panel;
     const std::vector<Sphere> before = panel.document.scene().spheres;
     panel.click("size by");
-    panel.frames(3);
+    panel.redraws(3);
     EXPECT_FALSE(panel.has("size by chain"));
     panel.click("size by charge");
-    panel.frames(3);
+    panel.redraws(3);
     EXPECT_EQ(panel.document.undo_name(), "Size by 'charge'");
     EXPECT_EQ(panel.sphere(2).radius, 3.0 * panel.look().scale);
     EXPECT_EQ(panel.sphere(0).radius, 0.02 * panel.sphere(2).radius);
@@ -192,7 +190,7 @@ TEST(LookPanel, GivesTheirOwnColoursAndSizesBack) {
     EXPECT_EQ(panel.legend(), "colours by charge: turbo from -1 to 3");
     // Of other spheres nobody knows them.
     panel.document.apply(RemoveSpheres{{0}}, "Delete");
-    panel.frames(2);
+    panel.redraws(2);
     panel.take_actions();
     panel.choose("colour by", "own");
     EXPECT_TRUE(panel.taken<EditScene>().empty());
@@ -201,19 +199,19 @@ TEST(LookPanel, GivesTheirOwnColoursAndSizesBack) {
 TEST(LookPanel, GivesAtomsTheRadiiOfTheirElements) {
     OpenLookPanel none;
     none.click("size by");
-    none.frames(3);
+    none.redraws(3);
     EXPECT_FALSE(none.has("size by covalent radii")) << "no elements";
 }
 
 TEST(LookPanel, GivesAtomsTheRadiiOfTheirElementsOnceTheyAreRead) {
     OpenLookPanel panel;
     panel.property_names = {"charge", "chain", "element"};
-    panel.frames(2);
+    panel.redraws(2);
     const std::vector<Sphere> before = panel.document.scene().spheres;
     panel.choose("size by", "van der Waals radii");
     EXPECT_FALSE(panel.taken<RequestProperties>().empty());
     panel.document.add_properties({{"element", Labels{{"C", "H"}, {0, 1, 0}}}});
-    panel.frames(3);
+    panel.redraws(3);
     EXPECT_EQ(panel.document.undo_name(), "Use van der Waals radii");
     EXPECT_EQ(panel.sphere(0).radius, radius_of_element("C", RadiiKind::vdw));
     panel.choose("size by", "covalent radii");
@@ -228,7 +226,7 @@ TEST(LookPanel, TheRangesHandlesAreAsLargeAsItsWords) {
     OpenLookPanel panel;
     panel.choose("colour by", "charge");
     ImGui::GetIO().FontGlobalScale = 2.0F;
-    panel.frames(3);
+    panel.redraws(3);
     const WidgetRectangle histogram = panel.rectangles.at("histogram");
     for (const char* name : {"handle from", "handle to"}) {
         const WidgetRectangle handle = panel.rectangles.at(name);
@@ -241,7 +239,7 @@ TEST(LookPanel, TheRangesHandlesAreAsLargeAsItsWords) {
     panel.move(begin);
     panel.press();
     panel.move({begin.x + 60.0F, begin.y});
-    panel.frames(2);
+    panel.redraws(2);
     const auto lowest = [] {
         float bottom = 0.0F;
         for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows) {
@@ -252,7 +250,7 @@ TEST(LookPanel, TheRangesHandlesAreAsLargeAsItsWords) {
     EXPECT_GT(lowest(), 0.0F) << "a tooltip tells the value";
     EXPECT_LE(lowest(), histogram.top + 1.0F) << "and covers neither the handles nor the fields";
     panel.release();
-    panel.frames(2);
+    panel.redraws(2);
     panel.drag(panel.place("handle from", 0.2F), {histogram.left + 100.0F, histogram.bottom - 2.0F});
     ASSERT_TRUE(panel.look().colors.range);
     EXPECT_GT(panel.look().colors.range->low, -1.0);

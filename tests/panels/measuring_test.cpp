@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "panels/harness.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -13,18 +14,17 @@ namespace {
 
 struct MeasuringHarness {
     explicit MeasuringHarness(Rectangle picture = {100.0F, 50.0F, 600.0F, 500.0F}) : area(picture) {
-        Scene scene;
-        scene.spheres.resize(5);
+        Scene scene = scene_of_alike(5);
         const std::vector<glm::dvec3> places = {{0, 1, 0}, {0, 0, 0}, {3, 0, 0}, {3, 0, 4}, {9, 9, 9}};
         for (std::size_t i = 0; i < places.size(); ++i) scene.spheres[i].center = places[i];
         scene.names[1] = "sun";
         panels.document = Document(scene);
-        panels.frames(4);
+        panels.redraws(4);
     }
 
     void measure_all(const std::vector<std::uint32_t>& spheres) {
         for (const std::uint32_t sphere : spheres) measure(measuring, panels.document, sphere);
-        panels.frames(4);
+        panels.redraws(4);
     }
     std::vector<std::string> words(bool left_handed = false) const {
         std::vector<std::string> found;
@@ -91,10 +91,10 @@ TEST(MeasuringPanel, FollowsEditsAndForgetsSpheresThatHaveOtherNumbers) {
     Sphere moved = harness.panels.document.scene().spheres[2];
     moved.center.x = 7.5;
     harness.panels.document.apply(ChangeSpheres{{2}, {moved}}, "Move");
-    harness.panels.frames(2);
+    harness.panels.redraws(2);
     EXPECT_EQ(harness.words(), Words{"distance sphere 1 'sun' to sphere 2 = 7.5"});
     harness.panels.document.apply(RemoveSpheres{{0}}, "Delete");
-    harness.panels.frames(2);
+    harness.panels.redraws(2);
     EXPECT_TRUE(harness.measuring.spheres.empty());
 }
 
@@ -113,7 +113,7 @@ TEST(MeasuringPanel, CopiesBeginsAnewAndEnds) {
     EXPECT_GE(window.top, 50.0F);
     harness.panels.click("measure end");
     EXPECT_FALSE(harness.measuring.on);
-    harness.panels.frames(2);
+    harness.panels.redraws(2);
     EXPECT_FALSE(harness.panels.has("measuring"));
 }
 
@@ -126,7 +126,7 @@ TEST(MeasuringPanel, IsMovedAsideAndStaysWithinThePicture) {
     EXPECT_NEAR(window().left, first.left + 100.0F, 1.0F);
     EXPECT_NEAR(window().top, first.top + 200.0F, 1.0F);
     harness.area = {100.0F, 50.0F, 380.0F, 300.0F};
-    harness.panels.frames(2);
+    harness.panels.redraws(2);
     EXPECT_LE(window().right, 480.0F);
     EXPECT_LE(window().bottom, 350.0F);
 }

@@ -6,6 +6,7 @@
 #include "panels/commands.hpp"
 #include "panels/menus.hpp"
 #include "support/panel_harness.hpp"
+#include "support/spheres.hpp"
 #include "viewer/layout.hpp"
 #include "viewer/view_marks.hpp"
 
@@ -36,7 +37,7 @@ TEST(Layout, ThePanelGetsItsWidthBackWhenThereIsRoom) {
     EXPECT_LT(picture, 200.0F);
     EXPECT_EQ(state.settings.panel_width, 700.0);
     ImGui::GetIO().DisplaySize.x = 1400.0F;
-    window.frames();
+    window.redraws();
     EXPECT_EQ(picture, before);
     window.drag(window.place("splitter"), {window.place("splitter").x + 100.0F, 300.0F});
     EXPECT_NEAR(state.settings.panel_width, 600.0, 1.0);
@@ -50,7 +51,7 @@ TEST(Layout, PanelsYieldToThePictureInASmallWindow) {
     EXPECT_TRUE(state.panel_drawn);
     EXPECT_TRUE(window.has("splitter") && window.has("inspector splitter"));
     ImGui::GetIO().DisplaySize = {200.0F, 150.0F};
-    window.frames(2);
+    window.redraws(2);
     EXPECT_FALSE(state.panel_drawn);
     EXPECT_TRUE(state.panel_shown) << "as soon as there is room";
     EXPECT_EQ(picture.width, 200.0F);
@@ -59,7 +60,7 @@ TEST(Layout, PanelsYieldToThePictureInASmallWindow) {
         EXPECT_LT(window.rectangles.at(menu).right, 200.0F) << menu;
     }
     ImGui::GetIO().DisplaySize = {1400.0F, 600.0F};
-    window.frames(2);
+    window.redraws(2);
     EXPECT_TRUE(window.has("splitter") && window.has("inspector splitter"));
 }
 
@@ -70,7 +71,7 @@ TEST(Layout, TheSidePanelYieldsToToolsThatAreOpen) {
     const auto resized = [&](float width, float height, float scale) {
         ImGui::GetIO().DisplaySize = {width, height};
         window.scale = scale;
-        window.frames(2);
+        window.redraws(2);
     };
     state.inspector_shown = true;
     resized(800.0F, 600.0F, 1.0F);
@@ -85,18 +86,17 @@ TEST(Layout, TheSidePanelYieldsToToolsThatAreOpen) {
     EXPECT_FALSE(state.panel_drawn) << "no room for all three";
     EXPECT_GE(window.rectangles.at("inspector splitter").left, 400.0F);
     state.inspector_shown = false;
-    window.frames(2);
+    window.redraws(2);
     EXPECT_TRUE(state.panel_drawn);
     state.measuring.on = true;
-    window.frames(2);
+    window.redraws(2);
     EXPECT_GT(picture.width, 700.0F);
     EXPECT_EQ(state.settings.panel_width, ViewerSettings{}.panel_width) << "what the person chose is kept";
 }
 
 TEST(Layout, TheRaysPanelAndTheAxesCoverNothingOfEachOther) {
     ViewerState state({}, {});
-    Scene scene;
-    scene.spheres.resize(1);
+    Scene scene = scene_of_alike(1);
     state.document = Document(scene);
     state.rays.on = true;
     state.rays.choice.shown = RaysShown::all;
@@ -114,7 +114,7 @@ TEST(Layout, TheRaysPanelAndTheAxesCoverNothingOfEachOther) {
         for (const ImVec2 size : {ImVec2{1400.0F, 900.0F}, {1400.0F, 760.0F}, {800.0F, 600.0F}, {1000.0F, 500.0F}}) {
             SCOPED_TRACE(std::to_string(size.x) + " x " + std::to_string(size.y));
             ImGui::GetIO().DisplaySize = size;
-            window.frames(4);
+            window.redraws(4);
             ASSERT_TRUE(window.has("axes"));
             const WidgetRectangle rays = window.rectangles.at("rays");
             const WidgetRectangle axes = window.rectangles.at("axes");
@@ -244,9 +244,7 @@ protected:
             if (info.label == item && !info.submenu.empty()) harness.click("menu " + std::string(info.submenu));
         }
         harness.click("item " + item);
-        std::vector<CommandId> commands;
-        for (const RunCommand& run : harness.taken<RunCommand>()) commands.push_back(run.command);
-        return commands;
+        return harness.commands_taken();
     }
 };
 
@@ -262,7 +260,7 @@ TEST_F(MenuBar, KeysOpenOneMenuAfterTheOther) {
     const auto open_after = [this](bool begins, int step) {
         keys.begins = begins;
         keys.step = step;
-        harness.frames(3);
+        harness.redraws(3);
         return keys.open;
     };
     EXPECT_EQ(open_after(false, 1), "") << "none was open";
@@ -292,7 +290,7 @@ TEST_F(MenuBar, NamesTheStepsToUndoAndRedo) {
     EXPECT_NE(harness.text().find("Undo Add sphere # #0"), std::string::npos) << harness.text();
     EXPECT_NE(harness.text().find("History: 0.0 of 64 MB"), std::string::npos) << harness.text();
     harness.document.undo();
-    harness.frames(2);
+    harness.redraws(2);
     EXPECT_NE(harness.text().find("Redo Add sphere # #0"), std::string::npos) << harness.text();
     EXPECT_EQ(harness.text().find("Undo Add"), std::string::npos);
 }
@@ -336,11 +334,11 @@ TEST(Help, ClosesByItsButton) {
     // The title bar's right end: the window is 860 x 640 in the middle.
     harness.click(ImVec2(500.0F + 430.0F - 11.0F, 500.0F - 320.0F + 10.0F));
     EXPECT_FALSE(open);
-    harness.frames(2);
+    harness.redraws(2);
     EXPECT_EQ(harness.vertices(), 0);
     open = true;
     ImGui::GetIO().DisplaySize = {200.0F, 100.0F};
-    harness.frames(2);
+    harness.redraws(2);
     EXPECT_GT(harness.vertices(), 0) << "in a small window, too";
 }
 

@@ -50,7 +50,7 @@ struct OneNumber : private NumberState, public PanelHarness {
     }
     void enter(const std::string& text, ImGuiKey key = ImGuiKey_Enter) {
         click("slider n");
-        frames(3);
+        redraws(3);
         type(text);
         tap(key);
     }
@@ -180,7 +180,7 @@ TEST(NumberField, ThereAndBackIsNothing) {
         field.move({from.x + 90.0F, from.y});
         EXPECT_EQ(field.number(), begin);
         field.release();
-        field.frames(2);
+        field.redraws(2);
         EXPECT_EQ(field.number(), begin);
         EXPECT_EQ(field.gesture, gesture);
         EXPECT_EQ(field.state().typed, "") << "a drag is no click";
@@ -240,7 +240,7 @@ TEST(NumberField, WhatIsToBeAboveZeroIs) {
 TEST(NumberField, SaysWhatItGivesWhileItIsTyped) {
     OneNumber field(4.0);
     field.click("slider n");
-    field.frames(3);
+    field.redraws(3);
     const int plain = field.vertices();
     field.type("50+3");
     EXPECT_GT(field.vertices(), plain);

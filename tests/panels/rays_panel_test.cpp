@@ -15,7 +15,7 @@ struct RaysPanelHarness {
         facts.meets = "Pixel 3, 4 shows sphere 1, hit at t = 2.4";
         facts.least_every = 8;
         facts.most_every = 32;
-        panels.frames(4);
+        panels.redraws(4);
     }
 
     Rectangle area{100.0F, 50.0F, 700.0F, 500.0F};
@@ -76,9 +76,9 @@ TEST(RaysPanel, ShowsItsChoicesAlsoInALowWindow) {
     RaysPanelHarness harness;
     harness.facts.size = {200, 400};
     harness.area = {0.0F, 20.0F, 400.0F, 220.0F};
-    harness.panels.frames(3);
+    harness.panels.redraws(3);
     harness.panels.click("rays row");
-    harness.panels.frames(3);
+    harness.panels.redraws(3);
     const WidgetRectangle window = harness.panels.rectangles.at("rays");
     for (const char* widget : {"rays picture", "rays one", "rays row", "rays all", "rays finer", "rays coarser"}) {
         EXPECT_LT(harness.panels.rectangles.at(widget).bottom, window.bottom) << widget;
@@ -87,7 +87,7 @@ TEST(RaysPanel, ShowsItsChoicesAlsoInALowWindow) {
     EXPECT_LE(window.bottom, 240.0F);
     // And some words.
     harness.area.height = 270.0F;
-    harness.panels.frames(3);
+    harness.panels.redraws(3);
     const float controls = harness.panels.rectangles.at("rays coarser").bottom;
     EXPECT_LT(controls + 3.0F * ImGui::GetTextLineHeight(), harness.panels.rectangles.at("rays").bottom);
 }
@@ -96,9 +96,7 @@ TEST(RaysPanel, EndsByItsCloseButton) {
     RaysPanelHarness harness;
     harness.panels.take_actions();
     harness.panels.click("rays end");
-    const auto commands = harness.panels.taken<RunCommand>();
-    ASSERT_EQ(commands.size(), 1U);
-    EXPECT_EQ(commands[0].command, CommandId::toggle_rays);
+    EXPECT_EQ(harness.panels.commands_taken(), std::vector{CommandId::toggle_rays});
 }
 
 }  // namespace sphereview

@@ -16,7 +16,7 @@ Camera camera_at(double x) {
 struct OpenSavedViews : SidePanelHarness {
     OpenSavedViews() : SidePanelHarness(scene_with_views(), 1100.0F) {
         click("camera");
-        frames(2);
+        redraws(2);
         take_actions();
     }
 
@@ -28,11 +28,11 @@ struct OpenSavedViews : SidePanelHarness {
     const std::vector<SavedView>& views() const { return document.scene().views; }
     void rename(std::size_t view, const std::string& name, ImGuiKey key = ImGuiKey_Enter) {
         double_click("view " + std::to_string(view));
-        frames(4);
+        redraws(4);
         ASSERT_TRUE(has("view name"));
         type(name);
         tap(key);
-        frames(2);
+        redraws(2);
     }
 };
 
@@ -45,9 +45,7 @@ TEST(SavedViewsPanel, AClickFliesThere) {
     ASSERT_EQ(shown.size(), 1U);
     EXPECT_EQ(shown[0].camera, camera_at(2.0));
     panel.click("save view");
-    const auto commands = panel.taken<RunCommand>();
-    ASSERT_EQ(commands.size(), 1U);
-    EXPECT_EQ(commands[0].command, CommandId::save_view);
+    EXPECT_EQ(panel.commands_taken(), std::vector{CommandId::save_view});
 }
 
 TEST(SavedViewsPanel, ViewsAreRenamedAndDeleted) {
@@ -83,13 +81,13 @@ TEST(SavedViewsPanel, ANameThatNoViewCanHaveIsRefused) {
 TEST(SavedViewsPanel, TheMenuSetsAViewToWhatIsSeen) {
     OpenSavedViews panel;
     panel.moved_view = camera_at(7.0);
-    panel.frames(2);
+    panel.redraws(2);
     panel.click("view 0", 1);
-    panel.frames(3);
+    panel.redraws(3);
     panel.click("view 0 Set to what is seen now");
     EXPECT_EQ(panel.views()[0], (SavedView{"above", camera_at(7.0)}));
     panel.click("view 1", 1);
-    panel.frames(3);
+    panel.redraws(3);
     panel.click("view 1 Delete");
     EXPECT_EQ(panel.views().size(), 1U);
 }
@@ -111,7 +109,7 @@ TEST(SavedViewsPanel, ANewViewIsNamedAtOnce) {
     SidePanelHarness panel(OpenSavedViews::scene_with_views(), 1100.0F);
     EXPECT_FALSE(panel.has("view 0"));
     start_renaming_view(panel.state(), panel.document.scene(), 1);
-    panel.frames(4);
+    panel.redraws(4);
     ASSERT_TRUE(panel.has("view name"));
     panel.type("underneath");
     panel.tap(ImGuiKey_Enter);

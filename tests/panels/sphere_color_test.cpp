@@ -39,7 +39,7 @@ TEST(SphereColor, EveryColorIsShownWithoutChange) {
 TEST(SphereColor, PickerIsOneGesture) {
     SidePanelHarness panel(5, {2});
     panel.click("color");  // the swatch opens it
-    panel.frames(3);
+    panel.redraws(3);
     panel.take_actions();
     const ImVec2 start = ImGui::GetIO().MousePos;
     // The picker opens where there is room: above the swatch.
@@ -55,7 +55,7 @@ TEST(SphereColor, ADragOfAColorMovesAllByAsMuchAndLeavesTheOthers) {
     scene.spheres[1].color = {30, 40, 50};
     SidePanelHarness panel(scene);
     panel.select({0, 1});
-    panel.frames(3);  // the numbers go below each other, and the list gives them its room
+    panel.redraws(3);  // the numbers go below each other, and the list gives them its room
     panel.drag_by("blue", 23.0F);
     const int by = panel.sphere(1).color.b - 50;
     EXPECT_GT(by, 5);
@@ -74,7 +74,7 @@ TEST(SphereColor, ChannelsStandBelowEachOtherWhereALineHasNoRoomForThem) {
             PanelHarness::in_window([&](const PanelContext& context) { draw_sphere_editor(context, state); }, width, 700.0F), scene,
             1400.0F, 1200.0F);
         panel.selection.set(selected);
-        panel.frames(3);
+        panel.redraws(3);
         EXPECT_NE(panel.text().find("144"), std::string::npos) << panel.text();
         EXPECT_GE(panel.rectangles.at("slider red").right - panel.rectangles.at("slider red").left, ImGui::GetFontSize());
         const auto top = [&](const char* name) { return panel.rectangles.at(name).top; };

@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "panels/harness.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -17,7 +18,7 @@ void drag_number(SidePanelHarness& panel, const std::string& field, float from, 
 
 void open(SidePanelHarness& panel, const std::string& field) {
     panel.click(field);
-    panel.frames(3);
+    panel.redraws(3);
 }
 
 void type_into(SidePanelHarness& panel, const std::string& field, const std::string& text, ImGuiKey key = ImGuiKey_Enter) {
@@ -54,14 +55,7 @@ TEST(SphereEditor, DraggingANumberChangesThatValueAloneInOneGesture) {
 
 TEST(SphereEditor, NothingIsAskedForWhileAHeldNumberRests) {
     SidePanelHarness panel(10, {3});
-    panel.move(panel.place("slider x", 0.7F));
-    panel.press();
-    panel.take_actions();
-    panel.frames(5);
-    EXPECT_TRUE(panel.take_actions().empty());
-    panel.release();
-    panel.frames(2);
-    EXPECT_TRUE(panel.take_actions().empty());
+    panel.expect_nothing_while_held(panel.place("slider x", 0.7F));
 }
 
 TEST(SphereEditor, DraggedValuesAreShortAndNoRadiusEndsAtNothing) {
@@ -97,7 +91,7 @@ TEST(SphereEditor, TabGoesThroughTheNumbersInTheirOrder) {
     SidePanelHarness panel(10, {3});
     const auto tab = [&panel] {
         panel.tap(ImGuiKey_Tab);
-        panel.frames(3);
+        panel.redraws(3);
     };
     panel.click("name");
     for (const std::string text : {"mars", "1.5", "2.5", "3.5", "4.5", "11", "12", "13"}) {
@@ -110,7 +104,7 @@ TEST(SphereEditor, TabGoesThroughTheNumbersInTheirOrder) {
     panel.tap(ImGuiKey_Escape);
     panel.take_actions();
     type_into(panel, "slider radius", "5.5", ImGuiKey_Tab);
-    panel.frames(3);
+    panel.redraws(3);
     panel.tap(ImGuiKey_Escape);
     EXPECT_EQ(panel.sphere(3).radius, 5.5);
     // Backwards, and what is no number is refused on the way.
@@ -146,8 +140,7 @@ TEST(SphereEditor, WhatIsRefusedChangesNothing) {
 
 TEST(SphereEditor, ExtremeScenesAreEdited) {
     for (const double size : {1e-300, 1e-9, 1e9, 1e150, 1e300}) {
-        Scene scene;
-        scene.spheres = {{{size, -size, size}, size}, {{-size, size, size}, 0.1 * size}};
+        Scene scene = scene_of({{{size, -size, size}, size}, {{-size, size, size}, 0.1 * size}});
         SidePanelHarness panel(scene);
         panel.select({1});
         for (const std::string slider : {"slider x", "slider y", "slider z", "slider radius"})
@@ -328,7 +321,7 @@ TEST(SphereEditor, SelectionThatTheSceneDoesNotHaveIsNotShown) {
     EXPECT_TRUE(panel.has("slider x"));
     panel.applies = false;
     panel.document.apply(RemoveSpheres{{3, 4}}, "");
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_FALSE(panel.has("slider x"));
 }
 

@@ -21,11 +21,7 @@ struct StartHarness {
         for (const OpenFile& file : panels.taken<OpenFile>()) paths.push_back(file.path);
         return paths;
     }
-    std::vector<CommandId> run() {
-        std::vector<CommandId> commands;
-        for (const RunCommand& command : panels.taken<RunCommand>()) commands.push_back(command.command);
-        return commands;
-    }
+    std::vector<CommandId> run() { return panels.commands_taken(); }
 };
 
 using Paths = std::vector<std::string>;
@@ -35,7 +31,7 @@ using Commands = std::vector<CommandId>;
 
 TEST(StartPage, OpensFilesAndRunsCommandsThatAreClicked) {
     StartHarness start;
-    start.panels.frames(3);
+    start.panels.redraws(3);
     start.panels.click("start recent 0");
     EXPECT_EQ(start.opened(), Paths{"/home/a/mine.txt"});
     start.panels.click("start example 1");
@@ -48,7 +44,7 @@ TEST(StartPage, OpensFilesAndRunsCommandsThatAreClicked) {
 
 TEST(StartPage, IsReachedWithTheArrowKeysAndEnter) {
     StartHarness start;
-    start.panels.frames(3);
+    start.panels.redraws(3);
     start.panels.tap(ImGuiKey_Enter);  // nothing is chosen yet
     EXPECT_TRUE(start.panels.take_actions().empty());
     for (int i = 0; i < 3; ++i) start.panels.tap(ImGuiKey_DownArrow);
@@ -69,7 +65,7 @@ TEST(StartPage, StaysInsideThePictureAndGoesWhereNothingCouldBeRead) {
     StartHarness start;
     for (const float width : {700.0F, 300.0F}) {
         start.area.width = width;
-        start.panels.frames(4);
+        start.panels.redraws(4);
         const WidgetRectangle page = start.panels.rectangles.at("start page");
         EXPECT_GE(page.left, 0.0F);
         EXPECT_LE(page.right, width);
@@ -77,7 +73,7 @@ TEST(StartPage, StaysInsideThePictureAndGoesWhereNothingCouldBeRead) {
         EXPECT_LE(page.bottom, start.area.y + start.area.height);
     }
     start.area.width = 100.0F;
-    start.panels.frames(2);
+    start.panels.redraws(2);
     EXPECT_FALSE(start.panels.has("start page"));
 }
 

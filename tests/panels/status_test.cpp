@@ -4,6 +4,7 @@
 
 #include "panels/status.hpp"
 #include "support/panel_harness.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -21,7 +22,7 @@ struct MessageHarness {
                         600.0F};
 
     WidgetRectangle rectangle(const std::string& name) {
-        panels.frames(4);
+        panels.redraws(4);
         return panels.rectangles.at(name);
     }
     void expect_inside(const std::string& name) {
@@ -110,7 +111,7 @@ TEST(MessagesPanel, SurvivesATinyArea) {
     MessageHarness harness;
     harness.messages = {"Saved", "a:1:1: b", lines(3)};
     harness.area = {0.0F, 0.0F, 0.0F, 0.0F};
-    harness.panels.frames(4);
+    harness.panels.redraws(4);
     EXPECT_GT(harness.panels.vertices(), 0);
 }
 
@@ -126,30 +127,24 @@ struct StatusHarness {
     bool says(const std::string& words) { return text().find(words) != std::string::npos; }
 };
 
-Scene scene_of(std::size_t count) {
-    Scene scene;
-    scene.spheres.resize(count);
-    return scene;
-}
-
 TEST(StatusBar, TellsOfAnEmptyScene) {
     StatusHarness bar;
     EXPECT_TRUE(bar.says("0 spheres")) << bar.text();
     EXPECT_TRUE(bar.says("0.0 ms")) << bar.text();
     EXPECT_FALSE(bar.says("hidden"));
     EXPECT_FALSE(bar.says("background"));
-    bar.panels.document = Document(scene_of(1));
+    bar.panels.document = Document(scene_of_alike(1));
     EXPECT_TRUE(bar.says("1 sphere"));
     EXPECT_FALSE(bar.says("1 spheres"));
 }
 
 TEST(StatusBar, TellsWhatIsDrawnAndSelected) {
-    Scene scene = scene_of(12'345);
+    Scene scene = scene_of_alike(12'345);
     for (std::size_t i = 0; i < 1'000; ++i) scene.spheres[i].hidden = true;
     StatusHarness bar(scene);
     bar.panels.selection.set({1, 2, 3});
     bar.status.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
-    bar.status.frame_seconds = 0.01234;
+    bar.status.trace_seconds = 0.01234;
     bar.status.step = 4;
     bar.status.pixel = Pixel{12, 34};
     bar.status.sphere = 7;
@@ -165,7 +160,7 @@ TEST(StatusBar, TellsWhatIsDrawnAndSelected) {
 
 // Whole columns are left out, those first that people look at least; what is cut ends in dots.
 TEST(StatusBar, KeepsWhatIsUnderThePointerInAShortLine) {
-    Scene scene = scene_of(12'345);
+    Scene scene = scene_of_alike(12'345);
     scene.names[7] = std::string(200, 'n');
     StatusHarness bar(scene, 420.0F);
     bar.status.renderer = "llvmpipe (LLVM 15.0.6, 256 bits)";
@@ -177,7 +172,7 @@ TEST(StatusBar, KeepsWhatIsUnderThePointerInAShortLine) {
 }
 
 TEST(StatusBar, TellsTheValuesThatAreAskedFor) {
-    Scene scene = scene_of(2);
+    Scene scene = scene_of_alike(2);
     scene.properties = {{"charge", std::vector<double>{0.25, std::numeric_limits<double>::quiet_NaN()}},
                         {"chain", Labels{{"A"}, {0, 0}}},
                         {"mass", std::vector<double>{1.0, 2.0}}};
@@ -192,16 +187,16 @@ TEST(StatusBar, TellsTheValuesThatAreAskedFor) {
 }
 
 TEST(StatusBar, SurvivesWhatCannotBe) {
-    Scene scene = scene_of(2);
+    Scene scene = scene_of_alike(2);
     scene.names[1] = std::string(10'000, 'n') + "\n##%n%s";
     StatusHarness bar(scene, 60.0F);
     bar.status.renderer = std::string(10'000, 'r') + "%s%n";
-    bar.status.frame_seconds = std::numeric_limits<double>::infinity();
+    bar.status.trace_seconds = std::numeric_limits<double>::infinity();
     bar.status.pixel = Pixel{2'000'000'000, -5};
     bar.status.sphere = 1;
     EXPECT_FALSE(bar.says("inf"));
     bar.status.sphere = 99;  // of a picture of the scene before
-    bar.status.frame_seconds = std::numeric_limits<double>::quiet_NaN();
+    bar.status.trace_seconds = std::numeric_limits<double>::quiet_NaN();
     EXPECT_GT(bar.panels.vertices(), 0);
 }
 

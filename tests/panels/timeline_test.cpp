@@ -19,15 +19,10 @@ struct TimelineHarness : ShownTimeline, PanelHarness {
                        line_of_spheres(3), 1000.0F) {
         frames_of_file = 101;
         frame_of_file = 20;
-        frames(2);
+        redraws(2);
         take_actions();
     }
 
-    std::vector<CommandId> commands_taken() {
-        std::vector<CommandId> ids;
-        for (const RunCommand& one : taken<RunCommand>()) ids.push_back(one.command);
-        return ids;
-    }
     std::vector<std::int64_t> frames_taken() {
         std::vector<std::int64_t> numbers;
         for (const ShowFrame& one : taken<ShowFrame>()) numbers.push_back(one.frame);
@@ -57,14 +52,14 @@ TEST(Timeline, AHandleIsDraggedAndHoldsTheFilm) {
     TimelineHarness panel;
     panel.move(panel.place("timeline", 0.5F));
     panel.press();
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_TRUE(panel.choices.handle_held);
     std::vector<std::int64_t> asked = panel.frames_taken();
     ASSERT_FALSE(asked.empty());
     EXPECT_EQ(asked.back(), 50);
     // What is asked for already is not asked for again.
     panel.facts.wanted = 50;
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_TRUE(panel.frames_taken().empty());
     EXPECT_TRUE(panel.says("frame 50, being read"));
     panel.move(panel.place("timeline", 1.0F));
@@ -73,7 +68,7 @@ TEST(Timeline, AHandleIsDraggedAndHoldsTheFilm) {
     ASSERT_FALSE(asked.empty());
     EXPECT_EQ(asked.back(), 100);
     panel.release();
-    panel.frames(2);
+    panel.redraws(2);
     EXPECT_FALSE(panel.choices.handle_held);
     panel.take_actions();
     panel.drag(panel.place("timeline", 0.7F), {0.0F, 20.0F});
@@ -93,12 +88,12 @@ TEST(Timeline, SaysWhichFrameOfHowManyIsShown) {
 TEST(Timeline, TheNumberIsTypedOrDragged) {
     TimelineHarness panel;
     panel.click("slider frame");
-    panel.frames(3);
+    panel.redraws(3);
     panel.type("2*4");
     panel.tap(ImGuiKey_Enter);
     EXPECT_EQ(panel.frames_taken(), std::vector<std::int64_t>{8});
     panel.click("slider frame");
-    panel.frames(3);
+    panel.redraws(3);
     panel.type("101");  // the last is 100
     panel.tap(ImGuiKey_Enter);
     EXPECT_TRUE(panel.frames_taken().empty());
@@ -123,9 +118,9 @@ TEST(Timeline, ChoosesSpeedAndRepeat) {
     TimelineHarness panel;
     EXPECT_TRUE(panel.says("24 / s"));
     panel.click("speed");
-    panel.frames(3);
+    panel.redraws(3);
     panel.click("speed 60 / s");
-    panel.frames(3);
+    panel.redraws(3);
     EXPECT_EQ(panel.choices.speed, 60.0);
     for (const Repeat repeat : {Repeat::loop, Repeat::back_and_forth, Repeat::once}) {
         panel.wait();
@@ -139,7 +134,7 @@ TEST(Timeline, OfANarrowWindowLeavesTheLessNeededOut) {
     for (const float width : {900.0F, 500.0F, 320.0F, 240.0F, 190.0F}) {
         TimelineHarness panel(width);
         panel.facts.edits = EditsReach::this_frame;
-        panel.frames(2);
+        panel.redraws(2);
         EXPECT_TRUE(panel.has("play")) << width;
         const WidgetRectangle line = panel.rectangles.at("timeline");
         EXPECT_GE(line.right - line.left, 30.0F) << width;

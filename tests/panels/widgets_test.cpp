@@ -66,7 +66,7 @@ TEST(Style, SwatchesStandOutFromThePanel) {
         color = theme == Theme::light ? Color{255, 255, 255} : Color{30, 30, 30};
         for (const bool field : {false, true}) {
             is_field = field;
-            harness.frames(2);
+            harness.redraws(2);
             EXPECT_GE(most, 3.0F) << "as WCAG asks of what is no text";
         }
     }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <glm/geometric.hpp>
+#include <glm/common.hpp>
 #include <iostream>
 
 #include "exact/exact_light.hpp"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <glm/vec3.hpp>
 
 #include "exact/filter.hpp"
 

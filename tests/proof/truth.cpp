@@ -2,7 +2,6 @@
 
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cmath>
 #include <limits>
 
 namespace sphereview {

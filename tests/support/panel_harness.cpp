@@ -8,7 +8,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr double frame_seconds = 1.0 / 60.0;
+constexpr double redraw_seconds = 1.0 / 60.0;
 
 }  // namespace
 
@@ -39,8 +39,8 @@ PanelHarness::PanelHarness(Draw draw, Scene scene, float width, float height)
 #if IMGUI_VERSION_NUM < 18700
     for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
 #endif
-    // A window's size, and what a widget's place depends on, are settled after some frames.
-    frames(3);
+    // A window's size, and what a widget's place depends on, are settled after some redraws.
+    redraws(3);
 }
 
 PanelHarness::~PanelHarness() { ImGui::DestroyContext(); }
@@ -55,7 +55,7 @@ PanelHarness::Draw PanelHarness::in_window(Draw draw, float width, float height)
     };
 }
 
-void PanelHarness::frame(double seconds) {
+void PanelHarness::redraw(double seconds) {
     ImGuiIO& io = ImGui::GetIO();
     io.DeltaTime = static_cast<float>(seconds);
     bool pressed = false;
@@ -82,16 +82,22 @@ void PanelHarness::frame(double seconds) {
     for (Action& action : actions) actions_.push_back(std::move(action));
 }
 
-void PanelHarness::frames(int count) {
-    for (int i = 0; i < count; ++i) frame(frame_seconds);
+void PanelHarness::redraws(int count) {
+    for (int i = 0; i < count; ++i) redraw(redraw_seconds);
 }
 
-void PanelHarness::wait() { frame(1.0); }
+void PanelHarness::wait() { redraw(1.0); }
+
+std::vector<CommandId> PanelHarness::commands_taken() {
+    std::vector<CommandId> ids;
+    for (const RunCommand& one : taken<RunCommand>()) ids.push_back(one.command);
+    return ids;
+}
 
 ImVec2 PanelHarness::place(const std::string& widget, float across, float down) const {
     const auto found = rectangles.find(widget);
     if (found == rectangles.end()) {
-        ADD_FAILURE() << "the last frame has no widget \"" << widget << "\"";
+        ADD_FAILURE() << "the last redraw has no widget \"" << widget << "\"";
         return {-1.0F, -1.0F};
     }
     const WidgetRectangle& r = found->second;
@@ -100,22 +106,22 @@ ImVec2 PanelHarness::place(const std::string& widget, float across, float down) 
 
 void PanelHarness::move(ImVec2 place) {
     ImGui::GetIO().MousePos = place;
-    frames();
+    redraws();
 }
 
 void PanelHarness::press(int button) {
     ImGui::GetIO().MouseDown[button] = true;
-    frames();
+    redraws();
 }
 
 void PanelHarness::release(int button) {
     ImGui::GetIO().MouseDown[button] = false;
-    frames();
+    redraws();
 }
 
 void PanelHarness::wheel(float clicks) {
     ImGui::GetIO().MouseWheel += clicks;
-    frames();
+    redraws();
 }
 
 void PanelHarness::click(ImVec2 place, int button) {
@@ -123,14 +129,14 @@ void PanelHarness::click(ImVec2 place, int button) {
     wait();
     press(button);
     release(button);
-    frames();
+    redraws();
 }
 
 void PanelHarness::double_click(const std::string& widget) {
     click(widget);
     press();
     release();
-    frames();
+    redraws();
 }
 
 void PanelHarness::drag(ImVec2 from, ImVec2 to, int steps) {
@@ -142,7 +148,7 @@ void PanelHarness::drag(ImVec2 from, ImVec2 to, int steps) {
         move({from.x + part * (to.x - from.x), from.y + part * (to.y - from.y)});
     }
     release();
-    frames();
+    redraws();
 }
 
 void PanelHarness::set_key(ImGuiKey key, bool down) {
@@ -155,23 +161,23 @@ void PanelHarness::set_key(ImGuiKey key, bool down) {
 
 void PanelHarness::hold(ImGuiKey key) {
     set_key(key, true);
-    frames();
+    redraws();
 }
 
 void PanelHarness::let_go(ImGuiKey key) {
     set_key(key, false);
-    frames();
+    redraws();
 }
 
 void PanelHarness::tap(ImGuiKey key) {
     hold(key);
     let_go(key);
-    frames();
+    redraws();
 }
 
 void PanelHarness::type(const std::string& utf8) {
     ImGui::GetIO().AddInputCharactersUTF8(utf8.c_str());
-    frames(2);
+    redraws(2);
 }
 
 void PanelHarness::modifiers(bool ctrl, bool shift) {
@@ -183,13 +189,13 @@ void PanelHarness::modifiers(bool ctrl, bool shift) {
     io.AddKeyEvent(ImGuiMod_Ctrl, ctrl);
     io.AddKeyEvent(ImGuiMod_Shift, shift);
 #endif
-    frames();
+    redraws();
 }
 
 std::string PanelHarness::text() {
     clipboard_.clear();
     logging_ = true;
-    frames();
+    redraws();
     logging_ = false;
     return clipboard_;
 }

@@ -1,8 +1,6 @@
 // PNG files as the tests read and make them: with libpng, which shares no code with the program's own writer.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>

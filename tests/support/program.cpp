@@ -97,6 +97,11 @@ bool enters_a_read_of_input(pid_t process) {
 
 }  // namespace
 
+std::vector<std::string> all_words(std::vector<std::string> words, const std::vector<std::string>& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
 std::ostream& operator<<(std::ostream& stream, const Outcome& outcome) {
     if (outcome.out_of_time)
         stream << "it did not end in time";

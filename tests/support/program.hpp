@@ -17,6 +17,9 @@ enum class StandardOutput { captured, closed_pipe, full_disk };
 
 using Environment = std::vector<std::pair<std::string, std::optional<std::string>>>;
 
+// The words, and behind them others.
+std::vector<std::string> all_words(std::vector<std::string> words, const std::vector<std::string>& more);
+
 struct Command {
     std::vector<std::string> arguments;
     std::string program = "";       // "": the sphereview that this build made

@@ -25,9 +25,7 @@ std::string endless_scene() {
 }
 
 Command cpu_render(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
-    std::vector<std::string> all = {"render", "--backend", "cpu"};
-    all.insert(all.end(), arguments.begin(), arguments.end());
-    return {.arguments = all, .folder = folder.path()};
+    return {.arguments = all_words({"render", "--backend", "cpu"}, arguments), .folder = folder.path()};
 }
 
 Outcome render(const TemporaryFolder& folder, const std::vector<std::string>& arguments) {
@@ -35,9 +33,8 @@ Outcome render(const TemporaryFolder& folder, const std::vector<std::string>& ar
 }
 
 Picture picture_of(const std::string& scene, const std::string& backend, const std::vector<std::string>& options) {
-    std::vector<std::string> arguments = {"render", "-", "-o", "-", "--backend", backend};
-    arguments.insert(arguments.end(), options.begin(), options.end());
-    const Outcome outcome = run({.arguments = arguments, .input = scene});
+    const Outcome outcome =
+        run({.arguments = all_words({"render", "-", "-o", "-", "--backend", backend}, options), .input = scene});
     EXPECT_EQ(outcome.status, 0) << outcome;
     // Random scenes may be beside a small picture.
     const bool warned = outcome.errors == "stdin: no pixel shows a sphere; --fit frames all\n";

@@ -2,8 +2,6 @@
 
 #include <filesystem>
 
-#include "support/text_match.hpp"
-
 namespace sphereview::test {
 
 namespace {
@@ -78,10 +76,10 @@ std::string render_bytes(const TemporaryFolder& folder, const std::string& scene
 
 void expect_rendered(ViewerWindow& window, const TemporaryFolder& folder, const std::string& scene,
                      std::vector<std::string> options) {
-    const Json frame = take_marks_away(window);
-    const Json size = frame.at("picture_size");
+    const Json redraw = take_marks_away(window);
+    const Json size = redraw.at("picture_size");
     options.insert(options.end(), {"--backend", "cpu", "-s", size[0].dump() + "x" + size[1].dump(), "--shade",
-                                   frame.at("shading").get<std::string>(), "--samples", frame.at("samples").dump()});
+                                   redraw.at("shading").get<std::string>(), "--samples", redraw.at("samples").dump()});
     EXPECT_TRUE(same_picture(window.picture(), decode_png(render_bytes(folder, scene, options))))
         << testing::PrintToString(options);
 }

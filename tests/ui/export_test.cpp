@@ -33,10 +33,8 @@ protected:
     Json wait_for_another(const Json& revision) {
         const auto is_other = [&](const Json& f) { return f.at("revision") != revision && f.at("samples") == 4; };
         const Json found = window_.wait_until("another picture", is_other).at("revision");
-        std::istringstream log(folder_.read("frames.log"));
-        for (std::string line; std::getline(log, line);) {
-            const Json frame = Json::parse(line);
-            if (frame.at("revision") == found) return frame;
+        for (const Json& redraw : logged_redraws(folder_)) {
+            if (redraw.at("revision") == found) return redraw;
         }
         throw std::runtime_error("no such redraw");
     }
@@ -239,7 +237,7 @@ TEST(HardPicture, IsMadeWhileTheWindowAnswersAndKeepsEdits) {
     window.key("Insert");
     window.wait_meanwhile("the edit", [&](const Json& f) { return f.at("spheres") == many + 1 && is_being_made(f); });
     window.wait_meanwhile("what is kept", [&](const Json&) { return contains(kept_changes(folder), "[[sphere]]"); });
-    EXPECT_TRUE(is_being_made(window.frame()));
+    EXPECT_TRUE(is_being_made(window.redraw()));
 
     window.step("answers");
     constexpr int answers = 20;

@@ -155,9 +155,9 @@ TEST(Files, AreOpenedSavedAndClosedAndNothingIsLost) {
     wait_for_no_dialogs(window);
     window.press_close_button();
     window.wait_for("dialogs", {dirty});
-    const Json asked = window.at("frame");
+    const Json asked = window.at("redraw");
     window.press_close_button();
-    window.wait_for_other("frame", asked);
+    window.wait_for_other("redraw", asked);
     EXPECT_EQ(window.at("dialogs"), Json::array({dirty}));
     window.key("Escape");
     wait_for_no_dialogs(window);
@@ -185,7 +185,7 @@ TEST(Closing, SavesAndTheNextStartBringsTheWindowBack) {
         EXPECT_EQ(lines(folder.read("scenes/scene.txt")).front(), "2");
     }
     // All that was written lies in the home folder.
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"frames.log", "home", "scenes"}));
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"redraws.log", "home", "scenes"}));
     EXPECT_TRUE(folder.has("home/config/sphereview"));
     ViewerWindow window(folder, {});
     EXPECT_EQ(window.at("picture"), picture);
@@ -223,7 +223,7 @@ TEST(Loading, LeavesTheWindowAliveAndTheSceneAsItWas) {
     ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
     {
         ViewerWindow window(folder, {fifo});
-        EXPECT_TRUE(reads(window.frame()));
+        EXPECT_TRUE(reads(window.redraw()));
         window.step("alive meanwhile");
         window.key("F1");
         window.wait_meanwhile("the help", [](const Json& f) { return f.at("shown").at("help") == true; });
@@ -273,7 +273,7 @@ TEST(Loading, LeavesTheWindowAliveAndTheSceneAsItWas) {
         EXPECT_EQ(window.wait_for_end().status, 0);
     }
     ViewerWindow window(folder, {fifo});
-    EXPECT_TRUE(reads(window.frame()));
+    EXPECT_TRUE(reads(window.redraw()));
     window.step("what is wrong is said late");
     std::ofstream(fifo) << broken;
     dismiss_error(window);
@@ -366,7 +366,7 @@ TEST(Reloading, ShowsWhatAnotherProgramWrites) {
     EXPECT_EQ(window.at("scene_error"), "");
     // Changed once more before the answer: asked once, of what the file holds now.
     replace_by_rename(folder, "scene.txt", "0\n");
-    window.wait_for_other("frame", window.at("frame"));
+    window.wait_for_other("redraw", window.at("redraw"));
     answer(window, "reload", "Reload the file");
     window.wait_for("spheres", 0);
     wait_for_no_dialogs(window);

@@ -1,8 +1,6 @@
 // The pixel inspector in a real window: beside the picture, pinned, compared, copied; and pictures that are compared.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "ui/editing.hpp"
 
 namespace sphereview::test {
@@ -108,10 +106,8 @@ TEST(InspectorOfManyHits, ExplainsBesideTheLoop) {
         });
     }
     EXPECT_TRUE(window.draws("hit " + std::to_string(many - 1)));
-    std::istringstream log(folder.read("frames.log"));
     bool meanwhile = false;  // a redraw of a pixel that is not explained yet
-    for (std::string line; std::getline(log, line);) {
-        const Json redraw = Json::parse(line);
+    for (const Json& redraw : logged_redraws(folder)) {
         meanwhile = meanwhile || (redraw.at("shown").at("inspector") == true && !redraw.at("hovered").is_null() &&
                                   redraw.at("inspected").is_null());
     }

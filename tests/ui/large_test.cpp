@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <sstream>
 
 #include "support/text_match.hpp"
 #include "support/trials.hpp"
@@ -95,10 +94,8 @@ TEST(OverlappingSpheres, AreCoarseAtFirstAndTheWindowAnswersMeanwhile) {
                           [&](const Json& redraw) { return redraw.at("selected") == many && coarse(redraw); });
     window.send(SIGTERM);
     EXPECT_EQ(window.wait_for_end().status, 128 + SIGTERM);
-    std::istringstream log(folder.read("frames.log"));
-    for (std::string line; std::getline(log, line);) {
-        const Json redraw = Json::parse(line);
-        EXPECT_TRUE(redraw.at("spheres") != many || coarse(redraw)) << line;
+    for (const Json& redraw : logged_redraws(folder)) {
+        EXPECT_TRUE(redraw.at("spheres") != many || coarse(redraw)) << redraw.dump();
     }
 }
 
@@ -120,11 +117,9 @@ TEST(MillionSpheres, AreCoarseWhileTheyTurnThenExactAndDraggedWithoutBuilding) {
     constexpr double long_time = 0.1;  // seconds
     bool was_slow = false;
     Json camera = home;
-    std::istringstream log(folder.read("frames.log"));
-    for (std::string line; std::getline(log, line);) {
-        const Json redraw = Json::parse(line);
+    for (const Json& redraw : logged_redraws(folder)) {
         const bool moves = redraw.at("camera") != camera;
-        EXPECT_FALSE(moves && was_slow && redraw.at("step") == 1) << line;
+        EXPECT_FALSE(moves && was_slow && redraw.at("step") == 1) << redraw.dump();
         was_slow = moves && redraw.at("step") == 1 && redraw.at("seconds") > long_time;
         camera = redraw.at("camera");
     }

@@ -1,8 +1,6 @@
 // The window's light: lit and fine without being asked, edited in its panel, and at rest the very bytes of `render`.
 #include <gtest/gtest.h>
 
-#include <sstream>
-
 #include "support/text_match.hpp"
 #include "ui/editing.hpp"
 
@@ -14,12 +12,10 @@ constexpr ScreenOptions small_screen{.width = 700, .height = 800};  // light tak
 
 // Whether a draft was shown of a picture that was then finished.
 bool grew(const TemporaryFolder& folder) {
-    std::istringstream log(folder.read("frames.log"));
     bool draft = false;
-    for (std::string line; std::getline(log, line);) {
-        const Json frame = Json::parse(line);
-        if (draft && frame.at("exact") == true) return true;
-        draft = draft || !frame.at("draft").is_null();
+    for (const Json& redraw : logged_redraws(folder)) {
+        if (draft && redraw.at("exact") == true) return true;
+        draft = draft || !redraw.at("draft").is_null();
     }
     return false;
 }

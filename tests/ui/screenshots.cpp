@@ -17,7 +17,7 @@ void save(ViewerWindow& window, const std::string& path) {
 
 // The place of a pixel of the picture, as parts of its sides.
 Place at(ViewerWindow& window, double x, double y) {
-    const auto& size = window.frame().at("picture_size");
+    const auto& size = window.redraw().at("picture_size");
     return window.pixel(x * size[0].get<double>(), y * size[1].get<double>());
 }
 
@@ -30,40 +30,40 @@ void take(const std::string& folder) {
         window.click_widget("row 2");
         window.wait_for("selection", {2});
         window.move_to(at(window, 0.72, 0.42));
-        window.wait_until("a rest", [](const Json& frame) { return frame.at("exact") == true; });
+        window.wait_until("a rest", [](const Json& redraw) { return redraw.at("exact") == true; });
         save(window, folder + "/viewer.png");
     }
     {
         ViewerWindow window(files, {}, screen);
         window.move_to({5, 5});
-        window.wait_until("the start page", [](const Json& frame) { return frame.at("exact") == true; });
+        window.wait_until("the start page", [](const Json& redraw) { return redraw.at("exact") == true; });
         save(window, folder + "/start.png");
     }
     ViewerWindow window(files, {source_file("scenes/planets.toml"), "--shade", "studio", "--samples", "16"}, screen);
     window.key("i");
-    window.wait_until("the inspector", [](const Json& frame) { return frame.at("shown").at("inspector") == true; });
+    window.wait_until("the inspector", [](const Json& redraw) { return redraw.at("shown").at("inspector") == true; });
     window.click(window.on_screen(-26, -6.4));  // the shadow of a moon
     window.move_to(at(window, 0.5, 0.9));
-    window.wait_until("a pinned pixel of a sphere", [](const Json& frame) {
-        return !frame.at("inspected").is_null() && frame.at("inspected").at("pinned") == true && frame.at("exact") == true;
+    window.wait_until("a pinned pixel of a sphere", [](const Json& redraw) {
+        return !redraw.at("inspected").is_null() && redraw.at("inspected").at("pinned") == true && redraw.at("exact") == true;
     });
     save(window, folder + "/inspector.png");
     window.keys({"i", "Tab"});
-    window.wait_until("the picture alone", [](const Json& frame) {
-        return frame.at("shown").at("inspector") == false && frame.at("shown").at("panel") == false && frame.at("exact") == true;
+    window.wait_until("the picture alone", [](const Json& redraw) {
+        return redraw.at("shown").at("inspector") == false && redraw.at("shown").at("panel") == false && redraw.at("exact") == true;
     });
     window.key("r");
-    window.wait_until("the rays", [](const Json& frame) {
-        return !frame.at("rays").is_null() && frame.at("rays").at("picture") == true && frame.at("exact") == true;
+    window.wait_until("the rays", [](const Json& redraw) {
+        return !redraw.at("rays").is_null() && redraw.at("rays").at("picture") == true && redraw.at("exact") == true;
     });
     const std::vector<double> seen = window.rectangle("rays picture");
     // In the shadow of Io.
     window.click({seen[0] + 0.35 * (seen[2] - seen[0]), seen[1] + 0.56 * (seen[3] - seen[1])});
-    window.wait_until("a pinned pixel", [](const Json& frame) { return frame.at("inspected").at("pinned") == true; });
+    window.wait_until("a pinned pixel", [](const Json& redraw) { return redraw.at("inspected").at("pinned") == true; });
     window.click_widget("rays row");
     window.move_to({5, 780});
-    window.wait_until("the row's rays", [](const Json& frame) {
-        return frame.at("rays").at("rays").get<int>() > 10 && frame.at("hovered").is_null() && frame.at("exact") == true;
+    window.wait_until("the row's rays", [](const Json& redraw) {
+        return redraw.at("rays").at("rays").get<int>() > 10 && redraw.at("hovered").is_null() && redraw.at("exact") == true;
     });
     save(window, folder + "/rays.png");
 }

@@ -204,10 +204,10 @@ TEST(LiveShaders, AreInThePictureWhenSaved) {
 
     window.step("a double click counts however slow redraws are");
     for (int rounds = 500; window.at("seconds").get<double>() < 0.4; rounds *= 2) {
-        const Json shown = window.at("frame");
+        const Json shown = window.at("redraw");
         folder.write("shaders/shade.frag",
                      good.substr(0, end) + "for (int i = 0; i < " + std::to_string(rounds) + "; ++i) color.r = sin(color.r);\n}\n");
-        window.wait_for_other("frame", shown);
+        window.wait_for_other("redraw", shown);
     }
     const Json home = window.at("camera");
     window.double_click(window.on_screen(100.0 / 3, 0));

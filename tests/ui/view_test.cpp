@@ -181,7 +181,7 @@ TEST(FramesInTheWindow, ArePlayedPausedAndLookedForByTheHandle) {
     ViewerWindow window(folder, {path});
     window.key("m");
     const Json camera = window.at("camera");
-    const auto frame_of = [](const Json& f) { return f.at("scene_frame")[0].get<int>(); };
+    const auto frame_of = [](const Json& f) { return f.at("frame")[0].get<int>(); };
     const auto expect_exact = [&](int frame) {
         take_marks_away(window);
         expect_rendered(window, folder, path, {"--background", "#202430", "--frame", std::to_string(frame)});
@@ -198,9 +198,9 @@ TEST(FramesInTheWindow, ArePlayedPausedAndLookedForByTheHandle) {
     window.step("the handle");
     const Place from = window.widget("timeline", 0.5);
     window.drag(from, window.widget("timeline", 0.995));
-    window.wait_for("scene_frame", {frames - 1, frames});
+    window.wait_for("frame", {frames - 1, frames});
     window.drag(window.widget("timeline", 0.995), window.widget("timeline", 0.005));
-    window.wait_for("scene_frame", {0, frames});
+    window.wait_for("frame", {0, frames});
 
     window.step("what is changed and no place goes along, and a place is asked about");
     window.click(window.on_screen(0, 0));
@@ -209,7 +209,7 @@ TEST(FramesInTheWindow, ArePlayedPausedAndLookedForByTheHandle) {
     window.key("h");
     window.wait_for("changed", true);
     window.key("Page_Down");
-    window.wait_for("scene_frame", {1, frames});
+    window.wait_for("frame", {1, frames});
     EXPECT_EQ(window.at("selected"), 4);
     EXPECT_EQ(window.at("undo"), "Changes of all frames");
     EXPECT_TRUE(window.draws("edits reach") || window.draws("edits mark"));  // words where there is room for them
@@ -248,7 +248,7 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
         ViewerWindow window(folder, {folder.write("atoms.xyz", first + second + third), "--frame", "1"});
         usual = height_of_add(window);
         window.step("fit");
-        EXPECT_EQ(window.at("scene_frame"), Json({1, 3}));
+        EXPECT_EQ(window.at("frame"), Json({1, 3}));
         const Json camera = window.at("camera");
         window.key("m");
         const std::string second_alone = folder.write("second.xyz", second);
@@ -262,18 +262,18 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
 
         window.step("frames by keys, menu and number");
         window.key("Page_Up");
-        window.wait_for("scene_frame", {0, 3});
+        window.wait_for("frame", {0, 3});
         take_marks_away(window);
         EXPECT_FALSE(same_picture(window.picture(), nitrogen));
         window.key("Page_Up");  // there is none before
         window.click_widget("menu View");
         window.click_widget("menu Frames");
         window.click_widget("item Next frame");
-        window.wait_for("scene_frame", {1, 3});
+        window.wait_for("frame", {1, 3});
         take_marks_away(window);
         EXPECT_TRUE(same_picture(window.picture(), nitrogen));
         window.key("Page_Down");
-        window.wait_for("scene_frame", {2, 3});
+        window.wait_for("frame", {2, 3});
         EXPECT_EQ(window.at("spheres"), 4);
         EXPECT_EQ(window.at("camera"), camera);
         EXPECT_EQ(window.at("changed"), false);
@@ -281,11 +281,11 @@ TEST(ViewOfData, IsFittedStepsThroughFramesAndFillsALargeScreen) {
         window.widget("typed frame");
         window.type("0");
         window.key("Return");
-        window.wait_for("scene_frame", {0, 3});
+        window.wait_for("frame", {0, 3});
         edit(window);
         window.key("Page_Down");
         answer(window, "save-changes", "Don't save");
-        window.wait_for("scene_frame", {1, 3});
+        window.wait_for("frame", {1, 3});
         EXPECT_EQ(window.at("spheres"), 3);
     }
 

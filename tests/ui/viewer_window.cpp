@@ -8,12 +8,14 @@
 #include <stdexcept>
 #include <thread>
 
+#include "support/text_match.hpp"
+
 namespace sphereview::test {
 
 namespace {
 
 constexpr std::chrono::seconds patience{180};  // generous: a sanitized program on a busy machine
-constexpr const char* log_name = "frames.log";
+constexpr const char* log_name = "redraws.log";
 constexpr const char* settings_file = "home/config/sphereview/viewer.json";
 
 std::string number(double value) { return std::to_string(static_cast<int>(value + 0.5)); }
@@ -48,7 +50,7 @@ ViewerWindow::ViewerWindow(const TemporaryFolder& folder, const std::vector<std:
     program_.emplace(command);
     if (!input.empty()) program_->close_input();
     wait_meanwhile("a first picture",
-                   [](const Json& frame) { return frame.at("resting") == true || frame.at("widgets").contains("cancel work"); });
+                   [](const Json& redraw) { return redraw.at("resting") == true || redraw.at("widgets").contains("cancel work"); });
 }
 
 bool ViewerWindow::read_log() {
@@ -63,18 +65,18 @@ bool ViewerWindow::read_log() {
     const std::size_t end = partial_.rfind('\n');
     if (end == std::string::npos) return false;
     const std::size_t begin = end == 0 ? 0 : partial_.rfind('\n', end - 1) + 1;  // npos + 1 is 0
-    frame_ = Json::parse(partial_.substr(begin, end - begin));
+    redraw_ = Json::parse(partial_.substr(begin, end - begin));
     partial_.erase(0, end + 1);
     return true;
 }
 
-const Json& ViewerWindow::frame() {
+const Json& ViewerWindow::redraw() {
     read_log();
-    return frame_;
+    return redraw_;
 }
 
 const Json& ViewerWindow::wait_until(const std::string& what, const std::function<bool(const Json&)>& condition) {
-    return wait_meanwhile(what, [&](const Json& frame) { return frame.at("resting") == true && condition(frame); });
+    return wait_meanwhile(what, [&](const Json& redraw) { return redraw.at("resting") == true && condition(redraw); });
 }
 
 const Json& ViewerWindow::wait_meanwhile(const std::string& what, const std::function<bool(const Json&)>& condition) {
@@ -82,21 +84,21 @@ const Json& ViewerWindow::wait_meanwhile(const std::string& what, const std::fun
     while (std::chrono::steady_clock::now() < deadline) {
         if (program_->has_ended() && !read_log()) break;
         read_log();
-        if (!frame_.is_null() && condition(frame_)) return frame_;
+        if (!redraw_.is_null() && condition(redraw_)) return redraw_;
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
-    const std::string last = frame_.is_null() ? "nothing was drawn" : "last redraw: " + frame_.dump();
+    const std::string last = redraw_.is_null() ? "nothing was drawn" : "last redraw: " + redraw_.dump();
     std::ostringstream end;  // with what the program, or a sanitizer, said
     if (program_->has_ended()) end << "; " << program_->wait();
     throw std::runtime_error((step_.empty() ? "" : step_ + ": ") + "waited in vain for " + what + end.str() + "; " + last);
 }
 
 const Json& ViewerWindow::wait_for(const std::string& member, const Json& value) {
-    return wait_until(member + " to be " + value.dump(), [&](const Json& frame) { return frame.at(member) == value; });
+    return wait_until(member + " to be " + value.dump(), [&](const Json& redraw) { return redraw.at(member) == value; });
 }
 
 Json ViewerWindow::wait_for_other(const std::string& member, const Json& value) {
-    return wait_until("another " + member, [&](const Json& frame) { return frame.at(member) != value; }).at(member);
+    return wait_until("another " + member, [&](const Json& redraw) { return redraw.at(member) != value; }).at(member);
 }
 
 void ViewerWindow::xdotool(std::vector<std::string> arguments) {
@@ -136,9 +138,7 @@ void ViewerWindow::wheel(int clicks) {
 
 void ViewerWindow::keys(const std::vector<std::string>& names) {
     // GLFW takes two presses of a key within a millisecond for one that the input method has doubled.
-    std::vector<std::string> words{"key", "--delay", "3"};
-    words.insert(words.end(), names.begin(), names.end());
-    xdotool(words);
+    xdotool(all_words({"key", "--delay", "3"}, names));
 }
 
 void ViewerWindow::resize(int width, int height) {
@@ -151,12 +151,12 @@ bool ViewerWindow::drop(const std::vector<std::string>& paths) {
 }
 
 std::vector<double> ViewerWindow::rectangle(const std::string& widget) {
-    const Json sides = frame_.at("widgets").at(widget);
+    const Json sides = redraw_.at("widgets").at(widget);
     return {sides[0].get<double>(), sides[1].get<double>(), sides[2].get<double>(), sides[3].get<double>()};
 }
 
 Place ViewerWindow::widget(const std::string& name, double along) {
-    wait_until("the widget " + name, [&](const Json& frame) { return frame.at("widgets").contains(name); });
+    wait_until("the widget " + name, [&](const Json& redraw) { return redraw.at("widgets").contains(name); });
     const std::vector<double> sides = rectangle(name);
     return {sides[0] + along * (sides[2] - sides[0]), 0.5 * (sides[1] + sides[3])};
 }
@@ -167,27 +167,33 @@ void ViewerWindow::choose(const std::string& menu, const std::string& item) {
 }
 
 Place ViewerWindow::pixel(double x, double y) {
-    const Json area = frame_.at("picture");
+    const Json area = redraw_.at("picture");
     return {area[0].get<double>() + x, area[1].get<double>() + y};
 }
 
 Place ViewerWindow::on_screen(double x, double y) {
-    const Json size = frame_.at("picture_size");
+    const Json size = redraw_.at("picture_size");
     const double unit = std::min(size[0].get<double>(), size[1].get<double>()) / 100.0;
     return pixel(size[0].get<double>() / 2 + unit * x, size[1].get<double>() / 2 - unit * y);
 }
 
 Picture ViewerWindow::picture() {
     const Picture screen = server_.screen();
-    const Json area = frame_.at("picture");
+    const Json area = redraw_.at("picture");
     const auto left = area[0].get<std::size_t>();
     const auto top = area[1].get<std::size_t>();
-    Picture picture{frame_.at("picture_size")[0].get<int>(), frame_.at("picture_size")[1].get<int>(), 3, {}};
+    Picture picture{redraw_.at("picture_size")[0].get<int>(), redraw_.at("picture_size")[1].get<int>(), 3, {}};
     const auto row_bytes = static_cast<std::size_t>(picture.width) * 3;
     for (std::size_t row = 0; row < static_cast<std::size_t>(picture.height); ++row) {
         picture.bytes.append(screen.bytes, ((top + row) * static_cast<std::size_t>(screen.width) + left) * 3, row_bytes);
     }
     return picture;
+}
+
+std::vector<Json> logged_redraws(const TemporaryFolder& folder) {
+    std::vector<Json> redraws;
+    for (const std::string& line : lines(folder.read(log_name))) redraws.push_back(Json::parse(line));
+    return redraws;
 }
 
 testing::AssertionResult same_picture(const Picture& found, const Picture& expected) {

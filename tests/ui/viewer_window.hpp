@@ -35,9 +35,9 @@ public:
     // Says what follows, for the messages of waits that end in vain.
     void step(const std::string& name) { step_ = name; }
     // The last line of the log (app/viewer/redraw_log.hpp).
-    const Json& frame();
+    const Json& redraw();
     // A member of that.
-    Json at(const std::string& member) { return frame().at(member); }
+    Json at(const std::string& member) { return redraw().at(member); }
     // Waits until a redraw at rest (nothing more to do) fulfils the condition.
     const Json& wait_until(const std::string& what, const std::function<bool(const Json&)>& condition);
     // The same of any redraw, also while something is read or written.
@@ -98,9 +98,12 @@ private:
     std::optional<Running> program_;
     std::size_t log_at_ = 0;
     std::string partial_;
-    Json frame_;
+    Json redraw_;
     std::string step_;
 };
+
+// All redraws of the window, the first first.
+std::vector<Json> logged_redraws(const TemporaryFolder& folder);
 
 // Whether two pictures are equal; says how many pixels differ and where the first is.
 testing::AssertionResult same_picture(const Picture& found, const Picture& expected);

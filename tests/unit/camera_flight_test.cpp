@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "camera/fit.hpp"
+#include "support/spheres.hpp"
 #include "viewer/command_table.hpp"
 
 namespace sphereview {
@@ -23,8 +24,7 @@ Camera camera_from(double azimuth, double elevation, double distance) {
 }
 
 Scene one_sphere() {
-    Scene scene;
-    scene.spheres = {{pivot, 5.0, {}, false}};
+    Scene scene = scene_of({{pivot, 5.0, {}, false}});
     return scene;
 }
 

@@ -2,25 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <glm/geometric.hpp>
 
 #include "camera/fit.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
 namespace {
 
 Camera seen(double azimuth, double elevation, Projection projection = Projection::perspective) {
-    Scene scene;
-    scene.spheres = {Sphere{.center = {1.0, 2.0, 3.0}, .radius = 4.0}};
+    Scene scene = scene_of({Sphere{.center = {1.0, 2.0, 3.0}, .radius = 4.0}});
     return fitted(scene, axes_from(azimuth, elevation), projection).value();
 }
 
 // As data is seen.
 Camera mirrored(double azimuth, double elevation) {
-    Scene scene;
-    scene.spheres = {Sphere{.center = {1.0, 2.0, 3.0}, .radius = 4.0}};
+    Scene scene = scene_of({Sphere{.center = {1.0, 2.0, 3.0}, .radius = 4.0}});
     return fitted(scene, with_hand_of(data_axes, axes_from(azimuth, elevation))).value();
 }
 

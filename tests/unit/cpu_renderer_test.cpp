@@ -9,6 +9,7 @@
 #include "base/background_job.hpp"
 #include "base/parallel.hpp"
 #include "exact/resolve.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -44,34 +45,28 @@ Scene scattered(unsigned seed) {
     return scene;
 }
 
-Scene of(std::vector<Sphere> spheres) {
-    Scene scene;
-    scene.spheres = std::move(spheres);
-    return scene;
-}
-
 }  // namespace
 
 TEST(CpuRenderer, SeesTheNearestHitAheadOfTheEye) {
     EXPECT_EQ(seen({}, {2, 1}), (Indices{-1, -1}));
-    EXPECT_EQ(seen(of({{{0, 0, 200}, 5, {}, true}}), {1, 1}), (Indices{-1}));
-    EXPECT_EQ(seen(of({{{0, 0, 200}, 5}, {{0, 0, 150}, 5}}), {1, 1}), (Indices{1}));
-    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 5}}), {1, 1}), (Indices{0}));
+    EXPECT_EQ(seen(scene_of({{{0, 0, 200}, 5, {}, true}}), {1, 1}), (Indices{-1}));
+    EXPECT_EQ(seen(scene_of({{{0, 0, 200}, 5}, {{0, 0, 150}, 5}}), {1, 1}), (Indices{1}));
+    EXPECT_EQ(seen(scene_of({{{0, 0, 150}, 5}, {{0, 0, 200}, 5}}), {1, 1}), (Indices{0}));
     // A hit counts, not a centre.
-    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 200}, 90}}), {1, 1}), (Indices{1}));
+    EXPECT_EQ(seen(scene_of({{{0, 0, 150}, 5}, {{0, 0, 200}, 90}}), {1, 1}), (Indices{1}));
     // The first of equal spheres.
-    EXPECT_EQ(seen(of({{{0, 0, 150}, 5}, {{0, 0, 150}, 5}}), {3, 1}), (Indices{-1, 0, -1}));
+    EXPECT_EQ(seen(scene_of({{{0, 0, 150}, 5}, {{0, 0, 150}, 5}}), {3, 1}), (Indices{-1, 0, -1}));
     // What lies behind the eye, and the inside of a sphere around the eye.
-    EXPECT_EQ(seen(of({{{0, 0, -50}, 49}}), {1, 1}), (Indices{-1}));
-    EXPECT_EQ(seen(of({{{0, 0, -50}, 51}}), {3, 3}), Indices(9, 0));
-    EXPECT_EQ(seen(of({{{0, 0, 0}, 500}, {{0, 0, 150}, 5}}), {1, 1}), (Indices{1}));
+    EXPECT_EQ(seen(scene_of({{{0, 0, -50}, 49}}), {1, 1}), (Indices{-1}));
+    EXPECT_EQ(seen(scene_of({{{0, 0, -50}, 51}}), {3, 3}), Indices(9, 0));
+    EXPECT_EQ(seen(scene_of({{{0, 0, 0}, 500}, {{0, 0, 150}, 5}}), {1, 1}), (Indices{1}));
     // A ray that touches.
-    EXPECT_EQ(seen(of({{{8, 0, 200}, 8}}), {1, 1}), (Indices{0}));
-    EXPECT_EQ(seen(of({{{8.0625, 0, 200}, 8}}), {1, 1}), (Indices{-1}));
+    EXPECT_EQ(seen(scene_of({{{8, 0, 200}, 8}}), {1, 1}), (Indices{0}));
+    EXPECT_EQ(seen(scene_of({{{8.0625, 0, 200}, 8}}), {1, 1}), (Indices{-1}));
 }
 
 TEST(CpuRenderer, SeesABallBetweenHiddenOnesUnderItsDrawnIndex) {
-    const Scene scene = of({{{0, 0, 110}, 9, {}, true}, {{0, 0, 200}, 9}, {{0, 0, 120}, 9, {}, true}, {{0, 0, 180}, 9}});
+    const Scene scene = scene_of({{{0, 0, 110}, 9, {}, true}, {{0, 0, 200}, 9}, {{0, 0, 120}, 9, {}, true}, {{0, 0, 180}, 9}});
     EXPECT_EQ(traced(scene, {1, 1}, {0, 0, 1, 1}), (Indices{1}));
     EXPECT_EQ(seen(scene, {1, 1}), (Indices{3}));
 }
@@ -97,7 +92,7 @@ TEST(CpuRenderer, TracesABlockAsItTracesThePicture) {
 TEST(Resolver, LooksWhetherToEndWithinAPixel) {
     Scene far_apart;
     for (int i = 0; i < 5000; ++i) far_apart.spheres.push_back({{0, 0, 200.0 + 10.0 * i}, 1});
-    const Scene nearly_equal = of({{{0, 0, 200}, 5}, {{0, 0, 200}, std::nextafter(5.0, 6.0)}});
+    const Scene nearly_equal = scene_of({{{0, 0, 200}, 5}, {{0, 0, 200}, std::nextafter(5.0, 6.0)}});
     const std::atomic<bool> cancelled = true;
     using Expected = std::pair<const Scene*, DecisionLevel>;
     for (const auto& [scene, expected] :

@@ -6,6 +6,7 @@
 
 #include "formats/elements.hpp"
 #include "formats/scene_format.hpp"
+#include "support/spheres.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -23,13 +24,9 @@ const std::string cif_sites =
     "loop_\n_atom_site_label\n_atom_site_type_symbol\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n";
 const std::string cif_salt = "Na1 Na 0 0 0\nCl1 Cl 0.5 0.5 0.5\n";
 
-std::vector<glm::dvec3> cif_centers(const std::string& text) {
-    std::vector<glm::dvec3> centers;
-    for (const Sphere& sphere : cif(text).scene.spheres) centers.push_back(sphere.center);
-    return centers;
-}
+Centers cif_centers(const std::string& text) { return centers_of(cif(text).scene); }
 
-using CellPlaces = std::vector<glm::dvec3>;
+using CellPlaces = Centers;
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include "formats/point_radius.hpp"
 #include "formats/scene_format.hpp"
 #include "formats/sphere_data.hpp"
+#include "support/spheres.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -27,13 +28,8 @@ DataOptions with_columns(const std::string& choices) {
 
 std::vector<Sphere> spheres(const std::string& text, const DataOptions& options = {}) { return table(text, options).scene.spheres; }
 
-std::vector<glm::dvec3> centers(const std::string& text, const DataOptions& options = {}) {
-    std::vector<glm::dvec3> centers;
-    for (const Sphere& sphere : spheres(text, options)) centers.push_back(sphere.center);
-    return centers;
-}
+Centers centers(const std::string& text, const DataOptions& options = {}) { return centers_of(table(text, options).scene); }
 
-using Centers = std::vector<glm::dvec3>;
 using Lines = std::vector<std::string>;
 
 const Centers two = {{1, 2, 3}, {4, 5, 6}};

@@ -1,4 +1,5 @@
 #include "exact/drawn.hpp"
+#include "support/spheres.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +12,7 @@ namespace {
 
 // Five spheres of radius 1 to 5, some hidden.
 Scene five_spheres(const std::vector<std::size_t>& hidden) {
-    Scene scene;
-    scene.spheres.resize(5);
+    Scene scene = scene_of_alike(5);
     for (std::size_t i = 0; i < 5; ++i) scene.spheres[i].radius = static_cast<double>(i + 1);
     for (const std::size_t number : hidden) scene.spheres[number].hidden = true;
     return scene;

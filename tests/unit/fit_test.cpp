@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "oracle/random.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -23,12 +24,6 @@ namespace {
 using oracle::Random;
 
 ViewAxes view(const std::string& text) { return parse_view(text).value(); }
-
-Scene scene_of(std::vector<Sphere> spheres) {
-    Scene scene;
-    scene.spheres = std::move(spheres);
-    return scene;
-}
 
 long double dot(const glm::dvec3& a, const glm::dvec3& b) {
     return static_cast<long double>(a.x) * b.x + static_cast<long double>(a.y) * b.y + static_cast<long double>(a.z) * b.z;

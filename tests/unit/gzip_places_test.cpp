@@ -6,7 +6,6 @@
 #include <memory>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "base/error.hpp"
 #include "base/gunzip.hpp"

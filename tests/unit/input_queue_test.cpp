@@ -1,4 +1,4 @@
-// Input in portions: whatever happened, in whatever order, a frame sees at most one change of each button and key.
+// Input in portions: whatever happened, in whatever order, a redraw sees at most one change of each button and key.
 #include "viewer/input_queue.hpp"
 
 #include <gtest/gtest.h>
@@ -33,17 +33,17 @@ std::string in_words(const InputEvent& event) {
     return text;
 }
 
-// Whether widgets that look once a frame miss something of it.
-testing::AssertionResult hides_nothing(const std::vector<InputEvent>& frame) {
+// Whether widgets that look once a redraw miss something of it.
+testing::AssertionResult hides_nothing(const std::vector<InputEvent>& redraw) {
     int buttons = 0;
     bool moved = false;
     bool moved_after = false;
     std::map<std::string, int> keys;
-    for (const InputEvent& event : frame) {
+    for (const InputEvent& event : redraw) {
         const auto* button = std::get_if<ButtonChanged>(&event);
         if (button != nullptr) ++buttons;
         if (button != nullptr && !button->pressed && moved)
-            return testing::AssertionFailure() << "a drag ends in the frame of its move";
+            return testing::AssertionFailure() << "a drag ends in the redraw of its move";
         if (std::holds_alternative<PointerMoved>(event)) moved = true;
         if (std::holds_alternative<PointerMoved>(event) && buttons > 0) moved_after = true;
         const auto* key = std::get_if<KeyChanged>(&event);
@@ -69,10 +69,10 @@ TEST(InputQueue, KeepsEveryEventInItsOrder) {
         std::vector<std::string> given;
         std::vector<std::string> taken;
         const auto take = [&] {
-            const std::vector<InputEvent> frame = queue.take_frame();
-            EXPECT_FALSE(frame.empty()) << "no progress";
-            EXPECT_TRUE(hides_nothing(frame));
-            for (const InputEvent& event : frame) taken.push_back(in_words(event));
+            const std::vector<InputEvent> redraw = queue.take();
+            EXPECT_FALSE(redraw.empty()) << "no progress";
+            EXPECT_TRUE(hides_nothing(redraw));
+            for (const InputEvent& event : redraw) taken.push_back(in_words(event));
         };
         for (unsigned round = 0; round < 5; ++round) {
             std::vector<InputEvent> events;
@@ -93,23 +93,23 @@ TEST(InputQueue, AWordIsTypedInOneFrame) {
         queue.add(
             {KeyChanged{key, true, false, {}}, CharacterTyped{static_cast<char32_t>(letter)}, KeyChanged{key, false, false, {}}});
     }
-    EXPECT_EQ(queue.take_frame().size(), 15U);
+    EXPECT_EQ(queue.take().size(), 15U);
     // But what opens a text box has opened it first, and what ends it comes after the word.
     const Modifiers none;
     queue.add({KeyChanged{"f2", true, false, none}, KeyChanged{"a", true, false, none}, CharacterTyped{U'a'},
                KeyChanged{"enter", true, false, none}});
-    EXPECT_EQ(queue.take_frame().size(), 1U);
-    EXPECT_EQ(queue.take_frame().size(), 2U);
-    EXPECT_EQ(queue.take_frame().size(), 1U);
+    EXPECT_EQ(queue.take().size(), 1U);
+    EXPECT_EQ(queue.take().size(), 2U);
+    EXPECT_EQ(queue.take().size(), 1U);
 }
 
 TEST(InputQueue, KeysWaitForABoxThatOpens) {
     InputQueue queue;
     queue.add({PointerMoved{}, KeyChanged{"a", false, false, {}}, KeyChanged{"b", true, false, {}}, CharacterTyped{U'b'},
                PointerMoved{}});
-    EXPECT_EQ(queue.take_frame(true).size(), 2U) << "a release is no key that is typed";
-    EXPECT_TRUE(queue.take_frame(true).empty());
-    EXPECT_EQ(queue.take_frame().size(), 3U);
+    EXPECT_EQ(queue.take(true).size(), 2U) << "a release is no key that is typed";
+    EXPECT_TRUE(queue.take(true).empty());
+    EXPECT_EQ(queue.take().size(), 3U);
 }
 
 TEST(InputQueue, AHeldKeyDoesNotRunOn) {
@@ -117,9 +117,9 @@ TEST(InputQueue, AHeldKeyDoesNotRunOn) {
     queue.add({KeyChanged{"page down", true, false, {}}});
     for (int i = 0; i < 90; ++i) queue.add({KeyChanged{"page down", true, true, {}}});
     queue.add({KeyChanged{"page down", false, false, {}}, KeyChanged{"page down", true, false, {}}});
-    EXPECT_EQ(queue.take_frame().size(), 1U);
-    EXPECT_FALSE(std::get<KeyChanged>(queue.take_frame().at(0)).pressed) << "the release";
-    EXPECT_TRUE(std::get<KeyChanged>(queue.take_frame().at(0)).pressed) << "the next press is one of its own";
+    EXPECT_EQ(queue.take().size(), 1U);
+    EXPECT_FALSE(std::get<KeyChanged>(queue.take().at(0)).pressed) << "the release";
+    EXPECT_TRUE(std::get<KeyChanged>(queue.take().at(0)).pressed) << "the next press is one of its own";
     EXPECT_TRUE(queue.empty());
 }
 
@@ -129,15 +129,15 @@ TEST(InputQueue, SinglePressesOfAKeyThatGoesOnAddUp) {
     for (const char* name : {"page up", "end"}) {
         for (int i = 0; i < 20; ++i) queue.add({KeyChanged{name, true, false, {}}, KeyChanged{name, false, false, {}}});
     }
-    EXPECT_EQ(queue.take_frame(false, pages).size(), 41U) << "and the next key's press";
-    EXPECT_EQ(queue.take_frame(false, pages).size(), 1U);
-    EXPECT_EQ(queue.take_frame(false, pages).size(), 1U);
+    EXPECT_EQ(queue.take(false, pages).size(), 41U) << "and the next key's press";
+    EXPECT_EQ(queue.take(false, pages).size(), 1U);
+    EXPECT_EQ(queue.take(false, pages).size(), 1U);
 }
 
 TEST(InputQueue, MovesAndTurnsAddUpInOneFrame) {
     InputQueue queue;
     queue.add({PointerMoved{1, 1}, PointerMoved{2, 2}, WheelTurned{0, 1, {}}, WheelTurned{0, 1, {}}});
-    EXPECT_EQ(queue.take_frame().size(), 4U);
+    EXPECT_EQ(queue.take().size(), 4U);
     EXPECT_TRUE(queue.empty());
 }
 

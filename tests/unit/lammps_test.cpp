@@ -6,6 +6,7 @@
 
 #include "formats/elements.hpp"
 #include "formats/scene_format.hpp"
+#include "support/spheres.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -21,13 +22,7 @@ std::string dump_frame(const std::string& columns, const std::string& rows, cons
            "\n" + rows;
 }
 
-std::vector<glm::dvec3> dump_centers(const std::string& text) {
-    std::vector<glm::dvec3> centers;
-    for (const Sphere& sphere : dump(text).scene.spheres) centers.push_back(sphere.center);
-    return centers;
-}
-
-using Centers = std::vector<glm::dvec3>;
+Centers dump_centers(const std::string& text) { return centers_of(dump(text).scene); }
 
 }  // namespace
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mistakes/diagnosis.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -142,12 +143,9 @@ TEST(Diagnosis, NamesTheOneMistakeOfAWrongTracer) {
 
 // Whole numbers, for which double arithmetic is exact: rays at the pixels of a 5 x 5 picture.
 TEST(Diagnosis, NamesMistakesOfTiesTangentsAndInsides) {
-    Scene ties;
-    ties.spheres = {{{0, 0, 300}, 100, {1, 2, 3}}, {{0, 0, 300}, 100, {4, 5, 6}}, {{200, 0, 300}, 40, {7, 8, 9}}};
-    Scene tangent;
-    tangent.spheres = {{{50, 0, 300}, 50, {9, 9, 9}}};
-    Scene inside;
-    inside.spheres = {{{0, 0, 100}, 150, {9, 9, 9}}, {{40, 0, 200}, 30, {5, 5, 5}}};
+    Scene ties = scene_of({{{0, 0, 300}, 100, {1, 2, 3}}, {{0, 0, 300}, 100, {4, 5, 6}}, {{200, 0, 300}, 40, {7, 8, 9}}});
+    Scene tangent = scene_of({{{50, 0, 300}, 50, {9, 9, 9}}});
+    Scene inside = scene_of({{{0, 0, 100}, 150, {9, 9, 9}}, {{40, 0, 200}, 30, {5, 5, 5}}});
     const std::vector<std::pair<std::string, const Scene*>> cases = {
         {"last-of-equals", &ties}, {"tangent-missed", &tangent}, {"inside-missed", &inside}};
     for (const auto& [name, scene] : cases) {
@@ -174,8 +172,7 @@ TEST(Diagnosis, NamesTwoMistakesAtOnce) {
 
 TEST(Diagnosis, NamesFloatArithmetic) {
     // Two spheres that are nearly the same: where the second is nearer, it is so by less than float can tell.
-    Scene scene;
-    scene.spheres = {{{0, 0, 3000}, 1000, {255, 0, 0}}, {{0.002, 0.001, 3000}, 1000, {0, 255, 0}}};
+    Scene scene = scene_of({{{0, 0, 3000}, 1000, {255, 0, 0}}, {{0.002, 0.001, 3000}, 1000, {0, 255, 0}}});
     const PictureSize size{100, 100};
     const Diagnosis found = diagnosed(painted(scene, size, traced<float>(scene, size, {})), scene);
     ASSERT_GT(found.different, 0);

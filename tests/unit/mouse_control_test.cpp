@@ -21,7 +21,7 @@ struct Hand : testing::Test {
         mouse.available = true;
     }
 
-    PictureConsequences frame() {
+    PictureConsequences redraw() {
         actions.clear();
         const PictureState state{scene,
                                  selection,
@@ -42,7 +42,7 @@ struct Hand : testing::Test {
                                  false,
                                  turns_about,
                                  [this](glm::dvec2) { return covered; }};
-        const PictureConsequences done = control.frame(mouse, state, gesture, actions);
+        const PictureConsequences done = control.redraw(mouse, state, gesture, actions);
         mouse.pressed = {};
         mouse.released = {};
         mouse.wheel = 0.0;
@@ -57,15 +57,15 @@ struct Hand : testing::Test {
     }
     void press(std::size_t button = 0) {
         mouse.pressed[button] = true;
-        frame();
+        redraw();
     }
     void drag_to(glm::dvec2 place) {
         mouse.place = place;
-        frame();
+        redraw();
     }
     void cancel() {
         mouse.cancelled = true;
-        frame();
+        redraw();
     }
     void press_at(glm::dvec2 place) {
         mouse.place = place;
@@ -78,7 +78,7 @@ struct Hand : testing::Test {
     }
     void release(std::size_t button = 0) {
         mouse.released[button] = true;
-        frame();
+        redraw();
     }
     std::uint64_t gesture_of_action() const { return std::get<EditScene>(actions.at(0)).gesture; }
     bool undoes() const {
@@ -181,7 +181,7 @@ TEST_F(Hand, APictureThatChangesUnderAPointerThatRestsMovesNothing) {
         mouse.corner += by;
         mouse.place -= by;
         size = to;
-        frame();
+        redraw();
     };
     for (const glm::dvec2 place : {glm::dvec2(520, 490), glm::dvec2(10, 10)}) {  // a move of the sphere, and an orbit
         mouse.corner = {};
@@ -192,7 +192,7 @@ TEST_F(Hand, APictureThatChangesUnderAPointerThatRestsMovesNothing) {
         EXPECT_FALSE(control.is_dragging());
         change_picture({-200, 0}, {900, 900});
         mouse.released[0] = true;
-        frame();
+        redraw();
         EXPECT_EQ(scene.spheres, before);
         EXPECT_EQ(camera, camera_before);
     }
@@ -219,7 +219,7 @@ TEST_F(Hand, AClickSelectsAndADragDoesNot) {
     EXPECT_TRUE(std::get<SelectSpheres>(actions.at(0)).shows_row) << "in the list";
     press_at({10, 10});
     mouse.place = {300, 300};
-    EXPECT_TRUE(frame().camera) << "an orbit";
+    EXPECT_TRUE(redraw().camera) << "an orbit";
     release();
     EXPECT_TRUE(selection.contains(0));
     press_at({10, 10});
@@ -231,7 +231,7 @@ TEST_F(Hand, AClickOnWhatCoversTheSphereSelectsNothingAndIsReported) {
     covered = true;
     press();
     mouse.released[0] = true;
-    EXPECT_TRUE(frame().clicked);
+    EXPECT_TRUE(redraw().clicked);
     EXPECT_TRUE(selection.empty());
     selection.set_only(0);
     press_at({900, 900});
@@ -288,7 +288,7 @@ TEST_F(Hand, ZoomingOutEndsWhereTheSceneIsSmall) {
         camera = with_projection(Camera{}, projection, 3.0);
         for (int i = 0; i < 200; ++i) {
             mouse.wheel = -1.0;
-            frame();
+            redraw();
         }
         const auto low = place_of(camera, size, {-100, 0, 200});
         const auto high = place_of(camera, size, {100, 0, 200});
@@ -297,7 +297,7 @@ TEST_F(Hand, ZoomingOutEndsWhereTheSceneIsSmall) {
         EXPECT_LT(glm::distance(*low, *high), 0.25 * size.width / 0.84);
         const Camera far = camera;
         mouse.wheel = 1.0;
-        frame();
+        redraw();
         EXPECT_NE(camera, far) << "and back";
     }
 }
@@ -320,7 +320,7 @@ TEST_F(Hand, TheWheelKeepsWhatIsUnderThePointer) {
     mouse.place = {800, 300};
     const glm::dvec3 point = point_at(camera, size, mouse.place, depth_of(camera, {0, 0, 300}));
     mouse.wheel = 2.0;
-    EXPECT_TRUE(frame().camera);
+    EXPECT_TRUE(redraw().camera);
     expect_shown(point, {800, 300});
 }
 
@@ -328,18 +328,18 @@ TEST_F(Hand, CtrlAndWheelIsOneStepOverOneSphere) {
     selection.set_only(0);
     mouse.control = true;
     mouse.wheel = 1.0;
-    frame();
+    redraw();
     const std::uint64_t first = gesture_of_action();
     mouse.wheel = 1.0;
-    frame();
+    redraw();
     EXPECT_EQ(gesture_of_action(), first);
     EXPECT_EQ(scene.spheres[0].radius, 67.416);
     mouse.wheel = 1.0;
-    frame();
+    redraw();
     EXPECT_EQ(scene.spheres[0].radius, 71.461) << "few digits";
     ++gesture;  // something else was done between
     mouse.wheel = -1.0;
-    frame();
+    redraw();
     EXPECT_NE(gesture_of_action(), first);
 }
 

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <vector>
 

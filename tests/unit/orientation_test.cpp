@@ -8,7 +8,6 @@
 
 #include "camera/fit.hpp"
 #include "camera/navigation.hpp"
-#include "scene/vectors.hpp"
 
 namespace sphereview {
 

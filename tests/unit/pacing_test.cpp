@@ -11,21 +11,21 @@ namespace sphereview {
 namespace {
 
 // Draws until nothing is to be drawn.
-int frames_until_rest(Pacing& pacing, int step) {
-    int frames = 0;
-    while (!pacing.rests() && frames < 100) {
+int redraws_until_rest(Pacing& pacing, int step) {
+    int redraws = 0;
+    while (!pacing.rests() && redraws < 100) {
         const bool refines = pacing.refines();
         pacing.drew(refines ? 1 : step);
-        ++frames;
+        ++redraws;
     }
-    return frames;
+    return redraws;
 }
 
 }  // namespace
 
 TEST(Pacing, RestsAfterAFewFrames) {
     Pacing pacing;
-    EXPECT_LT(frames_until_rest(pacing, 1), 6);
+    EXPECT_LT(redraws_until_rest(pacing, 1), 6);
     EXPECT_EQ(pacing.patience(), std::nullopt);
     pacing.touch();
     EXPECT_FALSE(pacing.rests());
@@ -34,12 +34,12 @@ TEST(Pacing, RestsAfterAFewFrames) {
 
 TEST(Pacing, AnotherPictureTakesOneFrame) {
     Pacing pacing;
-    frames_until_rest(pacing, 1);
+    redraws_until_rest(pacing, 1);
     pacing.show_once();
-    EXPECT_EQ(frames_until_rest(pacing, 1), 1);
+    EXPECT_EQ(redraws_until_rest(pacing, 1), 1);
     pacing.touch();
     pacing.show_once();
-    EXPECT_GT(frames_until_rest(pacing, 1), 1) << "the panels settle all the same";
+    EXPECT_GT(redraws_until_rest(pacing, 1), 1) << "the panels settle all the same";
 }
 
 TEST(Pacing, ACoarsePictureIsRefinedBeforeItRests) {
@@ -82,10 +82,10 @@ struct Load {
     double pixels = 0.0;
 };
 
-// Moves for so many frames; returns how many had each step.
-std::map<int, int> steps_of(Pacing& pacing, const Load& load, int frames) {
+// Moves for so many redraws; returns how many had each step.
+std::map<int, int> steps_of(Pacing& pacing, const Load& load, int redraws) {
     std::map<int, int> steps;
-    for (int i = 0; i < frames; ++i) {
+    for (int i = 0; i < redraws; ++i) {
         const int step = pacing.moving_step();
         ++steps[step];
         const double drawing = load.fixed + load.pixels / (step * step);
@@ -94,7 +94,7 @@ std::map<int, int> steps_of(Pacing& pacing, const Load& load, int frames) {
     return steps;
 }
 
-constexpr double budget = Pacing::frame_budget;
+constexpr double budget = Pacing::redraw_budget;
 
 }  // namespace
 
@@ -107,7 +107,7 @@ TEST(Pacing, IsAsFineAsTheTimeAllows) {
     }
 }
 
-// Of a coarse drawing most is what does not shrink with its pixels: 10,000 spheres were shown at 1/8 with 6.8 ms a frame.
+// Of a coarse drawing most is what does not shrink with its pixels: 10,000 spheres were shown at 1/8 with 6.8 ms a redraw.
 TEST(Pacing, IsNotCoarseForCostsThatStay) {
     const Load load{.lists = 0.003, .fixed = 0.0035, .pixels = 0.031};
     Pacing pacing;
@@ -178,7 +178,7 @@ TEST(Pacing, AFilmLeavesTimeForItsRedraws) {
     pacing.traced(1, 0.020, 0.018);
     EXPECT_EQ(pacing.moving_step(), 1) << "of a view that moves";
     pacing.play(0.002, true);
-    EXPECT_EQ(pacing.budget(), Pacing::frame_budget) << "there is time enough";
+    EXPECT_EQ(pacing.budget(), Pacing::redraw_budget) << "there is time enough";
     pacing.end_play();
     pacing.play(0.025, true);
     EXPECT_LT(pacing.budget() + 0.025, 1.0 / Pacing::film_rate);
@@ -187,23 +187,23 @@ TEST(Pacing, AFilmLeavesTimeForItsRedraws) {
     for (int i = 0; i < 100; ++i) pacing.play(1.0, true);
     EXPECT_GT(pacing.budget(), 0.0) << "however slow the rest is";
     pacing.end_play();
-    EXPECT_EQ(pacing.budget(), Pacing::frame_budget);
+    EXPECT_EQ(pacing.budget(), Pacing::redraw_budget);
 }
 
 // Between the frames of a film nothing is drawn twice; of a slow one the panels do not wait for the next.
 TEST(Pacing, AFilmsRedrawsSettleThePanels) {
     Pacing pacing;
-    frames_until_rest(pacing, 1);
+    redraws_until_rest(pacing, 1);
     pacing.play(0.01, true);
     pacing.touch();
-    EXPECT_EQ(frames_until_rest(pacing, 1), 1);
+    EXPECT_EQ(redraws_until_rest(pacing, 1), 1);
     pacing.play(0.01, false);
     pacing.touch();
-    EXPECT_GT(frames_until_rest(pacing, 1), 1);
+    EXPECT_GT(redraws_until_rest(pacing, 1), 1);
     pacing.play(0.01, true);
     pacing.end_play();
     pacing.touch();
-    EXPECT_GT(frames_until_rest(pacing, 1), 1);
+    EXPECT_GT(redraws_until_rest(pacing, 1), 1);
 }
 
 }  // namespace sphereview

@@ -7,6 +7,7 @@
 
 #include "base/number.hpp"
 #include "camera/navigation.hpp"
+#include "support/spheres.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/layout.hpp"
 
@@ -16,9 +17,8 @@ namespace {
 
 struct Commands : testing::Test {
     Commands() : state(ViewOptions{}, ViewerSettings{}) {
-        Scene scene;
-        scene.spheres = {Sphere{.center = {0, 0, 300}, .radius = 60, .color = {255, 0, 0}},
-                         Sphere{.center = {100, 0, 300}, .radius = 30, .color = {0, 255, 0}}};
+        Scene scene = scene_of({Sphere{.center = {0, 0, 300}, .radius = 60, .color = {255, 0, 0}},
+                                Sphere{.center = {100, 0, 300}, .radius = 30, .color = {0, 255, 0}}});
         state.document = Document(scene);
         state.camera = scene.camera;
         state.pivot = {0, 0, 300};

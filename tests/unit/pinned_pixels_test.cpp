@@ -7,6 +7,7 @@
 #include "light/explain_light.hpp"
 #include "light/lighting.hpp"
 #include "support/eventually.hpp"
+#include "support/spheres.hpp"
 #include "support/temporary_folder.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
@@ -71,8 +72,7 @@ const PinnedPixel other{{5, 6}, {60, 40}};
 }  // namespace
 
 TEST(ExplainedLights, AddUpToTheLightOfTheExport) {
-    Scene scene;
-    scene.spheres = {{{0, 0, 200}, 20, {200, 30, 40}}, {{0, 40, 180}, 15, {9, 9, 9}}, {{-15, 0, 165}, 8, {9, 9, 9}}};
+    Scene scene = scene_of({{{0, 0, 200}, 20, {200, 30, 40}}, {{0, 40, 180}, 15, {9, 9, 9}}, {{-15, 0, 165}, 8, {9, 9, 9}}});
     const PictureSize size{200, 200};
     const DrawnSpheres drawn = drawn_spheres(scene);
     for (const bool sun : {false, true}) {

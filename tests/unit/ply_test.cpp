@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "formats/scene_format.hpp"
+#include "support/spheres.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -34,13 +34,9 @@ std::string bytes_of(Number number, bool big_endian) {
     return bytes;
 }
 
-std::vector<glm::dvec3> ply_centers(const std::string& text) {
-    std::vector<glm::dvec3> centers;
-    for (const Sphere& sphere : ply(text).scene.spheres) centers.push_back(sphere.center);
-    return centers;
-}
+Centers ply_centers(const std::string& text) { return centers_of(ply(text).scene); }
 
-using Points = std::vector<glm::dvec3>;
+using Points = Centers;
 
 }  // namespace
 

@@ -8,6 +8,7 @@
 #include "formats/cell.hpp"
 #include "formats/elements.hpp"
 #include "formats/scene_format.hpp"
+#include "support/spheres.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -19,13 +20,9 @@ SphereData poscar(const std::string& text, const DataOptions& options = {}) { re
 const std::string poscar_edges = "1 0 0\n0 1 0\n0 0 1\n";
 const std::string poscar_salt = "NaCl\n5.64\n" + poscar_edges + "Na Cl\n1 1\nDirect\n0 0 0\n0.5 0.5 0.5\n";
 
-std::vector<glm::dvec3> poscar_centers(const std::string& text, const DataOptions& options = {}) {
-    std::vector<glm::dvec3> centers;
-    for (const Sphere& sphere : poscar(text, options).scene.spheres) centers.push_back(sphere.center);
-    return centers;
-}
+Centers poscar_centers(const std::string& text, const DataOptions& options = {}) { return centers_of(poscar(text, options).scene); }
 
-using Places = std::vector<glm::dvec3>;
+using Places = Centers;
 
 }  // namespace
 

@@ -9,6 +9,7 @@
 #include "camera/navigation.hpp"
 #include "exact/explain.hpp"
 #include "support/eventually.hpp"
+#include "support/spheres.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/hidden_parts.hpp"
 #include "viewer/perform.hpp"
@@ -22,8 +23,7 @@ constexpr PictureSize seen{300, 200};
 
 struct Rays : testing::Test {
     Rays() : state(ViewOptions{}, ViewerSettings{}) {
-        Scene scene;
-        scene.spheres = {{{0, 0, 300}, 60, {255, 0, 0}}, {{100, 0, 300}, 30, {0, 255, 0}}, {{0, 0, 500}, 80, {0, 0, 255}}};
+        Scene scene = scene_of({{{0, 0, 300}, 60, {255, 0, 0}}, {{100, 0, 300}, 30, {0, 255, 0}}, {{0, 0, 500}, 80, {0, 0, 255}}});
         state.document = Document(scene);
         state.picture_size = seen;
         go_home(state);

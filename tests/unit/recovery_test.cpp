@@ -22,6 +22,7 @@
 #include "formats/scene_format.hpp"
 #include "support/environment.hpp"
 #include "support/no_threads.hpp"
+#include "support/spheres.hpp"
 #include "support/temporary_folder.hpp"
 #include "unit/random_scene.hpp"
 #include "unit/scene_difference.hpp"
@@ -57,8 +58,7 @@ struct AutosaveTest : RecoveryTest {
         return fs::exists(folder.path("state/sphereview")) && !fs::is_empty(folder.path("state/sphereview"));
     }
     void begin_to_keep_a_large_scene() {
-        Scene large;
-        large.spheres.resize(20'000);
+        Scene large = scene_of_alike(20'000);
         document = Document(std::move(large));
         change();
         autosave.look(document, "", now);
@@ -104,7 +104,7 @@ private:
     pid_t child_ = 0;
 };
 
-Scene scene_of(unsigned seed) {
+Scene seeded_scene(unsigned seed) {
     std::mt19937_64 random(seed);
     return random_scene(random);
 }
@@ -115,7 +115,7 @@ Scene scene_in(const Recovery& recovery) { return parse_scene(InputFile(recovery
 
 TEST_F(RecoveryTest, GivesEveryBitBack) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
-        const Scene scene = scene_of(seed);
+        const Scene scene = seeded_scene(seed);
         Other other([&] { return write_recovery(scene, "/scenes/a b.toml"); });
         other.end();
         const auto recoveries = list_recoveries();
@@ -144,10 +144,10 @@ TEST_F(RecoveryTest, KnowsWhatWasEdited) {
 }
 
 TEST_F(RecoveryTest, LeavesARunningProcessItsOwn) {
-    Other first([] { return write_recovery(scene_of(2), "/first"); });
+    Other first([] { return write_recovery(seeded_scene(2), "/first"); });
     std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the order is by time, in milliseconds
-    Other second([] { return write_recovery(scene_of(3), "/not yet") && write_recovery(scene_of(4), "/second"); });
-    EXPECT_TRUE(write_recovery(scene_of(1), "/own"));  // last: a copy of this process would share its lock
+    Other second([] { return write_recovery(seeded_scene(3), "/not yet") && write_recovery(seeded_scene(4), "/second"); });
+    EXPECT_TRUE(write_recovery(seeded_scene(1), "/own"));  // last: a copy of this process would share its lock
     EXPECT_TRUE(list_recoveries().empty());
     second.end();
     ASSERT_EQ(list_recoveries().size(), 1U);
@@ -155,9 +155,9 @@ TEST_F(RecoveryTest, LeavesARunningProcessItsOwn) {
     const auto recoveries = list_recoveries();
     ASSERT_EQ(recoveries.size(), 2U);
     EXPECT_EQ(recoveries[0].original, "/second");
-    EXPECT_EQ(difference(scene_in(recoveries[0]), scene_of(4)), "");
+    EXPECT_EQ(difference(scene_in(recoveries[0]), seeded_scene(4)), "");
     EXPECT_EQ(recoveries[1].original, "/first");
-    EXPECT_EQ(difference(scene_in(recoveries[1]), scene_of(2)), "");
+    EXPECT_EQ(difference(scene_in(recoveries[1]), seeded_scene(2)), "");
     EXPECT_EQ(folder.names(), std::vector<std::string>{"state"});
     EXPECT_TRUE(remove_own_recovery());
     EXPECT_TRUE(remove_own_recovery()) << "it is gone";
@@ -166,12 +166,12 @@ TEST_F(RecoveryTest, LeavesARunningProcessItsOwn) {
 
 TEST_F(RecoveryTest, SaysWhenNothingCanBeKept) {
     folder.write("state", "a file, not a folder");
-    EXPECT_FALSE(write_recovery(scene_of(1), "/a"));
+    EXPECT_FALSE(write_recovery(seeded_scene(1), "/a"));
     EXPECT_TRUE(list_recoveries().empty());
     EXPECT_EQ(folder.read("state"), "a file, not a folder");
     const test::Variable none("XDG_STATE_HOME", {});
     const test::Variable home("HOME", {});
-    EXPECT_FALSE(write_recovery(scene_of(1), "/a"));
+    EXPECT_FALSE(write_recovery(seeded_scene(1), "/a"));
     EXPECT_TRUE(list_recoveries().empty());
     EXPECT_TRUE(remove_own_recovery());
 }
@@ -282,8 +282,7 @@ TEST_F(AutosaveTest, KeepsBeforeSomethingIsReadWhatIsNotKept) {
 }
 
 TEST_F(AutosaveTest, WritesANewerCopyAfterTheOneThatIsBeingWritten) {
-    Scene large;
-    large.spheres.resize(300'000);
+    Scene large = scene_of_alike(300'000);
     document = Document(std::move(large));
     document.mark_unsaved();
     const auto older = autosave.keep_before_reading(document, "");

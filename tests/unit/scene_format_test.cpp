@@ -10,6 +10,7 @@
 #include "base/input_file.hpp"
 #include "base/text.hpp"
 #include "support/folders.hpp"
+#include "support/spheres.hpp"
 #include "support/trials.hpp"
 #include "unit/message_of.hpp"
 #include "unit/random_scene.hpp"
@@ -148,8 +149,7 @@ TEST(SceneFormats, OfDataHaveMimeTypes) {
 }
 
 TEST(LostIn, NamesWhatTheTextFormatCannotHold) {
-    Scene scene;
-    scene.spheres.resize(3);
+    Scene scene = scene_of_alike(3);
     EXPECT_EQ(lost_in(scene, SceneFormat::text), "");
     scene.background = {{255, 255, 255}, false};
     scene.camera.eye.z = -1;
@@ -185,8 +185,7 @@ TEST(RoundTrip, KeepsEveryBitOfRandomScenes) {
 // The test above can only fail if this can.
 TEST(RoundTrip, IsJudgedByEveryBit) {
     const auto changed = [](const auto& change) {
-        Scene before;
-        before.spheres.resize(2);
+        Scene before = scene_of_alike(2);
         Scene after = before;
         change(after);
         return difference(after, before);

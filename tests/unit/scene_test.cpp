@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "oracle/random.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 
@@ -155,8 +156,7 @@ TEST(Bounds, HoldAllSpheresThatAreNotHidden) {
 
 TEST(Bounds, StayFiniteAndMoreThanNothing) {
     const double most = std::numeric_limits<double>::max();
-    Scene scene;
-    scene.spheres = {{{most, 0, 0}, most, {}, false}, {{-most, 0, 0}, most, {}, false}};
+    Scene scene = scene_of({{{most, 0, 0}, most, {}, false}, {{-most, 0, 0}, most, {}, false}});
     SceneBounds bounds = bounds_of(scene);
     EXPECT_EQ(bounds.low.x, -most);
     EXPECT_EQ(bounds.high.x, most);

@@ -11,6 +11,7 @@
 #include "shade/picture_shader.hpp"
 #include "shade/shading.hpp"
 #include "support/shaded_scenes.hpp"
+#include "support/spheres.hpp"
 
 namespace sphereview {
 namespace {
@@ -129,8 +130,8 @@ TEST(PictureShader, FollowsTheFormulae) {
 TEST(PictureShader, NeverFailsOnExtremeNumbers) {
     for (const double far : {1e-300, 1e-150, 1.0, 1e150, 1e300, 1.7e308}) {
         for (const double radius : {5e-324, 1e-300, 1e-3, 1e100, 1.7e308}) {
-            Scene scene;
-            scene.spheres = {{{far, -far, far}, radius, {255, 255, 255}, false}, {{0, 0, far}, radius, {255, 255, 255}, false}};
+            Scene scene =
+                scene_of({{{far, -far, far}, radius, {255, 255, 255}, false}, {{0, 0, far}, radius, {255, 255, 255}, false}});
             for (const Shading shading : {Shading::headlight, Shading::normal, Shading::depth, Shading::id}) {
                 const PictureShader shader(scene, scene.camera, size, shading, {});
                 for (const std::int32_t number : {0, 1}) {
@@ -160,8 +161,7 @@ TEST(PictureShader, MakesATransparentBackgroundClearAndSpheresOpaque) {
 }
 
 Scene red_and_blue() {
-    Scene scene;
-    scene.spheres.resize(2);
+    Scene scene = scene_of_alike(2);
     scene.spheres[0].color = {255, 1, 2};
     scene.spheres[1].color = {3, 4, 254};
     scene.background = {{50, 50, 50}, false};  // another than each picture is given
@@ -259,8 +259,7 @@ TEST(Studio, GivesTheSameBytesEverywhere) {
 
 // 1.8 E / (0.8 + E) of the own colour, with E = n.B: 1.8 for light from where the surface faces.
 TEST(Studio, IsTheFormula) {
-    Scene scene;
-    scene.spheres = {{{0, 0, 200}, 20, {200, 100, 0}, false}};
+    Scene scene = scene_of({{{0, 0, 200}, 20, {200, 100, 0}, false}});
     const PictureShader shader(scene, scene.camera, {101, 101}, Shading::studio, {});
     const auto color = [&](double toward_eye) {
         return shader.color({50, 50}, 0, {0, 0, static_cast<std::int32_t>(-toward_eye * light_one)});

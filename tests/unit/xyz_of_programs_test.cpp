@@ -7,6 +7,7 @@
 #include "formats/elements.hpp"
 #include "formats/scene_format.hpp"
 #include "formats/sphere_data.hpp"
+#include "support/spheres.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -16,12 +17,6 @@ namespace {
 using Lines = std::vector<std::string>;
 
 SphereData read_programs_xyz(const std::string& text, const DataOptions& options = {}) { return read_xyz(text, "a.xyz", options); }
-
-std::vector<glm::dvec3> centers_of(const Scene& scene) {
-    std::vector<glm::dvec3> centers;
-    for (const Sphere& sphere : scene.spheres) centers.push_back(sphere.center);
-    return centers;
-}
 
 }  // namespace
 
