@@ -14,7 +14,7 @@
 #include "app/frame_sequence.hpp"
 #include "app/manifest.hpp"
 #include "app/options.hpp"
-#include "app/render_command.hpp"
+#include "app/render_jobs.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
