@@ -57,8 +57,12 @@ bool is_here(const std::string& file) {
 // Whether the picture's file, if it is here, is as it was written.
 bool is_file_unchanged(const ManifestEntry& entry) {
     if (!entry.picture || !entry.file_sum || !is_here(*entry.picture)) return true;
-    if (sum_of_file(*entry.picture) == *entry.file_sum) return true;
-    say(*entry.picture + ": the file differs from the one that was written");
+    try {
+        if (sum_of_file(*entry.picture) == *entry.file_sum) return true;
+        say(*entry.picture + ": the file differs from the one that was written");
+    } catch (const InputError& error) {  // something else has that name, or it cannot be read: the others are looked at
+        say(error.what());
+    }
     return false;
 }
 
@@ -140,14 +144,20 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vect
 ExitCode run_verify(const VerifyOptions& options) {
     std::vector<ManifestEntry> all;
     for (const std::string& path : options.manifests) {
-        const auto [some, is_cut_off] = read_manifest(path);
-        if (some.empty()) throw InputError(path + ": found no whole line, expected one for each picture");
-        if (some.front().version != version) {
-            say(path + ": the pictures are by sphereview " + some.front().version + ", this is " + std::string(version));
+        const auto [some, cut_off] = read_manifest(path);
+        std::set<std::string> others;
+        for (const ManifestEntry& entry : some) {
+            if (entry.version != version) others.insert(entry.version);
         }
-        if (is_cut_off) say(place_in(path, {some.size() + 1, 1}) + "the line is cut off: its picture is not looked at");
+        if (!others.empty()) {
+            say(path + ": there are pictures by sphereview " +
+                joined(std::vector<std::string>(others.begin(), others.end()), ", ") + "; this is " + std::string(version));
+        }
+        if (cut_off) say(place_in(path, {*cut_off, 1}) + "the line is cut off: its picture is not looked at");
         all.insert(all.end(), some.begin(), some.end());
     }
+    // One manifest may be without a line: of a part of fewer frames than there are parts.
+    if (all.empty()) throw InputError(options.manifests.front() + ": found no whole line, expected one for each picture");
     say_which_are_not_here(all);
     const std::vector<ManifestEntry> entries = sample_of(all, options.sample);
     // With the sums: manifests may be from before and after a change of a file.
