@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -211,7 +212,12 @@ InterruptibleFilm::InterruptibleFilm(Film& film) : film_(film) {
 
 InterruptibleFilm::~InterruptibleFilm() {
     interruptible_.reset();  // from now on there is nothing to say twice
-    if (!film_.is_finished()) say(film_.how_far());
+    if (film_.is_finished()) return;
+    try {
+        say(film_.how_far());
+    } catch (const std::bad_alloc&) {
+        // That memory ran out is said by who ends the command.
+    }
 }
 
 }  // namespace sphereview

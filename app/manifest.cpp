@@ -20,7 +20,6 @@ namespace sphereview {
 namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 22;
-constexpr std::size_t longest_line = std::size_t{1} << 20;  // that is written in one piece
 
 // No file's name and no option has a NUL; what follows one would be lost.
 std::optional<std::string> text_of(const Json& json, std::string_view key, const std::string& place) {
@@ -43,8 +42,9 @@ std::int64_t required_number(const Json& json, std::string_view key, const std::
 }
 
 ManifestEntry entry_of(std::string_view line, const std::string& name, std::size_t number) {
-    const std::string place = place_in(name, {number, 1});
-    const Json json = Json::parse(line, name, number);
+    const TextPosition begin{number, 1};
+    const std::string place = place_in(name, begin);
+    const Json json = Json::parse(line, name, begin);
     ManifestEntry entry;
     entry.picture = text_of(json, "picture", place);
     entry.frame = required_number(json, "frame", place);
@@ -153,7 +153,6 @@ Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs
     write_output(path, kept, Durability::on_disk, MissingFolder::made);
     file_.reset(open_file(path, "ab"));
     if (!file_) throw OutputError(path, std::strerror(errno), errno);
-    std::setvbuf(file_.get(), nullptr, _IOFBF, longest_line);
 }
 
 std::int64_t Manifest::number_of(const RenderJob& job) const {
@@ -205,10 +204,8 @@ void Manifest::add(const RenderJob& job, const PictureSums& sums) {
                        {"file_sha256", sums.file},
                        {"version", std::string(version)}};
     const std::string text = line.dump() + "\n";
-    errno = 0;
-    const bool good =
-        std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && flush(file_.get(), options_.durability);
-    if (!good) throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
+    if (!append(file_.get(), text, options_.durability))
+        throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
 }
 
 }  // namespace sphereview

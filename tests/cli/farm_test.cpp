@@ -227,6 +227,11 @@ TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
     text.replace(text.find(place), place.size(), "");
     folder_.write("made.jsonl", text);
     EXPECT_TRUE(fails(verify(), 2, "made.jsonl:4:1: found no 'place' from 0, expected a line of a manifest"));
+    // Nor is it JSON.
+    text = folder_.read("out/made.jsonl");
+    const std::size_t fault = text.find(place);
+    folder_.write("made.jsonl", text.replace(fault, place.size(), "}"));
+    EXPECT_TRUE(fails(verify(), 2, "made.jsonl:4:" + std::to_string(fault - text.rfind('\n', fault)) + ": this is not JSON"));
     // Nor is a device read to an end that it has not.
     text = folder_.read("out/made.jsonl");
     for (std::size_t at = 0; (at = text.find("\"a.xyz\"", at)) != std::string::npos;) text.replace(at, 7, "\"/dev/zero\"");
