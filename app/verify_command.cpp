@@ -54,16 +54,17 @@ bool is_here(const std::string& file) {
     return true;
 }
 
-// Whether the picture's file, if it is here, is as it was written.
-bool is_file_unchanged(const ManifestEntry& entry) {
-    if (!entry.picture || !entry.file_sum || !is_here(*entry.picture)) return true;
+// Whether the picture's file, if it is here, is as it was written: done, differs, or what it means that it cannot be read.
+ExitCode state_of_file(const ManifestEntry& entry) {
+    if (!entry.picture || !entry.file_sum || !is_here(*entry.picture)) return ExitCode::done;
     try {
-        if (sum_of_file(*entry.picture) == *entry.file_sum) return true;
-        say(*entry.picture + ": the file differs from the one that was written");
-    } catch (const InputError& error) {  // something else has that name, or it cannot be read: the others are looked at
+        if (sum_of_file(*entry.picture) == *entry.file_sum) return ExitCode::done;
+    } catch (const InputError& error) {  // the others are looked at
         say(error.what());
+        return ExitCode::bad_input;
     }
-    return false;
+    say(*entry.picture + ": the file differs from the one that was written");
+    return ExitCode::differs;
 }
 
 // "3 of 10 pictures WHAT: a, b and 1 more"; nothing where there are none.
@@ -125,7 +126,7 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vect
                              std::to_string(entry.frame) + " in a manifest, expected " +
                              std::to_string(sequence->shots()[entry.place].number));
         }
-        if (!is_file_unchanged(entry)) worst = ExitCode::differs;
+        worst = std::max(worst, state_of_file(entry));
         RenderJob job;
         job.scene = entry.scene;
         job.label = entry.picture.value_or(entry.scene + ", " + std::to_string(entry.frame));
