@@ -120,12 +120,12 @@ std::string packed(const FileStamp& stamp, const FrameIndex& index) {
         to.number(place.end - place.begin);
         to.number(place.origin.line - line);
         to.number(place.origin.column);
-        to.number(place.numbers_behind_first);
+        to.number(place.of_first);
         line = place.origin.line;
     }
     to.number(index.end_position.line);
     to.number(index.end_position.column);
-    to.number(index.numbers_behind_first);
+    to.number(index.of_first);
     to.number(index.packed.spacing());
     to.number(index.packed.all().size());
     for (const GzipPlace& place : index.packed.all()) {
@@ -148,11 +148,11 @@ FrameIndex read_index(Reader& from) {
         place.end = begin += from.number();
         place.origin.line = line += static_cast<std::size_t>(from.number());
         place.origin.column = static_cast<std::size_t>(from.number());
-        place.numbers_behind_first = static_cast<std::size_t>(from.number());
+        place.of_first = static_cast<std::size_t>(from.number());
     }
     index.end_position.line = static_cast<std::size_t>(from.number());
     index.end_position.column = static_cast<std::size_t>(from.number());
-    index.numbers_behind_first = static_cast<std::size_t>(from.number());
+    index.of_first = static_cast<std::size_t>(from.number());
     index.packed = GzipPlaces(from.number());
     for (std::size_t left = from.count(); left > 0; --left) {
         GzipPlace place;

@@ -19,8 +19,8 @@ namespace sphereview {
 struct FramePlace {
     std::uint64_t begin = 0;
     std::uint64_t end = 0;
-    TextPosition origin{};                 // of its first character
-    std::size_t numbers_behind_first = 0;  // PartOfFile
+    TextPosition origin{};     // of its first character
+    std::size_t of_first = 0;  // PartOfFile
 
     bool operator==(const FramePlace&) const = default;
 };
@@ -29,7 +29,7 @@ struct FrameIndex {
     std::vector<FramePlace> frames{};  // from the first one on, without a gap
     // Behind the last of them.
     TextPosition end_position{};
-    std::size_t numbers_behind_first = 0;
+    std::size_t of_first = 0;
     GzipPlaces packed{};  // of a packed file
 };
 

@@ -40,7 +40,7 @@ void FrameReader::begin_at_the_beginning() {
     const std::string_view bytes = stream_.bytes();
     end_ = without_byte_order_mark(bytes).size() < bytes.size() ? byte_order_mark_size : 0;
     end_position_ = {};
-    numbers_behind_first_ = 0;
+    of_first_ = 0;
     places_.clear();
     from_index_ = 0;
     known_end_ = 0;
@@ -60,7 +60,7 @@ void FrameReader::take_index() {
     from_index_ = places_.size();
     known_end_ = end_ = places_.back().end;
     end_position_ = index->end_position;
-    numbers_behind_first_ = index->numbers_behind_first;
+    of_first_ = index->of_first;
     stream_.remember_places(std::move(index->packed));
     is_a_frame(from_index_ - 1);
 }
@@ -68,7 +68,7 @@ void FrameReader::take_index() {
 void FrameReader::keep_index() noexcept {
     if (!stamp_ || places_.size() < 2 || end_ < known_end_ + *options_.index_from || end_ == known_end_) return;
     try {
-        FrameIndex index{places_, end_position_, numbers_behind_first_, GzipPlaces()};
+        FrameIndex index{places_, end_position_, of_first_, GzipPlaces()};
         index.frames.back().end = end_;  // without what stands behind the last frame
         if (stream_.places() != nullptr) index.packed = *stream_.places();
         keep_frame_index(*stamp_, index);
@@ -87,7 +87,7 @@ bool FrameReader::is_a_frame(std::size_t number) {
         const auto length = static_cast<std::size_t>(end - place.begin);
         go_to(place.begin);
         stream_.fill(length);
-        PartOfFile part{place.origin, static_cast<std::int64_t>(number), true, place.numbers_behind_first};
+        PartOfFile part{place.origin, static_cast<std::int64_t>(number), true, place.of_first};
         const std::string_view text = text_from(place.begin).substr(0, length);
         if (text.size() == length && format_.step_over(text, true, name(), part) == length) return true;
     } catch (const InputError&) {
@@ -125,7 +125,7 @@ void FrameReader::go_to(std::uint64_t offset) {
 // Remembers the place of the next frame; false where there is none.
 bool FrameReader::find_next() {
     if (found_all_) return false;
-    PartOfFile part{end_position_, static_cast<std::int64_t>(places_.size()), true, numbers_behind_first_};
+    PartOfFile part{end_position_, static_cast<std::int64_t>(places_.size()), true, of_first_};
     go_to(end_);
     std::optional<std::size_t> length;
     while (true) {
@@ -149,11 +149,11 @@ bool FrameReader::find_next() {
         return false;
     }
     const std::string_view text = text_from(end_);
-    places_.push_back({end_, end_ + *length, end_position_, numbers_behind_first_});
+    places_.push_back({end_, end_ + *length, end_position_, of_first_});
     is_whole_ = places_.size() == 1 && stream_.ended() && *length == text.size();
     end_position_ = position_at(text, *length, end_position_);
     end_ += *length;
-    numbers_behind_first_ = part.numbers_behind_first;
+    of_first_ = part.of_first;
     if (const auto part = part_passed(); watcher_ && part) watcher_(*part);
     return true;
 }
@@ -221,7 +221,7 @@ SphereData FrameReader::read(std::int64_t frame) {
     const auto length = static_cast<std::size_t>(place.end - place.begin);
     stream_.fill(static_cast<std::size_t>(place.end - window_));
     if (text_from(place.begin).size() < length) throw InputError(name() + ": has become shorter while it was read");
-    options.part = {place.origin, frame, true, place.numbers_behind_first};
+    options.part = {place.origin, frame, true, place.of_first};
     return format_.read(text_from(place.begin).substr(0, length), name(), options);
 }
 

@@ -71,7 +71,7 @@ private:
     std::uint64_t window_ = 0;  // where in the text the stream's window begins
     std::uint64_t end_ = 0;     // of the frames found
     TextPosition end_position_{};
-    std::size_t numbers_behind_first_ = 0;
+    std::size_t of_first_ = 0;
     std::vector<FramePlace> places_{};
     std::optional<FileStamp> stamp_{};  // where an index may be kept
     std::size_t from_index_ = 0;        // places
