@@ -58,6 +58,7 @@ private:
     void keep_index() noexcept;
     bool is_a_frame(std::size_t number);
     void go_to(std::uint64_t offset);
+    std::string_view head_for(std::size_t number, std::size_t of_first);
     std::string_view text_from(std::uint64_t offset) const;
     bool holds_all() const { return format_.step_over == nullptr || !stream_.is_regular(); }
     void count_in_whole_file();
@@ -73,6 +74,8 @@ private:
     TextPosition end_position_{};
     std::size_t of_first_ = 0;
     std::vector<FramePlace> places_{};
+    std::size_t head_of_ = 0;  // PartOfFile::of_first that this is for
+    std::string head_{};
     std::optional<FileStamp> stamp_{};  // where an index may be kept
     std::size_t from_index_ = 0;        // places
     std::uint64_t known_end_ = 0;       // of what the kept index has, or would have

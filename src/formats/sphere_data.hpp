@@ -28,9 +28,12 @@ struct PartOfFile {
     TextPosition origin{};
     std::int64_t frames = 0;  // before it
     bool is_a_frame = false;  // and no more than one
-    // What is to be known of the first frame. XYZ: how many numbers stand behind its number of atoms. LAMMPS: in which units the
-    // dump is, from 1; 0 where it does not say.
+    // What is to be known of frames before. XYZ: how many numbers stand behind the first one's number of atoms. LAMMPS: in which
+    // units the dump is, from 1; 0 where it does not say. XDATCAR: which frame has the head of those behind it, from 1; 0: none
+    // has.
     std::size_t of_first = 0;
+    // XDATCAR: the text of that frame, as far as its head may be long.
+    std::string_view head{};
     // Of a text that is whole, as PDB is read: where frame `frames` is looked for, and whether those behind the wanted one are not.
     std::size_t begin = 0;
     bool stops = false;
@@ -143,6 +146,7 @@ std::optional<std::size_t> step_over_gromacs(std::string_view text, bool ended, 
 // VASP's POSCAR and CONTCAR, in parts of a cell or not, and XDATCAR with its frames.
 bool shows_poscar(std::string_view head);
 SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options);
+std::optional<std::size_t> step_over_poscar(std::string_view text, bool ended, const std::string& name, PartOfFile& part);
 
 // SDF and MOL, V2000 and V3000: molecules are frames.
 bool shows_sdf(std::string_view head);
