@@ -28,9 +28,10 @@ const SceneFormat& format_of_stream(InputStream& stream, const DataOptions& opti
 FrameReader::FrameReader(const std::string& path, DataOptions options)
     : path_(path), options_(std::move(options)), stream_(path), format_(format_of_stream(stream_, options_)) {
     begin_at_the_beginning();
+    if (options_.index_from) note_stamp();
     if (holds_all()) return;
     stream_.remember_places();
-    if (options_.index_from) take_index();
+    if (stamp_) take_index();
 }
 
 FrameReader::~FrameReader() { keep_index(); }
@@ -51,12 +52,14 @@ void FrameReader::begin_at_the_beginning() {
     fault_.clear();
 }
 
-// What was kept of the file, if it still is of this one.
-void FrameReader::take_index() {
+void FrameReader::note_stamp() {
     const std::uint64_t least = stream_.size() ? *options_.index_from : *options_.index_from / most_expected_expansion;
     stamp_ = stamp_of(path_, format_.name);
     if (stamp_ && stamp_->size < least) stamp_.reset();
-    if (!stamp_) return;
+}
+
+// What was kept of the file, if it still is of this one.
+void FrameReader::take_index() {
     std::optional<FrameIndex> index = read_frame_index(*stamp_);
     if (!index) return;
     places_ = std::move(index->frames);

@@ -34,6 +34,8 @@ public:
 
     const std::string& name() const { return stream_.name(); }
     const SceneFormat& format() const { return format_; }
+    // Of a long file about which something may be kept (kept_findings.hpp).
+    const std::optional<FileStamp>& stamp() const { return stamp_; }
     // From now on given to spheres for which the file says none.
     void set_radius(double radius) { options_.radius = radius; }
     // Called now and then with the part of the file that was passed, 0..1; not of pipes.
@@ -54,6 +56,7 @@ private:
     bool find_next();
     std::optional<double> part_passed() const;
     void begin_at_the_beginning();
+    void note_stamp();
     void take_index();
     void keep_index() noexcept;
     bool is_a_frame(std::size_t number);
