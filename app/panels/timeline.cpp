@@ -110,8 +110,8 @@ private:
         take(shows_number_, number_width() + gap());
         const bool has_edits = facts_.edits != EditsReach::none;
         if (has_edits) take(shows_mark_, mark_width() + gap());
-        room -= good_line - shortest_line();
         if (!facts_.time.empty()) take(shows_time_, time_width() + gap());
+        room -= good_line - shortest_line();
         take(shows_steps_, 2.0F * button());
         take(shows_speed_, speed_width() + gap());
         take(shows_repeat_, button() + gap());
@@ -317,7 +317,7 @@ private:
         }
         for (const double frames : play_speeds) offer_speed({frames, {}});
         if (facts_.usual_step) {
-            dim_text("as recorded");
+            ImGui::TextDisabled("as recorded");  // on one line, whatever the width above it
             for (const double time : recorded_speeds(*facts_.usual_step)) offer_speed({choices_.speed.frames, time});
         }
         ImGui::EndCombo();

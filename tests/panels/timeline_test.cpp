@@ -184,6 +184,11 @@ TEST(Timeline, OfANarrowWindowLeavesTheLessNeededOut) {
         EXPECT_TRUE(panel.has("frame number") || width < 200.0F) << width;
         EXPECT_TRUE(panel.has("edits reach") || panel.has("edits mark") || width < 200.0F) << width;
         EXPECT_EQ(panel.has("speed"), width > 400.0F) << width;
+        panel.facts.time = "0.500";
+        panel.frames(2);
+        EXPECT_EQ(panel.has("frame time"), width > 300.0F) << width;
+        panel.facts.time.clear();
+        panel.frames(2);
         for (const auto& [name, rectangle] : panel.rectangles) EXPECT_LE(rectangle.right, width) << name;
         EXPECT_EQ(panel.has("first frame"), width > 400.0F) << width;
     }
