@@ -51,20 +51,24 @@ public:
     // Does the jobs and tells the person; never throws for what concerns one job alone. Returns the highest status.
     ExitCode run() {
         std::optional<Interruptible> interruptible;
-        if (jobs_.size() > 1 && jobs_.front().sequence && jobs_.front().output && sinks_.film == nullptr && has_terminal()) {
+        const bool ends_whole = sinks_.film != nullptr && !sinks_.film->is_streamed();  // then the film has its own last words
+        if (jobs_.size() > 1 && jobs_.front().sequence && !ends_whole && has_terminal()) {
             interruptible.emplace([this] { return how_far(); });
         }
         const bool are_frames = std::ranges::all_of(jobs_, [](const RenderJob& job) { return job.sequence != nullptr; });
         std::size_t next = are_frames && jobs_.size() > 1 && worker_count() > 1 ? run_several_at_once() : 0;
         while (next < jobs_.size() && run(next)) ++next;
         if (jobs_.size() > 1 && !failed_.empty() && !has_ended_film() && has_terminal()) say_what_failed();
+        if (are_frames && without_spheres_ > 1 && has_terminal()) {
+            say("sphereview: " + in_groups(without_spheres_) + " of " + in_groups(jobs_.size()) + " pictures show no sphere");
+        }
         return report_failed_ ? std::max(worst_, ExitCode::no_output) : worst_;
     }
 
 private:
     void say_what_failed() const {
-        if (cannot_write_) {
-            say("sphereview: ended where a picture could not be written; " + in_groups(done_) + " of " + in_groups(jobs_.size()) +
+        if (!ended_where_.empty()) {
+            say("sphereview: ended where " + ended_where_ + "; " + in_groups(done_) + " of " + in_groups(jobs_.size()) +
                 " pictures were done");
             return;
         }
@@ -186,18 +190,24 @@ private:
         }
         worst_ = std::max(worst_, report.status);
         // What one picture of a sequence met, the next ones would meet as well.
-        cannot_write_ = job.sequence && report.status == ExitCode::no_output;
-        return !has_ended_film() && !cannot_write_;
+        if (job.sequence && report.status == ExitCode::no_output) ended_where_ = "a picture could not be written";
+        if (sinks_.manifest != nullptr && sinks_.manifest->has_lost_scene()) ended_where_ = "a scene had changed";
+        return !has_ended_film() && ended_where_.empty();
     }
 
-    static void say_what_was_found(const PictureWork& work) {
-        if (const auto& sequence = work.report.job.sequence) {
+    void say_what_was_found(const PictureWork& work) {
+        const auto& sequence = work.report.job.sequence;
+        if (sequence) {
             for (const std::string& line : sequence->not_said(work.loaded.warnings)) say(line);
             for (const std::string& line : sequence->not_said(work.loaded.look.lines)) say(line);
         } else {
             say_warnings(work.loaded);
         }
-        for (const std::string& warning : work.warnings) say(warning);
+        if (work.report.job.pixels_sum) return;  // whoever made the pictures was told
+        // Of a film's pictures the first is enough, and how many there were.
+        for (const std::string& warning : work.warnings) {
+            if (without_spheres_++ == 0 || !sequence) say(warning);
+        }
     }
 
     bool has_terminal() const { return !sinks_.reported; }
@@ -228,7 +238,8 @@ private:
     std::timed_mutex delivering_{};
     std::unique_lock<std::timed_mutex> nothing_more_{};  // is delivered
     std::vector<std::string> failed_{};
-    bool cannot_write_ = false;  // a picture of a sequence, which ends it
+    std::size_t without_spheres_ = 0;  // pictures that show none
+    std::string ended_where_{};        // "" while all goes on
     bool report_failed_ = false;
 };
 

@@ -18,8 +18,6 @@ struct FramePlace {
     std::uint64_t end = 0;
     TextPosition origin{};     // of its first character
     std::size_t of_first = 0;  // PartOfFile
-
-    bool operator==(const FramePlace&) const = default;
 };
 
 struct FrameIndex {

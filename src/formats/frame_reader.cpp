@@ -179,7 +179,7 @@ bool FrameReader::find_next() {
     end_position_ = position_at(text, *length, end_position_);
     end_ += *length;
     of_first_ = part.of_first;
-    if (const auto part = part_passed(); watcher_ && part) watcher_(*part);
+    if (const auto passed = part_passed(); watcher_ && passed) watcher_(*passed);
     return true;
 }
 
