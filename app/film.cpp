@@ -101,7 +101,6 @@ Film::Film(const FilmOptions& options, Durability durability, std::size_t pictur
         throw RenderError(
             "--movie: found no program ffmpeg in the folders of PATH, which makes films; expected it, or -o - for another encoder");
     }
-    place_ = std::make_unique<OutputPlace>(*options.movie);
 }
 
 Film::~Film() {
@@ -116,10 +115,20 @@ std::string Film::how_far() const {
 
 std::unique_lock<std::mutex> Film::give_up() {
     std::unique_lock lock(mutex_);
-    if (!place_) return {};
+    const bool too_late = begun_ && !place_;
+    if (too_late) return {};
+    given_up_ = true;
     if (encoder_) encoder_->kill();
     place_.reset();
     return lock;
+}
+
+void Film::begin() {
+    if (!options_.movie) return;
+    const std::lock_guard lock(mutex_);
+    if (given_up_) throw Cancelled();
+    place_ = std::make_unique<OutputPlace>(*options_.movie);
+    begun_ = true;
 }
 
 void Film::start(const Image& first) {
@@ -150,7 +159,7 @@ void Film::start(const Image& first) {
     append(words, encoding(film_kind(*options_.movie)->ending, options_.quality.value_or(usual_film_quality), alpha));
     // Who gives up meanwhile waits until there is an encoder to end: it would leave its file behind.
     const std::lock_guard lock(mutex_);
-    if (!place_) throw Cancelled();
+    if (given_up_) throw Cancelled();
     const std::string& file = place_->temporary();
     // As a path: ffmpeg takes what stands before a colon for a protocol.
     append(words, {"-y", path_from(file).is_absolute() ? file : "./" + file});
@@ -190,7 +199,7 @@ void Film::finish() {
         std::unique_ptr<OutputPlace> taken;
         {
             const std::lock_guard lock(mutex_);
-            if (!place_) throw Cancelled();
+            if (given_up_) throw Cancelled();
             is_film = is_film && std::filesystem::file_size(path_from(place_->temporary()), unknown) > 0;
             if (is_film) {
                 unfinished.emplace();  // only behind the lock: an interruption that holds it waits for what is unfinished

@@ -33,14 +33,15 @@ FilmEncoder ask_film_encoder(std::chrono::milliseconds limit);
 class Film {
 public:
     // On standard output, uncompressed (image/y4m.hpp), or, where the options name a file, by ffmpeg, beside the file until
-    // finish(). `pictures`: how many there will be, for messages. Throws RenderError where there is no ffmpeg, and OutputError.
+    // finish(). `pictures`: how many there will be, for messages. Throws RenderError where there is no ffmpeg.
     Film(const FilmOptions& options, Durability durability, std::size_t pictures);
     // Leaves nothing of a film that is not finished.
     ~Film();
     Film(const Film&) = delete;
     Film& operator=(const Film&) = delete;
 
-    // Each throws OutputError, and Cancelled where the film was given up.
+    // Each throws OutputError, and Cancelled where the film was given up. begin() makes the file, once whoever may give it up can.
+    void begin();
     void add(const Image& picture);
     void finish();
 
@@ -66,6 +67,8 @@ private:
     std::unique_ptr<OutputPlace> place_{};
     std::unique_ptr<PipedProgram> encoder_{};
     bool finished_ = false;
+    bool begun_ = false;
+    bool given_up_ = false;
     std::mutex mutex_{};  // held where another thread may give up
 };
 

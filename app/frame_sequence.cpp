@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/kept_fit.hpp"
 #include "base/number.hpp"
 #include "base/sha256.hpp"
 #include "camera/fit.hpp"
@@ -117,6 +118,20 @@ std::string FrameSequence::sum_of(const Shot& shot) const {
     return sha256(text);
 }
 
+std::optional<std::string> FrameSequence::question_of_fit(const ViewAxes& axes) const {
+    // What a person has changed has no words, and what the look makes of spheres has those of the command line.
+    if (!changes_.spheres.empty() || (look_.any() && options_.words.empty())) return std::nullopt;
+    std::string text(name_of(camera_.projection));
+    for (const glm::dvec3& v : {axes.right, axes.up, axes.ahead}) {
+        for (int i = 0; i < 3; ++i) append(text, v[i]);
+    }
+    text += std::to_string(options_.frames.turntable) + " " + std::to_string(static_cast<int>(options_.frames.axis)) + " ";
+    text += (options_.data.radius ? shortest(*options_.data.radius) : "-") + (options_.data.virtual_sites ? " all\n" : " atoms\n");
+    for (const std::string& word : look_.any() ? options_.words : std::vector<std::string>()) text += word + "\n";
+    for (const Shot& shot : shots_) text += std::to_string(shot.frame) + " " + shortest(shot.degrees) + "\n";
+    return sha256(text);
+}
+
 // Sees everything in every shot.
 Camera FrameSequence::fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress) {
     const Projection projection = camera_.projection;
@@ -125,6 +140,15 @@ Camera FrameSequence::fitted_camera(const LoadedScene& first, const ViewAxes& ax
     // Each frame once, and from each side once.
     std::set<std::pair<std::int64_t, double>> wanted;
     for (const Shot& shot : shots_) wanted.emplace(options_.frames.fit_first ? first_frame : shot.frame, shot.degrees);
+    const bool are_frames = wanted.begin()->first != wanted.rbegin()->first;
+    const std::optional<FileStamp> stamp = reader_ && are_frames ? reader_->stamp() : std::nullopt;
+    const std::optional<std::string> question = stamp ? question_of_fit(axes) : std::nullopt;
+    if (const auto kept = question ? read_fit(*stamp, *question) : std::nullopt) {
+        middle_ = kept->middle;
+        return kept->camera;
+    }
+    const std::optional<double> radius = radius_;
+    const LookOptions look = look_;
     progress.start(name + ": fitting the camera", static_cast<double>(wanted.size()), "frame");
     std::vector<SeenSpheres> seen;
     Scene all;
@@ -146,7 +170,10 @@ Camera FrameSequence::fitted_camera(const LoadedScene& first, const ViewAxes& ax
             }
         }
     }
-    return fitted(all, axes, projection).value_or(camera_);
+    const Camera camera = fitted(all, axes, projection).value_or(camera_);
+    // What another frame than the first has given, who does not read them all would not have.
+    if (question && radius == radius_ && look == look_) keep_fit(*stamp, *question, {camera, middle_});
+    return camera;
 }
 
 LoadedScene FrameSequence::load(const Shot& shot) {

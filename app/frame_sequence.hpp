@@ -59,6 +59,8 @@ public:
 private:
     // A frame as the file has it.
     const LoadedScene& read(std::int64_t frame);
+    // What the camera comes of that is fitted to all these shots, besides the file; nothing where it cannot be told in short.
+    std::optional<std::string> question_of_fit(const ViewAxes& axes) const;
     Camera fitted_camera(const LoadedScene& first, const ViewAxes& axes, Progress& progress);
     Camera camera_of(const Shot& shot) const { return turn_ ? turn_->camera(camera_, middle_, shot.degrees) : camera_; }
 

@@ -103,6 +103,7 @@ LoadedScene loaded_from(SphereData data, const std::string& name, const SceneFor
     loaded.format = format;
     loaded.scene = std::move(data.scene);
     loaded.frames = data.frames;
+    loaded.time = std::move(data.time);
     loaded.radius_of_points = data.radius_of_points;
     loaded.warnings = std::move(data.warnings);
     loaded.notes = std::move(data.notes);

@@ -23,6 +23,7 @@ struct LoadedScene {
     std::string name{};
     SceneFormat format = SceneFormat::text;
     std::int64_t frames = 1;                    // in the file
+    std::optional<FrameTime> time{};            // SphereData::time
     bool all_frames = true;                     // else there may be more (LoadOptions::counts_frames)
     std::optional<double> radius_of_points{};   // SphereData::radius_of_points
     std::vector<std::string> warnings{};        // SphereData::warnings

@@ -44,8 +44,10 @@ void leave_out_other_parts(std::vector<RenderJob>& jobs, const RenderOptions& op
 void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& options, const Manifest* manifest) {
     if (!options.frames.skip_existing) return;
     if (manifest != nullptr && manifest->outdated() > 0) {
-        say(*options.frames.manifest + ": rendered anew are " + in_groups(manifest->outdated()) +
-            " pictures that were made of another file or with other options");
+        const bool one = manifest->outdated() == 1;
+        say(*options.frames.manifest + ": " + in_groups(manifest->outdated()) +
+            (one ? " picture that was" : " pictures that were") + " made of another file or with other options " +
+            (one ? "is" : "are") + " rendered anew");
     }
     const std::size_t all = jobs.size();
     std::erase_if(jobs, [&](const RenderJob& job) {
@@ -81,6 +83,7 @@ ExitCode run_render(const RenderOptions& asked_for) {
     if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
     std::optional<InterruptibleFilm> interruptible;
     if (options.film.movie) interruptible.emplace(*film);
+    if (film) film->begin();
     if (!prepares_first) prepare();
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);

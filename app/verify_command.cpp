@@ -66,11 +66,12 @@ ExitCode state_of_file(const ManifestEntry& entry) {
     return ExitCode::differs;
 }
 
-// "3 of 10 pictures WHAT: a, b and 1 more"; nothing where there are none.
-void say_which(const std::vector<std::string>& some, std::size_t all, const std::string& what) {
+// "3 of 10 pictures ARE: a, b and 1 more", or IS; nothing where there are none.
+void say_which(const std::vector<std::string>& some, std::size_t all, const std::string& is, const std::string& are) {
     constexpr std::size_t most_named = 10;
     if (some.empty()) return;
-    say(in_groups(some.size()) + " of " + in_groups(all) + " pictures " + what + ": " + joined(first_of(some, most_named), "; "));
+    say(in_groups(some.size()) + " of " + in_groups(all) + " pictures " + (some.size() == 1 ? is : are) + ": " +
+        joined(first_of(some, most_named), "; "));
 }
 
 // They may be elsewhere: that is no difference.
@@ -79,7 +80,7 @@ void say_which_are_not_here(const std::vector<ManifestEntry>& entries) {
     for (const ManifestEntry& entry : entries) {
         if (entry.picture && !is_here(*entry.picture)) missing.push_back(*entry.picture);
     }
-    say_which(missing, entries.size(), "are not here");
+    say_which(missing, entries.size(), "is not here", "are not here");
 }
 
 // Those of the sequence that none of the entries is of, by the same options: they may have been made by others.
@@ -93,7 +94,7 @@ void say_which_have_no_line(const FrameSequence& sequence, const ManifestEntry& 
     for (const Shot& shot : sequence.shots()) {
         if (!known.contains(shot.number)) missing.push_back(example.scene + ", " + std::to_string(shot.number));
     }
-    say_which(missing, sequence.shots().size(), "have no line");
+    say_which(missing, sequence.shots().size(), "has no line", "have no line");
 }
 
 // Pictures of one scene and one camera by the same options, some of `all` entries.

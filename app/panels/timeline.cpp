@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "base/text.hpp"
+#include "panels/timeline_icons.hpp"
 #include "panels/widgets.hpp"
 
 namespace sphereview {
@@ -15,8 +15,6 @@ namespace sphereview {
 namespace {
 
 ImVec4 own_edits_color() { return on_panel({0.98F, 0.76F, 0.36F, 1.0F}); }
-
-std::string speed_text(double speed) { return fixed(speed, 0) + " / s"; }
 
 // What stands behind the frame's number.
 std::string frames_text(const PanelContext& context, const TimelineFacts& facts) {
@@ -30,53 +28,6 @@ std::string words_of(EditsReach reach) {
         case EditsReach::this_frame: return "changes: this frame";
     }
     return "";
-}
-
-// What stands on a button, about its middle, so large.
-struct IconPlace {
-    ImVec2 middle;
-    float size;
-    ImU32 color;
-
-    ImVec2 at(float x, float y) const { return {middle.x + x * size, middle.y + y * size}; }
-};
-
-void draw_triangle(const IconPlace& icon, float tip, float back) {
-    ImGui::GetWindowDrawList()->AddTriangleFilled(icon.at(tip, 0.0F), icon.at(back, 0.5F), icon.at(back, -0.5F), icon.color);
-}
-
-void draw_bar(const IconPlace& icon, float left, float right) {
-    ImGui::GetWindowDrawList()->AddRectFilled(icon.at(left, -0.5F), icon.at(right, 0.5F), icon.color);
-}
-
-void draw_arrow_head(const IconPlace& icon, ImVec2 tip, ImVec2 along) {
-    constexpr float length = 0.4F;
-    const ImVec2 back{tip.x - length * along.x, tip.y - length * along.y};
-    const ImVec2 side{-length * 0.75F * along.y, length * 0.75F * along.x};
-    ImGui::GetWindowDrawList()->AddTriangleFilled(icon.at(tip.x, tip.y), icon.at(back.x + side.x, back.y + side.y),
-                                                  icon.at(back.x - side.x, back.y - side.y), icon.color);
-}
-
-void draw_repeat(const IconPlace& icon, Repeat repeat) {
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
-    const float line = 0.13F * icon.size;
-    if (repeat == Repeat::loop) {
-        constexpr float end = 1.6F * std::numbers::pi_v<float>;
-        constexpr float radius = 0.42F;
-        draw.PathArcTo(icon.middle, radius * icon.size, 0.0F, end, 24);
-        draw.PathStroke(icon.color, 0, line);
-        const float x = std::cos(end);
-        const float y = std::sin(end);
-        draw_arrow_head(icon, {radius * x - 0.16F * y, radius * y + 0.16F * x}, {-y, x});
-        return;
-    }
-    draw.AddLine(icon.at(-0.5F, 0.0F), icon.at(0.4F, 0.0F), icon.color, line);
-    draw_arrow_head(icon, {0.55F, 0.0F}, {1.0F, 0.0F});
-    if (repeat == Repeat::back_and_forth) {
-        draw_arrow_head(icon, {-0.55F, 0.0F}, {-1.0F, 0.0F});
-    } else {
-        draw_bar(icon, 0.58F, 0.72F);
-    }
 }
 
 class Timeline {
@@ -115,6 +66,7 @@ public:
         left_.x += gap();
         draw_line();
         draw_number();
+        if (shows_time_) draw_time();
         if (shows_mark_ && !shows_reach_) draw_reach_mark();
         if (shows_reach_) draw_reach();
         if (shows_repeat_) draw_repeat_button();
@@ -126,7 +78,13 @@ public:
 private:
     float button() const { return std::round(1.1F * ImGui::GetFrameHeight()); }
     float gap() const { return 8.0F * context_.scale; }
-    float speed_width() const { return width_of(speed_text(play_speeds.back())) + 2.0F * ImGui::GetStyle().FramePadding.x; }
+    // Where the file has no times, nothing is as recorded.
+    PlaySpeed speed() const { return {choices_.speed.frames, facts_.usual_step ? choices_.speed.recorded : std::nullopt}; }
+    std::string speed_words(const PlaySpeed& speed) const { return words_of(speed, facts_.time_unit); }
+    float speed_width() const {
+        const float widest = width_of(speed_words({play_speeds.back(), {}}));
+        return std::max(widest, width_of(speed_words(speed()))) + 2.0F * ImGui::GetStyle().FramePadding.x;
+    }
     float field_width() const { return button_width(std::to_string(context_.frames)); }
     float inner_gap() const { return ImGui::GetStyle().ItemInnerSpacing.x; }
     float number_width() const { return field_width() + inner_gap() + width_of(frames_text(context_, facts_)); }
@@ -134,6 +92,10 @@ private:
         return std::max(width_of(words_of(EditsReach::all_frames)), width_of(words_of(EditsReach::this_frame)));
     }
 
+    float time_width() const {
+        const std::size_t letters = std::max(choices_.time_letters, facts_.time.size());
+        return width_of(words_of_time(std::string(letters, '0'), facts_.time_unit));
+    }
     float mark_width() const { return 0.7F * ImGui::GetFontSize(); }
     float shortest_line() const { return 30.0F * context_.scale; }
 
@@ -148,6 +110,7 @@ private:
         take(shows_number_, number_width() + gap());
         const bool has_edits = facts_.edits != EditsReach::none;
         if (has_edits) take(shows_mark_, mark_width() + gap());
+        if (!facts_.time.empty()) take(shows_time_, time_width() + gap());
         room -= good_line - shortest_line();
         take(shows_steps_, 2.0F * button());
         take(shows_speed_, speed_width() + gap());
@@ -283,6 +246,13 @@ private:
         draw_words(range, width_of(range), ImGui::GetStyleColorVec4(ImGuiCol_Text), "frame number", help);
     }
 
+    void draw_time() {
+        choices_.time_letters = std::max(choices_.time_letters, facts_.time.size());
+        const ImVec4 color = ImGui::GetStyleColorVec4(facts_.wanted ? ImGuiCol_TextDisabled : ImGuiCol_Text);
+        draw_words(words_of_time(facts_.time, facts_.time_unit), time_width(), color, "frame time",
+                   "The time of the frame that is shown, as the file has it.");
+    }
+
     void show(std::int64_t frame) {
         if (frame != facts_.wanted.value_or(context_.frame)) context_.actions.emplace_back(ShowFrame{frame});
     }
@@ -338,12 +308,25 @@ private:
     void draw_speed() {
         ImGui::SetCursorScreenPos(left_);
         ImGui::SetNextItemWidth(speed_width());
-        std::vector<std::string> words;
-        for (const double speed : play_speeds) words.push_back(speed_text(speed));
-        const auto present = static_cast<std::size_t>(std::ranges::find(play_speeds, choices_.speed) - play_speeds.begin());
-        const auto chosen = draw_choice(context_, "speed", words, present, "Frames a second",
-                                        ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
-        if (chosen) choices_.speed = play_speeds.at(*chosen);
+        const bool open = ImGui::BeginCombo("##speed", speed_words(speed()).c_str(),
+                                            ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLargest);
+        note_widget(context_, "speed");
+        if (!open) {
+            explain_item(speed().recorded ? "As recorded: so much of the file's time a second" : "Frames a second");
+            return;
+        }
+        for (const double frames : play_speeds) offer_speed({frames, {}});
+        if (facts_.usual_step) {
+            ImGui::TextDisabled("as recorded");  // on one line, whatever the width above it
+            for (const double time : recorded_speeds(*facts_.usual_step)) offer_speed({choices_.speed.frames, time});
+        }
+        ImGui::EndCombo();
+    }
+
+    void offer_speed(const PlaySpeed& offered) {
+        const std::string words = speed_words(offered);
+        if (ImGui::Selectable(words.c_str(), offered == speed())) choices_.speed = offered;
+        note_widget(context_, "speed " + words);
     }
 
     const PanelContext& context_;
@@ -352,6 +335,7 @@ private:
     ImVec2 left_{};  // where the next item begins
     float line_width_ = 0.0F;
     bool shows_number_ = false;
+    bool shows_time_ = false;
     bool shows_steps_ = false;
     bool shows_ends_ = false;
     bool shows_speed_ = false;
@@ -361,11 +345,6 @@ private:
 };
 
 }  // namespace
-
-double next_speed(double speed, int by) {
-    const auto at = std::ranges::find(play_speeds, speed) - play_speeds.begin();
-    return play_speeds.at(static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(at + by, 0, std::ssize(play_speeds) - 1)));
-}
 
 float least_timeline_width(const PanelContext& context, const TimelineFacts& facts) {
     PlayChoices choices;

@@ -1,12 +1,14 @@
 // The film of a file of several frames: its buttons and the line of time under the picture.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "panels/number_field.hpp"
 #include "panels/panel_context.hpp"
+#include "panels/play_speed.hpp"
 
 namespace sphereview {
 
@@ -14,16 +16,12 @@ namespace sphereview {
 enum class Repeat { once, loop, back_and_forth };
 
 struct PlayChoices {
-    double speed = 24.0;  // frames a second
+    PlaySpeed speed{};
     Repeat repeat = Repeat::once;
-    bool handle_held = false;  // the film goes on from where the handle is let go
-    NumberFields numbers{};    // the frame's, which is typed or dragged as well
+    bool handle_held = false;      // the film goes on from where the handle is let go
+    NumberFields numbers{};        // the frame's, which is typed or dragged as well
+    std::size_t time_letters = 0;  // of the longest time of the file that was shown: what stands beside it keeps its place
 };
-
-inline constexpr std::array<double, 9> play_speeds = {1.0, 2.0, 5.0, 10.0, 15.0, 24.0, 30.0, 60.0, 120.0};
-
-// The next of play_speeds, up (1) or down (-1); at the end the same.
-double next_speed(double speed, int by);
 
 // What the edits of the frame that is shown apply to.
 enum class EditsReach { none, all_frames, this_frame };
@@ -34,6 +32,9 @@ struct TimelineFacts {
     bool counting = false;                 // the file may have more frames than are known
     double counted = 0.0;                  // which part of it is looked through, 0..1
     EditsReach edits = EditsReach::none;
+    std::string time{};                  // of the frame that is shown, as the file has it: "0.500"; "" where it has none
+    std::string time_unit{};             // "ps"; "" where nobody knows
+    std::optional<double> usual_step{};  // of these times, from a frame to the next; > 0
 };
 
 // How high what draw_timeline() draws is, without the window's edge.
@@ -44,7 +45,7 @@ float least_timeline_width(const PanelContext& context, const TimelineFacts& fac
 
 // Draws into the current ImGui window, as wide as that is; what there is no room for is left out. Widgets: "first frame",
 // "previous frame", "play", "next frame", "last frame", "timeline", "slider frame", "frame number",
-// "edits reach" or, where there is less room, "edits mark", "repeat", "speed", "speed 24 / s".
+// "frame time", "edits reach" or, where there is less room, "edits mark", "repeat", "speed", "speed 24 / s", "speed 5 ps / s".
 void draw_timeline(const PanelContext& context, const TimelineFacts& facts, PlayChoices& choices);
 
 }  // namespace sphereview

@@ -131,9 +131,10 @@ Command repeats(const CommandInfo& info, Repeat repeat) {
 
 Command changes_speed(const CommandInfo& info, int by) {
     return of_frames(
-        info, [by](ViewerState& s) { s.player.choices.speed = next_speed(s.player.choices.speed, by); },
+        info, [by](ViewerState& s) { s.player.choices.speed = next_speed(s.player.choices.speed, s.player.usual_step, by); },
         [by](const ViewerState& s) {
-            return has_several_frames(s) && next_speed(s.player.choices.speed, by) != s.player.choices.speed;
+            const PlaySpeed& speed = s.player.choices.speed;
+            return has_several_frames(s) && next_speed(speed, s.player.usual_step, by) != speed;
         });
 }
 

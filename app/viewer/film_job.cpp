@@ -95,6 +95,7 @@ void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& sta
     const std::unique_ptr<Film> film =
         options.film.movie ? std::make_unique<Film>(options.film, options.durability, jobs.size()) : nullptr;
     const FilmInStatus known(status, film.get());
+    if (film) film->begin();
     sequence->prepare(progress);
     status.begin(jobs.size());
     const auto reported = [&](const RenderReport& report) {

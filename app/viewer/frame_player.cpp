@@ -1,6 +1,7 @@
 #include "viewer/frame_player.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -77,6 +78,34 @@ bool may_leave_frame(ViewerState& state) {
     return reach_of_edits(state) != EditsReach::this_frame || state.player.given_up == state.document.revision();
 }
 
+PlayClock::Beat beat_of(double seconds) {
+    return std::chrono::duration_cast<PlayClock::Beat>(std::chrono::duration<double>(seconds));
+}
+
+// Until that frame is to be shown behind the present one.
+PlayClock::Beat beat_to(const ViewerState& state, std::int64_t frame) {
+    constexpr double longest = 10.0;  // seconds: who waits longer takes the film for stopped
+    const FramePlayer& player = state.player;
+    const std::optional<double>& recorded = player.choices.speed.recorded;
+    const double usual = 1.0 / frames_a_second(state);
+    if (!recorded || !player.usual_step) return beat_of(usual);
+    const std::int64_t by = frame - state.frame;
+    const std::optional<double> time = player.ahead ? player.ahead->time_of(frame) : std::nullopt;
+    // From the last frame to the first, or where a run has begun anew, the file does not say how long it takes.
+    const double step = (by == 1 || by == -1) && time && player.time ? static_cast<double>(by) * (*time - player.time->value) : 0.0;
+    return beat_of(step > 0.0 ? std::min(step / *recorded, longest) : usual);
+}
+
+// By the first frames beside the one that is shown whose times differ.
+void note_usual_step(ViewerState& state) {
+    FramePlayer& player = state.player;
+    if (player.usual_step || !player.time || !player.ahead) return;
+    for (const std::int64_t beside : {state.frame + 1, state.frame - 1}) {
+        const double step = std::abs(player.ahead->time_of(beside).value_or(player.time->value) - player.time->value);
+        if (step > 0.0 && std::isfinite(step) && !player.usual_step) player.usual_step = step;
+    }
+}
+
 FrameNews stop(ViewerState& state) {
     state.player.clock.pause();
     state.player.wanted.reset();
@@ -98,8 +127,9 @@ FrameNews show_wanted(ViewerState& state, PlayClock::Time now) {
             });
             return FrameNews::stopped;
         }
+        const PlayClock::Beat beat = beat_to(state, frame);
         adopt_frame(state, frame, std::move(*loaded), player.opened);
-        player.clock.shown(player.choices, now);
+        player.clock.shown(beat, now);
         source(state).want(frames_behind(state, frame));
         return FrameNews::frame;
     }
@@ -147,7 +177,7 @@ FrameNews follow_clock(ViewerState& state, PlayClock::Time now, bool held) {
         player.clock.hold(now);
         return FrameNews::none;
     }
-    if (now < player.clock.due(player.choices)) return FrameNews::none;
+    if (now < next_frame_due(state)) return FrameNews::none;
     if (!may_leave_frame(state)) {
         stop(state);
         play_frames(state);  // asks
@@ -175,7 +205,10 @@ void begin_frames(ViewerState& state, const LoadedScene& loaded) {
     state.frames = loaded.frames;
     state.player.all_frames = loaded.all_frames || state.path.empty();
     state.player.radius = loaded.radius_of_points;
+    state.player.time = loaded.time;
     if (!state.player.all_frames) source(state);
+    // How much time there is from frame to frame is to be known before it plays.
+    if (loaded.time && has_frame(state, state.frame + 1)) source(state).want({state.frame + 1});
 }
 
 void end_frames(ViewerState& state) {
@@ -184,6 +217,7 @@ void end_frames(ViewerState& state) {
     state.player.choices = choices;
     state.player.choices.handle_held = false;
     state.player.choices.numbers = {};
+    state.player.choices.time_letters = 0;
     state.frames = 1;
 }
 
@@ -229,6 +263,7 @@ void play_frames(ViewerState& state) {
 
 FrameNews follow_player(ViewerState& state, PlayClock::Time now, bool held) {
     FramePlayer& player = state.player;
+    note_usual_step(state);
     FrameNews news = note_count(state) ? FrameNews::counted : FrameNews::none;
     const bool waits = waits_for_file(state) || !state.dialogs.empty();
     if (player.clock.plays() && !player.wanted) {
@@ -240,18 +275,33 @@ FrameNews follow_player(ViewerState& state, PlayClock::Time now, bool held) {
     return shown == FrameNews::none ? news : shown;
 }
 
+double frames_a_second(const ViewerState& state) {
+    const FramePlayer& player = state.player;
+    const PlaySpeed& speed = player.choices.speed;
+    return speed.recorded && player.usual_step ? *speed.recorded / *player.usual_step : speed.frames;
+}
+
 std::optional<PlayClock::Time> next_frame_due(const ViewerState& state) {
     const FramePlayer& player = state.player;
     if (!player.clock.plays() || player.wanted) return std::nullopt;
-    return player.clock.due(player.choices);
+    const auto next = player.clock.next_ones(state.frame, player.choices.repeat, known_frames(state), 1);
+    return player.clock.due(beat_to(state, next.empty() ? state.frame : next.front()));
 }
 
 bool reads_frames(const ViewerState& state) { return state.player.ahead && (state.player.wanted || !state.player.all_frames); }
 
 TimelineFacts timeline_facts(ViewerState& state) {
+    note_usual_step(state);
     const FramePlayer& player = state.player;
-    return {player.clock.plays(), player.wanted && !player.wanted->by_clock ? std::optional(player.wanted->frame) : std::nullopt,
-            !player.all_frames, player.counted, reach_of_edits(state)};
+    TimelineFacts facts{player.clock.plays(),
+                        player.wanted && !player.wanted->by_clock ? std::optional(player.wanted->frame) : std::nullopt,
+                        !player.all_frames, player.counted, reach_of_edits(state)};
+    if (player.time) {
+        facts.time = player.time->text;
+        facts.time_unit = player.time->unit;
+        facts.usual_step = player.usual_step;
+    }
+    return facts;
 }
 
 }  // namespace sphereview

@@ -33,6 +33,8 @@ struct FramePlayer {
     bool all_properties = false;              // ViewerState's, then
     bool all_frames = true;                   // ViewerState::frames are all that the file has
     double counted = 0.0;                     // else: which part of it is looked through, 0..1
+    std::optional<FrameTime> time{};          // of the frame that is shown, where the file has it
+    std::optional<double> usual_step{};       // of the time, from a frame to the next; > 0. Nothing while that is not known
     std::optional<double> radius{};           // that the file's points have, where they have one of their distances
     std::optional<WantedFrame> wanted{};      // that is to be shown as soon as it is read
     std::int64_t step = 0;                    // the last one, 1 or -1; 0: it went farther
@@ -66,6 +68,9 @@ void play_frames(ViewerState& state);
 // What has come of the film since the last call, for the loop. `held`: something is in the hand, for which no frame is to change.
 enum class FrameNews { none, frame, stopped, counted };
 FrameNews follow_player(ViewerState& state, PlayClock::Time now, bool held);
+
+// How many frames a second are to be seen, about.
+double frames_a_second(const ViewerState& state);
 
 // When follow_player() is to be called for the next frame; nothing while nothing plays.
 std::optional<PlayClock::Time> next_frame_due(const ViewerState& state);

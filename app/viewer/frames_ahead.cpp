@@ -42,6 +42,7 @@ struct FramesAhead::Shared {
     std::size_t most_bytes;
     std::map<std::int64_t, LoadedScene> read;
     std::map<std::int64_t, std::string> faults;
+    std::map<std::int64_t, double> times;  // of all frames that were read
     std::optional<PassedFrame> passed;
     std::string no_file;  // why none can be read
     Count count;
@@ -147,6 +148,12 @@ std::optional<PassedFrame> FramesAhead::take_passed() {
     return std::exchange(shared_->passed, std::nullopt);
 }
 
+std::optional<double> FramesAhead::time_of(std::int64_t frame) const {
+    const std::lock_guard lock(shared_->mutex);
+    const auto time = shared_->times.find(frame);
+    return time == shared_->times.end() ? std::nullopt : std::optional(time->second);
+}
+
 std::optional<std::string> FramesAhead::fault_of(std::int64_t frame) const {
     const std::lock_guard lock(shared_->mutex);
     if (!shared_->no_file.empty()) return shared_->no_file;
@@ -194,6 +201,7 @@ void FramesAhead::read_one(Shared& shared, FrameReader& reader, LoadOptions opti
     }
     const std::lock_guard lock(shared.mutex);
     if (fault.empty()) shared.count.frames = std::max(shared.count.frames, *task.frame + 1);
+    if (loaded.time) shared.times[*task.frame] = loaded.time->value;
     if (task.looks == shared.looks) {
         const bool is_wanted = shared.is_wanted(*task.frame);
         if (is_wanted && fault.empty()) {

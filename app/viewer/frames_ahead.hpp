@@ -44,6 +44,8 @@ public:
     // The latest that came first when its reading began, and is not wanted any more now that it is read: who drags a handle sees
     // where it passes.
     std::optional<PassedFrame> take_passed();
+    // The time of a frame that was read once, in the file's unit; nothing where the file says none.
+    std::optional<double> time_of(std::int64_t frame) const;
     // Why a frame that is wanted cannot be read.
     std::optional<std::string> fault_of(std::int64_t frame) const;
     // Waits until the frame, which is wanted, is read or has a fault.

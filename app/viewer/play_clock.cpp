@@ -4,25 +4,15 @@
 
 namespace sphereview {
 
-namespace {
-
-PlayClock::Time::duration beat(const PlayChoices& choices) {
-    return std::chrono::duration_cast<PlayClock::Time::duration>(std::chrono::duration<double>(1.0 / choices.speed));
-}
-
-}  // namespace
-
 void PlayClock::play(Time now) {
     plays_ = true;
     backward_ = false;
     last_ = now;
 }
 
-PlayClock::Time PlayClock::due(const PlayChoices& choices) const { return last_ + beat(choices); }
-
-void PlayClock::shown(const PlayChoices& choices, Time now) {
-    const Time planned = due(choices);
-    last_ = planned > now || now - planned > beat(choices) ? now : planned;
+void PlayClock::shown(Beat beat, Time now) {
+    const Time planned = due(beat);
+    last_ = planned > now || now - planned > beat ? now : planned;
 }
 
 std::optional<std::int64_t> PlayClock::step_from(std::int64_t frame, Repeat repeat, const KnownFrames& known) {

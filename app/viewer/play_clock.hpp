@@ -19,6 +19,7 @@ struct KnownFrames {
 class PlayClock {
 public:
     using Time = std::chrono::steady_clock::time_point;
+    using Beat = Time::duration;  // between a frame and the next
 
     bool plays() const { return plays_; }
     // The first frame is due a while after that.
@@ -26,9 +27,10 @@ public:
     void pause() { plays_ = false; }
 
     // When the next frame is due.
-    Time due(const PlayChoices& choices) const;
-    // A frame has come to be shown. Those behind keep the beat; what is more than a beat late is not caught up with.
-    void shown(const PlayChoices& choices, Time now);
+    Time due(Beat beat) const { return last_ + beat; }
+    // A frame has come to be shown, to which that was the beat. Those behind keep the beat; what is more than a beat late is not
+    // caught up with.
+    void shown(Beat beat, Time now);
     // While something is in the hand no frame comes.
     void hold(Time now) { last_ = now; }
 

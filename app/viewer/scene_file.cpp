@@ -241,6 +241,7 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.path = has_file ? absolute_path(path) : "";
     state.format = loaded.format;
     state.frame = 0;
+    state.player.choices.speed.recorded.reset();  // another file's time is no measure of this one's
     state.stamp.clear();
     if (has_file) {
         state.stamp = file_states(state.path);
@@ -301,6 +302,7 @@ void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, con
     }
     forget_file_messages(state);
     state.frame = frame;
+    state.player.time = loaded.time;
     state.stamp = stamp;
     note_look(state, loaded);
     give_shared_edits(state);

@@ -275,7 +275,7 @@ void Viewer::redraw() {
         pacing_.end_play();
     } else if (traced) {
         constexpr double soon_enough = 10.0;  // frames a second
-        pacing_.play(seconds_between(begin, Clock::now()) - picture_.last_seconds(), state_.player.choices.speed >= soon_enough);
+        pacing_.play(seconds_between(begin, Clock::now()) - picture_.last_seconds(), frames_a_second(state_) >= soon_enough);
     }
     const bool rests = pacing_.rests() && input_.empty() && !plays();
     if (lost_hint_.update(state_, picture_, rests)) pacing_.touch();

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 22;
 constexpr std::size_t byte_order_mark_size = 3;
+constexpr std::size_t longest_head = std::size_t{1} << 18;
 constexpr std::uint64_t most_expected_expansion = 32;  // of a packed text
 
 }  // namespace
@@ -27,9 +28,10 @@ const SceneFormat& format_of_stream(InputStream& stream, const DataOptions& opti
 FrameReader::FrameReader(const std::string& path, DataOptions options)
     : path_(path), options_(std::move(options)), stream_(path), format_(format_of_stream(stream_, options_)) {
     begin_at_the_beginning();
+    if (options_.index_from) note_stamp();
     if (holds_all()) return;
     stream_.remember_places();
-    if (options_.index_from) take_index();
+    if (stamp_) take_index();
 }
 
 FrameReader::~FrameReader() { keep_index(); }
@@ -40,27 +42,31 @@ void FrameReader::begin_at_the_beginning() {
     const std::string_view bytes = stream_.bytes();
     end_ = without_byte_order_mark(bytes).size() < bytes.size() ? byte_order_mark_size : 0;
     end_position_ = {};
-    numbers_behind_first_ = 0;
+    of_first_ = 0;
     places_.clear();
+    head_of_ = 0;
+    head_.clear();
     from_index_ = 0;
     known_end_ = 0;
     found_all_ = false;
     fault_.clear();
 }
 
-// What was kept of the file, if it still is of this one.
-void FrameReader::take_index() {
+void FrameReader::note_stamp() {
     const std::uint64_t least = stream_.size() ? *options_.index_from : *options_.index_from / most_expected_expansion;
     stamp_ = stamp_of(path_, format_.name);
     if (stamp_ && stamp_->size < least) stamp_.reset();
-    if (!stamp_) return;
+}
+
+// What was kept of the file, if it still is of this one.
+void FrameReader::take_index() {
     std::optional<FrameIndex> index = read_frame_index(*stamp_);
     if (!index) return;
     places_ = std::move(index->frames);
     from_index_ = places_.size();
     known_end_ = end_ = places_.back().end;
     end_position_ = index->end_position;
-    numbers_behind_first_ = index->numbers_behind_first;
+    of_first_ = index->of_first;
     stream_.remember_places(std::move(index->packed));
     is_a_frame(from_index_ - 1);
 }
@@ -68,7 +74,7 @@ void FrameReader::take_index() {
 void FrameReader::keep_index() noexcept {
     if (!stamp_ || places_.size() < 2 || end_ < known_end_ + *options_.index_from || end_ == known_end_) return;
     try {
-        FrameIndex index{places_, end_position_, numbers_behind_first_, GzipPlaces()};
+        FrameIndex index{places_, end_position_, of_first_, GzipPlaces()};
         index.frames.back().end = end_;  // without what stands behind the last frame
         if (stream_.places() != nullptr) index.packed = *stream_.places();
         keep_frame_index(*stamp_, index);
@@ -85,9 +91,9 @@ bool FrameReader::is_a_frame(std::size_t number) {
         const FramePlace& place = places_[number];
         const std::uint64_t end = number + 1 == places_.size() ? end_ : place.end;
         const auto length = static_cast<std::size_t>(end - place.begin);
+        PartOfFile part{place.origin, static_cast<std::int64_t>(number), true, place.of_first, head_for(number, place.of_first)};
         go_to(place.begin);
         stream_.fill(length);
-        PartOfFile part{place.origin, static_cast<std::int64_t>(number), true, place.numbers_behind_first};
         const std::string_view text = text_from(place.begin).substr(0, length);
         if (text.size() == length && format_.step_over(text, true, name(), part) == length) return true;
     } catch (const InputError&) {
@@ -122,10 +128,25 @@ void FrameReader::go_to(std::uint64_t offset) {
     window_ = offset;
 }
 
+// What the frame of that number needs of an earlier one, kept here. To be called before go_to().
+std::string_view FrameReader::head_for(std::size_t number, std::size_t of_first) {
+    const bool has_own = of_first == number + 1;
+    if (!format_.has_heads || of_first == 0 || has_own) return {};
+    if (head_of_ != of_first) {
+        const FramePlace& place = places_.at(of_first - 1);
+        const auto length = static_cast<std::size_t>(std::min<std::uint64_t>(place.end - place.begin, longest_head));
+        go_to(place.begin);
+        stream_.fill(static_cast<std::size_t>(place.begin - window_) + length);
+        head_ = text_from(place.begin).substr(0, length);
+        head_of_ = of_first;
+    }
+    return head_;
+}
+
 // Remembers the place of the next frame; false where there is none.
 bool FrameReader::find_next() {
     if (found_all_) return false;
-    PartOfFile part{end_position_, static_cast<std::int64_t>(places_.size()), true, numbers_behind_first_};
+    PartOfFile part{end_position_, static_cast<std::int64_t>(places_.size()), true, of_first_, head_for(places_.size(), of_first_)};
     go_to(end_);
     std::optional<std::size_t> length;
     while (true) {
@@ -149,11 +170,15 @@ bool FrameReader::find_next() {
         return false;
     }
     const std::string_view text = text_from(end_);
-    places_.push_back({end_, end_ + *length, end_position_, numbers_behind_first_});
+    places_.push_back({end_, end_ + *length, end_position_, format_.has_heads ? part.of_first : of_first_});
+    if (format_.has_heads && part.of_first != of_first_) {  // while it is in the window
+        head_ = text.substr(0, std::min(*length, longest_head));
+        head_of_ = part.of_first;
+    }
     is_whole_ = places_.size() == 1 && stream_.ended() && *length == text.size();
     end_position_ = position_at(text, *length, end_position_);
     end_ += *length;
-    numbers_behind_first_ = part.numbers_behind_first;
+    of_first_ = part.of_first;
     if (const auto passed = part_passed(); watcher_ && passed) watcher_(*passed);
     return true;
 }
@@ -217,11 +242,12 @@ SphereData FrameReader::read(std::int64_t frame) {
     require_frame(name(), frame, known);
     if (!is_a_frame(static_cast<std::size_t>(frame))) return read(frame);
     const FramePlace& place = places_[static_cast<std::size_t>(frame)];
+    const std::string_view head = head_for(static_cast<std::size_t>(frame), place.of_first);
     go_to(place.begin);
     const auto length = static_cast<std::size_t>(place.end - place.begin);
     stream_.fill(static_cast<std::size_t>(place.end - window_));
     if (text_from(place.begin).size() < length) throw InputError(name() + ": has become shorter while it was read");
-    options.part = {place.origin, frame, true, place.numbers_behind_first};
+    options.part = {place.origin, frame, true, place.of_first, head};
     return format_.read(text_from(place.begin).substr(0, length), name(), options);
 }
 

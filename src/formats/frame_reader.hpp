@@ -34,6 +34,8 @@ public:
 
     const std::string& name() const { return stream_.name(); }
     const SceneFormat& format() const { return format_; }
+    // Of a long file about which something may be kept (kept_findings.hpp).
+    const std::optional<FileStamp>& stamp() const { return stamp_; }
     // From now on given to spheres for which the file says none.
     void set_radius(double radius) { options_.radius = radius; }
     // Called now and then with the part of the file that was passed, 0..1; not of pipes.
@@ -54,10 +56,12 @@ private:
     bool find_next();
     std::optional<double> part_passed() const;
     void begin_at_the_beginning();
+    void note_stamp();
     void take_index();
     void keep_index() noexcept;
     bool is_a_frame(std::size_t number);
     void go_to(std::uint64_t offset);
+    std::string_view head_for(std::size_t number, std::size_t of_first);
     std::string_view text_from(std::uint64_t offset) const;
     bool holds_all() const { return format_.step_over == nullptr || !stream_.is_regular(); }
     void count_in_whole_file();
@@ -71,8 +75,10 @@ private:
     std::uint64_t window_ = 0;  // where in the text the stream's window begins
     std::uint64_t end_ = 0;     // of the frames found
     TextPosition end_position_{};
-    std::size_t numbers_behind_first_ = 0;
+    std::size_t of_first_ = 0;
     std::vector<FramePlace> places_{};
+    std::size_t head_of_ = 0;  // PartOfFile::of_first that this is for
+    std::string head_{};
     std::optional<FileStamp> stamp_{};  // where an index may be kept
     std::size_t from_index_ = 0;        // places
     std::uint64_t known_end_ = 0;       // of what the kept index has, or would have

@@ -29,17 +29,22 @@ std::size_t width_of_places(std::string_view line) {
     return width >= narrowest && width <= widest ? width : 0;
 }
 
+struct GroFrame {
+    std::string_view title{};
+    AtomLines atoms{};
+};
+
 class GroFinder : public FrameFinder {
 public:
-    using Frame = AtomLines;
+    using Frame = GroFrame;
     using FrameFinder::FrameFinder;
 
-    bool next(AtomLines& atoms, std::int64_t number, bool wanted) {
+    bool next(GroFrame& frame, std::int64_t number, bool wanted) {
         if (nothing_follows()) return false;
         begin_frame(number);
-        walker_.step();  // the title
+        frame.title = walker_.step();
         const std::size_t count = step_over_count();
-        atoms = step_over(count, wanted);
+        frame.atoms = step_over(count, wanted);
         if (!at_end()) walker_.step();  // the box
         return true;
     }
@@ -119,7 +124,8 @@ FileProperties read_gro_properties(const TextSource& source, const AtomLines& li
     return read_line_properties(source, lines, columns, options, split);
 }
 
-SphereData read_gro_frame(const TextSource& source, const AtomLines& lines, const DataOptions& options) {
+SphereData read_gro_frame(const TextSource& source, const GroFrame& frame, const DataOptions& options) {
+    const AtomLines& lines = frame.atoms;
     const std::string_view first = lines.first_line(source);
     const std::size_t width = width_of_places(first);
     if (lines.count > 0 && width == 0) {
@@ -128,7 +134,9 @@ SphereData read_gro_frame(const TextSource& source, const AtomLines& lines, cons
     const auto reader = [&](std::size_t) { return GroAtomReader(source, width, lines.count, options); };
     Atoms atoms = read_atom_lines(source, lines, reader);
     atoms.properties = read_gro_properties(source, lines, width, options);
-    return data_of(std::move(atoms), source.name, options, name_of_gro_atom);
+    SphereData data = data_of(std::move(atoms), source.name, options, name_of_gro_atom);
+    data.time = time_in_title(frame.title);
+    return data;
 }
 
 }  // namespace
@@ -149,7 +157,7 @@ SphereData read_gromacs(std::string_view content, const std::string& name, const
     const TextSource source{name, without_byte_order_mark(content), options.part.origin};
     GroFinder finder(source);
     return read_wanted_frame(source, options, finder, "a title and the number of atoms",
-                             [&](const AtomLines& lines) { return read_gro_frame(source, lines, options); });
+                             [&](const GroFrame& frame) { return read_gro_frame(source, frame, options); });
 }
 
 std::optional<std::size_t> step_over_gromacs(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {

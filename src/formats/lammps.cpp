@@ -36,7 +36,18 @@ struct DumpColumns {
     bool has(DumpField field) const { return std::ranges::find(columns, field, &DumpColumn::field) != columns.end(); }
 };
 
+// A style of units of LAMMPS, and its unit of time.
+struct DumpUnits {
+    std::string_view name;
+    std::string_view time;
+};
+constexpr auto dump_units = std::to_array<DumpUnits>(
+    {{"real", "fs"}, {"metal", "ps"}, {"si", "s"}, {"cgs", "s"}, {"electron", "fs"}, {"micro", "us"}, {"nano", "ns"}, {"lj", ""}});
+
 struct DumpFrame {
+    std::string_view step{};  // the numbers, "" where the frame has none
+    std::string_view time{};
+    std::size_t units = 0;                  // PartOfFile::of_first
     std::optional<std::string_view> box{};  // the head of the box, whose lines follow
     std::string_view columns{};             // the head of the atoms
     AtomLines atoms{};
@@ -52,26 +63,38 @@ std::optional<std::string_view> item_in(std::string_view line) {
 class DumpFinder : public FrameFinder {
 public:
     using Frame = DumpFrame;
-    using FrameFinder::FrameFinder;
+
+    DumpFinder(const TextSource& source, const PartOfFile& part) : FrameFinder(source), units_(part.of_first) {}
+
+    // PartOfFile::of_first for the next frame.
+    std::size_t units() const { return units_; }
 
     bool next(DumpFrame& frame, std::int64_t number, bool wanted) {
         begin_frame(number);
         std::optional<std::size_t> count;
+        std::string_view name;              // of the units
+        std::string_view* value = nullptr;  // of the item that was begun, where it is wanted
         bool begun = false;
         while (!at_end()) {
             const std::string_view line = walker_.step();
             const std::string_view words = trimmed(line, white_space);
             const auto item = item_in(words);
-            // The values of an item that says nothing of atoms.
-            if (words.empty() || (begun && !item)) continue;
+            if (words.empty()) continue;
+            if (begun && !item) {
+                if (value != nullptr) *std::exchange(value, nullptr) = words;
+                continue;
+            }
             if (!item) source_.fail(words.substr(0, words.find_first_of(white_space)), "ITEM: TIMESTEP" + of_frame());
             begun = true;
+            value = *item == "TIMESTEP" ? &frame.step : *item == "TIME" ? &frame.time : *item == "UNITS" ? &name : nullptr;
             if (item->starts_with("NUMBER OF ATOMS")) {
                 count = step_over_count();
             } else if (item->starts_with("BOX BOUNDS")) {
                 frame.box = line;
             } else if (item->starts_with("ATOMS")) {
                 if (!count) source_.fail(words, "ITEM: NUMBER OF ATOMS" + of_frame() + " above it");
+                note_units(name);
+                frame.units = units_;
                 frame.columns = line;
                 frame.atoms = step_over(*count, wanted);
                 return true;
@@ -80,7 +103,22 @@ public:
         if (begun) source_.fail_at_end("ITEM: ATOMS" + of_frame());
         return false;
     }
+
+private:
+    // LAMMPS writes them once, at the beginning.
+    void note_units(std::string_view name) {
+        const auto known = std::ranges::find(dump_units, name, &DumpUnits::name);
+        if (known != dump_units.end()) units_ = static_cast<std::size_t>(known - dump_units.begin()) + 1;
+    }
+
+    std::size_t units_;
 };
+
+// A step's number where that is all there is.
+std::optional<FrameTime> time_of_dump(const DumpFrame& frame) {
+    if (frame.time.empty()) return frame_time(frame.step, "steps");
+    return frame_time(frame.time, frame.units > 0 && frame.units <= dump_units.size() ? dump_units[frame.units - 1].time : "");
+}
 
 // Which columns the head of the atoms names. Of several kinds of places the first is taken: as they are, in parts of the box, and
 // the same two without the jumps at its walls.
@@ -302,6 +340,7 @@ SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, con
     atoms.properties = read_word_properties(source, frame.atoms, columns.properties, options);
     if (has_ids) order_by_id(atoms, ids);
     SphereData data = data_of(std::move(atoms), source.name, options, name_of_dump_atom);
+    data.time = time_of_dump(frame);
     const bool has_radii = columns.has(DumpField::radius) || columns.has(DumpField::diameter);
     if (!has_radii && !has_elements && !options.radius) use_radius_of_points(data, source.name);
     return data;
@@ -316,15 +355,17 @@ bool shows_lammps(std::string_view head) {
 
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content), options.part.origin};
-    DumpFinder finder(source);
+    DumpFinder finder(source, options.part);
     return read_wanted_frame(source, options, finder, "ITEM: TIMESTEP",
                              [&](const DumpFrame& frame) { return read_dump_frame(source, frame, options); });
 }
 
 std::optional<std::size_t> step_over_lammps(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
     const TextSource source{name, whole_lines(text, ended), part.origin};
-    DumpFinder finder(source);
-    return step_over_frame(finder, ended, part.frames);
+    DumpFinder finder(source, part);
+    const auto length = step_over_frame(finder, ended, part.frames);
+    if (length) part.of_first = finder.units();
+    return length;
 }
 
 }  // namespace sphereview

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "formats/lines.hpp"
@@ -20,7 +21,8 @@ struct PdbFrame {
     std::size_t begin = 0;    // of its records
     std::size_t end = 0;
     std::size_t count = 0;  // of its atoms
-    std::size_t next = 0;   // where the frame behind it begins; 0: there is none
+    std::size_t next = 0;   // where the frame behind it begins, with the title that has its time; 0: there is none
+    std::optional<FrameTime> time{};
 };
 
 // By `part` it begins behind some frames, which count as looked at.
@@ -40,6 +42,7 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
     SphereData data = scene.take();
     data.frames = frame.frames;
     data.next_frame = frame.next;
+    data.time = frame.time;
     return data;
 }
 

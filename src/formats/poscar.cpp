@@ -56,14 +56,28 @@ bool is_configuration(std::string_view line) {
 class PoscarFinder : public FrameFinder {
 public:
     using Frame = PoscarFrame;
-    using FrameFinder::FrameFinder;
+
+    PoscarFinder(const TextSource& source, const PartOfFile& part)
+        : FrameFinder(source), head_frame_(part.of_first), has_frames_(part.of_first > 0) {
+        if (part.head.empty()) return;
+        const TextSource before{source.name, part.head};
+        PoscarFinder other(before, {});
+        other.read_head();
+        head_ = other.head_;
+    }
+
+    // PartOfFile::of_first for the next frame.
+    std::size_t head_frame() const { return has_frames_ ? head_frame_ : 0; }
 
     bool next(PoscarFrame& frame, std::int64_t number, bool wanted) {
         begin_frame(number);
         // What follows a POSCAR is velocities and more, and no frame.
         if (number > 0 && !has_frames_) return false;
         if (nothing_follows()) return false;
-        if (number == 0 || !is_configuration(LineWalker(walker_).step())) read_head();
+        if (number == 0 || !is_configuration(LineWalker(walker_).step())) {
+            read_head();
+            head_frame_ = static_cast<std::size_t>(number) + 1;
+        }
         frame = head_;
         std::string_view mode = words("Direct or Cartesian");
         if (begins_with(mode, "sS")) mode = words("Direct or Cartesian");  // Selective dynamics
@@ -158,7 +172,8 @@ private:
     }
 
     PoscarFrame head_{};
-    bool has_frames_ = false;  // it is an XDATCAR
+    std::size_t head_frame_;
+    bool has_frames_;  // it is an XDATCAR
 };
 
 // Reads the lines of one piece.
@@ -208,8 +223,8 @@ bool shows_poscar(std::string_view head) {
 }
 
 SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
-    PoscarFinder finder(source);
+    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
+    PoscarFinder finder(source, options.part);
     return read_wanted_frame(source, options, finder, "a title", [&](const PoscarFrame& frame) {
         const auto reader = [&](std::size_t) { return PoscarAtomReader(source, frame, options); };
         Atoms atoms = read_atom_lines(source, frame.atoms, reader);
@@ -219,6 +234,16 @@ SphereData read_poscar(std::string_view content, const std::string& name, const 
         atoms.properties = read_line_properties(source, frame.atoms, {{"element", PropertyKind::element, 0}}, options, symbol);
         return data_of(std::move(atoms), name, options, name_of_species);
     });
+}
+
+std::optional<std::size_t> step_over_poscar(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
+    // A title may be blank, so what comes tells whether a frame does.
+    if (!ended && trimmed(text, white_space).empty()) return std::nullopt;
+    const TextSource source{name, whole_lines(text, ended), part.origin};
+    PoscarFinder finder(source, part);
+    const auto length = step_over_frame(finder, ended, part.frames);
+    if (length) part.of_first = finder.head_frame();
+    return length;
 }
 
 }  // namespace sphereview

@@ -47,6 +47,9 @@ struct SceneFormat {
     // file is read.
     std::optional<std::size_t> (*step_over)(std::string_view text, bool ended, const std::string& name, PartOfFile& part) = nullptr;
 
+    // Frames may need the head of one before: PartOfFile::of_first says which, and PartOfFile::head is to be given.
+    bool has_heads = false;
+
     static const SceneFormat text;
     static const SceneFormat toml;
 

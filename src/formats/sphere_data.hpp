@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "formats/frame_time.hpp"
 #include "scene/scene.hpp"
 
 namespace sphereview {
@@ -27,8 +28,12 @@ struct PartOfFile {
     TextPosition origin{};
     std::int64_t frames = 0;  // before it
     bool is_a_frame = false;  // and no more than one
-    // XYZ: how many numbers stand behind the first frame's number of atoms.
-    std::size_t numbers_behind_first = 0;
+    // What is to be known of frames before. XYZ: how many numbers stand behind the first one's number of atoms. LAMMPS: in which
+    // units the dump is, from 1; 0 where it does not say. XDATCAR: which frame has the head of those behind it, from 1; 0: none
+    // has.
+    std::size_t of_first = 0;
+    // XDATCAR: the text of that frame, as far as its head may be long.
+    std::string_view head{};
     // Of a text that is whole, as PDB is read: where frame `frames` is looked for, and whether those behind the wanted one are not.
     std::size_t begin = 0;
     bool stops = false;
@@ -54,6 +59,7 @@ struct DataOptions {
 struct SphereData {
     Scene scene{};                             // of data: spheres and names, with the default camera and background
     std::int64_t frames = 1;                   // in the file
+    std::optional<FrameTime> time{};           // of the frame, where the file says it
     std::size_t next_frame = 0;                // where PartOfFile::begin may be for the one behind it; 0: that is not known
     std::optional<double> radius_of_points{};  // that all got, because the file says none (point_radius.hpp)
 
@@ -140,6 +146,7 @@ std::optional<std::size_t> step_over_gromacs(std::string_view text, bool ended, 
 // VASP's POSCAR and CONTCAR, in parts of a cell or not, and XDATCAR with its frames.
 bool shows_poscar(std::string_view head);
 SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options);
+std::optional<std::size_t> step_over_poscar(std::string_view text, bool ended, const std::string& name, PartOfFile& part);
 
 // SDF and MOL, V2000 and V3000: molecules are frames.
 bool shows_sdf(std::string_view head);

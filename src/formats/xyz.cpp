@@ -25,8 +25,7 @@ class XyzFinder : public FrameFinder {
 public:
     using Frame = XyzFrame;
 
-    XyzFinder(const TextSource& source, const PartOfFile& part)
-        : FrameFinder(source), numbers_behind_first_(part.numbers_behind_first) {}
+    XyzFinder(const TextSource& source, const PartOfFile& part) : FrameFinder(source), numbers_behind_first_(part.of_first) {}
 
     std::size_t numbers_behind_first() const { return numbers_behind_first_; }
 
@@ -158,6 +157,12 @@ void add_further_columns(std::string_view first_line, std::vector<PropertyColumn
         columns.push_back({"column" + std::to_string(i + 1), PropertyKind::found, i});
 }
 
+// Extended XYZ has no unit of time. CP2K writes "i = 3, time = 1.500, E = -17.1".
+std::optional<FrameTime> time_in_comment(std::string_view comment) {
+    const auto value = value_in_comment(comment, "time");
+    return value ? frame_time(trimmed(*value, ",;"), "") : std::nullopt;
+}
+
 SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
     XyzLayout layout = xyz_layout(source, frame.comment);
@@ -175,7 +180,9 @@ SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, const
     }
     if (layout.is_plain) add_further_columns(frame.atoms.first_line(source), layout.properties);
     atoms.properties = read_word_properties(source, frame.atoms, layout.properties, options);
-    return data_of(std::move(atoms), source.name, options, name_of_species);
+    SphereData data = data_of(std::move(atoms), source.name, options, name_of_species);
+    data.time = time_in_comment(frame.comment);
+    return data;
 }
 
 }  // namespace
@@ -210,7 +217,7 @@ std::optional<std::size_t> step_over_xyz(std::string_view text, bool ended, cons
     const TextSource source{name, whole_lines(text, ended), part.origin};
     XyzFinder finder(source, part);
     const auto length = step_over_frame(finder, ended, part.frames);
-    if (length) part.numbers_behind_first = finder.numbers_behind_first();
+    if (length) part.of_first = finder.numbers_behind_first();
     return length;
 }
 

@@ -36,21 +36,6 @@ std::string_view take_value(std::string_view& text) {
     return value;
 }
 
-// The value of Properties among the `key=value` of a comment.
-std::optional<std::string_view> find_properties(std::string_view comment) {
-    while (true) {
-        skip_blanks(comment);
-        if (comment.empty()) return std::nullopt;
-        const std::string_view key = take(comment, std::max<std::size_t>(1, comment.find_first_of(" \t\r\v\f=")));
-        skip_blanks(comment);
-        if (!comment.starts_with('=')) continue;
-        comment.remove_prefix(1);
-        skip_blanks(comment);
-        const std::string_view value = take_value(comment);
-        if (lower_case(key) == "properties") return value;
-    }
-}
-
 // Walks through NAME:TYPE:COLUMNS:NAME:...
 class Properties {
 public:
@@ -160,8 +145,22 @@ private:
 
 }  // namespace
 
+std::optional<std::string_view> value_in_comment(std::string_view comment, std::string_view wanted) {
+    while (true) {
+        skip_blanks(comment);
+        if (comment.empty()) return std::nullopt;
+        const std::string_view key = take(comment, std::max<std::size_t>(1, comment.find_first_of(" \t\r\v\f=")));
+        skip_blanks(comment);
+        if (!comment.starts_with('=')) continue;
+        comment.remove_prefix(1);
+        skip_blanks(comment);
+        const std::string_view value = take_value(comment);
+        if (lower_case(key) == wanted) return value;
+    }
+}
+
 XyzLayout xyz_layout(const TextSource& source, std::string_view comment) {
-    const auto properties = find_properties(comment);
+    const auto properties = value_in_comment(comment, "properties");
     if (!properties) {
         return {.columns = {{XyzField::species, 0}, {XyzField::position, 1}},
                 .properties = {{"element", PropertyKind::element, 0}},

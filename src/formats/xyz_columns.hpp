@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "formats/lines.hpp"
@@ -29,6 +31,9 @@ struct XyzLayout {
     std::vector<PropertyColumn> properties{};  // all but the position
     bool is_plain = false;                     // nothing names the columns
 };
+
+// The value of a key, in lower case, among the `key=value` of a comment, whose keys may be in any letter case.
+std::optional<std::string_view> value_in_comment(std::string_view comment, std::string_view wanted);
 
 // `comment`: the frame's, in which `Properties=species:S:1:pos:R:3:...` names the columns; without it they are a species and a
 // position. Other properties are passed over. Throws InputError where Properties are wrong.

@@ -37,8 +37,8 @@ protected:
         return command;
     }
 
-    // As a disk that takes long, by strace.
-    static Command with_slow_disk(Command command, const std::string& delay) {
+    // With something injected into system calls, by strace.
+    static Command with_injected(Command command, const std::string& calls, const std::string& what) {
         const std::vector<std::string> by = {"strace",
                                              "-D",
                                              "-f",
@@ -46,14 +46,18 @@ protected:
                                              "-o",
                                              "/dev/null",
                                              "-e",
-                                             "trace=fsync",
+                                             "trace=" + calls,
                                              "-e",
-                                             "inject=fsync:" + delay,
+                                             "inject=" + calls + ":" + what,
                                              build_file("sphereview")};
         command.program = "/usr/bin/env";
         command.arguments.insert(command.arguments.begin(), by.begin(), by.end());
         command.environment.emplace_back("LSAN_OPTIONS", "detect_leaks=0");  // it, too, would want to trace the program
         return command;
+    }
+    // As a disk that takes long.
+    static Command with_slow_disk(const Command& command, const std::string& delay) {
+        return with_injected(command, "fsync", delay);
     }
     static bool can_slow_disk_down() { return run(with_slow_disk({.arguments = {"--version"}}, "delay_enter=1")).status == 0; }
 
@@ -187,6 +191,15 @@ TEST_F(FilmCommand, InterruptedSaysHowFarItCame) {
     EXPECT_EQ(outcome.errors, "out.mp4: not written; 0 of 3 pictures were done\n");
     EXPECT_FALSE(folder_.has("out.mp4"));
     for (const std::string& name : folder_.names()) EXPECT_FALSE(contains(name, ".tmp")) << name;
+}
+
+// As the program begins to listen to interruptions.
+TEST_F(FilmCommand, InterruptedAtItsBeginningLeavesNothingHidden) {
+    write_encoder("exec cat >\"$film\"");
+    if (!can_slow_disk_down()) GTEST_SKIP() << "no program can be traced here";
+    const Outcome outcome = run(with_injected(film({"--movie", "out.mp4"}), "?pipe,pipe2", "signal=SIGINT:when=1"));
+    EXPECT_EQ(outcome.status, 130) << outcome;
+    EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin"}));
 }
 
 // Nobody reads on, so the program waits within the first picture.

@@ -121,12 +121,50 @@ TEST(Timeline, ChoosesSpeedAndRepeat) {
     panel.redraws(3);
     panel.click("speed 60 / s");
     panel.redraws(3);
-    EXPECT_EQ(panel.choices.speed, 60.0);
+    EXPECT_EQ(panel.choices.speed, PlaySpeed{60.0});
     for (const Repeat repeat : {Repeat::loop, Repeat::back_and_forth, Repeat::once}) {
         panel.wait();
         panel.click("repeat");
         EXPECT_EQ(panel.choices.repeat, repeat);
     }
+}
+
+TEST(Timeline, PlaysAsRecordedWhereTheFileHasTimes) {
+    TimelineHarness panel;
+    EXPECT_FALSE(panel.has("frame time"));
+    panel.click("speed");
+    panel.redraws(3);
+    EXPECT_FALSE(panel.says("as recorded"));
+    panel.tap(ImGuiKey_Escape);
+    panel.facts.time = "9.500";
+    panel.facts.time_unit = "ps";
+    panel.facts.usual_step = 2.0;
+    panel.choices.speed.recorded = 1000.0;
+    panel.redraws(2);
+    EXPECT_TRUE(panel.says("9.500 ps"));
+    EXPECT_TRUE(panel.says("1000 ps / s"));
+    panel.wait();
+    panel.click("speed");
+    panel.redraws(3);
+    EXPECT_TRUE(panel.says("as recorded"));
+    panel.click("speed 20 ps / s");
+    panel.redraws(3);
+    EXPECT_EQ(panel.choices.speed, (PlaySpeed{24.0, 20.0}));
+    panel.facts.usual_step.reset();
+    panel.redraws(2);
+    EXPECT_TRUE(panel.says("24 / s")) << "of a file without times";
+}
+
+// A film whose times get longer does not push its line about.
+TEST(Timeline, ALongTimeKeepsItsPlace) {
+    TimelineHarness panel;
+    panel.facts.time = "100.000";
+    panel.redraws(2);
+    const WidgetRectangle before = panel.rectangles.at("timeline");
+    panel.facts.time = "9.5";
+    panel.redraws(2);
+    EXPECT_TRUE(panel.says("t 9.5"));
+    EXPECT_EQ(panel.rectangles.at("timeline").right, before.right);
 }
 
 // The line stays, and it stays in the window.
@@ -141,6 +179,11 @@ TEST(Timeline, OfANarrowWindowLeavesTheLessNeededOut) {
         EXPECT_TRUE(panel.has("frame number") || width < 200.0F) << width;
         EXPECT_TRUE(panel.has("edits reach") || panel.has("edits mark") || width < 200.0F) << width;
         EXPECT_EQ(panel.has("speed"), width > 400.0F) << width;
+        panel.facts.time = "0.500";
+        panel.redraws(2);
+        EXPECT_EQ(panel.has("frame time"), width > 300.0F) << width;
+        panel.facts.time.clear();
+        panel.redraws(2);
         for (const auto& [name, rectangle] : panel.rectangles) EXPECT_LE(rectangle.right, width) << name;
         EXPECT_EQ(panel.has("first frame"), width > 400.0F) << width;
     }

@@ -123,6 +123,22 @@ TEST_F(KeptIndex, OfAnotherFileCountsForNothing) {
     EXPECT_EQ(x_of(path, 2, 4), 1.0);
 }
 
+// A frame without a head is read by that of an earlier one, which the index knows.
+TEST_F(KeptIndex, OfXdatcarKnowsWhichFrameHasTheHead) {
+    std::string text;
+    for (int i = 0; i < 20; ++i) {
+        if (i % 8 == 0) text += "a\n1\n" + std::to_string(10 + i) + " 0 0\n0 1 0\n0 0 1\nO\n1\n";
+        text += "Direct configuration= " + std::to_string(i + 1) + "\n1 0 0\n";
+    }
+    const std::string path = write("XDATCAR", text);
+    for (int run = 0; run < 2; ++run) {
+        EXPECT_EQ(x_of(path, 19), 26.0);
+        EXPECT_EQ(x_of(path, 7), 10.0);
+        EXPECT_EQ(x_of(path, 8), 18.0);
+    }
+    ASSERT_EQ(kept().size(), 1U);
+}
+
 TEST_F(KeptIndex, DamagedIsMadeAnew) {
     const std::string path = write("a.xyz", frames(20));
     EXPECT_EQ(x_of(path, 19), 19.0);

@@ -138,6 +138,37 @@ TEST_F(FramesInViewer, RepeatsAsIsChosen) {
     EXPECT_FALSE(info_of(commands_of(state), CommandId::first_frame).enabled);
 }
 
+TEST_F(FramesInViewer, PlaysAsRecorded) {
+    std::string text;
+    for (const char* const time : {"0", "2", "3", "3", "100", "0"}) text += std::string("1\ntime=") + time + "\nO 0 0 100\n";
+    open(text);
+    ASSERT_TRUE(test::eventually([&] { return timeline_facts(state).usual_step.has_value(); })) << "before it plays";
+    EXPECT_EQ(timeline_facts(state).usual_step, 2.0);
+    EXPECT_EQ(timeline_facts(state).time, "0");
+    state.player.choices.speed.recorded = 4.0;
+    EXPECT_EQ(frames_a_second(state), 2.0);
+    run(CommandId::loop);
+    play();
+    state.player.clock.play(now);
+    ASSERT_TRUE(test::eventually([&] { return state.player.ahead->time_of(4).has_value(); }));
+    const std::vector<std::chrono::milliseconds> beats = {500ms, 250ms, 500ms, 10s, 500ms, 500ms};  // 2, 1, none, 97, -100, again
+    for (std::size_t i = 0; i < beats.size(); ++i) {
+        const auto frame = static_cast<std::int64_t>(i);
+        ASSERT_EQ(state.frame, frame);
+        ASSERT_TRUE(next_frame_due(state));
+        EXPECT_EQ(*next_frame_due(state) - now, beats[i]) << i;
+        EXPECT_EQ(follow_player(state, now + beats[i] - 1ms, false), FrameNews::none) << i;
+        EXPECT_FALSE(state.player.wanted) << i;
+        EXPECT_EQ(next(beats[i]), FrameNews::frame);
+    }
+    EXPECT_EQ(state.frame, 0);
+    run(CommandId::play_faster);
+    EXPECT_EQ(state.player.choices.speed, (PlaySpeed{24.0, 5.0}));
+    open(moved_frames(3));
+    EXPECT_EQ(state.player.choices.speed, PlaySpeed{24.0}) << "of another file";
+    EXPECT_TRUE(timeline_facts(state).time.empty());
+}
+
 TEST_F(FramesInViewer, WaitsWhileSomethingIsInTheHandOrAsked) {
     play();
     EXPECT_EQ(follow_player(state, now + 1s, true), FrameNews::none);

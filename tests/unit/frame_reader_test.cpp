@@ -43,6 +43,22 @@ std::map<std::string, std::string> trajectories(int frames) {
     return texts;
 }
 
+// An XDATCAR of 30 frames: the first ten share a head, the next ten have one each, with other cells and numbers of atoms, and the
+// last ten share the last of these. `atoms`: in each line, so much more of them than without.
+std::string xdatcar(int atoms = 1) {
+    std::string text;
+    for (int frame = 0; frame < 30; ++frame) {
+        const int count = atoms * (frame < 10 ? 2 : std::min(frame, 19) - 8);
+        if (frame == 0 || (frame >= 10 && frame < 20)) {
+            text += " \n1\n" + std::to_string(10 + frame) + " 0 0\n0 10 0\n0 0 10\nO H\n1 " + std::to_string(count - 1) + "\n";
+        }
+        text += "Direct configuration= " + std::to_string(frame + 1) + "\n";
+        for (int atom = 0; atom < count; ++atom)
+            text += "0." + std::to_string(frame) + " 0.5 0." + std::to_string(atom % 10) + "\n";
+    }
+    return text + "\n";
+}
+
 SphereData read_at_once(const std::string& text, const std::string& name, std::int64_t frame) {
     return format_of_name(name).read(text, name, {.frame = frame});
 }
@@ -78,6 +94,37 @@ TEST_F(FrameReading, GivesEachFrameInAnyOrder) {
 }
 
 // Also of a packed one, whose text is of unknown length.
+TEST_F(FrameReading, OfXdatcarFindsTheHeadThatHolds) {
+    for (const std::string& text : {xdatcar(), xdatcar(4000)}) {  // in one window, and in several
+        const std::string path = folder_.write("XDATCAR", text);
+        FrameReader reader(path, {});
+        for (const std::int64_t frame : {29, 0, 15, 19, 20, 9, 10}) {
+            EXPECT_EQ(reader.read(frame).scene, read_at_once(text, path, frame).scene) << frame;
+        }
+        EXPECT_EQ(reader.count(), 30);
+        EXPECT_EQ(reader.fault(), "");
+        EXPECT_EQ(reader.read(29).warnings, std::vector<std::string>());
+    }
+}
+
+TEST_F(FrameReading, OfXdatcarSaysWhereAFrameIsWrong) {
+    std::string text = xdatcar();
+    const std::string path = folder_.write("XDATCAR", text.replace(text.rfind("0.29 0.5"), 8, "0.29 x  "));
+    FrameReader reader(path, {});
+    const std::string said = message_of<InputError>([&] { read_at_once(text, path, 29); });
+    EXPECT_TRUE(said.ends_with("found 'x', expected the y of atom 11 of 11, a number")) << said;
+    EXPECT_EQ(message_of<InputError>([&] { reader.read(29); }), said);
+}
+
+// What follows the atoms is no frame.
+TEST_F(FrameReading, OfPoscarThereIsOneFrame) {
+    const std::string text = "a\n1\n9 0 0\n0 9 0\n0 0 9\nO\n2\nDirect\n0 0 0\n0.5 0 0\n\n0.1 0.2 0.3\n0.1 0.2 0.3\n";
+    FrameReader reader(folder_.write("POSCAR", text), {});
+    EXPECT_EQ(reader.count(), 1);
+    EXPECT_EQ(reader.fault(), "");
+    EXPECT_EQ(reader.read(0).scene, read_at_once(text, "POSCAR", 0).scene);
+}
+
 TEST_F(FrameReading, TellsHowFarItIsAndCanBeStopped) {
     for (const auto& [name, text] : trajectories(9)) {
         for (const std::string& path : {folder_.write(name, text), folder_.write(name + ".gz", test::gzipped(text))}) {

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 using FrameNumbers = std::vector<std::int64_t>;
 
 constexpr PlayClock::Time start_time{100s};
-constexpr PlayChoices ten_a_second{.speed = 10.0};
+constexpr PlayClock::Beat beat = 100ms;
 
 }  // namespace
 
@@ -21,16 +21,16 @@ TEST(PlayClock, KeepsTheBeatAndCatchesUpWithNoMoreThanOne) {
     EXPECT_FALSE(clock.plays());
     clock.play(start_time);
     EXPECT_TRUE(clock.plays());
-    EXPECT_EQ(clock.due(ten_a_second), start_time + 100ms);
-    clock.shown(ten_a_second, start_time + 130ms);
-    EXPECT_EQ(clock.due(ten_a_second), start_time + 200ms) << "a late frame does not make the next one late";
-    clock.shown(ten_a_second, start_time + 750ms);
-    EXPECT_EQ(clock.due(ten_a_second), start_time + 850ms) << "what was held up is not hurried through";
+    EXPECT_EQ(clock.due(beat), start_time + 100ms);
+    clock.shown(beat, start_time + 130ms);
+    EXPECT_EQ(clock.due(beat), start_time + 200ms) << "a late frame does not make the next one late";
+    clock.shown(beat, start_time + 750ms);
+    EXPECT_EQ(clock.due(beat), start_time + 850ms) << "what was held up is not hurried through";
     clock.hold(start_time + 2s);
-    EXPECT_EQ(clock.due(ten_a_second), start_time + 2100ms);
-    EXPECT_EQ(clock.due({.speed = 2.0}), start_time + 2500ms) << "another speed holds at once";
-    clock.shown(ten_a_second, start_time + 2010ms);
-    EXPECT_EQ(clock.due(ten_a_second), start_time + 2110ms) << "a frame that was asked for by hand";
+    EXPECT_EQ(clock.due(beat), start_time + 2100ms);
+    EXPECT_EQ(clock.due(500ms), start_time + 2500ms) << "another speed holds at once";
+    clock.shown(beat, start_time + 2010ms);
+    EXPECT_EQ(clock.due(beat), start_time + 2110ms) << "a frame that was asked for by hand";
     clock.pause();
     EXPECT_FALSE(clock.plays());
 }
@@ -66,10 +66,25 @@ TEST(PlayClock, GoesForwardWhereItDoesNotGoBackAnyMore) {
 }
 
 TEST(PlaySpeeds, GoUpAndDownAndEnd) {
-    EXPECT_EQ(next_speed(24.0, 1), 30.0);
-    EXPECT_EQ(next_speed(24.0, -1), 15.0);
-    EXPECT_EQ(next_speed(play_speeds.front(), -1), play_speeds.front());
-    EXPECT_EQ(next_speed(play_speeds.back(), 1), play_speeds.back());
+    EXPECT_EQ(next_speed({24.0}, {}, 1), PlaySpeed{30.0});
+    EXPECT_EQ(next_speed({24.0}, {}, -1), PlaySpeed{15.0});
+    EXPECT_EQ(next_speed({play_speeds.front()}, {}, -1), PlaySpeed{play_speeds.front()});
+    EXPECT_EQ(next_speed({play_speeds.back()}, {}, 1), PlaySpeed{play_speeds.back()});
+}
+
+TEST(PlaySpeeds, AsRecordedAreRoundNumbers) {
+    EXPECT_EQ(recorded_speeds(2.0), (std::vector<double>{2, 5, 10, 20, 50, 100, 200}));
+    EXPECT_EQ(recorded_speeds(0.03), (std::vector<double>{0.02, 0.05, 0.1, 0.2, 0.5, 1, 2}));
+    EXPECT_EQ(recorded_speeds(1000.0).back(), 100000.0);
+    EXPECT_FALSE(recorded_speeds(1e-300).empty());
+    for (const double step : {1e308, 5e-324}) recorded_speeds(step);  // ends
+    EXPECT_EQ(next_speed({24.0, 10.0}, 2.0, 1), (PlaySpeed{24.0, 20.0}));
+    EXPECT_EQ(next_speed({24.0, 200.0}, 2.0, 1), (PlaySpeed{24.0, 200.0}));
+    EXPECT_EQ(next_speed({24.0, 7.0}, 2.0, -1), (PlaySpeed{24.0, 5.0}));
+    EXPECT_EQ(next_speed({24.0, 10.0}, {}, 1), (PlaySpeed{30.0, 10.0})) << "of a file without times";
+    EXPECT_EQ(words_of(PlaySpeed{24.0, 0.5}, "ps"), "0.5 ps / s");
+    EXPECT_EQ(words_of(PlaySpeed{24.0, 50.0}, ""), "t 50 / s");
+    EXPECT_EQ(words_of(PlaySpeed{24.0}, "ps"), "24 / s");
 }
 
 }  // namespace sphereview
