@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 using FrameNumbers = std::vector<std::int64_t>;
 
 constexpr PlayClock::Time start_time{100s};
-constexpr PlayChoices ten_a_second{.speed = 10.0};
+const PlayChoices ten_a_second{.speed = 10.0};
 
 }  // namespace
 
