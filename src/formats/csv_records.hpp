@@ -20,9 +20,13 @@ struct CsvField {
 
 // `text` of the field with each "" as one quote.
 inline std::string unquoted(const CsvField& field) {
-    std::string text(field.text);
-    if (!field.quoted) return text;
-    for (std::size_t i = 0; (i = text.find("\"\"", i)) != std::string::npos; ++i) text.erase(i, 1);
+    if (!field.quoted) return std::string(field.text);
+    std::string text;
+    for (std::string_view rest = field.text; !rest.empty();) {
+        const std::size_t quotes = std::min(rest.find("\"\""), rest.size());
+        text += rest.substr(0, quotes + 1);
+        rest.remove_prefix(std::min(quotes + 2, rest.size()));
+    }
     return text;
 }
 

@@ -1,7 +1,9 @@
 // mmCIF (PDBx), read by gemmi into its document. The document keeps the lines of tables, but not those of values. gemmi's Structure
 // is not made of the document: it has no atom at all where one of seven more columns is missing, and holds every model at once.
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <gemmi/cif.hpp>
 #include <unordered_map>
 #include <vector>
@@ -180,6 +182,32 @@ std::uint64_t bytes_of_document(std::string_view text) {
     return words * bytes_of_word + 2 * std::uint64_t{text.size()};
 }
 
+// gemmi looks for names that are there twice in time with the product of the blocks and the most names, of blocks or of one block's
+// values, that it holds together. A dictionary of components has 50,000 blocks.
+void require_bounded_work(const TextSource& source) {
+    constexpr std::uint64_t most_work = 10'000'000'000;  // some seconds
+    const std::string_view text = source.text;
+    const auto begins_word = [&](std::size_t i) { return i == 0 || is_space(text[i - 1]); };
+    std::uint64_t blocks = 0;
+    std::uint64_t names = 0;  // of the current block
+    std::uint64_t most_names = 0;
+    for (std::size_t i = text.find('_'); i != std::string_view::npos; i = text.find('_', i + 1)) {
+        const bool begins_block = i >= 4 && begins_word(i - 4) && lower_case(text.substr(i - 4, 4)) == "data";
+        if (begins_block) {
+            ++blocks;
+            names = 0;
+        } else if (begins_word(i)) {
+            ++names;
+        }
+        most_names = std::max({most_names, blocks, names});
+        if (blocks * most_names > most_work) {
+            source.fail(begins_block ? i - 4 : i, "found " + in_groups(blocks) + " blocks, expected at most " +
+                                                      in_groups(most_work / most_names) + " where up to " + in_groups(most_names) +
+                                                      " names are together");
+        }
+    }
+}
+
 const Element& element_of(std::string_view symbol, std::string_view atom, std::string_view residue) {
     if (symbol.empty() || residue == "DUM") return element_of_name(atom, residue, NameColumns::unknown);
     const Element& element = element_of_species(symbol);
@@ -245,6 +273,7 @@ SphereData read_model(const TextSource& source, cif::Table& table, const WantedM
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content)};
     if (trimmed(source.text, white_space).empty()) fail_without_atoms(source, table_syntax);
+    require_bounded_work(source);
     require_memory(bytes_of_document(source.text), name + ": its values need");
     ReadDocument read = read_document(source);
     AtomTables found = find_atoms(source, read.document);

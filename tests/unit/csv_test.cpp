@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <random>
 #include <string>
 #include <vector>
@@ -122,6 +123,18 @@ TEST(CsvColumns, MayBeChosen) {
     EXPECT_EQ(parse_column_choices("x=a, b,y=c=d"), (std::vector<ColumnChoice>{{"x", "a, b"}, {"y", "c=d"}}));
     for (const char* wrong : {"", "x", "x=", "=a", "w=a", "x=a,x=b", "a,x=b", ","})
         EXPECT_FALSE(parse_column_choices(wrong)) << wrong;
+}
+
+// The square of the number of quotes would be 64 times as much.
+TEST(CsvQuotes, TakeTimeInProportion) {
+    const auto seconds = [](std::size_t quotes) {
+        const std::clock_t begin = std::clock();
+        EXPECT_EQ(spheres("x,y,z,\"" + std::string(2 * quotes, '"') + "\"\n1,2,3,4\n").size(), 1U);
+        return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    };
+    const double few = seconds(200'000);
+    EXPECT_LT(seconds(1'600'000), 30.0 * few);
+    EXPECT_EQ(table("x,y,z,name\n1,2,3,\"\"\"a\"\"\"\"b\"\n").scene.names.at(0), "\"a\"\"b");
 }
 
 TEST(CsvRadius, IsFoundUnderItsNames) {

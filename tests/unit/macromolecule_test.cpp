@@ -243,6 +243,19 @@ TEST(Mmcif, FaultsAreReported) {
     EXPECT_EQ(mmcif_fault(cif_places), "a.cif:6:1: the text ends, " + table);
 }
 
+// gemmi takes time with their product.
+TEST(Mmcif, BlocksAndNamesAreBounded) {
+    const auto many = [](int count, const std::string& line) {
+        std::string text;
+        for (int i = 0; i < count; ++i) text += line;
+        return text;
+    };
+    EXPECT_EQ(mmcif_fault(many(100'001, "data_\n")),
+              "a.cif:100001:1: found 100,001 blocks, expected at most 99,999 where up to 100,001 names are together");
+    EXPECT_EQ(mmcif_fault("data_\n" + many(1'000'000, "_a\n") + many(10'001, "DATA_\n")),
+              "a.cif:1010001:1: found 10,001 blocks, expected at most 10,000 where up to 1,000,000 names are together");
+}
+
 #endif
 
 }  // namespace
