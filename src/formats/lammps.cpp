@@ -223,12 +223,18 @@ Color color_of_type(std::uint64_t number) {
 
 bool begins_with_letter(std::string_view word) { return !word.empty() && is_letter(word[0]); }
 
+// Whether there are atoms whose element is known, and others.
+struct SeenElements {
+    bool known = false;
+    bool unknown = false;
+};
+
 // Reads the lines of one piece.
 class DumpAtomReader {
 public:
-    // ids: one for each atom, or none. knows_elements: becomes true where the element of an atom is known.
+    // ids: one for each atom, or none. seen: what is met of elements.
     DumpAtomReader(const TextSource& source, const DumpColumns& columns, const Cell& box, std::size_t count,
-                   const DataOptions& options, std::vector<std::int64_t>& ids, char& knows_elements)
+                   const DataOptions& options, std::vector<std::int64_t>& ids, SeenElements& seen)
         : source_(source),
           columns_(columns),
           has_z_(columns.has(DumpField::z)),
@@ -236,7 +242,7 @@ public:
           count_(count),
           options_(options),
           ids_(ids),
-          knows_elements_(knows_elements) {}
+          seen_(seen) {}
 
     LineAtom read(std::string_view line, std::size_t index) {
         TokenReader reader(source_, line, parse_or_nothing);
@@ -269,7 +275,10 @@ public:
         const bool is_number = element_name.empty() && !begins_with_letter(type);
         atom.label = element_name.empty() ? type : element_name;
         const Element& element = is_number ? unknown_element() : element_of_species(atom.label);
-        if (&element != &unknown_element()) knows_elements_ = true;
+        if (!is_virtual(element)) {
+            bool& is_seen = &element == &unknown_element() ? seen_.unknown : seen_.known;
+            if (!is_seen) is_seen = true;  // other cores may write beside it: once only
+        }
         show_as(atom, element, options_);
         if (radius > 0.0) atom.sphere.radius = radius;
         std::uint64_t number = 0;
@@ -305,10 +314,10 @@ private:
     std::size_t count_;  // of the frame's atoms
     const DataOptions& options_;
     std::vector<std::int64_t>& ids_;
-    char& knows_elements_;
+    SeenElements& seen_;
 };
 
-// Gives the atoms, which are in the order of the lines, the colours of their labels, none of which is an element: in alphabetical
+// Gives the atoms, which are in the order of the lines, the colours of their labels, which are no elements: in alphabetical
 // order, so that they stay from frame to frame. place: of the labels' column.
 void color_by_label(Atoms& atoms, const TextSource& source, const AtomLines& lines, std::size_t place) {
     std::map<std::string_view, std::uint64_t> numbers;
@@ -382,12 +391,14 @@ SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, con
         }
     }
     std::vector<std::int64_t> ids(has_ids ? count : 0);
-    std::vector<char> knows_elements(frame.atoms.pieces.size());
+    std::vector<SeenElements> seen(frame.atoms.pieces.size());
     Atoms atoms = read_atom_lines(source, frame.atoms, [&](std::size_t piece) {
-        return DumpAtomReader(source, columns, box, count, options, ids, knows_elements[piece]);
+        return DumpAtomReader(source, columns, box, count, options, ids, seen[piece]);
     });
-    const bool has_elements = std::ranges::find(knows_elements, char{true}) != knows_elements.end();
-    // Labels of types often are elements.
+    // Labels of types often are elements; beside one that is none, B is no boron.
+    const bool has_known = std::ranges::any_of(seen, &SeenElements::known);
+    const bool has_unknown = std::ranges::any_of(seen, &SeenElements::unknown);
+    const bool has_elements = has_known && (columns.has(DumpField::element) || !has_unknown);
     const auto type = std::ranges::find(columns.columns, DumpField::type, &DumpColumn::field);
     const auto element = std::ranges::find(columns.columns, DumpField::element, &DumpColumn::field);
     const auto label = element != columns.columns.end() ? element : type;

@@ -119,8 +119,11 @@ TEST(Lammps, LabelsThatAreNoElementsAreTypes) {
         const Scene turned = dump(dump_frame(columns, "1 A 0 0 0\n2 bead 0.01 0 0\n")).scene;
         EXPECT_EQ(turned.spheres.at(1).color, data.scene.spheres.at(0).color) << columns;
     }
-    // One that is known shows that they are elements.
-    const Scene known = dump(dump_frame("id type x y z", "1 bead 0 0 0\n2 C 0.01 0 0\n")).scene;
+    // B is boron where it is called an element, and a type beside types that are none.
+    const Scene types = dump(dump_frame("id type x y z", "1 A 0 0 0\n2 B 0.01 0 0\n")).scene;
+    EXPECT_EQ(types.spheres.at(1).radius, 0.25 * 0.01);
+    EXPECT_NE(types.spheres.at(1).color, find_element("B")->color);
+    const Scene known = dump(dump_frame("id element x y z", "1 bead 0 0 0\n2 C 0.01 0 0\n")).scene;
     EXPECT_EQ(known.spheres.at(0).radius, unknown_element().radius);
     EXPECT_EQ(known.spheres.at(1).color, find_element("C")->color);
 }
