@@ -53,6 +53,7 @@ public:
         atom.residue = names.residue;
         atom.chain = names.chain;
         atom.residue_number = std::string(names.number);
+        atom.alternative = names.alternative;
         atom.element = &element_of(names.atom, names.residue);
         atom.texts.charge = fields_[3];
         atom.texts.radius = fields_[4];
@@ -65,6 +66,7 @@ private:
         std::string_view residue{};
         std::string_view chain{};
         std::string_view number{};  // of the residue
+        std::string_view alternative{};
     };
 
     static constexpr std::size_t fewest_names = 5;  // without a chain
@@ -110,7 +112,7 @@ private:
 
     void take_words(Names& names, std::size_t places) {
         const auto word = [&](std::size_t place) { return place < words_.size() ? words_[place] : std::string_view(); };
-        names = {word(2), word(3), places > fewest_names ? word(4) : std::string_view(), word(places - 1)};
+        names = {word(2), word(3), places > fewest_names ? word(4) : std::string_view(), word(places - 1), {}};
         // A number of four digits touches its chain.
         const bool is_touched = places == fewest_names && !names.number.empty() && is_letter(names.number[0]);
         if (is_touched) {
@@ -129,8 +131,13 @@ private:
     }
 
     void find_in_columns(std::string_view line, Names& names) {
-        // A residue of four letters begins in column 17 or 18.
-        names = {in_columns(line, 12, 16), in_columns(line, 16, 21), in_columns(line, 21, 22), in_columns(line, 22, 27)};
+        // A residue of four letters begins in column 17 or 18. But 17 may be an alternative's.
+        names = {in_columns(line, 12, 16), in_columns(line, 16, 21), in_columns(line, 21, 22), in_columns(line, 22, 27), {}};
+        const std::string_view three = in_columns(line, 17, 20);
+        if (line[16] != ' ' && is_polymer(three) && !is_polymer(names.residue)) {
+            names.alternative = in_columns(line, 16, 17);
+            names.residue = three;
+        }
         for (std::size_t axis = 0; axis < 3; ++axis) fields_[axis] = in_columns(line, 30 + 8 * axis, 38 + 8 * axis);
         words_.clear();
         split_line(line.substr(54), 2, words_);

@@ -63,6 +63,8 @@ TEST(Pqr, FieldsMayTouch) {
     EXPECT_EQ(first("ATOM  99999  N   ALA A1000       1.000   2.000   3.000  0.1000 1.9000"), "N A/ALA 1000/N");
     EXPECT_EQ(first("ATOM      1  N   POPCM   1       1.000   2.000   3.000  0.1000 1.9000"), "N M/POPC 1/N");
     EXPECT_EQ(first("ATOM      1 HN11TIP3 A   1       1.000   2.000   3.000  0.1000 1.9000"), "H A/TIP3 1/HN11");
+    EXPECT_EQ(first("ATOM      1 HH11AARG A   1       1.000   2.000   3.000  0.1000 1.9000"), "H A/ARG 1/HH11");
+    EXPECT_EQ(first("ATOM      1 HH11NARG A   1       1.000   2.000   3.000  0.1000 1.9000"), "H A/NARG 1/HH11");
     EXPECT_EQ(first("ATOM 1 N ALA A1000 1 2 3 0.1 1.9"), "N A/ALA 1000/N");
     const auto sphere = [](const std::string& line) { return pqr(line + "\n").scene.spheres.at(0); };
     const Sphere far = sphere("ATOM      1  N   LEU     1    -103.326-125.010-135.700 -0.3000 1.8500");
