@@ -402,7 +402,10 @@ SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, con
     const auto type = std::ranges::find(columns.columns, DumpField::type, &DumpColumn::field);
     const auto element = std::ranges::find(columns.columns, DumpField::element, &DumpColumn::field);
     const auto label = element != columns.columns.end() ? element : type;
-    if (!has_elements && label != columns.columns.end()) color_by_label(atoms, source, frame.atoms, label->place);
+    if (!has_elements) {
+        atoms.virtual_sites.clear();  // X is a type, too
+        if (label != columns.columns.end()) color_by_label(atoms, source, frame.atoms, label->place);
+    }
     if (has_elements && !columns.has(DumpField::element) && type != columns.columns.end()) {
         add_column(columns.properties, "element", PropertyKind::element, type->place);
     }

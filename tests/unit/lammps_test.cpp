@@ -119,6 +119,7 @@ TEST(Lammps, LabelsThatAreNoElementsAreTypes) {
         const Scene turned = dump(dump_frame(columns, "1 A 0 0 0\n2 bead 0.01 0 0\n")).scene;
         EXPECT_EQ(turned.spheres.at(1).color, data.scene.spheres.at(0).color) << columns;
     }
+    EXPECT_EQ(dump(dump_frame("id type x y z", "1 A 0 0 0\n2 X 0.01 0 0\n"), {.virtual_sites = false}).scene.spheres.size(), 2U);
     // B is boron where it is called an element, and a type beside types that are none.
     const Scene types = dump(dump_frame("id type x y z", "1 A 0 0 0\n2 B 0.01 0 0\n")).scene;
     EXPECT_EQ(types.spheres.at(1).radius, 0.25 * 0.01);
