@@ -9,6 +9,7 @@ AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::siz
     AtomLines lines{count, goes_on, walker.line_end()};
     for (std::size_t i = 0; i < count; ++i) {
         if (walker.at_end()) source.fail_at_end(of_atom(i, count, what).substr(4) + of_frame);
+        lines.last = walker.offset();
         if (wanted && i % atom_lines_a_piece == 0) lines.pieces.push_back(walker.offset());
         lines.step(source, walker);
     }
@@ -40,8 +41,9 @@ SphereData data_of(Atoms atoms, const std::string& name, const DataOptions& opti
         data.scene.names.emplace_hint(data.scene.names.end(), static_cast<std::uint32_t>(i), name_of(atoms.labels[i]));
     }
     add_properties(data, std::move(atoms.properties));
-    warn_of_virtual_sites(data, atoms.virtual_sites.size(), name, options);
-    if (!options.virtual_sites) remove_spheres(data.scene, atoms.virtual_sites);
+    remove_spheres(data.scene, atoms.nowhere);
+    warn_of_left_out(data, atoms.nowhere.size(), name, "atom", "atoms");
+    settle_virtual_sites(data, numbers_without(atoms.virtual_sites, atoms.nowhere), name, options);
     return data;
 }
 

@@ -29,6 +29,7 @@ struct AtomLines {
     std::size_t count = 0;
     GoesOn goes_on = nullptr;  // null: each atom has one line
     char line_end = '\n';
+    std::size_t last = 0;               // where the first line of the last atom begins
     std::vector<std::size_t> pieces{};  // where the first line of each atom_lines_a_piece begins; of the wanted frame alone
 
     // At a piece's first line.
@@ -81,9 +82,17 @@ class FrameFinder {
 public:
     explicit FrameFinder(const TextSource& source) : source_(source), walker_(source.text, line_end_of(source.text)) {}
 
+    const TextSource& source() const { return source_; }
     bool at_end() const { return walker_.at_end(); }
     // Where the next line begins.
     std::size_t offset() const { return walker_.offset(); }
+
+    // Whether the line, the text's last one, holds all that the line of an atom of the frame does. Finders that can tell have their
+    // own.
+    template <typename Frame>
+    bool holds_atom(const Frame&, std::string_view) const {
+        return true;
+    }
 
 protected:
     bool nothing_follows() const { return source_.text.find_first_not_of(white_space, offset()) == std::string_view::npos; }
@@ -116,6 +125,17 @@ private:
     std::string of_frame_{};
 };
 
+// Of the text's last frame, whose last line has no line end: what is wrong where it is an atom's line and not whole; else "". A
+// program that was ended while it wrote leaves half a line.
+template <typename Finder>
+std::string fault_of_last_line(const TextSource& source, const Finder& finder, const typename Finder::Frame& frame,
+                               std::int64_t number) {
+    const std::string_view line = last_line(source.text);
+    if (!finder.at_end() || line.empty() || finder.holds_atom(frame, line)) return "";
+    return source.place(source.text.size()) + "the text ends, expected the whole line of the last atom of frame " +
+           std::to_string(number);
+}
+
 // Reads the wanted frame, by read_frame(frame), which gives SphereData. beginning: what an empty text lacks. A fault behind the
 // wanted frame is only warned of: what follows is passed over. Throws what `finder` throws, and InputError where there is no such
 // frame.
@@ -135,7 +155,15 @@ SphereData read_wanted_frame(const TextSource& source, const DataOptions& option
             fault = early_end(error.what(), frames);
             break;
         }
-        if (frames == options.frame) wanted = std::move(frame);
+        const std::string cut = fault_of_last_line(source, finder, frame, frames);
+        if (frames > options.frame && !cut.empty()) {
+            fault = early_end(cut, frames);
+            break;
+        }
+        if (frames == options.frame) {
+            wanted = std::move(frame);
+            fault = cut;
+        }
         ++frames;
     }
     if (frames == 0) source.fail(source.text.size(), std::string("the text is empty, expected ") + beginning + " of frame 0");
@@ -152,6 +180,8 @@ std::optional<std::size_t> step_over_frame(Finder& finder, bool ended, std::int6
     try {
         typename Finder::Frame frame;
         const bool found = finder.next(frame, number, false);
+        const std::string fault = ended && found && number > 0 ? fault_of_last_line(finder.source(), finder, frame, number) : "";
+        if (!fault.empty()) throw TextEnds(fault);
         if (finder.at_end() && !ended) return std::nullopt;  // a line that belongs to the frame may follow
         return found ? finder.offset() : 0;
     } catch (const TextEnds&) {
@@ -174,6 +204,7 @@ struct LineAtom {
     Sphere sphere{};
     std::string_view label{};  // what the atom's name is made of
     bool is_virtual = false;   // no atom (elements.hpp)
+    bool is_nowhere = false;   // its place is not known: it is left out
 };
 
 // Gives the atom its element's size and colour.
@@ -184,6 +215,7 @@ struct Atoms {
     std::vector<Sphere> spheres{};
     std::vector<std::string_view> labels{};    // none of more than most_named_atoms
     std::vector<std::size_t> virtual_sites{};  // their numbers, ascending
+    std::vector<std::size_t> nowhere{};        // likewise
     FileProperties properties{};
 };
 
@@ -195,7 +227,11 @@ Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, const Ma
     Atoms atoms;
     atoms.spheres.resize(lines.count);
     atoms.labels.resize(lines.count <= most_named_atoms ? lines.count : 0);
-    std::vector<std::vector<std::size_t>> virtual_sites(lines.pieces.size());
+    struct Numbers {
+        std::vector<std::size_t> virtual_sites{};
+        std::vector<std::size_t> nowhere{};
+    };
+    std::vector<Numbers> numbers(lines.pieces.size());
     parallel_in_order(lines.pieces.size(), [&](std::size_t piece) {
         auto reader = make_reader(piece);
         LineWalker walker = lines.walker(source, piece);
@@ -205,11 +241,13 @@ Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, const Ma
             const LineAtom atom = reader.read(lines.step(source, walker), i);
             atoms.spheres[i] = atom.sphere;
             if (!atoms.labels.empty()) atoms.labels[i] = atom.label;
-            if (atom.is_virtual) virtual_sites[piece].push_back(i);
+            if (atom.is_virtual) numbers[piece].virtual_sites.push_back(i);
+            if (atom.is_nowhere) numbers[piece].nowhere.push_back(i);
         }
     });
-    for (const auto& of_piece : virtual_sites) {
-        atoms.virtual_sites.insert(atoms.virtual_sites.end(), of_piece.begin(), of_piece.end());
+    for (const Numbers& of_piece : numbers) {
+        atoms.virtual_sites.insert(atoms.virtual_sites.end(), of_piece.virtual_sites.begin(), of_piece.virtual_sites.end());
+        atoms.nowhere.insert(atoms.nowhere.end(), of_piece.nowhere.begin(), of_piece.nowhere.end());
     }
     return atoms;
 }

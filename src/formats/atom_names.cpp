@@ -31,7 +31,6 @@ constexpr auto plain_symbols =
 static_assert(std::ranges::is_sorted(waters) && std::ranges::is_sorted(amino_acids) && std::ranges::is_sorted(nucleotides) &&
               std::ranges::is_sorted(plain_symbols));
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::string_view letters_of(std::string_view text) {
@@ -51,6 +50,15 @@ bool holds(const Words& words, std::string_view word) {
 
 bool is_equal(std::string_view a, std::string_view b) { return a.size() == b.size() && std::ranges::equal(a, b, {}, upper, upper); }
 
+// A Drude particle has the name of its atom behind the D, deuterium that of a hydrogen.
+bool is_drude_particle(std::string_view name) {
+    const std::string of_atom = upper_case(letters_of(name.substr(1)));
+    if (of_atom.empty()) return false;
+    constexpr std::size_t letters_of_ion = 3;  // LIT, BAR
+    return std::string_view("CFINOPS").find(of_atom[0]) != std::string_view::npos ||
+           holds(plain_symbols, std::string_view(of_atom)) || (of_atom.size() == letters_of_ion && find_ion(of_atom) != nullptr);
+}
+
 const Element& known(const Element* element) { return element == nullptr ? unknown_element() : *element; }
 
 // Of the atom that is its whole residue; null where it is not.
@@ -63,6 +71,9 @@ const Element* element_of_ion(std::string_view name, std::string_view residue) {
         const Element* element = letters.size() == 3 ? find_ion(letters) : nullptr;
         return element != nullptr && element == find_element(of_residue) ? element : nullptr;
     }
+    // AMBER's types of sodium and chloride, and its residue of sodium.
+    if (is_equal(letters, "IP") || is_equal(letters, "CIO")) return find_element("Na");
+    if (is_equal(letters, "IM")) return find_element("Cl");
     return find_ion(letters);
 }
 
@@ -70,11 +81,7 @@ const Element* element_of_ion(std::string_view name, std::string_view residue) {
 const Element& element_of_organic(std::string_view name, bool water) {
     switch (upper(name[0])) {
         case 'H': return *find_element("H");
-        case 'D':
-            // A Drude particle has the name of its atom behind the D, deuterium that of a hydrogen.
-            return name.size() > 1 && std::string_view("CFINOPS").find(upper(name[1])) != std::string_view::npos
-                       ? virtual_site()
-                       : *find_element("D");
+        case 'D': return is_drude_particle(name) ? virtual_site() : *find_element("D");
         case 'O': return water && is_equal(name, "OM") ? virtual_site() : *find_element("O");
         case 'S': return *find_element(is_equal(name, "SE") ? "Se" : "S");
         case 'C':
@@ -123,15 +130,29 @@ const Element& dummy_in(std::string_view residue) {
     return residue == "UNX" || residue == "UNL" ? unknown_element() : virtual_site();
 }
 
+const Element& element_of_site(std::string_view label) {
+    const std::string_view letters = letters_of(label);
+    constexpr std::string_view water = "WAT";
+    if (is_equal(letters.substr(0, water.size()), water)) {
+        const bool is_hydrogen = letters.size() > water.size() && upper(letters[water.size()]) == 'H';
+        return *find_element(is_hydrogen ? "H" : "O");
+    }
+    const char first = letters.empty() ? ' ' : upper(letters[0]);
+    if (letters.size() == 1 && (first == 'M' || first == 'X')) return unknown_element();
+    if (first == 'T') return known(letters.size() > 1 ? find_element(letters.substr(0, 2)) : nullptr);  // no crystal has tritium
+    if (first == 'D' && !is_two_letter_symbol(label)) return *find_element("D");                        // nor Drude particles
+    return element_of_name(label, "", NameColumns::unknown);
+}
+
 const Element& element_of_name(std::string_view name, std::string_view residue, NameColumns columns) {
     const std::string_view all = trimmed(name, " ");
     if (residue == "DUM") return virtual_site();  // what marks a membrane's planes
     if (const Element* ion = element_of_ion(all, residue)) return *ion;
 
-    // Old files put the number of a hydrogen first: 1HB.
-    std::string_view word = all;
-    while (!word.empty() && is_digit(word[0])) word.remove_prefix(1);
-    if (word.empty()) return unknown_element();
+    // Old files put the number of a hydrogen first, or its quotes: 1HB, 'H5'.
+    const std::size_t begin = all.find_first_not_of("0123456789'\"*");
+    if (begin == std::string_view::npos) return unknown_element();
+    const std::string_view word = all.substr(begin);
     const bool water = is_water(residue);
     if (water || is_polymer(residue)) return element_of_organic(word, water);
 

@@ -25,6 +25,10 @@ bool is_ion(std::string_view name, std::string_view residue);
 // What a dummy's name, or its symbol, stands for in a residue: in UNX and UNL, X is an atom of which nobody knows the element.
 const Element& dummy_in(std::string_view residue);
 
+// The element of a crystal's site by its label alone: "CaM2", "Wat1" (the oxygen of water), "AlT1". T, M and X are sites of which
+// only the file's author knows the element.
+const Element& element_of_site(std::string_view label);
+
 // The element of an atom by its name, its residue and how the names are written. `name`: four columns where they are aligned.
 // Amino acids, nucleotides and water hold no metal, so CA is carbon there; an ion has its residue's name. What is no atom (MW, EPW,
 // LP1, the Drude particle DOH2, atoms of the residue DUM) is the virtual site.

@@ -12,6 +12,8 @@ glm::dvec3 Cell::place(const glm::dvec3& parts) const {
     return {along(0), along(1), along(2)};
 }
 
+bool Cell::has_right_angles() const { return a.y == 0.0 && a.z == 0.0 && b.x == 0.0 && b.z == 0.0 && c.x == 0.0 && c.y == 0.0; }
+
 double Cell::volume() const {
     return (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z)) + a.z * (b.x * c.y - b.y * c.x);
 }

@@ -16,6 +16,9 @@ struct Cell {
     // Where a place lies that is given in parts of the edges: the same double on every machine, by * and + in a fixed order.
     glm::dvec3 place(const glm::dvec3& parts) const;
 
+    // Whether the edges lie along x, y and z.
+    bool has_right_angles() const;
+
     // Below 0 for a left-handed cell.
     double volume() const;
 };

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "formats/cif_fault.hpp"
+#include "formats/csv_values.hpp"
 #include "formats/lines.hpp"
 
 namespace sphereview {
@@ -67,6 +68,9 @@ inline double number_in(const std::string& value) {
     const double number = gemmi::cif::as_number(value);
     return std::isfinite(number) ? number : gemmi::cif::as_number(gemmi::cif::as_string(value));
 }
+
+// Whether the value says that there is no number: ? or a point, or what programs write for it (csv_values.hpp).
+inline bool is_without_number(const std::string& value) { return gemmi::cif::is_null(value) || is_missing(without_quotes(value)); }
 
 // The text of a value of a table that may lack it; "" where it does, or says ? or a point.
 inline std::string_view text_of(const gemmi::cif::Table::Row& row, std::size_t column) {

@@ -24,10 +24,10 @@ namespace {
 
 namespace cif = gemmi::cif;
 
-enum class SiteColumn : std::size_t { x, y, z, label, type_symbol, assembly, group, occupancy, u_iso };
+enum class SiteColumn : std::size_t { x, y, z, label, type_symbol, assembly, group, occupancy, u_iso, calc_flag };
 constexpr std::string_view site_columns =
     "fract_x fract_y fract_z ?label ?type_symbol ?disorder_assembly ?disorder_group ?occupancy "
-    "?U_iso_or_equiv";
+    "?U_iso_or_equiv ?calc_flag";
 
 // Images of one atom that are nearer to each other are the same: the atom lies on an element of symmetry, and its numbers are
 // rounded. In angstrom, as gemmi has it.
@@ -36,20 +36,35 @@ constexpr double same_place = 0.4;
 // Twice as many as any space group has.
 constexpr std::size_t most_operations = 384;
 
+// Of the tags the first that the block gives a value; null where it has none of them, or says ? or a point.
 const cif::Item* pair_of(const cif::Block& block, std::initializer_list<const char*> tags) {
     for (const char* tag : tags) {
-        if (const cif::Item* item = block.find_pair_item(tag)) return item;
+        const cif::Item* item = block.find_pair_item(tag);
+        if (item != nullptr && !cif::is_null(item->pair[1])) return item;
     }
     return nullptr;
 }
 
-// Nothing where the block has none of the tags, or says ? or a point.
+// Nothing where the block has none.
 std::optional<double> number_of(const TextSource& source, const cif::Block& block, std::initializer_list<const char*> tags) {
     const cif::Item* item = pair_of(block, tags);
-    if (item == nullptr || cif::is_null(item->pair[1])) return std::nullopt;
+    if (item == nullptr) return std::nullopt;
     const double number = cif::as_number(cif::as_string(item->pair[1]));
     if (!std::isfinite(number)) fail_at_value(source, *item, found_expected(item->pair[1], item->pair[0] + ", a number"));
     return number;
+}
+
+struct CellAngles {
+    double alpha, beta, gamma;
+};
+
+CellAngles angles_in(const TextSource& source, const cif::Block& block) {
+    const auto angle = [&](const char* tag, const char* other) {
+        constexpr double right = 90.0;
+        return number_of(source, block, {tag, other}).value_or(right);
+    };
+    return {angle("_cell_angle_alpha", "_cell.angle_alpha"), angle("_cell_angle_beta", "_cell.angle_beta"),
+            angle("_cell_angle_gamma", "_cell.angle_gamma")};
 }
 
 Cell cell_in(const TextSource& source, const cif::Block& block, const cif::Item& atoms) {
@@ -63,12 +78,9 @@ Cell cell_in(const TextSource& source, const cif::Block& block, const cif::Item&
         if (!(*number > 0.0)) fail_at_value(source, item, found_expected(item.pair[1], item.pair[0] + " above 0"));
         return *number;
     };
-    constexpr double right = 90.0;
     const glm::dvec3 lengths = {length({"_cell_length_a", "_cell.length_a"}), length({"_cell_length_b", "_cell.length_b"}),
                                 length({"_cell_length_c", "_cell.length_c"})};
-    const double alpha = number_of(source, block, {"_cell_angle_alpha", "_cell.angle_alpha"}).value_or(right);
-    const double beta = number_of(source, block, {"_cell_angle_beta", "_cell.angle_beta"}).value_or(right);
-    const double gamma = number_of(source, block, {"_cell_angle_gamma", "_cell.angle_gamma"}).value_or(right);
+    const auto [alpha, beta, gamma] = angles_in(source, block);
     const std::optional<Cell> cell = cell_of(lengths, alpha, beta, gamma);
     if (cell) return *cell;
     fail_at_tag(source, *pair_of(block, {"_cell_length_a", "_cell.length_a"}),
@@ -101,21 +113,108 @@ struct SymmetryOperation {
     }
 };
 
+// gemmi has no decimals in operations: 0.5+x as 12/24+x. Nothing where a number is far from a 24th, of which all shifts are made.
+std::optional<std::string> with_fractions(std::string_view triplet) {
+    constexpr double unit = gemmi::Op::DEN;
+    constexpr double rounded = 0.17;  // 0.66, 0.67 and 0.33 are thirds
+    constexpr double most = 100.0;
+    std::string result;
+    while (!triplet.empty()) {
+        const std::size_t end = std::min(triplet.find_first_not_of("0123456789."), triplet.size());
+        const std::string_view number = triplet.substr(0, end);
+        double value = 0.0;
+        if (number.find('.') == std::string_view::npos) {
+            result += triplet.substr(0, std::max<std::size_t>(1, end));
+        } else if (parse_double(number, value) == NumberFault::none && value < most &&
+                   std::abs(unit * value - std::round(unit * value)) < rounded) {
+            result += std::to_string(std::lround(unit * value)) + "/" + std::to_string(gemmi::Op::DEN);
+        } else {
+            return std::nullopt;
+        }
+        triplet.remove_prefix(std::max<std::size_t>(1, end));
+    }
+    return result;
+}
+
 // "x,y,z" of long numbers would be beyond what gemmi's numbers hold.
-std::optional<gemmi::Op> operation_in(const std::string& triplet) {
+std::optional<gemmi::Op> operation_in(const std::string& text) {
     constexpr std::size_t longest = 64;
-    constexpr std::size_t most_digits = 3;
+    if (text.size() > longest) return std::nullopt;
+    const std::optional<std::string> triplet = with_fractions(text);
+    if (!triplet) return std::nullopt;
+    constexpr std::size_t most_digits = 4;
     std::size_t digits = 0;
-    for (const char c : triplet) {
+    for (const char c : *triplet) {
         digits = c >= '0' && c <= '9' ? digits + 1 : 0;
         if (digits > most_digits) return std::nullopt;
     }
-    if (triplet.size() > longest) return std::nullopt;
     try {
-        return gemmi::parse_triplet(triplet);
+        return gemmi::parse_triplet(*triplet);
     } catch (const std::runtime_error&) {
         return std::nullopt;
     }
+}
+
+std::vector<SymmetryOperation> operations_of(const gemmi::GroupOps& group) {
+    std::vector<SymmetryOperation> operations;
+    for (const gemmi::Op& op : group) operations.emplace_back(op);
+    return operations;
+}
+
+// By a symbol of Hall; none where it is none.
+std::vector<SymmetryOperation> operations_of_hall(const std::string& symbol) {
+    try {
+        return operations_of(gemmi::symops_from_hall(symbol.c_str()));
+    } catch (const std::runtime_error&) {
+        return {};
+    }
+}
+
+// By the name or the number of the space group; none where it is unknown. The angles tell of which cell R is meant: of the
+// rhombohedral one all are equal.
+std::vector<SymmetryOperation> operations_of_group(const std::string& name, const CellAngles& angles) {
+    const gemmi::SpaceGroup* group = gemmi::find_spacegroup_by_name(name, angles.alpha, angles.gamma);
+    // gemmi does not look at them where it finds the group by its number.
+    if (group != nullptr && is_digits(name)) group = gemmi::find_spacegroup_by_name(group->hm, angles.alpha, angles.gamma);
+    return group == nullptr ? std::vector<SymmetryOperation>() : operations_of(group->operations());
+}
+
+// What the block says of its space group, the plainest first: Hall's symbol tells the origin and the axes, which a number leaves
+// open. Of what is unknown a warning tells. None where the block says nothing.
+std::vector<SymmetryOperation> operations_of_named_group(const TextSource& source, const cif::Block& block,
+                                                         std::vector<std::string>& warnings) {
+    constexpr std::size_t longest_name = 48;
+    const cif::Item* unknown = nullptr;
+    const cif::Item* hall = pair_of(block, {"_space_group_name_Hall", "_space_group.name_Hall", "_symmetry_space_group_name_Hall",
+                                            "_symmetry.space_group_name_Hall"});
+    const cif::Item* name = pair_of(block, {"_space_group_name_H-M_alt", "_space_group.name_H-M_alt",
+                                            "_symmetry_space_group_name_H-M", "_symmetry.space_group_name_H-M"});
+    const cif::Item* number = pair_of(
+        block, {"_space_group_IT_number", "_space_group.IT_number", "_symmetry_Int_Tables_number", "_symmetry.Int_Tables_number"});
+    for (const cif::Item* item : {hall, name, number}) {
+        if (item == nullptr) continue;
+        const std::string text = cif::as_string(item->pair[1]);
+        std::vector<SymmetryOperation> operations;
+        if (text.size() <= longest_name) {
+            operations = item == hall ? operations_of_hall(text) : operations_of_group(text, angles_in(source, block));
+        }
+        if (!operations.empty()) {
+            if (unknown != nullptr) {
+                warnings.push_back(
+                    at_value(source, *unknown,
+                             found_expected(cif::as_string(unknown->pair[1]), "a space group that is known; that of ") +
+                                 item->pair[0] + " is taken"));
+            }
+            return operations;
+        }
+        if (unknown == nullptr) unknown = item;
+    }
+    if (unknown != nullptr) {
+        warnings.push_back(at_value(source, *unknown,
+                                    found_expected(cif::as_string(unknown->pair[1]),
+                                                   "a space group that is known; only the atoms that are listed are shown")));
+    }
+    return {};
 }
 
 // As the block lists them, or as its space group has them. None where the block says nothing of symmetry.
@@ -143,21 +242,7 @@ std::vector<SymmetryOperation> operations_in(const TextSource& source, cif::Bloc
         }
         if (!operations.empty()) return operations;
     }
-    const cif::Item* named =
-        pair_of(block, {"_space_group_name_H-M_alt", "_space_group.name_H-M_alt", "_symmetry_space_group_name_H-M",
-                        "_symmetry.space_group_name_H-M", "_space_group_IT_number", "_space_group.IT_number",
-                        "_symmetry_Int_Tables_number", "_symmetry.Int_Tables_number"});
-    if (named == nullptr || cif::is_null(named->pair[1])) return operations;
-    constexpr std::size_t longest_name = 32;
-    const std::string name = cif::as_string(named->pair[1]);
-    const gemmi::SpaceGroup* group = name.size() <= longest_name ? gemmi::find_spacegroup_by_name(name) : nullptr;
-    if (group == nullptr) {
-        warnings.push_back(at_value(source, *named,
-                                    found_expected(name, "a space group that is known; only the atoms that are listed are shown")));
-        return operations;
-    }
-    for (const gemmi::Op& op : group->operations()) operations.emplace_back(op);
-    return operations;
+    return operations_of_named_group(source, block, warnings);
 }
 
 std::string_view site_text(const cif::Table::Row& row, SiteColumn column) { return text_of(row, static_cast<std::size_t>(column)); }
@@ -205,9 +290,10 @@ void find_places(const Cell& cell, const std::vector<SymmetryOperation>& operati
     }
 }
 
-const Element& element_of(std::string_view symbol, std::string_view name) {
-    if (!symbol.empty()) return element_of_species(symbol);
-    return element_of_name(name, "", NameColumns::unknown);
+const Element& element_of(const cif::Table::Row& row, std::string_view label) {
+    if (lower_case(site_text(row, SiteColumn::calc_flag)) == "dum") return virtual_site();
+    const std::string_view symbol = site_text(row, SiteColumn::type_symbol);
+    return symbol.empty() ? element_of_site(label) : element_of_species(symbol);
 }
 
 }  // namespace
@@ -245,7 +331,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
         for (std::size_t axis = 0; axis < 3; ++axis) {
             const std::string& value = row[axis];
             const double number = number_in(value);
-            if (!std::isfinite(number) && !cif::is_null(value)) {
+            if (!std::isfinite(number) && !is_without_number(value)) {
                 fail_at_value(source, row, axis,
                               found_expected(value, std::string("fract_") + "xyz"[axis] + " of atom " +
                                                         std::to_string(row.row_index + 1) + " of the table, a number"));
@@ -262,7 +348,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
             continue;
         }
         const std::string_view name = site_text(row, SiteColumn::label);
-        const Element& element = element_of(site_text(row, SiteColumn::type_symbol), name);
+        const Element& element = element_of(row, name);
         check_cancelled();  // many atoms and many operations take seconds
         find_places(cell, operations, parts, places);
         if (atoms.spheres.size() + places.size() > most_spheres) {
@@ -279,7 +365,7 @@ SphereData read_crystal(const TextSource& source, cif::Table& table, const DataO
             atoms.spheres.push_back({.center = center, .radius = radius_of(element, options), .color = element.color});
             if (wants_values) {
                 properties.add([&](std::size_t value) -> std::string_view {
-                    if (value == element_place) return element.symbol.empty() ? name : element.symbol;
+                    if (value == element_place) return symbol_or_name(element, name);
                     if (value == atom_place) return name;
                     // Numbers may have their uncertainty in brackets.
                     const std::string_view number =

@@ -31,9 +31,13 @@ const Element& virtual_site();
 
 inline bool is_virtual(const Element& element) { return &element == &virtual_site(); }
 
-// Whether `species` is what programs call that: X, Xx, Bq, Gh(O), @O, O_ghost, Du, LP, EP, M, MW, Tv (a vector of the lattice), or
-// the atomic number 0.
+// Whether `species` is what programs call that: X, Xx, Bq, O-Bq, O:, Gh(O), @O, O_ghost, Du, LP, EP, M, MW, Tv (a vector of the
+// lattice), or the atomic number 0.
 bool is_dummy(std::string_view species);
+
+// What a file's atom of that element is called among the elements: by the symbol, or where there is none by its name. A virtual
+// site with the name of an atom is X.
+std::string_view symbol_or_name(const Element& element, std::string_view name);
 
 // What files call an atom: a symbol, a symbol with more behind its letters ("C1", "Fe2+", "O_w"), two letters of which the first
 // is a symbol ("OW", "CG1"), an ion of CHARMM ("SOD"), or an atomic number; the virtual site for what is_dummy(). Else the unknown

@@ -44,10 +44,19 @@ public:
         begin_frame(number);
         frame.title = walker_.step();
         const std::size_t count = step_over_count();
+        width_ = at_end() ? 0 : width_of_places(LineWalker(walker_).step());
         frame.atoms = step_over(count, wanted);
         if (!at_end()) walker_.step();  // the box
         return true;
     }
+
+    // The columns of places are full: a line that ends before is cut.
+    bool holds_atom(const GroFrame& frame, std::string_view line) const {
+        return frame.atoms.count == 0 || source_.offset_of(line) != frame.atoms.last || line.size() >= names_end + 3 * width_;
+    }
+
+private:
+    std::size_t width_ = 0;  // of a place in the frame's first line
 };
 
 // Reads the lines of one piece.
@@ -115,8 +124,8 @@ FileProperties read_gro_properties(const TextSource& source, const AtomLines& li
     const auto split = [&](std::string_view line, std::size_t, std::size_t, std::vector<std::string_view>& fields) {
         const std::string_view residue = in_columns(line, 5, 10);
         const std::string_view atom = in_columns(line, 10, 15);
-        const std::string_view symbol = element_of_name(atom, residue, NameColumns::unknown).symbol;
-        fields.insert(fields.end(), {symbol.empty() ? atom : symbol, atom, residue, in_columns(line, 0, 5)});
+        const std::string_view symbol = symbol_or_name(element_of_name(atom, residue, NameColumns::unknown), atom);
+        fields.insert(fields.end(), {symbol, atom, residue, in_columns(line, 0, 5)});
         for (std::size_t at = velocities; at < velocities + 3 * width; at += width) {
             fields.push_back(in_columns(line, at, at + width));
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -31,9 +32,12 @@ struct DumpColumn {
 struct DumpColumns {
     std::vector<DumpColumn> columns{};
     std::vector<PropertyColumn> properties{};  // all but the places that are drawn
-    bool scaled = false;                       // places are parts of the box's edges
+    std::array<bool, 3> scaled{};              // x, y and z are parts of the box's edges
 
     bool has(DumpField field) const { return std::ranges::find(columns, field, &DumpColumn::field) != columns.end(); }
+    bool is_scaled() const { return std::ranges::find(scaled, true) != scaled.end(); }
+    // Where z is missing it is 0, whatever the others are.
+    bool is_mixed() const { return scaled[0] != scaled[1] || (has(DumpField::z) && scaled[1] != scaled[2]); }
 };
 
 // A style of units of LAMMPS, and its unit of time.
@@ -58,6 +62,13 @@ std::optional<std::string_view> item_in(std::string_view line) {
     line = trimmed(line, white_space);
     if (!line.starts_with(item_head)) return std::nullopt;
     return trimmed(line.substr(item_head.size()), white_space);
+}
+
+// What the head of the atoms names; old dumps name nothing.
+std::vector<std::string_view> names_of_columns(std::string_view head) {
+    auto names = words_of(head.substr(head.find(item_head) + item_head.size(), longest_item));
+    names.erase(names.begin());  // ATOMS
+    return names;
 }
 
 class DumpFinder : public FrameFinder {
@@ -104,6 +115,12 @@ public:
         return false;
     }
 
+    // A line that has fewer words than there are columns is cut.
+    bool holds_atom(const DumpFrame& frame, std::string_view line) const {
+        if (frame.atoms.count == 0 || source_.offset_of(line) != frame.atoms.last) return true;
+        return words_of(line).size() >= names_of_columns(frame.columns).size();
+    }
+
 private:
     // LAMMPS writes them once, at the beginning.
     void note_units(std::string_view name) {
@@ -120,13 +137,11 @@ std::optional<FrameTime> time_of_dump(const DumpFrame& frame) {
     return frame_time(frame.time, frame.units > 0 && frame.units <= dump_units.size() ? dump_units[frame.units - 1].time : "");
 }
 
-// Which columns the head of the atoms names. Of several kinds of places the first is taken: as they are, in parts of the box, and
-// the same two without the jumps at its walls.
-DumpColumns dump_columns(const TextSource& source, std::string_view head) {
+// Which columns the head of the atoms names. Of several kinds of places the first is taken of which all are there: as they are, in
+// parts of the box, and the same two without the jumps at its walls; else of each axis the first.
+DumpColumns dump_columns(const TextSource& source, std::string_view head, const std::vector<std::string_view>& names) {
     constexpr auto kinds = std::to_array<std::array<std::string_view, 3>>(
         {{"x", "y", "z"}, {"xs", "ys", "zs"}, {"xu", "yu", "zu"}, {"xsu", "ysu", "zsu"}});
-    auto names = words_of(head.substr(head.find(item_head) + item_head.size(), longest_item));
-    names.erase(names.begin());  // ATOMS
     const auto place_of = [&](std::string_view name) {
         return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     };
@@ -139,22 +154,27 @@ DumpColumns dump_columns(const TextSource& source, std::string_view head) {
     const auto is_whole = [&](const std::array<std::string_view, 3>& kind) {
         return std::ranges::all_of(kind, [&](std::string_view name) { return place_of(name) < names.size(); });
     };
-    const auto kind = std::ranges::find_if(kinds, is_whole);
-    if (kind == kinds.end()) {
+    const auto whole = std::ranges::find_if(kinds, is_whole);
+    std::array<std::string_view, 3> places{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto has_axis = [&](const auto& kind) { return place_of(kind[axis]) < names.size(); };
+        const auto kind = whole != kinds.end() ? whole : std::ranges::find_if(kinds, has_axis);
+        if (kind == kinds.end()) continue;
+        places[axis] = (*kind)[axis];
+        found.scaled[axis] = (kind - kinds.begin()) % 2 == 1;
+        add(std::array{DumpField::x, DumpField::y, DumpField::z}[axis], places[axis]);
+    }
+    if (places[0].empty() || places[1].empty()) {
         source.fail_at(trimmed(head, white_space),
                        "found no places among the columns, expected x y z, xs ys zs, xu yu zu or xsu ysu zsu");
     }
-    found.scaled = (kind - kinds.begin()) % 2 == 1;
-    add(DumpField::x, (*kind)[0]);
-    add(DumpField::y, (*kind)[1]);
-    add(DumpField::z, (*kind)[2]);
     add(DumpField::id, "id");
     add(DumpField::element, "element");
     add(DumpField::type, "type");
     if (!add(DumpField::radius, "radius")) add(DumpField::diameter, "diameter");
     std::ranges::sort(found.columns, {}, &DumpColumn::place);
     for (std::size_t i = 0; i < names.size(); ++i) {
-        if (std::ranges::find(*kind, names[i]) != kind->end()) continue;
+        if (std::ranges::find(places, names[i]) != places.end()) continue;
         const PropertyKind of_values = names[i] == "element" ? PropertyKind::element
                                        : names[i] == "type"  ? PropertyKind::words
                                                              : PropertyKind::found;
@@ -168,6 +188,22 @@ DumpColumns dump_columns(const TextSource& source, std::string_view head) {
         }
     }
     return found;
+}
+
+// Of old dumps, which name no columns: as they were written by default, unless a place is far outside of the box.
+std::vector<std::string_view> unnamed_columns(const TextSource& source, const AtomLines& lines) {
+    constexpr double far = 2.0;  // atoms may be a little outside
+    LineWalker walker = lines.walker(source, 0);
+    for (std::size_t i = 0; i < std::min(lines.count, atom_lines_a_piece); ++i) {
+        std::vector<std::string_view> words;
+        split_line(walker.step(), 5, words);
+        for (std::size_t axis = 2; axis < words.size(); ++axis) {
+            double place = 0.0;
+            if (parse_any_double(words[axis], place) == NumberFault::none && std::abs(place) > far)
+                return {"id", "type", "x", "y", "z"};
+        }
+    }
+    return {"id", "type", "xs", "ys", "zs"};
 }
 
 // Reads the lines of a box: its lowest and highest x, y and z, and the tilts xy, xz and yz where the box is none with right angles,
@@ -209,8 +245,8 @@ Cell read_box(const TextSource& source, std::string_view head, char line_end) {
     return box;
 }
 
-// Colours for types that are nothing but numbers, which people with colour-blindness can tell apart (Okabe and Ito 2008).
-Color color_of_type(std::string_view type) {
+// Colours for types that are no elements, which people with colour-blindness can tell apart (Okabe and Ito 2008). number: from 0.
+Color color_of_type(std::uint64_t number) {
     constexpr auto colors = std::to_array<Color>({{0xE6, 0x9F, 0x00},
                                                   {0x56, 0xB4, 0xE9},
                                                   {0x00, 0x9E, 0x73},
@@ -219,22 +255,34 @@ Color color_of_type(std::string_view type) {
                                                   {0xD5, 0x5E, 0x00},
                                                   {0xCC, 0x79, 0xA7},
                                                   {0xBB, 0xBB, 0xBB}});
-    std::uint64_t number = 0;
-    return parse_whole(type, number) && number > 0 ? colors[(number - 1) % colors.size()] : unknown_element().color;
+    return colors[number % colors.size()];
 }
 
 bool begins_with_letter(std::string_view word) { return !word.empty() && is_letter(word[0]); }
 
+// Whether there are atoms whose element is known, and others.
+struct SeenElements {
+    bool known = false;
+    bool unknown = false;
+};
+
 // Reads the lines of one piece.
 class DumpAtomReader {
 public:
-    // ids: one for each atom, or none.
+    // ids: one for each atom, or none. seen: what is met of elements.
     DumpAtomReader(const TextSource& source, const DumpColumns& columns, const Cell& box, std::size_t count,
-                   const DataOptions& options, std::vector<std::int64_t>& ids)
-        : source_(source), columns_(columns), box_(box), count_(count), options_(options), ids_(ids) {}
+                   const DataOptions& options, std::vector<std::int64_t>& ids, SeenElements& seen)
+        : source_(source),
+          columns_(columns),
+          has_z_(columns.has(DumpField::z)),
+          box_(box),
+          count_(count),
+          options_(options),
+          ids_(ids),
+          seen_(seen) {}
 
     LineAtom read(std::string_view line, std::size_t index) {
-        TokenReader reader(source_, line, parse_any_double);
+        TokenReader reader(source_, line, parse_or_nothing);
         const OfAtom the{index, count_};
         LineAtom atom;
         glm::dvec3& center = atom.sphere.center;
@@ -256,28 +304,75 @@ public:
                 case DumpField::diameter: radius = 0.5 * reader.number_or_0(the("diameter")); break;
             }
         }
-        if (columns_.scaled) center = box_.place(center);
+        atom.is_nowhere = !is_finite(center);
+        if (atom.is_nowhere) center = glm::dvec3(0.0);
+        set_place(center);
         require_finite(source_, line, center, index, count_);
         // Types may have labels, which often are elements.
         const bool is_number = element_name.empty() && !begins_with_letter(type);
         atom.label = element_name.empty() ? type : element_name;
-        show_as(atom, is_number ? unknown_element() : element_of_species(atom.label), options_);
+        const Element& element = is_number ? unknown_element() : element_of_species(atom.label);
+        if (!is_virtual(element)) {
+            bool& is_seen = &element == &unknown_element() ? seen_.unknown : seen_.known;
+            if (!is_seen) is_seen = true;  // other cores may write beside it: once only
+        }
+        show_as(atom, element, options_);
         if (radius > 0.0) atom.sphere.radius = radius;
-        if (is_number) atom.sphere.color = color_of_type(type);
+        std::uint64_t number = 0;
+        if (is_number && parse_whole(type, number) && number > 0) atom.sphere.color = color_of_type(number - 1);
         return atom;
     }
 
 private:
+    static bool is_finite(const glm::dvec3& place) {
+        return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
+    }
+
+    void set_place(glm::dvec3& center) const {
+        if (columns_.is_mixed()) {
+            const std::array<double, 3> edges = {box_.a.x, box_.b.y, box_.c.z};
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto at = static_cast<std::size_t>(axis);
+                if (columns_.scaled[at]) center[axis] = center[axis] * edges[at] + box_.corner[axis];
+            }
+        } else if (columns_.is_scaled()) {
+            center = box_.place(center);
+        }
+        if (!has_z_) center.z = 0.0;
+    }
+
     static constexpr std::int64_t lowest_id = std::numeric_limits<std::int64_t>::min();
     static constexpr std::int64_t highest_id = std::numeric_limits<std::int64_t>::max();
 
     const TextSource& source_;
     const DumpColumns& columns_;
+    bool has_z_;
     const Cell& box_;
     std::size_t count_;  // of the frame's atoms
     const DataOptions& options_;
     std::vector<std::int64_t>& ids_;
+    SeenElements& seen_;
 };
+
+// Gives the atoms, which are in the order of the lines, the colours of their labels, which are no elements: in alphabetical
+// order, so that they stay from frame to frame. place: of the labels' column.
+void color_by_label(Atoms& atoms, const TextSource& source, const AtomLines& lines, std::size_t place) {
+    std::map<std::string_view, std::uint64_t> numbers;
+    const auto each_label = [&](const auto& visit) {
+        if (lines.count == 0) return;
+        LineWalker walker = lines.walker(source, 0);
+        std::vector<std::string_view> words;
+        for (std::size_t i = 0; i < lines.count; ++i) {
+            words.clear();
+            split_line(walker.step(), place + 1, words);
+            if (begins_with_letter(words[place])) visit(i, words[place]);
+        }
+    };
+    each_label([&](std::size_t, std::string_view label) { numbers.emplace(label, 0); });
+    std::uint64_t next = 0;
+    for (auto& [label, number] : numbers) number = next++;
+    each_label([&](std::size_t i, std::string_view label) { atoms.spheres[i].color = color_of_type(numbers.at(label)); });
+}
 
 // Puts the atoms in the order of their ids, which many processors have mixed.
 void order_by_id(Atoms& atoms, const std::vector<std::int64_t>& ids) {
@@ -287,11 +382,13 @@ void order_by_id(Atoms& atoms, const std::vector<std::int64_t>& ids) {
     std::ranges::stable_sort(order, {}, [&](std::uint32_t i) { return ids[i]; });
     for (Property& property : atoms.properties.kept) property = values_of(property, order);
     std::vector<std::uint32_t> new_places;
-    if (!atoms.virtual_sites.empty()) {
+    if (!atoms.virtual_sites.empty() || !atoms.nowhere.empty()) {
         new_places.resize(order.size());
         for (std::size_t i = 0; i < order.size(); ++i) new_places[order[i]] = static_cast<std::uint32_t>(i);
-        for (std::size_t& site : atoms.virtual_sites) site = new_places[site];
-        std::ranges::sort(atoms.virtual_sites);
+        for (std::vector<std::size_t>* numbers : {&atoms.virtual_sites, &atoms.nowhere}) {
+            for (std::size_t& number : *numbers) number = new_places[number];
+            std::ranges::sort(*numbers);
+        }
     }
     // In place, one ring of places after the other: twice the spheres would be much memory.
     for (std::size_t first = 0; first < order.size(); ++first) {
@@ -316,24 +413,36 @@ std::string name_of_dump_atom(std::string_view label) {
 
 SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
-    DumpColumns columns = dump_columns(source, frame.columns);
+    std::vector<std::string_view> names = names_of_columns(frame.columns);
+    if (names.empty() && count > 0) names = unnamed_columns(source, frame.atoms);
+    DumpColumns columns = dump_columns(source, frame.columns, names);
     const bool has_ids = columns.has(DumpField::id);
     const std::size_t bytes_of_order = has_ids ? sizeof(std::int64_t) + sizeof(std::uint32_t) : 0;
     require_memory_for_spheres(source.name, count, sizeof(Sphere) + bytes_of_order);
     Cell box;
-    if (columns.scaled) {
+    if (columns.is_scaled()) {
         if (!frame.box) source.fail_at(frame.columns, "found places in parts of a box, expected ITEM: BOX BOUNDS above them");
         box = read_box(source, *frame.box, frame.atoms.line_end);
+        if (columns.is_mixed() && !box.has_right_angles()) {
+            source.fail_at(frame.columns, "found places in parts of a tilted box beside others, expected all of one kind");
+        }
     }
     std::vector<std::int64_t> ids(has_ids ? count : 0);
-    const auto reader = [&](std::size_t) { return DumpAtomReader(source, columns, box, count, options, ids); };
-    bool has_elements = columns.has(DumpField::element);
-    if (count > 0 && !has_elements) {
-        has_elements = begins_with_letter(reader(0).read(frame.atoms.first_line(source), 0).label);
-    }
-    Atoms atoms = read_atom_lines(source, frame.atoms, reader);
-    // Labels of types often are elements.
+    std::vector<SeenElements> seen(frame.atoms.pieces.size());
+    Atoms atoms = read_atom_lines(source, frame.atoms, [&](std::size_t piece) {
+        return DumpAtomReader(source, columns, box, count, options, ids, seen[piece]);
+    });
+    // Labels of types often are elements; beside one that is none, B is no boron.
+    const bool has_known = std::ranges::any_of(seen, &SeenElements::known);
+    const bool has_unknown = std::ranges::any_of(seen, &SeenElements::unknown);
+    const bool has_elements = has_known && (columns.has(DumpField::element) || !has_unknown);
     const auto type = std::ranges::find(columns.columns, DumpField::type, &DumpColumn::field);
+    const auto element = std::ranges::find(columns.columns, DumpField::element, &DumpColumn::field);
+    const auto label = element != columns.columns.end() ? element : type;
+    if (!has_elements) {
+        atoms.virtual_sites.clear();  // X is a type, too
+        if (label != columns.columns.end()) color_by_label(atoms, source, frame.atoms, label->place);
+    }
     if (has_elements && !columns.has(DumpField::element) && type != columns.columns.end()) {
         add_column(columns.properties, "element", PropertyKind::element, type->place);
     }

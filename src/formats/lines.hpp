@@ -59,6 +59,12 @@ void split_line(std::string_view line, std::size_t most, std::vector<std::string
 bool is_number(std::string_view word);
 bool is_digits(std::string_view word);
 
+// For numbers that may be missing: the same as parse_any_double(), but NaN for what is not finite or stands for no number ("nan").
+NumberFault parse_or_nothing(std::string_view token, double& value);
+
+// What stands behind the last line end of a text: "" where it ends with one.
+std::string_view last_line(std::string_view text);
+
 // What stands in columns [begin, end) of a line, from 0, without blanks; "" behind the line's end.
 std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end);
 

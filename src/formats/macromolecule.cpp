@@ -1,7 +1,6 @@
 #include "formats/macromolecule.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -41,7 +40,8 @@ std::string name_of(const MoleculeAtom& atom) {
     if (!atom.chain.empty()) name.append(atom.chain) += '/';
     name.append(atom.residue);
     if (!atom.residue_number.empty()) (name += ' ') += atom.residue_number;
-    (name += '/').append(atom.atom);
+    if (!name.empty()) name += '/';
+    name.append(atom.atom);
     return as_utf8(name);
 }
 
@@ -139,7 +139,7 @@ MoleculeScene::MoleculeScene(std::size_t atoms, const DataOptions& options, cons
 void MoleculeScene::add_values(const MoleculeAtom& atom) {
     properties_.add([&](std::size_t field) -> std::string_view {
         switch (static_cast<MoleculeField>(field)) {
-            case MoleculeField::element: return atom.element->symbol.empty() ? atom.atom : atom.element->symbol;
+            case MoleculeField::element: return symbol_or_name(*atom.element, atom.atom);
             case MoleculeField::atom: return atom.atom;
             case MoleculeField::residue: return atom.residue;
             case MoleculeField::residue_number: return without_insertion_code(atom.residue_number);
@@ -173,18 +173,12 @@ void MoleculeScene::add(const MoleculeAtom& atom) {
 }
 
 SphereData MoleculeScene::take() {
-    std::vector<std::size_t> removed = surplus_places(std::move(places_));
-    std::vector<std::size_t> sites;
-    std::ranges::set_difference(virtual_sites_, removed, std::back_inserter(sites));
+    const std::vector<std::size_t> surplus = surplus_places(std::move(places_));
+    const std::vector<std::size_t> sites = numbers_without(virtual_sites_, surplus);
     SphereData data{std::move(scene_)};
     add_properties(data, properties_.take());
-    warn_of_virtual_sites(data, sites.size(), name_, options_);
-    if (!options_.virtual_sites) {
-        std::vector<std::size_t> all;
-        std::ranges::set_union(removed, sites, std::back_inserter(all));
-        removed = std::move(all);
-    }
-    remove_spheres(data.scene, removed);
+    remove_spheres(data.scene, surplus);
+    settle_virtual_sites(data, sites, name_, options_);
     return data;
 }
 

@@ -12,6 +12,7 @@
 #include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/atom_names.hpp"
+#include "formats/atoms.hpp"
 #include "formats/cif_fault.hpp"
 #include "formats/cif_values.hpp"
 #include "formats/crystal.hpp"
@@ -47,12 +48,18 @@ enum Column : std::size_t {
     occupancy,
     model,
     b_factor,
-    charge
+    charge,
+    calc_flag
 };
 constexpr std::string_view atom_columns =
     "Cartn_x Cartn_y Cartn_z ?type_symbol ?auth_atom_id ?label_atom_id ?auth_comp_id ?label_comp_id ?auth_asym_id ?label_asym_id "
     "?auth_seq_id ?label_seq_id ?pdbx_PDB_ins_code ?label_alt_id ?occupancy ?pdbx_PDB_model_num "
-    "?B_iso_or_equiv ?pdbx_formal_charge";
+    "?B_iso_or_equiv ?pdbx_formal_charge ?calc_flag";
+
+// The same columns of a core CIF whose places are no parts of a cell; what the table never has is -.
+constexpr const char* core_table = "_atom_site_";
+constexpr std::string_view core_columns =
+    "Cartn_x Cartn_y Cartn_z ?type_symbol ?label ?- ?- ?- ?- ?- ?- ?- ?- ?- ?occupancy ?- ?B_iso_or_equiv ?- ?calc_flag";
 
 struct ReadDocument {
     cif::Document document{};
@@ -95,7 +102,7 @@ cif::Table atoms_of(const TextSource& source, cif::Block& block) {
 
 // The columns of chemical components in the order of the others; what the table never has is -. A component is a model of its own.
 constexpr const char* component_table = "_chem_comp_atom.";
-constexpr std::string_view component_columns = " ?type_symbol ?atom_id ?- ?comp_id ?- ?- ?- ?- ?- ?- ?- ?- ?comp_id ?- ?charge";
+constexpr std::string_view component_columns = " ?type_symbol ?atom_id ?- ?comp_id ?- ?- ?- ?- ?- ?- ?- ?- ?comp_id ?- ?charge ?-";
 constexpr auto component_places =
     std::to_array<std::string_view>({"model_Cartn_x model_Cartn_y model_Cartn_z",
                                      "pdbx_model_Cartn_x_ideal pdbx_model_Cartn_y_ideal pdbx_model_Cartn_z_ideal", "x y z"});
@@ -140,9 +147,12 @@ AtomTables find_atoms(const TextSource& source, cif::Document& document) {
             continue;
         }
         const cif::Table crystal = crystal_atoms(block);
+        const cif::Table core = block.find(core_table, column_names(core_columns));
         const cif::Table component = component_atoms(block);
         if (crystal.ok() && crystal.length() > 0) {
             found.tables.push_back({crystal, true});
+        } else if (core.ok() && core.length() > 0) {
+            found.tables.push_back({core});
         } else if (component.ok() && component.length() > 0) {
             found.tables.push_back({component});
         } else if (any.ok() && found.fault.empty()) {
@@ -160,10 +170,11 @@ std::string_view first_of(const cif::Table::Row& row, Column column, Column othe
     return text.empty() ? text_of(row, other) : text;
 }
 
+// Not finite where the value says that there is none.
 double coordinate(const TextSource& source, const cif::Table::Row& row, Column column) {
     const std::string& value = row[column];
     const double number = number_in(value);
-    if (std::isfinite(number)) return number;
+    if (std::isfinite(number) || is_without_number(value)) return number;
     fail_at_value(source, row, column,
                   found_expected(value, std::string(1, "xyz"[column]) + " of atom " + std::to_string(row.row_index + 1) +
                                             " of the table, a number"));
@@ -208,7 +219,10 @@ void require_bounded_work(const TextSource& source) {
     }
 }
 
-const Element& element_of(std::string_view symbol, std::string_view atom, std::string_view residue) {
+const Element& element_of(const cif::Table::Row& row, std::string_view atom, std::string_view residue) {
+    if (lower_case(text_of(row, calc_flag)) == "dum") return virtual_site();
+    const std::string_view symbol = text_of(row, type_symbol);
+    if (symbol.empty() && residue.empty()) return element_of_site(atom);
     if (symbol.empty() || residue == "DUM") return element_of_name(atom, residue, NameColumns::unknown);
     const Element& element = element_of_species(symbol);
     return is_virtual(element) ? dummy_in(residue) : element;
@@ -220,7 +234,7 @@ MoleculeAtom atom_of(const TextSource& source, const cif::Table::Row& row, bool 
     atom.atom = first_of(row, auth_atom, label_atom);
     atom.chain = first_of(row, auth_chain, label_chain);
     atom.residue = first_of(row, auth_residue, label_residue);
-    atom.element = &element_of(text_of(row, type_symbol), atom.atom, atom.residue);
+    atom.element = &element_of(row, atom.atom, atom.residue);
     atom.residue_number = std::string(first_of(row, auth_number, label_number)).append(text_of(row, insertion_code));
     atom.alternative = text_of(row, alternative);
     if (row.has2(occupancy)) atom.occupancy = cif::as_number(row[occupancy], 1.0);
@@ -262,10 +276,23 @@ WantedModel find_model(std::vector<AtomTable>& tables, std::int64_t wanted) {
 
 SphereData read_model(const TextSource& source, cif::Table& table, const WantedModel& wanted, const DataOptions& options) {
     MoleculeScene scene(wanted.atoms, options, source.name);
+    std::size_t nowhere = 0;
     for (const auto row : table) {
-        if (text_of(row, model) == wanted.model) scene.add(atom_of(source, row, scene.wants_texts()));
+        if (text_of(row, model) != wanted.model) continue;
+        const MoleculeAtom atom = atom_of(source, row, scene.wants_texts());
+        const glm::dvec3& place = atom.position;
+        if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z)) {
+            scene.add(atom);
+        } else {
+            ++nowhere;
+        }
     }
-    return scene.take();
+    if (nowhere == wanted.atoms) {
+        fail_at_tag(source, first_item(table), "found atoms without places, expected Cartn_x, Cartn_y and Cartn_z as numbers");
+    }
+    SphereData data = scene.take();
+    warn_of_left_out(data, nowhere, source.name, "atom", "atoms");
+    return data;
 }
 
 }  // namespace

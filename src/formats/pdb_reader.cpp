@@ -81,12 +81,7 @@ public:
         for (int axis = 0; axis < 3; ++axis) atom.position[axis] = coordinate(line, axis);
         atom.atom = in_columns(line, 12, 16);
         atom.alternative = in_columns(line, 16, 17);
-        // Residues of four letters (TIP3) take the column of chains of two.
-        const std::string_view four = in_columns(line, 17, 21);
-        const bool has_four = line[20] == ' ' || line[21] == ' ' || is_water(four);
-        atom.residue = has_four ? four : in_columns(line, 17, 20);
-        atom.chain = has_four ? in_columns(line, 21, 22) : in_columns(line, 20, 22);
-        atom.residue_number = in_columns(line, 22, 27);  // with the insertion code, or a fifth digit
+        read_residue(line, atom);
         const std::string_view occupancy = in_columns(line, 54, 60);
         if (parse_double(occupancy, atom.occupancy) != NumberFault::none) atom.occupancy = 1.0;
         atom.element = &element_of(line.substr(12, 4), atom.residue, in_columns(line, 76, 78));
@@ -96,6 +91,32 @@ public:
     }
 
 private:
+    // Residues of four letters (TIP3) take the column of chains of two.
+    void read_residue(std::string_view line, MoleculeAtom& atom) {
+        const std::string_view four = in_columns(line, 17, 21);
+        const bool has_four = line[20] == ' ' || line[21] == ' ' || is_organic(four) || !has_chains_of_two();
+        atom.residue = has_four ? four : in_columns(line, 17, 20);
+        atom.chain = has_four ? in_columns(line, 21, 22) : in_columns(line, 20, 22);
+        atom.residue_number = in_columns(line, 22, 27);  // with the insertion code, or a fifth digit
+        // Behind four letters the fifth digit stands before the others.
+        if (has_four && line[20] != ' ' && is_digits(line.substr(21, 5))) {
+            atom.chain = "";
+            atom.residue_number = in_columns(line, 21, 27);
+        }
+    }
+
+    // Where the columns of both are full, residues of three letters show that they are chains'.
+    bool has_chains_of_two() {
+        if (has_chains_of_two_) return *has_chains_of_two_;
+        has_chains_of_two_ = false;
+        for (LineWalker lines(source_.text, line_end_of(source_.text)); !lines.at_end() && !*has_chains_of_two_;) {
+            const std::string_view line = lines.step();
+            if (!is_pdb_atom(line) || line.size() < 22 || line[20] == ' ' || line[21] == ' ') continue;
+            has_chains_of_two_ = line[17] == ' ' || (is_organic(in_columns(line, 17, 20)) && !is_organic(in_columns(line, 17, 21)));
+        }
+        return *has_chains_of_two_;
+    }
+
     double coordinate(std::string_view line, int axis) const {
         constexpr std::size_t width = 8;
         const std::size_t begin = 30 + width * static_cast<std::size_t>(axis);
@@ -122,7 +143,9 @@ private:
     }
 
     const TextSource& source_;
-    std::optional<NameStyles> styles_{};  // once they count
+    // Once they count:
+    std::optional<NameStyles> styles_{};
+    std::optional<bool> has_chains_of_two_{};
 };
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <optional>
 #include <string_view>
 
+#include "base/error.hpp"
+#include "formats/atoms.hpp"
 #include "formats/lines.hpp"
 #include "formats/macromolecule.hpp"
 #include "formats/sphere_data.hpp"
@@ -43,6 +45,15 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
     data.frames = frame.frames;
     data.next_frame = frame.next;
     data.time = frame.time;
+    // A program that was ended while it wrote leaves half a line in the last frame.
+    const std::string_view last = last_line(source.text);
+    if (frame.end < source.text.size() && !options.part.stops && is_pdb_atom(last)) {
+        try {
+            atom_of(last, false);
+        } catch (const InputError& error) {
+            data.warnings.push_back(early_end(error.what(), --data.frames));
+        }
+    }
     return data;
 }
 

@@ -69,19 +69,11 @@ DrawnVertices drawn_of(const TextSource& source, const PlyElement& element) {
         drawn.places[field] = i;
         if (field == ply_red) drawn.whole_colors = is_whole(property.type);
     }
-    if (!drawn.has(ply_x) || !drawn.has(ply_y) || !drawn.has(ply_z)) {
-        source.fail_at(element.name, "found vertices without x, y and z, expected these among their properties");
+    if (!drawn.has(ply_x) || !drawn.has(ply_y)) {
+        source.fail_at(element.name, "found vertices without x and y, expected these among their properties");
     }
     drawn.full_color = drawn.whole_colors ? color_max : 1.0;
     return drawn;
-}
-
-// A number that is not finite is none, and no fault: scanners write it for points that they did not see.
-NumberFault parse_or_nothing(std::string_view token, double& value) {
-    const NumberFault fault = parse_any_double(token, value);
-    if (fault == NumberFault::not_a_number) return fault;
-    if (fault != NumberFault::none) value = nothing;
-    return NumberFault::none;
 }
 
 bool is_blank_line(std::string_view, std::string_view rest) {
@@ -122,7 +114,11 @@ public:
           vertex_(vertex),
           is_text_(header.encoding == PlyEncoding::ascii),
           swapped_((header.encoding == PlyEncoding::big_endian) != (std::endian::native == std::endian::big)) {
-        LineWalker walker(source.text, header.line_end, header.end);
+        // Blank lines belong to the element before them, and those behind the header to none.
+        const std::size_t first = std::min(source.text.find_first_not_of(white_space, header.end), source.text.size());
+        const std::size_t line = source.text.substr(0, first).rfind(header.line_end) + 1;  // 0 where there is none
+        const std::size_t begin = std::max(header.end, line);
+        LineWalker walker(source.text, header.line_end, begin);
         std::size_t next = header.end;
         for (const PlyElement& before : header.elements) {
             if (&before == &vertex) break;
@@ -246,7 +242,7 @@ Sphere sphere_of(const std::vector<double>& values, const DrawnVertices& drawn, 
                  VertexNotes& notes) {
     const auto value_of = [&](PlyField field) { return drawn.has(field) ? values[*drawn.places[field]] : nothing; };
     Sphere sphere;
-    sphere.center = {value_of(ply_x), value_of(ply_y), value_of(ply_z)};
+    sphere.center = {value_of(ply_x), value_of(ply_y), drawn.has(ply_z) ? value_of(ply_z) : 0.0};
     if (!std::isfinite(sphere.center.x) || !std::isfinite(sphere.center.y) || !std::isfinite(sphere.center.z)) {
         notes.nowhere.push_back(index);
         sphere.center = glm::dvec3(0.0);
@@ -348,6 +344,7 @@ SphereData read_ply(std::string_view content, const std::string& name, const Dat
     for (const VertexNotes& note : notes) nowhere.insert(nowhere.end(), note.nowhere.begin(), note.nowhere.end());
     read_vertex_properties(source, vertices, *element, drawn, options, data);
     remove_spheres(data.scene, nowhere);
+    if (!drawn.has(ply_z)) data.warnings.push_back(name + ": no property z: all lie in the plane z = 0");
     warn_of_left_out(data, nowhere.size(), name, "vertex", "vertices");
     if (!drawn.has(ply_radius) && !drawn.has(ply_diameter) && !options.radius) use_radius_of_points(data, name);
     return data;

@@ -1,6 +1,7 @@
 // PQR: PDB's records of atoms with blanks between what they say, and at the end the atom's charge and radius.
 #include <algorithm>
 #include <array>
+#include <span>
 #include <unordered_map>
 
 #include "base/number.hpp"
@@ -16,50 +17,142 @@ namespace {
 
 constexpr auto last_fields = std::to_array<const char*>({"x", "y", "z", "charge", "radius"});
 
+bool holds_digit(std::string_view word) { return word.find_first_of("0123456789") != std::string_view::npos; }
+
+// Whether all stands in the columns of PDB, as PDB2PQR writes it.
+bool is_in_columns(std::string_view line) {
+    constexpr std::size_t behind_places = 54;
+    if (line.size() <= behind_places || line[10] == ' ' || line[11] != ' ' || !in_columns(line, 27, 30).empty()) return false;
+    if (in_columns(line, 12, 16).empty() || !holds_digit(in_columns(line, 22, 27))) return false;
+    return line[34] == '.' && line[42] == '.' && line[50] == '.' && is_number(in_columns(line, 30, 38)) &&
+           is_number(in_columns(line, 38, 46)) && is_number(in_columns(line, 46, behind_places));
+}
+
 // Reads ATOM, a number, the atom, its residue, perhaps a chain, the residue's number, and last_fields.
 class PqrAtoms {
 public:
     explicit PqrAtoms(const TextSource& source) : source_(source) {}
 
     MoleculeAtom atom(std::string_view line) {
-        words_.clear();
-        split_line(line, most_words, words_);
-        const std::size_t places = read_values(line);
+        split(line);
+        Names names;
+        const bool is_whole = find_in_words(names);
+        if ((!is_whole || is_glued(line)) && is_in_columns(line)) {
+            find_in_columns(line, names);
+        } else if (!is_whole) {
+            split_at_minus();
+            if (!find_in_words(names)) find_in_order(names);
+        }
+        std::array<double, last_fields.size()> values{};
+        for (std::size_t i = 0; i < last_fields.size(); ++i) values[i] = value(line, i);
+        if (values[4] < 0.0) source_.fail(fields_[4], "the atom's radius, 0 or above");
         MoleculeAtom atom;
-        atom.position = {values_[0], values_[1], values_[2]};
-        atom.radius = values_[4];
-        if (atom.radius < 0.0) source_.fail(words_[places + 4], "the atom's radius, 0 or above");
-        atom.atom = words_[2];
-        atom.residue = words_[3];
-        if (places > fewest_names) atom.chain = words_[4];
-        atom.residue_number = std::string(words_[places - 1]);
-        atom.element = &element_of(atom.atom, atom.residue);
-        atom.texts.charge = words_[places + 3];
-        atom.texts.radius = words_[places + 4];
+        atom.position = {values[0], values[1], values[2]};
+        atom.radius = values[4];
+        atom.atom = names.atom;
+        atom.residue = names.residue;
+        atom.chain = names.chain;
+        atom.residue_number = std::string(names.number);
+        atom.alternative = names.alternative;
+        atom.element = &element_of(names.atom, names.residue);
+        atom.texts.charge = fields_[3];
+        atom.texts.radius = fields_[4];
         return atom;
     }
 
 private:
+    struct Names {
+        std::string_view atom{};
+        std::string_view residue{};
+        std::string_view chain{};
+        std::string_view number{};  // of the residue
+        std::string_view alternative{};
+    };
+
     static constexpr std::size_t fewest_names = 5;  // without a chain
     static constexpr std::size_t most_words = 16;   // that are looked at
 
-    // Reads last_fields, and returns where they begin: five numbers end the line. Where more stands behind them, what would be a
-    // chain is none if it is a number.
-    std::size_t read_values(std::string_view line) {
-        const std::size_t usual = words_.size() - std::min(words_.size(), last_fields.size());
-        const bool may_end_so = usual == fewest_names || usual == fewest_names + 1;
-        std::size_t read = 0;
-        while (may_end_so && read < last_fields.size() && parse_double(words_[usual + read], values_[read]) == NumberFault::none)
-            ++read;
-        if (read == last_fields.size()) return usual;
-        const std::size_t places = fewest_names + (words_.size() > 4 && !is_number(words_[4]) ? 1 : 0);
-        for (std::size_t i = 0; i < last_fields.size(); ++i) {
-            const std::string expected = std::string("the atom's ") + last_fields[i];
-            if (places + i >= words_.size()) source_.fail_behind(line, expected);
-            const NumberFault fault = parse_double(words_[places + i], values_[i]);
-            if (fault != NumberFault::none) source_.fail(words_[places + i], expected + ", " + expected_instead_of(fault));
+    // The words of the line; the atom's number may touch the record.
+    void split(std::string_view line) {
+        words_.clear();
+        split_line(line, most_words, words_);
+        const std::size_t record = line.starts_with("HETATM") ? 6 : 4;
+        if (words_[0].size() == record) return;
+        words_.insert(words_.begin() + 1, words_[0].substr(record));
+        words_[0] = words_[0].substr(0, record);
+    }
+
+    // Numbers that fill their columns touch the one before by their minus.
+    void split_at_minus() {
+        for (std::size_t i = fewest_names; i < words_.size() && words_.size() < most_words; ++i) {
+            const std::string_view word = words_[i];
+            const std::size_t minus = word.find('-', 1);
+            if (minus == std::string_view::npos || is_number(word) || !is_number(word.substr(0, minus))) continue;
+            words_[i] = word.substr(0, minus);
+            words_.insert(words_.begin() + static_cast<std::ptrdiff_t>(i) + 1, word.substr(minus));
         }
-        return places;
+    }
+
+    // Five numbers end the line, but for words behind them. Before them stands the residue's number. False where it is not so.
+    bool find_in_words(Names& names) {
+        std::size_t end = words_.size();
+        while (end > 0 && !is_number(words_[end - 1])) --end;
+        const std::size_t places = end - std::min(end, last_fields.size());
+        if (places != fewest_names && places != fewest_names + 1) return false;
+        const std::span<const std::string_view> last = std::span(words_).subspan(places, last_fields.size());
+        if (!holds_digit(words_[places - 1]) || !std::ranges::all_of(last, is_number)) return false;
+        take_words(names, places);
+        return true;
+    }
+
+    // Where something is wrong: whatever stands there, for the message.
+    void find_in_order(Names& names) {
+        take_words(names, fewest_names + (words_.size() > fewest_names && !holds_digit(words_[fewest_names - 1]) ? 1 : 0));
+    }
+
+    void take_words(Names& names, std::size_t places) {
+        const auto word = [&](std::size_t place) { return place < words_.size() ? words_[place] : std::string_view(); };
+        names = {word(2), word(3), places > fewest_names ? word(4) : std::string_view(), word(places - 1), {}};
+        // A number of four digits touches its chain.
+        const bool is_touched = places == fewest_names && !names.number.empty() && is_letter(names.number[0]);
+        if (is_touched) {
+            names.chain = names.number.substr(0, 1);
+            names.number.remove_prefix(1);
+        }
+        for (std::size_t i = 0; i < last_fields.size(); ++i) fields_[i] = word(places + i);
+    }
+
+    // Whether the atom's name seems to touch its residue, or the residue its chain.
+    bool is_glued(std::string_view line) const {
+        constexpr std::size_t longest_name = 4;
+        constexpr std::size_t chain_column = 21;
+        return words_[2].size() > longest_name || words_[3].size() > longest_name ||
+               static_cast<std::size_t>(words_[3].data() - line.data()) >= chain_column;
+    }
+
+    void find_in_columns(std::string_view line, Names& names) {
+        // A residue of four letters begins in column 17 or 18. But 17 may be an alternative's.
+        names = {in_columns(line, 12, 16), in_columns(line, 16, 21), in_columns(line, 21, 22), in_columns(line, 22, 27), {}};
+        const std::string_view three = in_columns(line, 17, 20);
+        if (line[16] != ' ' && is_polymer(three) && !is_polymer(names.residue)) {
+            names.alternative = in_columns(line, 16, 17);
+            names.residue = three;
+        }
+        for (std::size_t axis = 0; axis < 3; ++axis) fields_[axis] = in_columns(line, 30 + 8 * axis, 38 + 8 * axis);
+        words_.clear();
+        split_line(line.substr(54), 2, words_);
+        const bool touch = words_.size() < 2 || !is_number(words_[0]);
+        fields_[3] = touch ? in_columns(line, 54, 62) : words_[0];
+        fields_[4] = touch ? in_columns(line, 62, 70) : words_[1];
+    }
+
+    double value(std::string_view line, std::size_t field) const {
+        const std::string expected = std::string("the atom's ") + last_fields[field];
+        if (fields_[field].empty()) source_.fail_behind(line, expected);
+        double value = 0.0;
+        const NumberFault fault = parse_double(fields_[field], value);
+        if (fault != NumberFault::none) source_.fail(fields_[field], expected + ", " + expected_instead_of(fault));
+        return value;
     }
 
     // Few names of many atoms are new.
@@ -74,10 +167,18 @@ private:
 
     const TextSource& source_;
     std::vector<std::string_view> words_{};  // of the line
-    std::array<double, last_fields.size()> values_{};
+    std::array<std::string_view, last_fields.size()> fields_{};
     std::string key_{};
     std::unordered_map<std::string, const Element*> elements_{};
 };
+
+// Whether the last line has no end, and fewer columns than the one above: half a number is a number, too.
+bool ends_short(std::string_view text) {
+    const std::string_view last = last_line(text);
+    if (!is_pdb_atom(last) || !is_in_columns(last)) return false;
+    const std::string_view above = last_line(trimmed(text.substr(0, text.size() - last.size()), white_space));
+    return is_pdb_atom(above) && is_in_columns(above) && trimmed(last, white_space).size() < above.size();
+}
 
 }  // namespace
 
@@ -103,7 +204,12 @@ bool shows_pqr(std::string_view head) {
 SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content)};
     PqrAtoms atoms(source);
-    return read_pdb_frame(source, options, true, [&](std::string_view line, bool) { return atoms.atom(line); });
+    SphereData data = read_pdb_frame(source, options, true, [&](std::string_view line, bool) { return atoms.atom(line); });
+    if (options.frame + 1 == data.frames && ends_short(source.text)) {
+        data.warnings.push_back(source.place(source.text.size()) +
+                                "the line ends before that of the atom above it, expected the whole of the atom's radius");
+    }
+    return data;
 }
 
 }  // namespace sphereview

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "base/number.hpp"
@@ -27,6 +28,21 @@ struct MolFrame {
 bool ends_in_hyphen(std::string_view line, std::string_view) { return trimmed(line, white_space).ends_with('-'); }
 
 constexpr std::size_t words_of_atom = 4;  // of V2000: x y z SYMBOL
+
+// The text of an atom of V3000 that goes on in further lines, as one: a line may end within a number. `line`: the first.
+std::string joined_lines(const TextSource& source, char line_end, std::string_view line) {
+    constexpr std::string_view head = "M  V30 ";
+    std::string joined;
+    bool goes_on = true;
+    for (LineWalker walker(source.text, line_end, source.offset_of(line)); goes_on && !walker.at_end();) {
+        line = walker.step();
+        goes_on = ends_in_hyphen(line, {});
+        std::string_view words = goes_on ? line.substr(0, line.rfind('-')) : line;
+        if (!joined.empty() && words.starts_with(head)) words.remove_prefix(head.size());
+        joined += words;
+    }
+    return joined;
+}
 
 // Whether a line of V2000 has three numbers and more in an atom's columns: then it is no bond, whose columns are narrower.
 bool is_in_columns_of_atom(std::string_view line) {
@@ -101,6 +117,12 @@ private:
     static constexpr std::size_t longest_line = 256;
 };
 
+// Whether the places of V2000 seem to touch: they may fill their ten columns.
+bool touch(const std::vector<std::string_view>& words) {
+    constexpr std::size_t width = 10;
+    return std::ranges::any_of(words, [](std::string_view word) { return word.size() > width && !is_number(word); });
+}
+
 // Reads the lines of one piece.
 class MolAtomReader {
 public:
@@ -108,22 +130,48 @@ public:
         : source_(source), frame_(frame), options_(options) {}
 
     LineAtom read(std::string_view line, std::size_t index) {
+        if (frame_.is_v3000) return ends_in_hyphen(line, {}) ? read_joined(line, index) : read_v3000(source_, line, index);
         const OfAtom the{index, frame_.atoms.count};
-        TokenReader reader(source_, line, parse_any_double);
         LineAtom atom;
-        if (frame_.is_v3000) {
-            reader.skip_tokens(3);  // M V30 and the index
-            atom.label = reader.word(the("symbol"));
+        refuse_bond(line, index);
+        if (touch(words_) && is_in_columns_of_atom(line)) {
+            for (int axis = 0; axis < 3; ++axis) {
+                const auto begin = static_cast<std::size_t>(10 * axis);
+                parse_any_double(in_columns(line, begin, begin + 10), atom.sphere.center[axis]);
+            }
+            atom.label = in_columns(line, 31, 34);
         } else {
-            refuse_bond(line, index);
+            TokenReader reader(source_, line, parse_any_double);
+            atom.sphere.center = read_place(reader, the);
+            atom.label = reader.word(the("symbol"));
         }
-        atom.sphere.center = read_place(reader, the);
-        if (!frame_.is_v3000) atom.label = reader.word(the("symbol"));
         show_as(atom, element_of_species(atom.label), options_);
         return atom;
     }
 
 private:
+    LineAtom read_v3000(const TextSource& source, std::string_view line, std::size_t index) const {
+        const OfAtom the{index, frame_.atoms.count};
+        TokenReader reader(source, line, parse_any_double);
+        LineAtom atom;
+        reader.skip_tokens(3);  // M V30 and the index
+        atom.label = reader.word(the("symbol"));
+        atom.sphere.center = read_place(reader, the);
+        show_as(atom, element_of_species(atom.label), options_);
+        return atom;
+    }
+
+    LineAtom read_joined(std::string_view line, std::size_t index) const {
+        const std::string joined = joined_lines(source_, frame_.atoms.line_end, line);
+        const TextSource lines{source_.name, joined, position_at(source_.text, source_.offset_of(line), source_.origin)};
+        LineAtom atom = read_v3000(lines, lines.text, index);
+        // A label stays longer than the joined text.
+        const auto words = words_of(line);
+        const bool is_in_first = words.size() > 3 && words[3] == atom.label;
+        atom.label = is_in_first ? words[3] : element_of_species(atom.label).symbol;
+        return atom;
+    }
+
     // The line of counts may say more atoms than there are.
     void refuse_bond(std::string_view line, std::size_t index) {
         words_.clear();
@@ -194,13 +242,14 @@ FileProperties read_mol_properties(const TextSource& source, const MolFrame& fra
         const auto word = [&](std::size_t place) { return place < words.size() ? words[place] : std::string_view(); };
         words.clear();
         split_line(line, code_place + 1, words);
-        out.push_back(word(symbol_place));
+        const bool columns_count = !frame.is_v3000 && touch(words) && is_in_columns_of_atom(line);
+        out.push_back(columns_count ? in_columns(line, 31, 34) : word(symbol_place));
         if (most < 2) return;
         const auto found = listed.find(index);
         if (frame.is_v3000) {
             out.push_back(named_charge(source, frame.atoms.line_end, line));
         } else if (listed.empty()) {
-            out.push_back(charge_of_code(word(code_place)));
+            out.push_back(charge_of_code(columns_count ? in_columns(line, 36, 39) : word(code_place)));
         } else {
             out.push_back(found == listed.end() ? "0" : found->second);
         }

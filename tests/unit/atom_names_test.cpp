@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sphereview {
@@ -51,6 +52,12 @@ const std::vector<NamedAtom> anywhere = {
     {"1HB", "ALA", "H"},
     {"2HG1", "VAL", "H"},
     {"1HH1", "ARG", "H"},
+    {"'H5'", "DA", "H"},
+    {"*HO2", "A", "H"},
+    {"'H5'", "LIG", "H"},
+    {"DB1", "ALA", "H"},
+    {"DZ1", "LYS", "H"},
+    {"DG", "SER", "H"},
     {"HH31", "ACE", "H"},
     {"DA", "GLY", "H"},
     {"D1", "DOD", "H"},
@@ -82,6 +89,10 @@ const std::vector<NamedAtom> anywhere = {
     {"CAD", "CAD", "Cd"},
     {"CAD", "LIG", "C"},
     {"CL", "ION", "Cl"},
+    {"IP", "IP", "Na"},
+    {"IM", "IM", "Cl"},
+    {"Na+", "CIO", "Na"},
+    {"CIO", "CIO", "Na"},
     // what is no atom
     {"MW", "SOL", "-"},
     {"MW", "HOH", "-"},
@@ -100,6 +111,13 @@ const std::vector<NamedAtom> anywhere = {
     {"LP1", "LIG", "-"},
     {"DC12", "LIG", "-"},
     {"DF1", "LIG", "-"},
+    {"DMG", "MG", "-"},
+    {"DLIT", "LIT", "-"},
+    {"DRUB", "RUB", "-"},
+    {"DZN", "ZN2", "-"},
+    {"DBAR", "BAR", "-"},
+    {"DBR1", "LIG", "-"},
+    {"DCL1", "LIG", "-"},
     {"D1", "LIG", "H"},
     {"Bq", "LIG", "-"},
     {"X", "LIG", "-"},
@@ -126,6 +144,20 @@ const std::vector<NamedAtom> anywhere = {
 }  // namespace
 
 TEST(AtomNames, TellElementsWhereverTheyBegin) { expect_symbols(NameColumns::unknown, anywhere); }
+
+TEST(AtomNames, OfCrystalsAreLabelsOfTheirSites) {
+    const std::vector<std::pair<const char*, const char*>> cases = {
+        {"CaM2", "Ca"}, {"MgM1", "Mg"}, {"SiT1", "Si"}, {"AlT1o", "Al"}, {"O1", "O"},   {"OH", "O"},    {"Oh1", "O"},
+        {"Ow", "O"},    {"Wat", "O"},   {"Wat1", "O"},  {"WatO1", "O"},  {"WAT2", "O"}, {"WatH1", "H"}, {"W1", "W"},
+        {"FeM1", "Fe"}, {"T1", ""},     {"T", ""},      {"T1o", ""},     {"T(1)", ""},  {"Ti1", "Ti"},  {"TI1", "Ti"},
+        {"Te2", "Te"},  {"M1", ""},     {"M(2)", ""},   {"X", ""},       {"A1", ""},    {"Xe1", "Xe"},  {"Mn1", "Mn"},
+        {"D1", "H"},    {"DO1", "H"},   {"Dy1", "Dy"},  {"Fe2+", "Fe"},  {"ZN1", "Zn"}, {"Na(1)", "Na"}};
+    for (const auto& [label, symbol] : cases) {
+        EXPECT_EQ(element_of_site(label).symbol, symbol) << label;
+        EXPECT_FALSE(is_virtual(element_of_site(label))) << label;
+    }
+    EXPECT_TRUE(is_virtual(element_of_site("Bq1")));
+}
 
 TEST(AtomNames, OfOneElementDoNotDependOnTheirPlace) {
     for (const auto& [name, residue, symbol] : anywhere) {

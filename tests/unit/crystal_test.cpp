@@ -81,11 +81,81 @@ TEST(Crystal, SymmetryRepeatsTheAtoms) {
     EXPECT_EQ(centers[2], glm::dvec3(1.41, 0, 2.82));
     EXPECT_EQ(centers[3], glm::dvec3(0.5001 * 5.64, 0.4999 * 5.64, 1.41));
     EXPECT_NEAR(centers[4].z, 4.23, 1e-12);
+    // Fractions may be decimal.
+    const std::string halves = cif_cell + "_symmetry_equiv_pos_as_xyz ";
+    for (const char* half : {"x+1/2,y,z", "x+0.5,y,z", "0.5+x,y,z", "'.5+x, y, z'", "X+0.50000,Y,Z", "12.5+x,y,z"}) {
+        EXPECT_EQ(cif(halves + half + "\n" + cif_sites + "Na1 Na 0 0 0\n").scene.spheres.at(1).center.x, 2.82) << half;
+    }
+    for (const char* third : {"x+1/3,y,z", "x+0.33,y,z", "x+.3333,y,z"}) {
+        EXPECT_EQ(cif_centers(halves + third + "\n" + cif_sites + "Na1 Na 0 0 0\n"),
+                  cif_centers(halves + "x+1/3,y,z\n" + cif_sites + "Na1 Na 0 0 0\n"))
+            << third;
+    }
     const SphereData unknown = cif(cif_cell + "_symmetry_space_group_name_H-M 'Q 7'\n" + cif_sites + cif_salt);
     EXPECT_EQ(unknown.scene.spheres.size(), 2U);
     EXPECT_EQ(unknown.warnings,
               (std::vector<std::string>{"a.cif:8:32: found 'Q 7', expected a space group that is known; only the atoms that "
                                         "are listed are shown"}));
+}
+
+TEST(Crystal, TheFirstThatIsKnownOfItsSpaceGroupCounts) {
+    const Scene salt = cif(cif_cell + "_symmetry_space_group_name_H-M 'F m -3 m'\n" + cif_sites + cif_salt).scene;
+    const auto group = [](const std::string& tags) { return cif(cif_cell + tags + cif_sites + cif_salt); };
+    for (const char* tags : {"_symmetry_space_group_name_H-M ?\n_symmetry_Int_Tables_number 225\n",
+                             "_space_group_name_H-M_alt .\n_symmetry_space_group_name_H-M 'F m -3 m'\n",
+                             "_space_group_IT_number ?\n_symmetry_Int_Tables_number 225\n", "_space_group_name_Hall '-F 4 2 3'\n",
+                             "_symmetry_space_group_name_Hall '-F 4 2 3'\n_symmetry_space_group_name_H-M 'P 1'\n"}) {
+        EXPECT_EQ(group(tags).scene.spheres.size(), salt.spheres.size()) << tags;
+        EXPECT_TRUE(group(tags).warnings.empty()) << tags;
+    }
+    const SphereData by_number = group("_symmetry_space_group_name_H-M 'F m 3 n q'\n_symmetry_Int_Tables_number 225\n");
+    EXPECT_EQ(by_number.scene, salt);
+    EXPECT_EQ(by_number.warnings,
+              (std::vector<std::string>{"a.cif:8:32: found 'F m 3 n q', expected a space group that is known; that of "
+                                        "_symmetry_Int_Tables_number is taken"}));
+    const SphereData no_hall = group("_space_group_name_Hall 'Q 7'\n");
+    EXPECT_EQ(no_hall.scene.spheres.size(), 2U);
+    EXPECT_EQ(no_hall.warnings.size(), 1U);
+}
+
+// Calcite. Of R there are two cells, which the angles tell apart.
+TEST(Crystal, TheAnglesTellARhombohedralCell) {
+    const std::string edges = "data_c\n_cell_length_a 6.375\n_cell_length_b 6.375\n_cell_length_c 6.375\n";
+    const std::string angles = "_cell_angle_alpha 46.08\n_cell_angle_beta 46.08\n_cell_angle_gamma 46.08\n";
+    const std::string sites = cif_sites + "Ca1 Ca 0 0 0\nC1 C .25 .25 .25\nO1 O .507 -.007 .25\n";
+    for (const char* group : {"_symmetry_space_group_name_H-M 'R -3 c :R'\n", "_symmetry_space_group_name_H-M 'R -3 c'\n",
+                              "_symmetry_Int_Tables_number 167\n"}) {
+        EXPECT_EQ(cif(edges + angles + group + sites).scene.spheres.size(), 10U) << group;
+    }
+    const std::string hexagonal = "data_c\n_cell_length_a 4.99\n_cell_length_b 4.99\n_cell_length_c 17.06\n_cell_angle_gamma 120\n";
+    const std::string in_hexagonal = cif_sites + "Ca1 Ca 0 0 0\nC1 C 0 0 .25\nO1 O .257 0 .25\n";
+    for (const char* group : {"_symmetry_space_group_name_H-M 'R -3 c'\n", "_symmetry_Int_Tables_number 167\n"}) {
+        EXPECT_EQ(cif(hexagonal + group + in_hexagonal).scene.spheres.size(), 30U) << group;
+    }
+}
+
+TEST(Crystal, DummiesAreNoAtoms) {
+    const SphereData data = cif(cif_cell +
+                                "loop_\n_atom_site_label\n_atom_site_type_symbol\n_atom_site_fract_x\n_atom_site_fract_y\n"
+                                "_atom_site_fract_z\n_atom_site_calc_flag\nC1 C .1 .1 .1 d\nX1 C .2 .2 .2 dum\n");
+    EXPECT_EQ(data.scene.spheres.at(0).radius, find_element("C")->radius);
+    EXPECT_EQ(data.scene.spheres.at(1).radius, virtual_site().radius);
+    EXPECT_EQ(data.warnings.size(), 1U);
+}
+
+TEST(Crystal, RowsWithoutPlacesAreLeftOutAndCounted) {
+    const SphereData data = cif(cif_cell + cif_sites + "Na1 Na 0 0 0\nNa2 Na nan 0 0\nNa3 Na 0 ? .\n");
+    EXPECT_EQ(data.scene.spheres.size(), 1U);
+    EXPECT_EQ(data.warnings, (std::vector<std::string>{"a.cif: 2 atoms have no coordinates and are left out"}));
+}
+
+TEST(Crystal, PlacesMayBeNoPartsOfACell) {
+    const SphereData data =
+        cif("data_x\nloop_\n_atom_site_label\n_atom_site_Cartn_x\n_atom_site_Cartn_y\n_atom_site_Cartn_z\nC1 1 2 3\nWat1 4 5 6\n");
+    ASSERT_EQ(data.scene.spheres.size(), 2U);
+    EXPECT_EQ(data.scene.spheres[0].center, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(data.scene.spheres[1].radius, find_element("O")->radius);
+    EXPECT_EQ(data.scene.names.at(0), "C1");
 }
 
 TEST(Crystal, OfDisorderedGroupsTheFullestIsKept) {
@@ -148,6 +218,10 @@ TEST(CrystalErrors, SayWhatIsWrong) {
              "9:1: found a crystal's atoms without places, expected fract_x, fract_y and fract_z as numbers"},
             {cif_cell + "_symmetry_equiv_pos_as_xyz x,y\n" + cif_sites + cif_salt,
              "8:28: found 'x,y', expected an operation of symmetry, as -x,y+1/2,z"},
+            {cif_cell + "_symmetry_equiv_pos_as_xyz x+0.3,y,z\n" + cif_sites + cif_salt,
+             "8:28: found 'x+0.3,y,z', expected an operation of symmetry, as -x,y+1/2,z"},
+            {cif_cell + "_symmetry_equiv_pos_as_xyz x+0.5.5,y,z\n" + cif_sites + cif_salt,
+             "8:28: found 'x+0.5.5,y,z', expected an operation of symmetry, as -x,y+1/2,z"},
             {cif_cell + "_symmetry_equiv_pos_as_xyz 99999999999999999999x,y,z\n" + cif_sites + cif_salt,
              "8:28: found '99999999999999999999x,y,z', expected an operation of symmetry, as -x,y+1/2,z"},
             {cif_cell + "loop_\n_symmetry_equiv_pos_site_id\n_symmetry_equiv_pos_as_xyz\n1 x,y,z\n2 'x,-y'\n" + cif_sites +

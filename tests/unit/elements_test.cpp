@@ -54,12 +54,13 @@ TEST(Elements, HaveRadiiThatAddUpToBonds) {
 }
 
 TEST(Elements, AreLargerThanWhatIsNone) {
-    for (const char* species : {"X",  "Xx",    "xx", "X1",  "Bq",  "BQ2", "bqO", "Gh",  "Gh(O)", "@O", "O_ghost", "H-Ghost", "Du",
-                                "DU", "dummy", "LP", "Lp1", "LPX", "EP",  "EPW", "EP2", "M",     "MW", "MW1",     "Tv",      "0"}) {
+    for (const char* species :
+         {"X",   "Xx",  "xx", "X1",  "Bq",  "BQ2", "bqO", "Gh",  "Gh(O)", "@O", "O_ghost", "H-Ghost", "Du",    "DU", "dummy", "LP",
+          "Lp1", "LPX", "EP", "EPW", "EP2", "M",   "MW",  "MW1", "Tv",    "0",  "O-Bq",    "C_BQ",    "H(Bq)", "O:", "Cl:"}) {
         EXPECT_TRUE(is_virtual(element_of_species(species))) << species;
     }
-    for (const char* species : {"Xe", "XE", "Xe1", "B",  "Ba", "Br", "D",  "Dy",  "Db", "Mg", "Mn", "Md",
-                                "Li", "Lu", "Er",  "Eu", "Ti", "Ge", "Ga", "Wat", "Q",  "6",  "06", "Oxygen"}) {
+    for (const char* species : {"Xe", "XE", "Xe1", "B",  "Ba", "Br", "D",   "Dy", "Db", "Mg",   "Mn",     "Md", "Li",
+                                "Lu", "Er", "Eu",  "Ti", "Ge", "Ga", "Wat", "Q",  "6",  "O(1)", "Fe(II)", "06", "Oxygen"}) {
         EXPECT_FALSE(is_virtual(element_of_species(species))) << species;
     }
     EXPECT_LE(unknown_element().radius, find_element("C")->radius);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "formats/elements.hpp"
 #include "formats/scene_format.hpp"
@@ -57,6 +58,24 @@ TEST(Gromacs, HasFrames) {
     ASSERT_EQ(cut.warnings.size(), 1U);
     EXPECT_EQ(cut.warnings[0], "a.gro:10:1: the text ends, expected atom 2 of 3 of frame 1; what follows frame 0 is passed over");
     EXPECT_EQ(gro("no box\n0\n").scene, Scene{});
+}
+
+TEST(Gromacs, ALastLineMayBeCutShort) {
+    const std::string next = "next\n2\n    1SOL     OW    1   0.000   0.000   0.000\n    1SOL    HW1    2   0.1";
+    const SphereData cut = gro(gro_water + next);
+    EXPECT_EQ(cut.frames, 1);
+    EXPECT_EQ(cut.warnings,
+              (std::vector<std::string>{"a.gro:10:27: the text ends, expected the whole line of the last atom of frame "
+                                        "1; what follows frame 0 is passed over"}));
+    EXPECT_NE(message_of<InputError>([&] { gro(gro_water + next, {.frame = 1}); }), "");
+    // Half a number is a number, too: a line of the wanted frame is shown, and what is known of it said.
+    const SphereData half = gro(gro_water + next + "00   0.000   0.1", {.frame = 1});
+    EXPECT_EQ(half.scene.spheres.size(), 2U);
+    EXPECT_EQ(half.warnings,
+              (std::vector<std::string>{"a.gro:10:43: the text ends, expected the whole line of the last atom of frame 1"}));
+    // A whole line needs neither an end nor a box.
+    EXPECT_TRUE(gro(gro_water + next + "00   0.000   0.100", {.frame = 1}).warnings.empty());
+    EXPECT_TRUE(gro(gro_water.substr(0, gro_water.size() - 1)).warnings.empty());
 }
 
 TEST(Gromacs, SitesThatAreNoAtomsAreSmall) {

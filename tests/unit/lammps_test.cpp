@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formats/elements.hpp"
+#include "formats/lines.hpp"
 #include "formats/scene_format.hpp"
 #include "support/spheres.hpp"
 #include "unit/message_of.hpp"
@@ -103,6 +104,72 @@ TEST(Lammps, WithoutRadiiTheyComeFromTheDistances) {
               find_element("H")->radius);
 }
 
+TEST(Lammps, LabelsThatAreNoElementsAreTypes) {
+    for (const char* columns : {"id type x y z", "id element x y z"}) {
+        const SphereData data = dump(dump_frame(columns, "1 bead 0 0 0\n2 A 0.01 0 0\n"));
+        EXPECT_EQ(data.scene.spheres.at(0).radius, 0.25 * 0.01) << columns;
+        EXPECT_NE(data.scene.spheres.at(0).color, data.scene.spheres.at(1).color) << columns;
+        EXPECT_EQ(data.scene.names.at(0), "bead");
+        // The colours are those of the labels, and not of the order.
+        const Scene turned = dump(dump_frame(columns, "1 A 0 0 0\n2 bead 0.01 0 0\n")).scene;
+        EXPECT_EQ(turned.spheres.at(1).color, data.scene.spheres.at(0).color) << columns;
+    }
+    EXPECT_EQ(dump(dump_frame("id type x y z", "1 A 0 0 0\n2 X 0.01 0 0\n"), {.virtual_sites = false}).scene.spheres.size(), 2U);
+    // B is boron where it is called an element, and a type beside types that are none.
+    const Scene types = dump(dump_frame("id type x y z", "1 A 0 0 0\n2 B 0.01 0 0\n")).scene;
+    EXPECT_EQ(types.spheres.at(1).radius, 0.25 * 0.01);
+    EXPECT_NE(types.spheres.at(1).color, find_element("B")->color);
+    const Scene known = dump(dump_frame("id element x y z", "1 bead 0 0 0\n2 C 0.01 0 0\n")).scene;
+    EXPECT_EQ(known.spheres.at(0).radius, unknown_element().radius);
+    EXPECT_EQ(known.spheres.at(1).color, find_element("C")->color);
+}
+
+TEST(Lammps, RowsWithoutPlacesAreLeftOutAndCounted) {
+    const std::string columns = "id type x y z radius";
+    for (const char* place : {"nan nan nan", "-nan 0 0", "0 inf 0", "0 0 1e999"}) {
+        const SphereData data = dump(dump_frame(columns, std::string("2 1 ") + place + " 1\n1 2 3 4 5 1\n"));
+        ASSERT_EQ(data.scene.spheres.size(), 1U) << place;
+        EXPECT_EQ(data.scene.spheres[0].center, glm::dvec3(3, 4, 5));
+        EXPECT_EQ(data.scene.names.at(0), "type 2");
+        EXPECT_EQ(data.warnings, (std::vector<std::string>{"a.lammpstrj: 1 atom has no coordinates and is left out"}));
+    }
+    // Beside sites that are no atoms.
+    const SphereData sites = dump(dump_frame("id element x y z", "2 X 1 2 3\n1 C nan 0 0\n"), {.virtual_sites = false});
+    EXPECT_EQ(sites.scene.spheres.size(), 0U);
+    EXPECT_EQ(sites.warnings.size(), 2U);
+}
+
+TEST(Lammps, PlacesMayBeOfSeveralKindsOrOfAPlane) {
+    const std::string box = "2 12\n0 10\n0 10\n";
+    EXPECT_EQ(dump_centers(dump_frame("id type x y", "1 1 1 2\n2 1 4 5\n")), (Centers{{1, 2, 0}, {4, 5, 0}}));
+    EXPECT_EQ(dump_centers(dump_frame("id xs ys", "1 .5 .5\n2 0 0\n", "2 12\n0 10\n-1 1\n")), (Centers{{7, 5, 0}, {2, 0, 0}}));
+    EXPECT_EQ(dump_centers(dump_frame("id xs ys zu", "1 .5 .25 3\n2 0 0 4\n", box)), (Centers{{7, 2.5, 3}, {2, 0, 4}}));
+    // Old dumps name no columns.
+    EXPECT_EQ(dump_centers(dump_frame("", "1 1 .5 .5 .5\n2 1 0 0 0\n", box)), (Centers{{7, 5, 5}, {2, 0, 0}}));
+    EXPECT_EQ(dump_centers(dump_frame("", "1 1 5 5 5\n2 1 0 0 0\n", box)), (Centers{{5, 5, 5}, {0, 0, 0}}));
+}
+
+TEST(Lammps, ALastLineMayBeCutShort) {
+    const std::string first = dump_frame("id type x y z radius", "1 1 0 0 0 0.5\n2 2 3 0 0 0.5\n");
+    for (const std::string cut : {"2 ", "2 1 0", "2 1 0 0 0"}) {
+        const std::string text = first + dump_frame("id type x y z radius", "1 1 0 0 0 0.5\n" + cut);
+        const SphereData data = dump(text);
+        EXPECT_EQ(data.frames, 1) << cut;
+        EXPECT_EQ(data.warnings, (std::vector<std::string>{"a.lammpstrj:22:" + std::to_string(cut.size() + 1) +
+                                                           ": the text ends, expected the whole line of the last atom of frame 1; "
+                                                           "what follows frame 0 is passed over"}));
+        EXPECT_NE(message_of<InputError>([&] { dump(text, {.frame = 1}); }), "") << cut;
+        PartOfFile part{.frames = 1};
+        EXPECT_NE(message_of<TextEnds>([&] { step_over_lammps(text.substr(first.size()), true, "a", part); }), "");
+    }
+    // A whole line needs no end.
+    std::string whole = first + first;
+    whole.pop_back();
+    EXPECT_EQ(dump(whole).frames, 2);
+    EXPECT_TRUE(dump(whole).warnings.empty());
+    EXPECT_TRUE(dump(whole, {.frame = 1}).warnings.empty());
+}
+
 TEST(Lammps, HasFrames) {
     const std::string first = "ITEM: UNITS\nlj\n" + dump_frame("id x y z", "1 0 0 0\n2 3 0 0\n");
     const std::string second = "\nITEM: TIME\n0.5\n" + dump_frame("id x y z vx", "1 7 0 0 0\n2 8 0 0 0\n");
@@ -144,7 +211,8 @@ TEST(LammpsErrors, SayWhatIsWrong) {
             {dump_frame("xs ys zs", "0 0 0\n0 0 0\n", "0 nan\n0 1\n0 10\n"),
              "6:3: found 'nan', expected the x of the box, 2 numbers, a finite number"},
             {dump_frame("id x y z", "1 0 0 0\n2 0 zero 0\n"), "11:5: found 'zero', expected the y of atom 2 of 2, a number"},
-            {dump_frame("id x y z", "1 0 0 inf\n2 0 0 0\n"), "10:7: found 'inf', expected the z of atom 1 of 2, a finite number"},
+            {dump_frame("xs ys zu", "0 0 0\n0 0 0\n", "0 1 1\n0 1 0\n0 1 0\n", "xy xz yz pp pp pp"),
+             "9:1: found places in parts of a tilted box beside others, expected all of one kind"},
             {dump_frame("id x y z", "1 0 0\n2 0 0 0\n"), "10:6: the line ends, expected the z of atom 1 of 2"},
             {dump_frame("id x y z", "1.5 0 0 0\n2 0 0 0\n"), "10:1: found '1.5', expected the id of atom 1 of 2, a whole number"},
             {dump_frame("xs ys zs", "1e300 0 0\n0 0 0\n", "0 1e300\n0 1\n0 1\n"),

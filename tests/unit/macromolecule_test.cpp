@@ -208,9 +208,17 @@ TEST(Mmcif, NeedsOnlyPlaces) {
     EXPECT_EQ(mmcif("\xEF\xBB\xBF" + cif_places + "1 2 3\n").scene, pairs);
 }
 
+TEST(Mmcif, RowsWithoutPlacesAreLeftOutAndCounted) {
+    const SphereData data = read_mmcif(cif_places + "1 2 3\n? ? ?\n. 5 6\nNaN nan nan\n7 8 9\n", "a.cif", {});
+    ASSERT_EQ(data.scene.spheres.size(), 2U);
+    EXPECT_EQ(data.scene.spheres[1].center, glm::dvec3(7, 8, 9));
+    EXPECT_EQ(data.warnings, (std::vector<std::string>{"a.cif: 3 atoms have no coordinates and are left out"}));
+}
+
 TEST(Mmcif, FaultsAreReported) {
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n1 two 3\n"), "a.cif:7:3: found 'two', expected y of atom 2 of the table, a number");
-    EXPECT_EQ(mmcif_fault(cif_places + "1 2 ?\n"), "a.cif:6:5: found '?', expected z of atom 1 of the table, a number");
+    EXPECT_EQ(mmcif_fault(cif_places + "1 2 ?\nnan 2 3\n"),
+              "a.cif:3:1: found atoms without places, expected Cartn_x, Cartn_y and Cartn_z as numbers");
     // Behind quotes, comments and text fields, whose words are none of the table's.
     EXPECT_EQ(mmcif_fault(cif_places + "'1' 2 # 3 4\n3 1\n;\n2 3\n;\n4\n"),
               "a.cif:8:1: found ';\\x0a2 3\\x0a;', expected y of atom 2 of the table, a number");
@@ -218,7 +226,6 @@ TEST(Mmcif, FaultsAreReported) {
               "a.cif:1:92: found ''a'b'', expected y of atom 1 of the table, a number");
     EXPECT_EQ(mmcif_fault("data_x\n_atom_site.Cartn_x 1\n_atom_site.Cartn_y two\n_atom_site.Cartn_z 3\n"),
               "a.cif:3:20: found 'two', expected y of atom 1 of the table, a number");
-    EXPECT_EQ(mmcif_fault(cif_places + "1 2 nan\n"), "a.cif:6:5: found 'nan', expected z of atom 1 of the table, a number");
     EXPECT_TRUE(mmcif_fault(cif_places + "1 2 3 4\n").starts_with("a.cif:2:"));  // gemmi's words
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 'three\n"), "a.cif:6:11: unterminated 'string'");
     EXPECT_EQ(mmcif_fault(cif_places + "1 2 3\n$ 1 2\n"), "a.cif:7:1: parse error");

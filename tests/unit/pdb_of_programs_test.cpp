@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "formats/elements.hpp"
 #include "formats/sphere_data.hpp"
+#include "unit/message_of.hpp"
 
 namespace sphereview {
 
@@ -108,6 +109,24 @@ TEST(PdbOfPrograms, IonsOfCharmmAndResiduesOfFourLetters) {
     EXPECT_EQ(name("ATOM      1  CA  ALA A12345"), "A/ALA 12345/CA");
 }
 
+// As VMD and CHARMM-GUI write them: all four columns of the residue, and the chain or a fifth digit right behind.
+TEST(PdbOfPrograms, ResiduesOfFourLettersMayTouchTheirChain) {
+    const auto names = [](const std::vector<std::string>& lines) {
+        std::string text;
+        for (const std::string& columns : lines) text += record(columns, 0);
+        return names_of_spheres(read_programs_pdb(text).scene);
+    };
+    const std::string lipid = "ATOM      1  N   POPCM   1";
+    EXPECT_EQ(names({lipid, "ATOM      2  N   POPEM   2", "ATOM      3  N   ALA M   3"}),
+              (Words{"M/POPC 1/N", "M/POPE 2/N", "M/ALA 3/N"}));
+    EXPECT_EQ(names({"ATOM      1  N   POPC10000", "ATOM      2  OH2 TIP312345"}), (Words{"POPC 10000/N", "TIP3 12345/OH2"}));
+    // AMBER's ends of chains.
+    EXPECT_EQ(names({"ATOM      1  N   NALAA   1"}), (Words{"A/NALA 1/N"}));
+    // Chains of two letters show where residues have three or less.
+    EXPECT_EQ(names({lipid, "ATOM      2  CA  ALACM   2"}), (Words{"CM/POP 1/N", "CM/ALA 2/CA"}));
+    EXPECT_EQ(names({lipid, "ATOM      2  P    DACM   2"}), (Words{"CM/POP 1/N", "CM/DA 2/P"}));
+}
+
 TEST(PdbOfPrograms, SitesThatAreNoAtomsHideNone) {
     const std::string water =
         "ATOM      1  OW  SOL A   1       0.000   0.000   0.000  1.00  0.00\n"
@@ -197,12 +216,23 @@ TEST(PdbOfPrograms, VirtualSitesOfPlacesThatAreNotKeptDoNotCount) {
     EXPECT_EQ(xs_of(read_programs_pdb(text, {.virtual_sites = false}).scene), (std::vector<double>{2}));
 }
 
-// What stands behind the wanted model is not looked at.
+// What stands behind the wanted model is not looked at, but for half a line at the end.
 TEST(PdbOfPrograms, ALastModelMayBeCutShort) {
     const std::string text =
         "MODEL        1\n" + record("ATOM      1  CA  ALA A   1", 0) + "ENDMDL\nMODEL        2\nATOM      1  CA  AL";
-    EXPECT_EQ(read_programs_pdb(text).frames, 2);
-    EXPECT_EQ(xs_of(read_programs_pdb(text).scene), (std::vector<double>{0}));
+    const SphereData cut = read_programs_pdb(text);
+    EXPECT_EQ(cut.frames, 1);
+    EXPECT_EQ(xs_of(cut.scene), (std::vector<double>{0}));
+    EXPECT_EQ(cut.warnings, (Words{"a.pdb:5:20: the line ends, expected the atom's x in columns 31 to 38; what follows frame 0 is "
+                                   "passed over"}));
+    EXPECT_EQ(message_of<InputError>([&] { read_programs_pdb(text, {.frame = 1}); }),
+              "a.pdb:5:20: the line ends, expected the atom's x in columns 31 to 38");
+    // A whole line needs no end.
+    std::string whole = "MODEL        1\n" + record("ATOM      1  CA  ALA A   1", 0) + "ENDMDL\nMODEL        2\n" +
+                        record("ATOM      1  CA  ALA A   1", 1);
+    whole.pop_back();
+    EXPECT_EQ(read_programs_pdb(whole).frames, 2);
+    EXPECT_TRUE(read_programs_pdb(whole).warnings.empty());
 }
 
 #ifndef WITHOUT_GEMMI

@@ -124,6 +124,14 @@ TEST(Ply, ColoursAreWhatTheColumnsHold) {
     EXPECT_EQ(ply(ply_head("ascii", "element vertex 1\n" + ply_xyz + diameter) + "0 0 0 3\n").scene.spheres.at(0).radius, 1.5);
 }
 
+TEST(Ply, MayHaveBlankLinesAndNoZ) {
+    const std::vector<glm::dvec3> places = {{1, 2, 3}, {4, 5, 6}};
+    EXPECT_EQ(ply_centers(ply_head("ascii", "element vertex 2\n" + ply_xyz) + "\n \n1 2 3\n\n4 5 6\n\n"), places);
+    const SphereData flat = ply(ply_head("ascii", "element vertex 2\nproperty float x\nproperty float y\n") + "1 2\n4 5\n");
+    EXPECT_EQ(flat.scene.spheres.at(1).center, glm::dvec3(4, 5, 0));
+    EXPECT_EQ(flat.warnings.at(0), "a.ply: no property z: all lie in the plane z = 0");
+}
+
 TEST(PlyErrors, SayWhatIsWrong) {
     const auto read = [](const std::string& text) { ply(text); };
     const auto ascii = [](const std::string& rest) { return ply_head("ascii", rest); };
@@ -150,7 +158,7 @@ TEST(PlyErrors, SayWhatIsWrong) {
             {many, "10003:1: found 'property', expected at most 10,000 elements and properties"},
             {ascii(""), "4:1: found no element vertex, expected one in the header"},
             {ascii("element vertex 1\nproperty int x\n"),
-             "3:9: found vertices without x, y and z, expected these among their properties"},
+             "3:9: found vertices without x and y, expected these among their properties"},
             {ascii("element vertex 2\n" + ply_xyz) + "0 0 0\n", "9:1: the text ends, expected vertex 2 of 2"},
             {ascii("element vertex 1000000000000000000\n" + ply_xyz) + "0 0 0\n",
              "9:1: the text ends, expected vertex 2 of 1000000000000000000"},

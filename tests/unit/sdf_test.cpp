@@ -5,6 +5,7 @@
 
 #include "formats/elements.hpp"
 #include "formats/scene_format.hpp"
+#include "scene/property.hpp"
 #include "unit/message_of.hpp"
 
 namespace sphereview {
@@ -63,6 +64,35 @@ TEST(Sdf, ReadsWhatProgramsWrite) {
     const SphereData whole = sdf("\n\n\n  1  0 V2000\n        10        -2         3 6   0  0\nM  END\n");
     EXPECT_EQ(whole.scene.spheres.at(0).center, glm::dvec3(10, -2, 3));
     EXPECT_EQ(sdf("\n\n\n  1  0 V2000\n         1         2         3 6   0  0\n").scene.names.at(0), "C");
+}
+
+TEST(Sdf, NumbersMayFillTheirColumns) {
+    const SphereData data =
+        sdf("\n\n\n  2  0 V2000\n-1234.5678-1234.5678-1234.5678 Cl  0  5\n    0.1000-1234.5678    3.0000 O   0  0\nM  END\n",
+            {.all_properties = true});
+    EXPECT_EQ(data.scene.spheres.at(0).center, glm::dvec3(-1234.5678, -1234.5678, -1234.5678));
+    EXPECT_EQ(data.scene.spheres.at(1).center, glm::dvec3(0.1, -1234.5678, 3));
+    EXPECT_EQ(data.scene.spheres.at(1).color, find_element("O")->color);
+    EXPECT_EQ(data.scene.names.at(0), "Cl");
+    const Property* charge = find_property(data.scene.properties, "charge");
+    ASSERT_NE(charge, nullptr);
+    EXPECT_EQ(number_at(*charge, 0), -1.0);
+}
+
+// A line of V3000 may end anywhere, also within a number.
+TEST(Sdf, AtomsMayGoOnInTheNextLine) {
+    const std::string head =
+        "\n\n\n  0  0 V3000\nM  V30 BEGIN CTAB\nM  V30 COUNTS 2 0 0 0 0\nM  V30 BEGIN ATOM\nM  V30 1 C 0 0 0 0\n";
+    const std::string tail = "M  V30 END ATOM\nM  V30 END CTAB\nM  END\n";
+    for (const char* atom : {"M  V30 2 O 1.2 0 -\nM  V30 0 0 CHG=-1\n", "M  V30 2 O 1.-\nM  V30 2 0 0 0\n",
+                             "M  V30 2 -\nM  V30 O 1.2 -\nM  V30 0 0 0\n"}) {
+        const Scene scene = sdf(head + atom + tail).scene;
+        ASSERT_EQ(scene.spheres.size(), 2U) << atom;
+        EXPECT_EQ(scene.spheres[1].center, glm::dvec3(1.2, 0, 0)) << atom;
+        EXPECT_EQ(scene.names.at(1), "O") << atom;
+    }
+    EXPECT_EQ(message_of<InputError>([&] { sdf(head + "M  V30 2 O 1.2 zero -\nM  V30 0 0\n" + tail); }),
+              "a.sdf:9:16: found 'zero', expected the y of atom 2 of 2, a number");
 }
 
 TEST(SdfErrors, SayWhatIsWrong) {
