@@ -134,7 +134,7 @@ private:
         {
             const PhaseTimer timer(timings_, Phase::light);
             const LightPreviews previews{.show =
-                                             [&](std::span<const LightVector> some) {
+                                             [&](std::span<const LightVector> some, double) {
                                                  colored_.color(block, visible, some);
                                                  drafts_->show(colored_.image().copy());
                                              },

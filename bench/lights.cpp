@@ -110,7 +110,7 @@ int main(int argc, char** argv) {
     // From nothing but the numbers to the first preview, as the window's draft is made.
     print("first light", median_cost(runs, [&] {
               struct Seen {};
-              const LightPreviews previews{.show = [](std::span<const LightVector>) { throw Seen(); }};
+              const LightPreviews previews{.show = [](std::span<const LightVector>, double) { throw Seen(); }};
               try {
                   const DrawnSpheres again = drawn_spheres(scene);
                   const Lighting lighting(scene, again, scene.camera, size, 1, {.lights = lights, .sky = 1.0, .sun = {}});

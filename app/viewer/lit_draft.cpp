@@ -85,10 +85,12 @@ Image lit_draft(const Scene& scene, const PictureOptions& picture_options, std::
             const auto place = static_cast<int>(i);
             visible[i] = believed({place % width, y + place / width}, seen[begin + i]);
         }
-        const LightPreviews previews{.show = [&](std::span<const LightVector> some) {
-            shader.shade(block, visible, picture, {}, some);
+        // Few lights have hard shadows: the light that is missing counts as that of a free sky, as in the picture that moved.
+        const auto show_some = [&](std::span<const LightVector> some, double missing) {
+            shader.shade(block, visible, picture, {}, some, {options.light, missing});
             show(picture.copy());
-        }};
+        };
+        const LightPreviews previews{.show = show_some, .as_bright = false};
         shader.shade(block, visible, picture, {}, lighting.light(block, visible, nullptr, grows ? &previews : nullptr, kept));
     }
     if (kept != nullptr) kept->finish();

@@ -183,7 +183,7 @@ void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const Li
         if (!any && sums.added() < enough_for_first_preview && seconds() < previews.first_after) continue;
         if (so_far == 0.0) continue;
         any = true;
-        const double factor = all / so_far;
+        const double factor = previews.as_bright ? all / so_far : 1.0;
         std::vector<LightVector> lit(pixels);
         sums.for_each_point([&](std::size_t place, const LightVector& sum) {
             const LightVector from_sun = sun ? of_sun[place] : LightVector{};
@@ -194,7 +194,7 @@ void add_shown(LightSums& sums, bool sun, const glm::dvec3& toward_eye, const Li
             };
             lit[place] = {scaled(sum.x, from_sun.x), scaled(sum.y, from_sun.y), scaled(sum.z, from_sun.z)};
         });
-        previews.show(lit);
+        previews.show(lit, previews.as_bright ? 0.0 : 1.0 - so_far / all);
     }
 }
 

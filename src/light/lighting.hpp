@@ -18,13 +18,16 @@
 
 namespace sphereview {
 
-// How a picture is shown while lights are still being added. Each preview has the light of the first lights, with the sky as strong
-// as it will be with all: it gets finer and no brighter.
+// How a picture is shown while lights are still being added. Each preview has the light of the first lights.
 struct LightPreviews {
-    std::function<void(std::span<const LightVector>)> show;  // is given the light of each point, as light() returns it
-    std::size_t fewest = 0;                                  // lights before the first
-    double first_after = 0.02;                               // seconds of adding lights
-    double every = 0.2;                                      // seconds, from one to the next
+    // Is given the light of each point, as light() returns it, and which part of the sky's brightness is missing, 0..1.
+    std::function<void(std::span<const LightVector>, double missing)> show;
+    // Whether the sky is made as strong as it will be with all lights, so that nothing is missing: the picture gets finer and no
+    // brighter. Few lights have hard shadows then.
+    bool as_bright = true;
+    std::size_t fewest = 0;     // lights before the first
+    double first_after = 0.02;  // seconds of adding lights
+    double every = 0.2;         // seconds, from one to the next
 };
 
 // The light of one picture, or of the points of its pixels.

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "base/parallel.hpp"
 #include "exact/visible.hpp"
@@ -45,7 +46,14 @@ struct Suspicion {
 class Comparer {
 public:
     Comparer(const Image& picture, const Scene& scene, const Background& background)
-        : picture_(picture), scene_(scene), background_(background) {}
+        : picture_(picture), scene_(scene), background_(background) {
+        for (const Sphere& sphere : scene.spheres) {
+            if (!sphere.hidden) sphere_colors_.insert(packed(sphere.color));
+        }
+    }
+
+    // Whether a sphere that is not hidden has that colour.
+    bool is_of_sphere(std::uint32_t packed_color) const { return sphere_colors_.contains(packed_color); }
 
     Color found(std::size_t i) const {
         const std::uint8_t* bytes = picture_.bytes().data() + i * static_cast<std::size_t>(picture_.channels());
@@ -109,14 +117,26 @@ private:
     const Image& picture_;
     const Scene& scene_;
     Background background_;
+    std::unordered_set<std::uint32_t> sphere_colors_{};
 };
 
-// The colour that most pixels have of those that should show the background; none where that is the right one.
+// The colour that the background has instead of its own, if there is one: that of more than half of the pixels that should show
+// it, where spheres' colours are left out, which wrong hits may have; of a sphere's own colour it must be nearly all.
 std::optional<Color> other_background(const Comparer& comparer, const Numbers& numbers) {
     std::unordered_map<std::uint32_t, std::int64_t> counts;
+    std::int64_t all = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (numbers[i] == visible_background) ++counts[packed(comparer.found(i))];
+        if (numbers[i] != visible_background) continue;
+        ++counts[packed(comparer.found(i))];
+        ++all;
     }
+    std::int64_t of_spheres = 0;
+    for (const auto& [value, count] : counts) of_spheres += comparer.is_of_sphere(value) ? count : 0;
+    std::erase_if(counts, [&](const auto& entry) {
+        constexpr double nearly_all = 0.95;
+        return comparer.is_of_sphere(entry.first) ? static_cast<double>(entry.second) < nearly_all * static_cast<double>(all)
+                                                  : 2 * entry.second <= all - of_spheres;
+    });
     if (counts.empty()) return std::nullopt;
     const auto most = std::ranges::max_element(
         counts, [](const auto& a, const auto& b) { return a.second < b.second || (a.second == b.second && a.first > b.first); });
@@ -157,7 +177,9 @@ std::vector<Named> named(const Suspicion& suspicion) {
 // The suspicions with one mistake more.
 std::vector<Suspicion> more_suspicious(const Suspicion& base, const Comparer& comparer, WrongPictures& wrong) {
     std::vector<Suspicion> more;
-    for (const WrongTracer& tracer : with_one_more_mistake(base.tracer, wrong.size())) more.push_back({tracer, base.palette});
+    for (const WrongTracer& tracer : with_one_more_mistake(base.tracer, wrong.size())) {
+        if (!wrong.takes_too_long(tracer)) more.push_back({tracer, base.palette});
+    }
     const auto add = [&](auto change) {
         Suspicion changed = base;
         change(changed.palette);
@@ -179,11 +201,27 @@ struct Search {
     Suspicion likeliest{};
     std::vector<Suspicion> as_likely{};  // when it is a single mistake
     std::vector<Suspicion> singles{};    // that explain much more than they contradict, but for the likeliest; the best first
+    bool float_as_likely = false;        // as a single mistake
 };
 
 constexpr std::size_t most_mistakes = 4;
 // A further mistake must explain so many of the pixels that are left.
 constexpr double least_part = 0.05;
+
+// How many of the differing pixels show what float arithmetic without care may show; 0 where more than `most` of them do not.
+std::int64_t shown_in_float(const Comparer& comparer, WrongPictures& wrong, std::int64_t most) {
+    const Numbers& right = wrong.numbers({});
+    wrong.numbers_in_float({});  // made once, before all cores ask
+    std::atomic<std::int64_t> others = 0;
+    const std::int64_t shown = comparer.count([&](std::size_t i) {
+        if (others > most || comparer.shows(i, right[i], {})) return false;
+        const Numbers perhaps = wrong.numbers_in_float(comparer.pixel(i));
+        const bool is = std::ranges::any_of(perhaps, [&](std::int32_t number) { return comparer.shows(i, number, {}); });
+        if (!is) ++others;
+        return is;
+    });
+    return others > most ? 0 : shown;
+}
 
 Search search(const Comparer& comparer, WrongPictures& wrong) {
     Search out;
@@ -217,6 +255,10 @@ Search search(const Comparer& comparer, WrongPictures& wrong) {
     const std::int64_t contradicting = comparer.count([&](std::size_t i) { return is_right(i) && !is_explained(i); });
     const std::int64_t different = comparer.count([&](std::size_t i) { return !is_right(i); });
     if (2 * explained < different || 4 * contradicting > explained) return {};
+    // Float arithmetic is no mistake that a picture is made with: what it may show is asked pixel by pixel.
+    const std::int64_t in_float = shown_in_float(comparer, wrong, different - (explained - contradicting));
+    if (in_float > explained - contradicting) return {};
+    out.float_as_likely = in_float == explained - contradicting && named(out.likeliest).size() == 1;
     const std::vector<Named> used = named(out.likeliest);
     for (const auto& [count, single] : better) {
         const std::string name = named(single).front().name;
@@ -230,6 +272,8 @@ constexpr std::uint8_t none = std::numeric_limits<std::uint8_t>::max();
 
 // By their place in the list of shares: the likeliest, then others, the last three for what comes from float, from nothing known,
 // and what no sphere's colour is.
+constexpr std::string_view float_words = "too close for float arithmetic to tell which sphere is seen";
+
 constexpr Color likeliest_mark{255, 255, 255};
 constexpr std::array<Color, 3> other_marks = {{{255, 220, 0}, {255, 140, 0}, {160, 220, 0}}};
 constexpr Color float_mark{0, 220, 255};
@@ -287,6 +331,7 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
     const bool blank = has_several && comparer.count([&](std::size_t i) { return comparer.found(i) == first; }) == out.pixels;
     const Search found = blank ? Search{} : search(comparer, wrong);
     const Numbers& likeliest = wrong.numbers(found.likeliest.tracer);
+    out.background = found.likeliest.palette.background;
     for (const Named& mistake : named(found.likeliest)) {
         out.likeliest.push_back(mistake.name);
         out.likeliest_words += (out.likeliest_words.empty() ? "" : "; and ") + mistake.words;
@@ -294,6 +339,11 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
     for (const Suspicion& other : found.as_likely) {
         out.as_likely.push_back(named(other).front().name);
         out.as_likely_words += (out.as_likely_words.empty() ? "" : "; or ") + named(other).front().words;
+    }
+
+    if (found.float_as_likely) {
+        out.as_likely.emplace_back("float");
+        out.as_likely_words += (out.as_likely_words.empty() ? "" : "; or ") + std::string(float_words);
     }
 
     if (blank) {
@@ -335,8 +385,8 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
         if (!scene.spheres[k].hidden) number_of_color.emplace(packed(scene.spheres[k].color), static_cast<std::int32_t>(k));
     }
     const auto has_color = [&](std::size_t i) { return number_of_color.contains(packed(comparer.found(i))); };
-    wrong.numbers_in_float({});  // made once, before all cores ask
-    add_share({"float", "too close for float arithmetic to tell which sphere is seen"}, float_mark, [&](std::size_t i) {
+    wrong.numbers_in_float({});
+    add_share({"float", std::string(float_words)}, float_mark, [&](std::size_t i) {
         if (!has_color(i)) return false;
         const Numbers perhaps = wrong.numbers_in_float(comparer.pixel(i));
         return std::ranges::any_of(perhaps,

@@ -39,6 +39,7 @@ struct Diagnosis {
     std::string likeliest_words{};           // the same for people
     std::vector<std::string> as_likely{};    // names of single mistakes that this picture cannot tell from the likeliest one
     std::string as_likely_words{};           // the same for people
+    std::optional<Color> background{};       // that the likeliest mistake has instead of the right one
     std::int64_t explained = 0;              // differing pixels that show what the likeliest mistakes make of them
     std::int64_t contradicting = 0;          // right pixels which those would change
     std::vector<MistakeShare> shares{};      // of all differing pixels, each counted once; the likeliest mistakes first

@@ -70,7 +70,10 @@ constexpr double float_tells = 0x1p-20;
 // Spheres that are tried exactly for one wrong picture, some 20 microseconds each: all that need it, in scenes that people draw.
 constexpr std::int64_t most_exact_work = 100'000;
 
-// A sphere in front of the eye, as one pixel's ray meets it.
+// Spheres that are tried for every pixel, all together, where rays hit nearly all: about a second.
+constexpr double most_tries = 2e8;
+
+// A sphere, as the line of one pixel's ray meets it.
 struct LineHit {
     std::int32_t number;
     double t1;
@@ -208,35 +211,75 @@ private:
     std::unordered_map<std::int32_t, std::vector<std::int32_t>> twins_{};  // of the first of each
 };
 
-// Of the hits in front of the eye, and those behind it with the signs of their t changed.
-std::int32_t shown_by(HitRule rule, const std::vector<LineHit>& hits, const std::vector<LineHit>& behind) {
-    const auto number_of = [](const auto& list, auto found) { return found == list.end() ? visible_background : found->number; };
-    const auto far_root = [](const LineHit& hit) { return hit.t2; };
+void put_in_order(std::vector<LineHit>& hits) {
+    std::ranges::stable_sort(hits, {}, &LineHit::t);
+    for (std::size_t i = 1; i < hits.size(); ++i) hits[i].as_near_as_last = hits[i].t == hits[i - 1].t;
+}
+
+// What a person's program takes for hits, with the root that it takes, nearest first. `hits`: those in front of the eye. `behind`:
+// what the ray's other half meets, with the signs of t changed.
+void take_wrongly(const WrongTracer& tracer, std::vector<LineHit>& hits, const std::vector<LineHit>& behind) {
+    for (const LineHit& hit : behind) {
+        if (!hit.inside) hits.push_back({hit.number, -hit.t2, -hit.t1, -hit.t2, false, hit.tangent, false});
+    }
+    if (tracer.root == RootRule::inside_missed) std::erase_if(hits, [](const LineHit& hit) { return hit.inside; });
+    if (tracer.discriminant == DiscriminantRule::tangent_missed) {
+        std::erase_if(hits, [](const LineHit& hit) { return hit.tangent; });
+    }
+    const bool far = tracer.root == RootRule::far_root;
+    if (!far && tracer.side == SideRule::in_front) return;  // in their exact order already
+    for (LineHit& hit : hits) hit.t = far ? hit.t2 : hit.t1;
+    put_in_order(hits);
+}
+
+// The same where the discriminant itself is wrong, of all spheres.
+void find_without_four(const WrongTracer& tracer, const Scene& scene, const Line& line, std::vector<LineHit>& hits) {
+    hits.clear();
+    const double a = glm::dot(line.direction, line.direction);
+    for (std::size_t i = 0; i < scene.spheres.size(); ++i) {
+        const Sphere& sphere = scene.spheres[i];
+        if (sphere.hidden) continue;
+        const glm::dvec3 v = sphere.center - line.origin;
+        const double b = -2.0 * glm::dot(line.direction, v);
+        const double discriminant = b * b - a * (glm::dot(v, v) - sphere.radius * sphere.radius);
+        if (!(discriminant >= 0.0)) continue;
+        const double root = square_root(discriminant);
+        const double t1 = (-b - root) / (2.0 * a);
+        const double t2 = (-b + root) / (2.0 * a);
+        const bool takes_far = tracer.root == RootRule::far_root;
+        const bool tries_far = tracer.root == RootRule::right && tracer.side == SideRule::in_front;
+        const double t = takes_far || (tries_far && !(t1 > 0.0)) ? t2 : t1;
+        if (t > 0.0 || tracer.side == SideRule::behind) {
+            hits.push_back({static_cast<std::int32_t>(i), t1, t2, t, false, false, false});
+        }
+    }
+    put_in_order(hits);
+}
+
+std::int32_t shown_by(HitRule rule, const std::vector<LineHit>& hits) {
+    const auto number_of = [&](auto found) { return found == hits.end() ? visible_background : found->number; };
     switch (rule) {
         case HitRule::nearest: break;
-        case HitRule::far_root: return number_of(hits, std::ranges::min_element(hits, {}, far_root));
-        case HitRule::behind:
-            if (!behind.empty()) return number_of(behind, std::ranges::max_element(behind, {}, far_root));
-            break;
-        case HitRule::inside_missed: return number_of(hits, std::ranges::find(hits, false, &LineHit::inside));
-        case HitRule::tangent_missed: return number_of(hits, std::ranges::find(hits, false, &LineHit::tangent));
-        case HitRule::first_in_file: return number_of(hits, std::ranges::min_element(hits, {}, &LineHit::number));
-        case HitRule::last_in_file: return number_of(hits, std::ranges::max_element(hits, {}, &LineHit::number));
+        case HitRule::first_in_file: return number_of(std::ranges::min_element(hits, {}, &LineHit::number));
+        case HitRule::last_in_file: return number_of(std::ranges::max_element(hits, {}, &LineHit::number));
+        case HitRule::farthest: return number_of(std::ranges::max_element(hits, {}, &LineHit::t));
         case HitRule::last_of_equals: {
             std::size_t last = 0;
             while (last + 1 < hits.size() && hits[last + 1].as_near_as_last) ++last;
             return hits.empty() ? visible_background : hits[last].number;
         }
-        case HitRule::farthest: return number_of(hits, std::ranges::max_element(hits, {}, &LineHit::t));
     }
     return hits.empty() ? visible_background : hits.front().number;
 }
 
-Numbers wrong_numbers(const Scene& scene, const Camera& camera, PictureSize size, HitRule rule) {
+Numbers wrong_numbers(const Scene& scene, const Camera& camera, PictureSize size, const WrongTracer& tracer) {
     const View view(scene, camera, size);
-    if (rule == HitRule::nearest) return view.numbers();
+    const bool sees_rightly = tracer.root == RootRule::right && tracer.side == SideRule::in_front &&
+                              tracer.discriminant == DiscriminantRule::right && tracer.rule == HitRule::nearest;
+    if (sees_rightly) return view.numbers();
+    const bool tries_all = tracer.discriminant == DiscriminantRule::without_four;
     std::unique_ptr<View> back;
-    if (rule == HitRule::behind) back = std::make_unique<View>(scene, turned_about(camera), size);
+    if (tracer.side == SideRule::behind && !tries_all) back = std::make_unique<View>(scene, turned_about(camera), size);
     const auto width = static_cast<std::size_t>(size.width);
     Numbers numbers(width * static_cast<std::size_t>(size.height));
     parallel_for(static_cast<std::size_t>(size.height), [&](std::size_t row) {
@@ -245,9 +288,14 @@ Numbers wrong_numbers(const Scene& scene, const Camera& camera, PictureSize size
         std::int64_t exact_work = std::max<std::int64_t>(most_exact_work / size.height, 64);
         for (std::size_t column = 0; column < width; ++column) {
             const Pixel pixel{static_cast<int>(column), static_cast<int>(row)};
-            view.find(pixel, hits, exact_work);
-            if (back != nullptr) back->find(pixel, behind, exact_work);
-            numbers[row * width + column] = shown_by(rule, hits, behind);
+            if (tries_all) {
+                find_without_four(tracer, scene, view.ray(pixel), hits);
+            } else {
+                view.find(pixel, hits, exact_work);
+                if (back != nullptr) back->find(pixel, behind, exact_work);
+                take_wrongly(tracer, hits, behind);
+            }
+            numbers[row * width + column] = shown_by(tracer.rule, hits);
         }
     });
     return numbers;
@@ -272,26 +320,37 @@ Scene grown(const Scene& scene, PictureSize size) {
 std::vector<WrongTracer> with_one_more_mistake(const WrongTracer& tracer, PictureSize size) {
     std::vector<WrongTracer> more;
     const bool square = size.width == size.height;
-    // Of two mistakes that look the same the first is named.
-    for (std::size_t i = 1; tracer.rule == HitRule::nearest && i < hit_rule_words.size(); ++i) {
-        more.push_back({tracer.orientation, tracer.place, static_cast<HitRule>(i)});
-    }
-    for (std::size_t i = 1; tracer.orientation == Orientation::right && i < orientation_words.size(); ++i) {
-        if (static_cast<Orientation>(i) != Orientation::swapped || square) {
-            more.push_back({static_cast<Orientation>(i), tracer.place, tracer.rule});
+    // The mistakes of one kind, where there is none yet.
+    const auto add = [&]<typename Kind>(Kind WrongTracer::*kind, std::size_t count, const auto& can_differ) {
+        if (tracer.*kind != Kind{}) return;
+        for (std::size_t i = 1; i < count; ++i) {
+            WrongTracer wrong = tracer;
+            wrong.*kind = static_cast<Kind>(i);
+            if (can_differ(wrong)) more.push_back(wrong);
         }
-    }
-    for (std::size_t i = 1; tracer.place == RayPlace::center && i < ray_place_words.size(); ++i) {
-        if (static_cast<RayPlace>(i) != RayPlace::stretched || !square) {
-            more.push_back({tracer.orientation, static_cast<RayPlace>(i), tracer.rule});
-        }
-    }
+    };
+    // Of two mistakes that look the same the first is named. What lies behind the eye counts: so do spheres around it.
+    const auto is_possible = [](const WrongTracer& wrong) {
+        return wrong.side == SideRule::in_front || wrong.root != RootRule::inside_missed;
+    };
+    const auto any = [](const WrongTracer&) { return true; };
+    add(&WrongTracer::root, root_rule_words.size(), is_possible);
+    add(&WrongTracer::side, side_rule_words.size(), is_possible);
+    add(&WrongTracer::discriminant, discriminant_rule_words.size(), any);
+    add(&WrongTracer::rule, hit_rule_words.size(), any);
+    add(&WrongTracer::orientation, orientation_words.size(),
+        [&](const WrongTracer& wrong) { return square || wrong.orientation != Orientation::swapped; });
+    add(&WrongTracer::place, ray_place_words.size(),
+        [&](const WrongTracer& wrong) { return !square || wrong.place != RayPlace::stretched; });
     return more;
 }
 
 std::vector<MistakeWords> mistakes_of(const WrongTracer& tracer) {
     std::vector<MistakeWords> all = {orientation_words[static_cast<std::size_t>(tracer.orientation)],
                                      ray_place_words[static_cast<std::size_t>(tracer.place)],
+                                     root_rule_words[static_cast<std::size_t>(tracer.root)],
+                                     side_rule_words[static_cast<std::size_t>(tracer.side)],
+                                     discriminant_rule_words[static_cast<std::size_t>(tracer.discriminant)],
                                      hit_rule_words[static_cast<std::size_t>(tracer.rule)]};
     std::erase_if(all, [](const MistakeWords& words) { return words.name.empty(); });
     return all;
@@ -305,7 +364,7 @@ struct WrongPictures::FloatView {
 };
 
 WrongPictures::WrongPictures(const Scene& scene, PictureSize size) : scene_(scene), size_(size) {
-    constexpr std::uint64_t bytes_a_pixel = 200;  // numbers of up to 45 tracers, and marks
+    constexpr std::uint64_t bytes_a_pixel = 280;  // numbers of up to 65 tracers, and marks
     const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
     require_memory(pixels * bytes_a_pixel, "what wrong tracers see of " + std::to_string(pixels) + " pixels needs");
 }
@@ -314,8 +373,14 @@ WrongPictures::~WrongPictures() = default;
 
 const std::vector<std::int32_t>& WrongPictures::numbers(const WrongTracer& tracer) {
     const auto [found, added] = numbers_.try_emplace(tracer);
-    if (added) found->second = wrong_numbers(scene_, seen_wrongly(scene_.camera, tracer, size_), size_, tracer.rule);
+    if (added) found->second = wrong_numbers(scene_, seen_wrongly(scene_.camera, tracer, size_), size_, tracer);
     return found->second;
+}
+
+bool WrongPictures::takes_too_long(const WrongTracer& tracer) const {
+    const double pixels = static_cast<double>(size_.width) * size_.height;
+    return tracer.discriminant == DiscriminantRule::without_four &&
+           pixels * static_cast<double>(scene_.spheres.size()) > most_tries;
 }
 
 void WrongPictures::forget_combinations() {

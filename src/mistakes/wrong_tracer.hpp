@@ -44,24 +44,33 @@ inline constexpr std::array<MistakeWords, 7> ray_place_words = {{
     {"stretched", "the square screen is stretched over a picture that is not square"},
 }};
 
-// Which of the hits is shown.
-enum class HitRule {
-    nearest,
-    far_root,
-    behind,
-    inside_missed,
-    tangent_missed,
-    last_of_equals,
-    first_in_file,
-    last_in_file,
-    farthest
-};
-inline constexpr std::array<MistakeWords, 9> hit_rule_words = {{
+// Which root of the quadratic is taken.
+enum class RootRule { right, far_root, inside_missed };
+inline constexpr std::array<MistakeWords, 3> root_rule_words = {{
     {"", ""},
     {"far-root", "the far root counts: t2 = (-b + sqrt(discriminant)) / (2 a) instead of t1"},
-    {"behind-the-eye", "what lies behind the eye counts: a negative t is not left out"},
     {"inside-missed", "a sphere around the eye is missed: t2 is not tried where t1 is negative"},
+}};
+
+// Where the roots may lie.
+enum class SideRule { in_front, behind };
+inline constexpr std::array<MistakeWords, 2> side_rule_words = {{
+    {"", ""},
+    {"behind-the-eye", "what lies behind the eye counts: a negative t is not left out"},
+}};
+
+// When there are roots.
+enum class DiscriminantRule { right, tangent_missed, without_four };
+inline constexpr std::array<MistakeWords, 3> discriminant_rule_words = {{
+    {"", ""},
     {"tangent-missed", "a tangent ray counts as a miss: discriminant > 0 instead of >= 0"},
+    {"discriminant", "the discriminant is b^2 - a c instead of b^2 - 4 a c"},
+}};
+
+// Which of the hits is shown.
+enum class HitRule { nearest, last_of_equals, first_in_file, last_in_file, farthest };
+inline constexpr std::array<MistakeWords, 5> hit_rule_words = {{
+    {"", ""},
     {"last-of-equals", "of equally near spheres the last in the file is shown: <= instead of < in the depth test"},
     {"no-depth-test", "no depth test: the first sphere in the file that is hit is shown"},
     {"last-in-file", "no depth test: each hit overwrites the one before, so the last in the file is shown"},
@@ -72,6 +81,9 @@ inline constexpr std::array<MistakeWords, 9> hit_rule_words = {{
 struct WrongTracer {
     Orientation orientation = Orientation::right;
     RayPlace place = RayPlace::center;
+    RootRule root = RootRule::right;
+    SideRule side = SideRule::in_front;
+    DiscriminantRule discriminant = DiscriminantRule::right;
     HitRule rule = HitRule::nearest;
 
     auto operator<=>(const WrongTracer&) const = default;
@@ -91,6 +103,9 @@ public:
     ~WrongPictures();
 
     PictureSize size() const { return size_; }
+
+    // Whether the tracer's picture takes so long that it is not worth its time: where rays hit nearly all spheres.
+    bool takes_too_long(const WrongTracer& tracer) const;
 
     // Forgets the numbers of tracers with several mistakes: another picture seldom needs them.
     void forget_combinations();

@@ -24,6 +24,8 @@ constexpr std::size_t most_at_once = 64;  // pixels
 
 constexpr std::size_t spheres_at_once = 4096;
 constexpr double smallest_radius = 0x1p-1021;  // its inverse is finite
+constexpr int usual_scale = -3;                // shading_scale, as a power of two
+constexpr int large = 900;                     // 2 to this and to its negative are far enough from the ends of double
 constexpr double narrowest = 1.0 + 1.0 / 256.0;
 
 // The squares must neither over- nor underflow.
@@ -41,6 +43,20 @@ glm::dvec3 from_eye(const glm::dvec3& point, const glm::dvec3& eye) {
             shading_scale * point.z - shading_scale * eye.z};
 }
 
+// The same in lengths times a power of two.
+glm::dvec3 from_eye(const glm::dvec3& point, const glm::dvec3& eye, int scale) {
+    return scale == usual_scale ? from_eye(point, eye) : times_two_to(point, scale) - times_two_to(eye, scale);
+}
+
+int exponent_of(double value) {
+    int exponent = 0;
+    std::frexp(value, &exponent);
+    return exponent;
+}
+
+// In which doubles can tell where a camera's parallel rays begin.
+int scale_of_origins(const Camera& camera) { return -exponent_of(std::max(largest_of(camera.right), largest_of(camera.up))); }
+
 // A sphere as its pixels need it.
 struct ShadedSphere {
     glm::dvec3 center;  // relative to the eye
@@ -51,10 +67,10 @@ struct ShadedSphere {
 
 double side_of(EyeSide side) { return side == EyeSide::outside ? 1.0 : -1.0; }
 
-ShadedSphere shaded_sphere(const Sphere& sphere, const glm::dvec3& eye, EyeSide side) {
+ShadedSphere shaded_sphere(const Sphere& sphere, const glm::dvec3& eye, EyeSide side, int scale) {
     ShadedSphere shaded{};
-    shaded.center = from_eye(sphere.center, eye);
-    shaded.radius = std::max(shading_scale * sphere.radius, smallest_radius);
+    shaded.center = from_eye(sphere.center, eye, scale);
+    shaded.radius = std::max(std::ldexp(sphere.radius, scale), smallest_radius);
     shaded.inverse_radius = 1.0 / shaded.radius;
     shaded.side = side_of(side);
     return shaded;
@@ -134,14 +150,20 @@ std::uint8_t byte_of(double value) { return static_cast<std::uint8_t>(std::floor
 std::uint8_t times(std::uint8_t channel, double factor) { return static_cast<std::uint8_t>(std::floor(channel * factor + 0.5)); }
 
 // What is lit at all is not black, unless the sphere is: so a shadow's edge is seen however flat the light falls.
-Color lit_color(const Color& color, const glm::dvec3& normal, const LightVector& light) {
-    if (light == LightVector{}) return {0, 0, 0};
+// `more`: brightness besides the light's.
+Color lit_color(const Color& color, const glm::dvec3& normal, const LightVector& light, double more) {
+    if (light == LightVector{} && more == 0.0) return {0, 0, 0};
     const double sum =
         normal.x * static_cast<double>(light.x) + normal.y * static_cast<double>(light.y) + normal.z * static_cast<double>(light.z);
-    const double brightness = sum > 0.0 ? sum / light_one : 0.0;
+    const double brightness = (sum > 0.0 ? sum / light_one : 0.0) + more;
     const double factor = between_0_and_1(shown_part(brightness));
     const auto channel = [&](std::uint8_t own) { return std::max(times(own, factor), std::min<std::uint8_t>(own, 1)); };
     return {channel(color.r), channel(color.g), channel(color.b)};
+}
+
+double brightness_of(const FreeSky& free, const glm::dvec3& normal, const CameraAxes& axes) {
+    return free.part *
+           brightness_of_free_sky(free.light, {dot(normal, axes.right), dot(normal, axes.up), -dot(normal, axes.ahead)});
 }
 
 // Fills `count` pixels from `out` on with the `channels` bytes of `pixel`; doubling, because most runs are long.
@@ -208,9 +230,16 @@ Image make_picture(PictureSize size, const Background& background) {
 
 PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSize size, Shading shading,
                              const Background& background)
-    : scene_(scene), camera_(camera), sides_(camera), size_(size), shading_(shading), background_(background) {
+    : scene_(scene), camera_(camera), sides_(camera), size_(size), shading_(shading), background_(background), scale_(usual_scale) {
     if (!depends_on_hit(shading)) return;
-    rays_ = ray_basis<double>(camera, size);
+    rays_ = ray_basis<double>(camera, size, scale_);
+    if (rays_.orthographic && rays_.reach == 0.0) {  // where the rays begin is beyond doubles of that scale
+        const RayBasis<double> own = ray_basis<double>(camera, size, scale_of_origins(camera));
+        if (own.reach > 0.0) {
+            scale_ = scale_of_origins(camera);
+            rays_ = own;
+        }
+    }
     axes_ = camera_axes(camera);
     if (shading == Shading::normal || shading == Shading::studio) return;
     range_ = depth_range(scene, camera);
@@ -218,13 +247,13 @@ PictureShader::PictureShader(const Scene& scene, const Camera& camera, PictureSi
 }
 
 void PictureShader::shade(const Block& block, std::span<const std::int32_t> visible, Image& picture, Pixel origin,
-                          std::span<const LightVector> light) const {
+                          std::span<const LightVector> light, const FreeSky& free) const {
     assert(visible.size() == static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
     assert(light.size() == (shading_ == Shading::studio ? visible.size() : 0));
     const auto width = static_cast<std::size_t>(block.width);
     parallel_for(static_cast<std::size_t>(block.height), [&](std::size_t row) {
         const int y = block.y + static_cast<int>(row);
-        shade_row(block.x, y, visible.subspan(row * width, width), light.empty() ? light : light.subspan(row * width, width),
+        shade_row(block.x, y, visible.subspan(row * width, width), light.empty() ? light : light.subspan(row * width, width), free,
                   picture.at(block.x - origin.x, y - origin.y), static_cast<std::size_t>(picture.channels()));
     });
 }
@@ -232,34 +261,53 @@ void PictureShader::shade(const Block& block, std::span<const std::int32_t> visi
 Color PictureShader::color(Pixel pixel, std::int32_t visible, const LightVector& light) const {
     std::array<std::uint8_t, 3> bytes{};
     const std::span<const LightVector> lights(&light, shading_ == Shading::studio ? 1 : 0);
-    shade_row(pixel.x, pixel.y, {&visible, 1}, lights, bytes.data(), bytes.size());
+    shade_row(pixel.x, pixel.y, {&visible, 1}, lights, {}, bytes.data(), bytes.size());
     return {bytes[0], bytes[1], bytes[2]};
 }
 
+int PictureShader::scale_for(const Sphere& sphere) const {
+    if (scale_ == usual_scale && shading_scale * sphere.radius >= smallest_radius) return usual_scale;
+    const int exponent = exponent_of(sphere.radius);
+    const int scale = std::ldexp(sphere.radius, scale_) < smallest_radius ? -large - exponent : scale_;
+    // Beside a camera or at a distance that no scale has room for as well, doubles cannot tell where it is hit.
+    const double farthest = std::max(largest_of(sphere.center), largest_of(camera_.eye));
+    const bool fits = std::abs(exponent + scale) <= large && std::ldexp(farthest, scale) < 0x1p900;
+    if (!fits) return usual_scale;
+    return scale == scale_ || !rays_.orthographic || ray_basis<double>(camera_, size_, scale).reach > 0.0 ? scale : usual_scale;
+}
+
 void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visible, std::span<const LightVector> light,
-                              std::uint8_t* out, std::size_t channels) const {
+                              const FreeSky& free, std::uint8_t* out, std::size_t channels) const {
     const double upward = static_cast<double>(ray_coefficients(size_, {x, y}).upward);
     Span span;
     span.first = {rays_.forward.x + upward * rays_.up.x, rays_.forward.y + upward * rays_.up.y,
                   rays_.forward.z + upward * rays_.up.z};
     span.right = rays_.right;
+    const auto begin_rays = [&](const RayBasis<double>& rays) {
+        span.first = upward * rays.up;
+        span.right = rays.right;
+    };
+    int scale = scale_;
     if (rays_.orthographic) {
         span.orthographic = true;
         span.direction = unit_ray(rays_, size_, {x, y});
-        span.first = shading_scale * upward * rays_.up;
-        span.right = shading_scale * rays_.right;
+        begin_rays(rays_);
     }
     Hits hits;
     // The sphere, the hit in `hits` and the pixel in the row.
     const auto color_of = [&](const Sphere& sphere, std::size_t k, std::size_t column) -> Color {
-        if (shading_ == Shading::studio) return lit_color(sphere.color, {hits.x[k], hits.y[k], hits.z[k]}, light[column]);
+        if (shading_ == Shading::studio) {
+            const glm::dvec3 normal{hits.x[k], hits.y[k], hits.z[k]};
+            return lit_color(sphere.color, normal, light[column], free.part > 0.0 ? brightness_of(free, normal, axes_) : 0.0);
+        }
         if (shading_ == Shading::normal) {
             const auto along = [&](const glm::dvec3& axis) {
                 return byte_of(0.5 + 0.5 * (hits.x[k] * axis.x + hits.y[k] * axis.y + hits.z[k] * axis.z));
             };
             return {along(axes_.right), along(axes_.up), along(-axes_.ahead)};
         }
-        const double depth = between_0_and_1((hits.distance[k] - range_.nearest) * inverse_range_);
+        const double distance = scale == usual_scale ? hits.distance[k] : std::ldexp(hits.distance[k], usual_scale - scale);
+        const double depth = between_0_and_1((distance - range_.nearest) * inverse_range_);
         if (shading_ == Shading::depth) {
             const std::uint8_t grey = byte_of(1.0 - 0.8 * depth);
             return {grey, grey, grey};
@@ -285,7 +333,11 @@ void PictureShader::shade_row(int x, int y, std::span<const std::int32_t> visibl
         }
         const Sphere& sphere = scene_.spheres[static_cast<std::size_t>(number)];
         const EyeSide side = sides_(sphere);
-        span.sphere = shaded_sphere(sphere, camera_.eye, side);
+        if (const int own = scale_for(sphere); own != scale) {
+            scale = own;
+            if (rays_.orthographic) begin_rays(scale == scale_ ? rays_ : ray_basis<double>(camera_, size_, scale));
+        }
+        span.sphere = shaded_sphere(sphere, camera_.eye, side, scale);
         const std::size_t at_once = side == EyeSide::in_plane ? 1 : most_at_once;
         for (; run != end; run += static_cast<std::ptrdiff_t>(span.count)) {
             const Pixel first{x + static_cast<int>(run - visible.begin()), y};

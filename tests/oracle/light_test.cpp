@@ -158,13 +158,32 @@ TEST(Light, previews_are_as_bright_as_all) {
         const Lighting lighting(scene, drawn, scene.camera, size, 1, {.lights = 128, .sky = 1.0, .sun = sun});
         const std::vector<LightVector> all = lighting.light(whole, visible);
         std::vector<double> previews;
-        const LightPreviews shown{.show = [&](std::span<const LightVector> light) { previews.push_back(brightness(light)); },
-                                  .fewest = 8,
-                                  .first_after = 0.0,
-                                  .every = 0.0};
+        const LightPreviews shown{
+            .show = [&](std::span<const LightVector> light, double) { previews.push_back(brightness(light)); },
+            .fewest = 8,
+            .first_after = 0.0,
+            .every = 0.0};
         EXPECT_EQ(lighting.light(whole, visible, nullptr, &shown), all);
         EXPECT_GE(previews.size(), 2U);
         for (const double preview : previews) EXPECT_NEAR(preview / brightness(all), 1.0, 0.1);
+
+        // Or they say how much is missing, of the sky.
+        const Lighting under_sun(scene, drawn, scene.camera, size, 1, {.lights = 16, .sky = 0.0, .sun = sun});
+        const double of_sun = sun ? brightness(under_sun.light(whole, visible)) : 0.0;
+        std::vector<double> parts;
+        const LightPreviews partly{.show =
+                                       [&](std::span<const LightVector> light, double missing) {
+                                           parts.push_back(missing);
+                                           const double sky = (brightness(light) - of_sun) / (brightness(all) - of_sun);
+                                           EXPECT_NEAR(sky, 1.0 - missing, 0.1);
+                                       },
+                                   .as_bright = false,
+                                   .first_after = 0.0,
+                                   .every = 0.0};
+        EXPECT_EQ(lighting.light(whole, visible, nullptr, &partly), all);
+        ASSERT_GE(parts.size(), 2U);
+        EXPECT_GT(parts.front(), 0.5);
+        EXPECT_TRUE(std::ranges::is_sorted(parts, std::ranges::greater()));
     }
 }
 
@@ -180,7 +199,7 @@ TEST(Light, previews_have_points_that_double_cannot_place) {
     const Lighting lighting(scene, drawn, scene.camera, trial.size, 1, {.lights = 64, .sky = 1.0, .sun = {}});
     int previews = 0;
     const LightPreviews shown{
-        .show = [&](std::span<const LightVector>) { ++previews; }, .fewest = 8, .first_after = 0.0, .every = 0.0};
+        .show = [&](std::span<const LightVector>, double) { ++previews; }, .fewest = 8, .first_after = 0.0, .every = 0.0};
     lighting.light({0, 0, 15, 15}, visible, nullptr, &shown);
     EXPECT_GE(previews, 1);
 }

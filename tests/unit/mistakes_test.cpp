@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -17,17 +18,35 @@ namespace sphereview {
 
 namespace {
 
-// The names of the mistakes that it makes, as the diagnosis calls them; "" for none.
+// The names of the mistakes that it makes, as the diagnosis calls them; "" for none. Of the rules several, with + between them.
 struct Mistakes {
     std::string orientation{};
     std::string place{};
     std::string rule{};
 };
 
+// "a+b": a, b.
+std::set<std::string> parts_of(const std::string& names) {
+    std::set<std::string> parts;
+    std::istringstream rest(names);
+    for (std::string part; std::getline(rest, part, '+');) parts.insert(part);
+    return parts;
+}
+
 // The numbers of the spheres as somebody's program may find them who reads the definition of the picture, and makes mistakes.
 template <typename Real>
 std::vector<int> traced(const Scene& scene, PictureSize size, const Mistakes& mistakes) {
     std::vector<int> numbers;
+    const std::set<std::string> rules = parts_of(mistakes.rule);
+    const bool first = rules.contains("no-depth-test");
+    const bool last = rules.contains("last-in-file");
+    const bool last_of_equals = rules.contains("last-of-equals");
+    const bool farthest = rules.contains("farthest");
+    const bool far_root = rules.contains("far-root");
+    const bool behind = rules.contains("behind-the-eye");
+    const bool inside_missed = rules.contains("inside-missed");
+    const bool tangent_missed = rules.contains("tangent-missed");
+    const int four = rules.contains("discriminant") ? 1 : 4;
     const bool edges = mistakes.place == "edge-to-edge";
     const bool corner = mistakes.place.ends_with("corner");
     const Real in_x = corner ? (mistakes.place.find("left") != std::string::npos ? 0 : 1) : Real(0.5);
@@ -46,9 +65,8 @@ std::vector<int> traced(const Scene& scene, PictureSize size, const Mistakes& mi
             if (mistakes.orientation == "y-down" || mistakes.orientation == "turned") y = -y;
             if (mistakes.orientation == "x-mirrored" || mistakes.orientation == "turned") x = -x;
             const Real z = 100;
-            const std::string& rule = mistakes.rule;
             int seen = -1;
-            Real nearest = rule == "farthest" ? -1 : std::numeric_limits<Real>::max();
+            Real nearest = farthest ? -std::numeric_limits<Real>::max() : std::numeric_limits<Real>::max();
             for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
                 const auto cx = static_cast<Real>(scene.spheres[k].center.x);
                 const auto cy = static_cast<Real>(scene.spheres[k].center.y);
@@ -57,19 +75,19 @@ std::vector<int> traced(const Scene& scene, PictureSize size, const Mistakes& mi
                 const Real a = x * x + y * y + z * z;
                 const Real b = -2 * (x * cx + y * cy + z * cz);
                 const Real c = cx * cx + cy * cy + cz * cz - r * r;
-                const Real discriminant = b * b - 4 * a * c;
-                if (discriminant < 0 || (rule == "tangent-missed" && discriminant == 0)) continue;
+                const Real discriminant = b * b - static_cast<Real>(four) * a * c;
+                if (discriminant < 0 || (tangent_missed && discriminant == 0)) continue;
                 const Real t1 = (-b - std::sqrt(discriminant)) / (2 * a);
                 const Real t2 = (-b + std::sqrt(discriminant)) / (2 * a);
                 Real t = t1 > 0 ? t1 : t2;
-                if (rule == "far-root") t = t2;
-                if (rule == "inside-missed" || rule == "behind-the-eye") t = t1;
-                if (t <= 0 && rule != "behind-the-eye") continue;
-                const bool wins = rule == "no-depth-test"    ? seen < 0
-                                  : rule == "last-in-file"   ? true
-                                  : rule == "last-of-equals" ? t <= nearest
-                                  : rule == "farthest"       ? t > nearest
-                                                             : t < nearest;
+                if (inside_missed || behind) t = t1;
+                if (far_root) t = t2;
+                if (t <= 0 && !behind) continue;
+                const bool wins = first            ? seen < 0
+                                  : last           ? true
+                                  : last_of_equals ? t <= nearest
+                                  : farthest       ? t > nearest
+                                                   : t < nearest;
                 if (wins) std::tie(seen, nearest) = std::pair(static_cast<int>(k), t);
             }
             numbers.push_back(seen);
@@ -135,7 +153,7 @@ TEST(Diagnosis, NamesTheOneMistakeOfAWrongTracer) {
              {"top-left-corner", "top-right-corner", "bottom-left-corner", "bottom-right-corner", "edge-to-edge", "stretched"}) {
             expect_named({.place = name}, wide);
         }
-        for (const char* name : {"far-root", "behind-the-eye", "no-depth-test", "last-in-file", "farthest"}) {
+        for (const char* name : {"far-root", "behind-the-eye", "no-depth-test", "last-in-file", "farthest", "discriminant"}) {
             expect_named({.rule = name}, wide);
         }
     }
@@ -168,6 +186,73 @@ TEST(Diagnosis, NamesTwoMistakesAtOnce) {
     EXPECT_EQ(swapped.explained, swapped.different);
     EXPECT_EQ(std::set<std::string>(swapped.likeliest.begin(), swapped.likeliest.end()),
               (std::set<std::string>{"last-in-file", "red-blue-swapped"}));
+}
+
+// A beginner who has left out one test has often left out another.
+TEST(Diagnosis, NamesSeveralMistakesOfTheHits) {
+    const PictureSize size{120, 90};
+    int named = 0;
+    for (unsigned seed = 11; seed <= 13; ++seed) {
+        const Scene scene = usual_scene(seed);
+        for (const Mistakes& mistakes :
+             {Mistakes{.rule = "no-depth-test+behind-the-eye"}, Mistakes{.rule = "last-in-file+behind-the-eye"},
+              Mistakes{.rule = "farthest+behind-the-eye"}, Mistakes{.rule = "far-root+behind-the-eye"},
+              Mistakes{.orientation = "y-down", .rule = "discriminant"},
+              Mistakes{.orientation = "y-down", .rule = "last-in-file+behind-the-eye"}}) {
+            SCOPED_TRACE(std::to_string(seed) + ", " + mistakes.orientation + " " + mistakes.rule);
+            const std::vector<int> numbers = traced<double>(scene, size, mistakes);
+            Mistakes without = mistakes;
+            without.rule = mistakes.rule.substr(0, mistakes.rule.find('+'));
+            if (mistakes.orientation.empty() && traced<double>(scene, size, without) == numbers)
+                continue;  // the second does nothing
+            ++named;
+            const Diagnosis found = diagnosed(painted(scene, size, numbers), scene);
+            EXPECT_EQ(std::set<std::string>(found.likeliest.begin(), found.likeliest.end()),
+                      parts_of(mistakes.rule + (mistakes.orientation.empty() ? "" : "+" + mistakes.orientation)));
+            EXPECT_EQ(found.explained, found.different);
+            EXPECT_EQ(found.contradicting, 0);
+        }
+    }
+    EXPECT_GE(named, 16);
+}
+
+// Wrong hits may cover most of the background with one sphere.
+TEST(Diagnosis, TakesNoSpheresColourForTheBackground) {
+    const Scene scene = usual_scene(2);
+    const PictureSize size{80, 60};
+    const std::vector<int> right = traced<double>(scene, size, {});
+    std::vector<int> numbers = right;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i] < 0 && i % 8 != 0) numbers[i] = 3;
+        if (numbers[i] < 0) numbers[i] = 5;
+    }
+    const Diagnosis wrong = diagnosed(painted(scene, size, numbers), scene);
+    EXPECT_TRUE(wrong.likeliest.empty()) << wrong.likeliest_words;
+    // Nor one colour of many.
+    Image gradient = painted(scene, size, right);
+    for (std::size_t i = 0; i < right.size(); ++i) {
+        if (right[i] < 0) gradient.bytes()[3 * i + 2] = static_cast<std::uint8_t>(100 + i / 160);
+    }
+    EXPECT_TRUE(diagnosed(gradient, scene).likeliest.empty());
+    // But the same everywhere it may be.
+    numbers = right;
+    std::ranges::replace(numbers, -1, 3);
+    EXPECT_EQ(diagnosed(painted(scene, size, numbers), scene).likeliest, (std::vector<std::string>{"background"}));
+}
+
+// What only float cannot tell, a missing depth test may show as well.
+TEST(Diagnosis, SaysThatFloatIsAsLikely) {
+    Scene scene;
+    scene.spheres = {{{0, 0, 3000}, 1000, {255, 0, 0}}, {{0.002, 0.001, 3000}, 1000, {0, 255, 0}}};
+    const PictureSize size{100, 100};
+    const Diagnosis found = diagnosed(painted(scene, size, traced<double>(scene, size, {.rule = "no-depth-test"})), scene);
+    EXPECT_EQ(found.likeliest, (std::vector<std::string>{"no-depth-test"}));
+    EXPECT_EQ(found.contradicting, 0);
+    EXPECT_TRUE(std::ranges::count(found.as_likely, "float") == 1) << found.as_likely_words;
+    EXPECT_NE(found.as_likely_words.find("too close for float"), std::string::npos);
+    const Scene usual = usual_scene(1);
+    const Diagnosis plain = diagnosed(painted(usual, size, traced<double>(usual, size, {.rule = "no-depth-test"})), usual);
+    EXPECT_EQ(std::ranges::count(plain.as_likely, "float"), 0);
 }
 
 TEST(Diagnosis, NamesFloatArithmetic) {

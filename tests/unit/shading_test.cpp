@@ -8,6 +8,8 @@
 
 #include "exact/drawn.hpp"
 #include "exact/resolve.hpp"
+#include "scene/vectors.hpp"
+#include "shade/brightness.hpp"
 #include "shade/picture_shader.hpp"
 #include "shade/shading.hpp"
 #include "support/shaded_scenes.hpp"
@@ -257,6 +259,50 @@ TEST(Studio, GivesTheSameBytesEverywhere) {
     EXPECT_EQ(sum, 16548869827512253254ULL);
 }
 
+// Lengths may be of any size: what is 2^1072 times smaller has the same colours.
+TEST(Shading, GivesTheSameBytesAtEveryScale) {
+    Scene near = shaded_scene(40, 7);
+    Scene parallel = near;
+    parallel.camera = {{0, 0, 0}, {15, -10, 100}, {120, 0, 0}, {0, 120, 0}, Projection::orthographic};
+    for (const Scene& scene : {near, parallel}) {
+        const std::vector<std::int32_t> visible = visible_in(scene, size);
+        const auto bytes = [&](const Scene& scaled, Shading shading) {
+            Image picture(size.width, size.height, 3);
+            PictureShader(scaled, scaled.camera, size, shading, scaled.background)
+                .shade({0, 0, size.width, size.height}, visible, picture, {},
+                       shading == Shading::studio ? some_light(size) : std::vector<LightVector>{});
+            return Bytes(picture.bytes().begin(), picture.bytes().end());
+        };
+        for (const int exponent : {-1072, -1020, -1000, -900, -300, 300, 900, 1000}) {
+            Scene scaled = scene;  // but for the direction ahead
+            for (Sphere& sphere : scaled.spheres) {
+                sphere.center = times_two_to(sphere.center, exponent);
+                sphere.radius = std::ldexp(sphere.radius, exponent);
+            }
+            if (scene.camera.orthographic()) {
+                scaled.camera.right = times_two_to(scene.camera.right, exponent);
+                scaled.camera.up = times_two_to(scene.camera.up, exponent);
+            }
+            for (const Shading shading : {Shading::normal, Shading::studio}) {
+                EXPECT_EQ(bytes(scaled, shading), bytes(scene, shading))
+                    << exponent << ", " << name_of(shading) << (scene.camera.orthographic() ? ", parallel" : "");
+            }
+        }
+    }
+}
+
+// A sphere of another size than the camera.
+TEST(Shading, HasAScaleForEachSphere) {
+    const auto color = [](double factor) {
+        Scene scene;
+        scene.camera.projection = Projection::orthographic;
+        scene.spheres = {{factor * glm::dvec3(20, 8, 200), factor * 40, {255, 255, 255}, false}};
+        return PictureShader(scene, scene.camera, {51, 51}, Shading::normal, {}).color({25, 25}, 0);
+    };
+    EXPECT_EQ(color(0x1p-1072), color(1.0));
+    EXPECT_EQ(color(0x1p1000), color(1.0));
+}
+
 // 1.8 E / (0.8 + E) of the own colour, with E = n.B: 1.8 for light from where the surface faces.
 TEST(Studio, IsTheFormula) {
     Scene scene = scene_of({{{0, 0, 200}, 20, {200, 100, 0}, false}});
@@ -272,6 +318,26 @@ TEST(Studio, IsTheFormula) {
     EXPECT_EQ(color(0.0), (Color{0, 0, 0}));
     EXPECT_EQ(shader.color({50, 50}, 0, {0, 0, -1}), (Color{1, 1, 0}));
     EXPECT_EQ(shader.color({50, 50}, 0, {0, 0, 1}), (Color{1, 1, 0}));  // the normal rounds, and the light is exact
+}
+
+// What a draft has not decided yet is as bright as what moves.
+TEST(Studio, AddsAFreeSky) {
+    Scene scene;
+    scene.spheres = {{{0, 0, 200}, 20, {200, 100, 0}, false}};
+    const PictureShader shader(scene, scene.camera, {101, 101}, Shading::studio, {});
+    const Light light{.lights = {}, .sky = 0.8, .key = 0.5, .sun = {}, .toward_key = {}};
+    const double free = brightness_of_free_sky(light, {0.0, 0.0, 1.0});
+    const auto red = [&](double toward_eye, double part) {
+        Image picture(1, 1, 3);
+        const std::vector<std::int32_t> visible = {0};
+        const std::vector<LightVector> lit = {{0, 0, static_cast<std::int32_t>(-toward_eye * light_one)}};
+        shader.shade({50, 50, 1, 1}, visible, picture, {50, 50}, lit, {light, part});
+        return int{picture.at(0, 0)[0]};
+    };
+    const auto expected = [](double e) { return static_cast<int>(std::lround(200.0 * 1.8 * e / (0.8 + e))); };
+    EXPECT_EQ(red(0.2, 0.0), expected(0.2));
+    EXPECT_EQ(red(0.0, 1.0), expected(free));
+    EXPECT_EQ(red(0.2, 0.25), expected(0.2 + 0.25 * free));
 }
 
 }  // namespace
