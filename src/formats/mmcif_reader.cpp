@@ -10,6 +10,7 @@
 #include "base/memory.hpp"
 #include "base/text.hpp"
 #include "formats/atom_names.hpp"
+#include "formats/atoms.hpp"
 #include "formats/cif_fault.hpp"
 #include "formats/cif_values.hpp"
 #include "formats/crystal.hpp"
