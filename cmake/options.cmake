@@ -104,8 +104,8 @@ function(add_room name)
         target_link_libraries(${name} PRIVATE optimised_${room_LEVEL})
         use_precompiled(${name} precompiled_${room_LEVEL})
     endif()
-    # What inlining makes of a fast source must not depend on its neighbours, and windows.h must not reach them.
-    if(WIN32 OR (room_LEVEL EQUAL 3 AND NOT CMAKE_BUILD_TYPE STREQUAL Debug))
+    # What inlining makes of a fast source must not depend on its neighbours, and windows.h, which these two rooms include, must not reach them.
+    if((WIN32 AND name MATCHES "^(base|platform)$") OR (room_LEVEL EQUAL 3 AND NOT CMAKE_BUILD_TYPE STREQUAL Debug))
         set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
     endif()
     if(room_FAST AND NOT MSVC AND (CMAKE_BUILD_TYPE STREQUAL Release OR CMAKE_CONFIGURATION_TYPES))
