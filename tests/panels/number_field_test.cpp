@@ -221,10 +221,13 @@ TEST(NumberField, WhatIsRefusedIsSaidAndTheNumberStays) {
     EXPECT_NE(field.text_beside().find("'2,5': a point is expected instead of the comma."), std::string::npos)
         << field.text_beside();
     EXPECT_GE(field.place("refusal n", 0.0F, 0.0F).y, field.place("slider n", 0.0F, 1.0F).y) << "below the field";
+    field.click(ImVec2(190.0F, 190.0F));
+    EXPECT_TRUE(field.has("refusal n"));
     field.drag_by(30.0F);
     EXPECT_FALSE(field.has("refusal n"));
     field.enter("11");
     EXPECT_NE(field.text_beside().find("'11': a number from 0 to 10 is expected."), std::string::npos) << field.text_beside();
+    field.click(ImVec2(190.0F, 190.0F));
     field.enter("2.5");
     EXPECT_FALSE(field.has("refusal n"));
     EXPECT_EQ(field.number(), 2.5);
