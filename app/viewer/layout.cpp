@@ -44,6 +44,9 @@ void place_window(const Rectangle& area) {
     ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
 }
 
+// ImGui's windows begin at whole pixels: what lies between two of them ends there, too.
+float whole_pixels(float length, const PanelContext& context) { return std::round(length * context.scale); }
+
 // What the side panel leaves for the picture and for the tools that are open, at least. Someone who opened a tool wants to read it,
 // so the side panel narrows for that, and gives way where it would be too narrow itself.
 float room_beside_panel(const ViewerState& state, float whole, float scale) {
@@ -70,7 +73,7 @@ float draw_splitter(const PanelContext& context, const char* name, const Rectang
 
 // Beside the picture, at its left, so that no pixel is covered by its own explanation. Returns what is left of the picture's place.
 Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, Rectangle picture) {
-    const float splitter = splitter_width * context.scale;
+    const float splitter = whole_pixels(splitter_width, context);
     constexpr float most = 0.55F;  // of the room: the picture is what it is about
     const double wanted = inspector_width_range.nearest(state.settings.inspector_width);
     const float width = std::floor(std::min(static_cast<float>(wanted) * context.scale, most * picture.width));

@@ -270,7 +270,7 @@ void Viewer::redraw() {
     show(area_);
     imgui_.render();
     window_.swap_buffers();
-    pacing_.drew(picture_.step());
+    pacing_.drew(picture_.step(), panels_changed);
     if (!plays()) {
         pacing_.end_play();
     } else if (traced) {
@@ -311,6 +311,10 @@ void Viewer::show(const Rectangle& area) {
     const bool finished = rest_.upload(state_, picture_);
     const Window::Extent framebuffer = window_.framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    // Where neither the picture nor a panel draws, nothing of an earlier redraw shows through.
+    const ImVec4 around = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+    glClearColor(around.x, around.y, around.z, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
     const int left = static_cast<int>(std::lround(area.x * pixels_));
     const int top = static_cast<int>(std::lround(area.y * pixels_));
     const PictureSize size = state_.picture_size;
