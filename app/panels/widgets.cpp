@@ -124,7 +124,7 @@ ImVec4 on_panel(const ImVec4& on_dark) {
 
 void draw_heading(const PanelContext& context, const std::string& name, const std::string& words) {
     ImGui::BeginGroup();
-    ImGui::SetWindowFontScale(1.6F);
+    ImGui::SetWindowFontScale(name_size);
     ImGui::TextUnformatted(name.c_str());
     ImGui::SetWindowFontScale(1.0F);
     dim_text(words);

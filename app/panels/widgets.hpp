@@ -22,6 +22,7 @@ ImVec4 on_panel(const ImVec4& on_dark);
 
 // The one scale of type and room: a heading (a large line, and dim words below it), the title of a part, text, and rows in which
 // text can be chosen, as high as fields.
+inline constexpr float name_size = 1.6F;  // of a heading's large line, times the text's
 void draw_heading(const PanelContext& context, const std::string& name, const std::string& words);
 void draw_title(const PanelContext& context, const std::string& title);
 float row_height();

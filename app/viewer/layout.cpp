@@ -49,8 +49,11 @@ float whole_pixels(float length, const PanelContext& context) { return std::roun
 
 // What the side panel leaves for the picture and for the tools that are open, at least. Someone who opened a tool wants to read it,
 // so the side panel narrows for that, and gives way where it would be too narrow itself.
-float room_beside_panel(const ViewerState& state, float whole, float scale) {
-    const float picture = (state.rays.on || state.measuring.on ? narrowest_under_tool : narrowest_picture) * scale;
+float room_beside_panel(const ViewerState& state, const PanelContext& context, float whole, bool compares) {
+    const float scale = context.scale;
+    float picture = (state.rays.on || state.measuring.on ? narrowest_under_tool : narrowest_picture) * scale;
+    // Nothing is there yet that the panel could be used for: the page comes first.
+    if (state.is_at_start() && !compares) picture = std::max(picture, start_page_room(context));
     if (!state.inspector_shown) return picture;
     return std::max(picture, least_picture_share * whole) + (inspector_at_least + splitter_width) * scale;
 }
@@ -148,10 +151,10 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     const float status_height = has_status ? status_line : 0.0F;
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
-    const float splitter = splitter_width * context.scale;
-    float room = whole.x - splitter - room_beside_panel(state, whole.x, context.scale);
+    const float splitter = whole_pixels(splitter_width, context);
     // A comparison takes the side panel's place: so it covers neither the picture nor the inspector, in which it explains pixels.
     const bool compares = state.comparison && state.comparison->open;
+    float room = whole.x - splitter - room_beside_panel(state, context, whole.x, compares);
     const bool has_room = room >= narrowest_panel * context.scale;
     // The panel narrows for the number of the frame under the picture, as far as it can be read itself.
     if (has_room && has_several_frames(state)) {
