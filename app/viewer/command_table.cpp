@@ -89,7 +89,7 @@ Command setting(const CommandInfo& info, bool ViewerSettings::*on) {
 template <typename T>
 Command choice(const CommandInfo& info, T ViewerSettings::*setting, T value) {
     return {info,
-            [setting, value](ViewerState& s) { s.settings.*setting = value; },
+            [setting, value](ViewerState& s) { choose(s, setting, value); },
             {},
             [setting, value](const ViewerState& s) { return s.settings.*setting == value; }};
 }

@@ -183,7 +183,8 @@ void start_unless_replacing(ViewerState& state, const FilmRequest& request, cons
         if (!replaces) return ask_for_film(state, path, "");
         start_film(state, request);
     };
-    state.dialogs.push_back(replace_question("Replace pictures?", on_one_line(there) + "\n\nexists already, and perhaps others do.", answer));
+    state.dialogs.push_back(
+        replace_question("Replace pictures?", on_one_line(there) + "\n\nexists already, and perhaps others do.", answer));
 }
 
 void ask_for_film(ViewerState& state, const std::string& path, const std::string& fault) {
@@ -194,8 +195,7 @@ void ask_for_film(ViewerState& state, const std::string& path, const std::string
     browser.view = state.picture_size;
     browser.film = std::make_shared<FilmForm>(new_form(state));
     browser.accept = [&state, form = browser.film](const std::string& chosen, PictureSize size) {
-        state.settings.film_width = size.width;
-        state.settings.film_height = size.height;
+        choose_size(state, &ViewerSettings::film_width, &ViewerSettings::film_height, size);
         state.film_choices = form->chosen;
         form->refresh(*form);
         const auto ask_again = [&](const std::string& why) { ask_for_film(state, chosen, why); };

@@ -71,7 +71,7 @@ void Viewer::keep_recent_files() {
     if (state_.settings.recent == kept_recent_ || (settings_kept_ && !settings_kept_->ended())) return;
     kept_recent_ = state_.settings.recent;
     settings_kept_.reset();
-    settings_kept_.emplace([settings = state_.settings](WorkControl&) { save_settings(settings); });
+    settings_kept_.emplace([settings = settings_to_keep(state_)](WorkControl&) { save_settings(settings); });
 }
 
 bool Viewer::plays() const { return state_.player.clock.plays(); }
