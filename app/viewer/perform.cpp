@@ -33,8 +33,11 @@ void undo(ViewerState& state) {
     note_frame_before_edit(state, false);
     const bool follows = state.document.undo_moves_view() && state.inspected_camera() == state.scene().camera;
     const bool is_look = state.look_steps.contains(state.document.undo_name());
+    const Touched before = state.document.selected_before_undo_step();
     const Touched touched = state.document.undo();
     if (!is_look) select_touched(state, touched);
+    // Spheres that were added are gone; what they were made of, or what else was selected, is in hand again.
+    if (!before.empty()) state.selection.set(before);
     if (follows) show_scene_camera(state);
 }
 
@@ -57,7 +60,9 @@ void apply(ViewerState& state, EditScene action) {
     const bool moves_view = camera != nullptr && camera->moves_view;
     if (action.is_look) state.look_steps.insert(action.name);
     note_frame_before_edit(state, adds_or_removes || reorders);
-    const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
+    // Other edits leave the spheres there that they concern.
+    Touched before = std::holds_alternative<InsertSpheres>(action.edit) ? state.selection.numbers() : Touched{};
+    const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture, std::move(before));
     if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);
