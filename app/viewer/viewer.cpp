@@ -239,6 +239,10 @@ void Viewer::redraw() {
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
+    // The rays are drawn last, over the picture that is shown then, and yet lie below the marks.
+    ImDrawList& over_picture = *ImGui::GetBackgroundDrawList();
+    over_picture.ChannelsSplit(2);
+    over_picture.ChannelsSetCurrent(1);
     draw_view_marks(state_, context, area_, pixels_);
     draw_measured(state_, context, area_, pixels_);
     use_mouse(context, facts_.keys.escape);
@@ -256,15 +260,17 @@ void Viewer::redraw() {
     }
     give_seen();
     const bool searches = state_.panel_drawn && !state_.side_panel.search.done();
-    if (fly_on(state_, begin) || !state_.rays.to_see.empty() || searches) pacing_.touch();
+    if (fly_on(state_, begin) || state_.rays.flies || searches) pacing_.touch();
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);
     const bool traced = update_picture(pacing_.moving_step(), pacing_.budget());
     note_facts();
     follow_rays(state_);
+    over_picture.ChannelsSetCurrent(0);
     draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them
-    imgui_.end_frame();
+    over_picture.ChannelsMerge();
+    const bool panels_changed = imgui_.end_frame();
     imgui_.set_text_scale(state_.settings.text_scale);
     imgui_.set_theme(theme_of(state_.settings));
     show(area_);
