@@ -198,7 +198,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
     ImGui::PopStyleVar(2);
 
-    const CancelledWork cancelled = draw_messages(context, state.messages, picture);
+    const CancelledWork cancelled = draw_messages(context, state.messages, picture, state.marks_in_corners);
     if (cancelled.work) cancel_work(state);
     if (cancelled.film) cancel_film(state);
     if (state.is_at_start()) {

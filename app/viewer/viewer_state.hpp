@@ -90,6 +90,7 @@ struct ViewerState {
     glm::dvec3 pivot{0.0};
     std::optional<CameraFlight> flight;  // where the view moves by itself
     AxesInHand axes_in_hand;
+    CornerMarks marks_in_corners{};        // as they were drawn last
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
     LightOptions light;                    // instead of the scene's, as --sun and its like ask
