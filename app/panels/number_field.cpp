@@ -160,8 +160,16 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
 
 void say_what_it_is(const std::string& name, const NumberRule& rule, const std::string& shown) {
     const std::string help = *rule.help == '\0' ? "" : std::string(rule.help) + "\n";
-    ImGui::SetTooltip("%s = %s\n%sDrag it (Shift finer, Ctrl coarser), or click and type, also 50+3*2.", name.c_str(),
-                      shown.c_str(), help.c_str());
+    const std::string text =
+        name + " = " + shown + "\n" + help + "Drag it (Shift finer, Ctrl coarser), or click and type, also 50+3*2.";
+    // Beside the panel, where there is room: below the pointer are the next fields.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float needed = ImGui::CalcTextSize(text.c_str()).x + 2.0F * style.WindowPadding.x + style.ItemSpacing.x;
+    const ImVec2 window = ImGui::GetWindowPos();
+    if (window.x >= needed) {
+        ImGui::SetNextWindowPos({window.x - style.ItemSpacing.x, ImGui::GetItemRectMin().y}, ImGuiCond_Always, {1.0F, 0.0F});
+    }
+    ImGui::SetTooltip("%s", text.c_str());
 }
 
 // Where the number is between its ends, on the field's lower edge: beside the digits, not on them.
@@ -181,6 +189,7 @@ NumberChange draw_drag(const PanelContext& context, NumberFields& fields, const 
     const float room = width - 2.0F * ImGui::GetStyle().FramePadding.x;
     std::string shown = several.empty() ? fitting_text(value, room) : several;
     if (width_of(rule.prefix + shown) <= room) shown.insert(0, rule.prefix);
+    if (width_of(shown + rule.unit) <= room) shown += rule.unit;
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgHovered));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));

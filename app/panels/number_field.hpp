@@ -23,7 +23,10 @@ struct NumberRule {
     double usual_size = 1.0;
     const char* help = "";    // a sentence for the tooltip
     const char* prefix = "";  // before the number, where there is room
+    const char* unit = "";    // behind it, likewise
 };
+
+inline constexpr const char* degree_sign = "\u00B0";
 
 // Of a coordinate in a scene: one near 0 moves by a part of what the scene takes up.
 inline NumberRule coordinate_rule(const SceneBounds& bounds) {

@@ -104,6 +104,15 @@ void draw_filter_fault(const PanelContext& context, const SidePanelState& state)
     note_rectangle(context, "filter fault", place, ImGui::GetItemRectSize());
 }
 
+// As much as there is room for: all of it holds for every scene.
+const char* filter_hint(float width) {
+    const float room = width - 2.0F * ImGui::GetStyle().FramePadding.x;
+    for (const char* hint : {"Filter: name, number, radius > 2", "Filter: name, number"}) {
+        if (width_of(hint) <= room) return hint;
+    }
+    return "Filter";
+}
+
 void draw_filter(const PanelContext& context, SidePanelState& state) {
     const float side = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -112,8 +121,9 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
     const bool below = is_condition(state.filter);
     const float beside = below ? 0.0F : select + gap;
     const float buttons = state.filter.empty() ? 0.0F : side + gap + beside;
-    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons));
-    ImGui::InputTextWithHint("##filter", "Filter: name, number, charge > 0.5", &state.filter);
+    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons);
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputTextWithHint("##filter", filter_hint(width), &state.filter);
     note_widget(context, "filter");
     if (state.filter.empty()) return;
     const auto draw_clear = [&] {

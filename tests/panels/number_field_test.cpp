@@ -233,6 +233,52 @@ TEST(NumberField, WhatIsRefusedIsSaidAndTheNumberStays) {
     EXPECT_EQ(field.number(), 2.5);
 }
 
+// Keys that follow are meant for it: they are no shortcuts of the window.
+TEST(NumberField, ABoxWhoseNumberIsRefusedStaysOpenWithTheKeyboard) {
+    for (const ImGuiKey key : {ImGuiKey_Enter, ImGuiKey_Tab}) {
+        OneNumber field(4.0);
+        field.enter("1/0", key);
+        field.frames(3);
+        EXPECT_TRUE(field.has("typed n") && field.has("refusal n"));
+        EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+        EXPECT_EQ(field.state().text, "1/0");
+        field.tap(ImGuiKey_End);
+        field.tap(ImGuiKey_Backspace);
+        EXPECT_EQ(field.state().text, "1/");
+        EXPECT_FALSE(field.has("refusal n")) << "another text is not yet refused";
+        field.type("8");
+        field.tap(ImGuiKey_Enter);
+        EXPECT_EQ(field.number(), 0.125);
+        field.frames(2);
+        EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+    }
+}
+
+TEST(NumberField, EscapeOrAClickElsewhereLeavesARefusedNumber) {
+    OneNumber field(4.0);
+    field.enter("1/0");
+    field.frames(3);
+    field.tap(ImGuiKey_Escape);
+    field.frames(2);
+    EXPECT_FALSE(field.has("typed n") || field.has("refusal n"));
+    field.enter("1/0");
+    field.frames(3);
+    field.click(ImVec2(190.0F, 190.0F));
+    field.frames(2);
+    EXPECT_FALSE(field.has("typed n"));
+    EXPECT_TRUE(field.has("refusal n"));
+    EXPECT_EQ(field.number(), 4.0);
+}
+
+TEST(NumberField, ShowsAUnitWhereThereIsRoom) {
+    const auto shown = [](double value) {
+        OneNumber field(value, {.unit = degree_sign});
+        return field.text_beside();
+    };
+    EXPECT_NE(shown(12.5).find(std::string("12.5") + degree_sign), std::string::npos) << shown(12.5);
+    EXPECT_EQ(shown(1.0 / 3.0).find(degree_sign), std::string::npos) << shown(1.0 / 3.0);
+}
+
 TEST(NumberField, WhatIsToBeAboveZeroIs) {
     OneNumber radius(4.0, {.above_zero = true});
     radius.enter("3-3");
