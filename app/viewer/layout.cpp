@@ -206,7 +206,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
-    draw_measuring(context, state.measuring, picture);
+    draw_measuring(context, state.measuring, picture, measured_places(state, picture));
     if (state.rays.on) draw_rays_over(state, context, facts, picture);
     if (compares) {
         draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, comparison,

@@ -172,6 +172,17 @@ void draw_view_marks(ViewerState& state, const PanelContext& context, const Rect
     if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
 }
 
+std::vector<ImVec2> measured_places(const ViewerState& state, const Rectangle& picture) {
+    std::vector<ImVec2> places;
+    const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
+    for (const std::uint32_t number : state.measuring.spheres) {
+        if (!has_sphere(state.scene(), number)) return {};
+        const auto at = place_of(state.camera, state.picture_size, state.scene().spheres[number].center);
+        if (at) places.push_back(on_screen(picture, pixels, *at));
+    }
+    return places;
+}
+
 void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {
     const Measuring& measuring = state.measuring;
     const std::vector<Sphere>& spheres = state.scene().spheres;
