@@ -50,6 +50,9 @@ std::optional<std::size_t> draw_choice(const PanelContext& context, const std::s
                                        const std::vector<std::string>& words, std::size_t present, const std::string& help = "",
                                        ImGuiComboFlags flags = 0);
 
+// In a list of words that is open: Escape closes it, also in a dialog, where ImGui's own keys are off.
+void close_list_by_escape();
+
 // How wide a button with that label is, at least.
 float button_width(std::string_view label);
 
