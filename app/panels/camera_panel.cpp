@@ -17,12 +17,17 @@ namespace {
 
 // Angles are shown without what turning vectors into them adds: an exponent of ten.
 constexpr int last_angle_digit = -6;
+constexpr int side_digits = 10;  // likewise; significant ones
 
 // Shortened; in full as a tooltip.
 void draw_vector(const PanelContext& context, const char* label, const glm::dvec3& v) {
     begin_field(context, label);
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s, %s, %s", short_text(v.x).c_str(), short_text(v.y).c_str(), short_text(v.z).c_str());
+    // What is far below the last digit of the largest is the rounding of turns.
+    constexpr double nothing_beside = 1e-12;
+    const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    const auto text = [&](double part) { return short_text(std::fabs(part) < nothing_beside * largest ? 0.0 : part); };
+    ImGui::TextDisabled("%s, %s, %s", text(v.x).c_str(), text(v.y).c_str(), text(v.z).c_str());
     explain_item(shortest(v.x) + "\n" + shortest(v.y) + "\n" + shortest(v.z));
 }
 
@@ -37,16 +42,19 @@ public:
         vector("centre", "Move the camera's centre", &Camera::center, with_center);
         if (camera_.orthographic()) {
             const NumberRule rule{.above_zero = true, .help = "How much of the scene the picture's shorter side shows."};
-            number("side", rule, "Change the camera's side", screen_side(camera_), with_screen_side);
+            number("side", rule, "Change the camera's side",
+                   rounded_to(screen_side(camera_), last_digit(screen_side(camera_), side_digits)), with_screen_side);
         } else {
             const NumberRule rule{.low = narrowest_view,
                                   .high = widest_view,
                                   .usual_size = 50.0,
-                                  .help = "Field of view, in degrees, over the picture's shorter side."};
+                                  .help = "Field of view, in degrees, over the picture's shorter side.",
+                                  .unit = degree_sign};
             number("field of view", rule, "Change the field of view", rounded_to(field_of_view(camera_), last_angle_digit),
                    with_field_of_view);
         }
-        number("roll", {.usual_size = 100.0, .help = "Turns the camera about where it looks, clockwise, in degrees."},
+        number("roll",
+               {.usual_size = 100.0, .help = "Turns the camera about where it looks, clockwise, in degrees.", .unit = degree_sign},
                "Roll the camera", rounded_to(roll_of(camera_), last_angle_digit) + 0.0, with_roll);
         draw_projection();
         draw_vector(context_, "right", camera_.right);

@@ -86,8 +86,10 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
     if (!ImGui::BeginPopupModal(name.c_str(), &open, flags)) return open ? Decision{} : cancelled(dialog);
     PanelContext own_context = context;
     if (!top) own_context.rectangles = nullptr;  // of what lies below nothing can be clicked
+    // Where something has opened above it, a dialog or a list of choices, the keys are that one's.
+    const bool covered = !top || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
     Decision decision =
-        std::visit([&](auto& one) { return draw_content(own_context, one, top ? keys : DialogKeys{}, dialogs); }, dialog);
+        std::visit([&](auto& one) { return draw_content(own_context, one, covered ? DialogKeys{} : keys, dialogs); }, dialog);
     if (!top)
         decision = draw_from(context, dialogs, index + 1, keys);
     else if (decision.done)
@@ -163,6 +165,7 @@ void draw_size(const PanelContext& context, FileBrowser& browser) {
     const bool open = ImGui::BeginCombo("##sizes", usual);
     note_widget(context, "export sizes");
     if (!open) return;
+    close_list_by_escape();
     const auto offer = [&](const std::string& words, const std::string& widget, PictureSize size) {
         if (ImGui::Selectable(words.c_str(), *browser.size == size)) browser.size = size;
         note_widget(context, widget);

@@ -213,11 +213,14 @@ void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
         kinds.push_back(label_of(kind));
         kinds_width = std::max(kinds_width, width_of(kinds.back()) + 2.0F * ImGui::GetFrameHeight());
     }
-    kinds_width = kinds.size() > 1 ? std::min(kinds_width, 0.4F * width) : 0.0F;
+    if (kinds.size() <= 1) kinds_width = 0.0F;
+    const bool kinds_below = kinds_width > 0.4F * width;
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-(kinds_width > 0.0F ? kinds_width + ImGui::GetStyle().ItemSpacing.x : 1.0F));
+    const float left = ImGui::GetCursorPosX();
+    const bool beside = kinds_width > 0.0F && !kinds_below;
+    ImGui::SetNextItemWidth(-(beside ? kinds_width + ImGui::GetStyle().ItemSpacing.x : 1.0F));
     if (ImGui::IsWindowAppearing()) browser.focus = FileBrowser::Focus::name;
     focus_next(browser, FileBrowser::Focus::name);
     if (text_box(browser, "##name", browser.name, ImGuiInputTextFlags_AutoSelectAll)) {
@@ -227,8 +230,13 @@ void draw_name(const PanelContext& context, FileBrowser& browser, float width) {
     }
     note_widget(context, "browser name");
     if (kinds_width <= 0.0F) return;
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(kinds_width);
+    // No kind's words are cut off: where they would leave too little for the name, they go below it.
+    if (beside) {
+        ImGui::SameLine();
+    } else {
+        ImGui::SetCursorPosX(left);
+    }
+    ImGui::SetNextItemWidth(std::min(kinds_width, ImGui::GetContentRegionAvail().x));
     if (const auto chosen = draw_choice(context, "browser kind", kinds, browser.kind)) choose_kind(browser, *chosen);
 }
 
@@ -266,6 +274,7 @@ ClickedEntry draw_form(const PanelContext& context, FileBrowser& browser) {
 Decision draw_content(const PanelContext& context, FileBrowser& browser, const DialogKeys& keys, Dialogs& dialogs) {
     const bool other_files =
         browser.hidden_files != browser.listed_hidden || (!browser.saving && browser.kind != browser.listed_kind);
+    if (browser.listed_folder.empty()) follow_name(browser);  // the one that the owner offers
     if (browser.listed_folder.empty() || browser.folder != browser.listed_folder || other_files) enter_nearest(browser);
     if (browser.film) judge(*browser.film, text_from(chosen_file(browser)));
     // What is wrong and the buttons stay in sight, whatever of the rest has to be scrolled.

@@ -206,8 +206,8 @@ private:
         const double ahead = camera_axes(context_.document.scene().camera).mirrored ? -1.0 : 1.0;
         double azimuth = rounded_to(std::atan2(direction.x, -ahead * direction.z) * degrees, last_degree) + 0.0;
         double elevation = rounded_to(std::asin(std::clamp(direction.y, -1.0, 1.0)) * degrees, last_degree);
-        const bool turned = number("azimuth", {.usual_size = 100.0}, azimuth);
-        const bool raised = number("elevation", {.low = -90.0, .high = 90.0, .usual_size = 50.0}, elevation);
+        const bool turned = number("azimuth", {.usual_size = 100.0, .unit = degree_sign}, azimuth);
+        const bool raised = number("elevation", {.low = -90.0, .high = 90.0, .usual_size = 50.0, .unit = degree_sign}, elevation);
         if (turned || raised) {
             const glm::dvec3 view = axes_from(azimuth, elevation).ahead;
             sun.direction = {-view.x, -view.y, -ahead * view.z};

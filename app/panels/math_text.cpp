@@ -76,12 +76,24 @@ void strip_zeros(std::string& digits) {
 
 std::string with_minus(const std::string& number) { return number.starts_with('-') ? "−" + number.substr(1) : number; }
 
-// Where the first line of `text`, which does not begin with a space, ends.
+constexpr std::array<std::string_view, 6> relations = {"=", "<", ">", "\u2264", "\u2265", "\u2260"};
+
+// Whether the space there stands beside a sign such as "=": what it compares is read together.
+bool is_beside_relation(std::string_view text, std::size_t space) {
+    const std::string_view before = text.substr(0, space);
+    const std::string_view behind = text.substr(space + 1);
+    return std::ranges::any_of(relations, [&](std::string_view one) { return before.ends_with(one) || behind.starts_with(one); });
+}
+
+// Where the first line of `text`, which does not begin with a space, ends: at the last space that the width has room for, beside a
+// relation only where there is no other.
 std::size_t line_end(std::string_view text, float width) {
     std::size_t end = std::min(text.find(' '), text.size());
+    std::size_t best = 0;
     while (end < text.size()) {
+        if (!is_beside_relation(text, end)) best = end;
         const std::size_t next = std::min(text.find(' ', end + 1), text.size());
-        if (width_of(text.substr(0, next)) > width) return end;
+        if (width_of(text.substr(0, next)) > width) return best > 0 ? best : end;
         end = next;
     }
     return end;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "panels/math_text.hpp"
+#include "panels/number_field.hpp"
 #include "panels/widgets.hpp"
 #include "scene/vectors.hpp"
 
@@ -53,6 +55,24 @@ void keep_within(const Rectangle& area, float margin) {
     };
     const ImVec2 place{nearest(low.x, size.x, area.x, area.width), nearest(low.y, size.y, area.y, area.height)};
     if (place.x != low.x || place.y != low.y) ImGui::SetWindowPos(place);
+}
+
+// Moves the current window, of which a place is covered, to the first corner where it covers none.
+void uncover(const std::vector<ImVec2>& places, const Rectangle& area, float margin) {
+    const ImVec2 size = ImGui::GetWindowSize();
+    const auto covers = [&](ImVec2 low) {
+        return std::ranges::any_of(places, [&](const ImVec2& at) {
+            return at.x > low.x - margin && at.y > low.y - margin && at.x < low.x + size.x + margin &&
+                   at.y < low.y + size.y + margin;
+        });
+    };
+    if (!covers(ImGui::GetWindowPos())) return;
+    const float right = area.x + area.width - margin - size.x;
+    const float bottom = area.y + area.height - margin - size.y;
+    for (const ImVec2& corner : {ImVec2(area.x + margin, area.y + margin), ImVec2(right, area.y + margin),
+                                 ImVec2(area.x + margin, bottom), ImVec2(right, bottom)}) {
+        if (!covers(corner)) return ImGui::SetWindowPos(corner);
+    }
 }
 
 }  // namespace
@@ -106,15 +126,15 @@ std::vector<Measure> measures_of(const Measuring& measuring, const Scene& scene,
 }
 
 std::string value_text(const Measure& measure, int significant) {
-    return short_text(measure.value, significant) + (measure.is_angle ? "\xC2\xB0" : "");
+    return in_glyphs(number_text(measure.value, significant)) + (measure.is_angle ? degree_sign : "");
 }
 
 std::string in_words(const Measure& measure, bool in_full) {
     return measure.name + " = " +
-           (in_full ? shortest(measure.value) + (measure.is_angle ? "\xC2\xB0" : "") : value_text(measure, digits));
+           (in_full ? shortest(measure.value) + (measure.is_angle ? degree_sign : "") : value_text(measure, digits));
 }
 
-void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area) {
+void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area, const std::vector<ImVec2>& places) {
     if (!measuring.on) return;
     if (measuring.revision != context.document.names_revision()) measuring.spheres.clear();
     const float margin = 12.0F * context.scale;
@@ -130,6 +150,13 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
     constexpr ImGuiWindowFlags flags = (quiet_window & ~ImGuiWindowFlags_NoMove) | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("###measuring", nullptr, flags)) {
         if (!ImGui::IsWindowAppearing()) keep_within(area, margin);
+        // Not at other times: then it is where the person has dragged it.
+        const ImVec2 size = ImGui::GetWindowSize();
+        if (measuring.measured != measuring.spheres.size() || size.x != measuring.size.x || size.y != measuring.size.y) {
+            uncover(places, area, margin);
+        }
+        measuring.size = size;
+        measuring.measured = measuring.spheres.size();
         const std::vector<Measure> measures = measures_of(measuring, context.document.scene(), !context.view.mirrored);
         draw_title(context, "Measure");
         if (measuring.spheres.size() == 1) wrapped_text(title_of(context.document.scene(), measuring.spheres.front()));

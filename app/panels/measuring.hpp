@@ -26,6 +26,9 @@ struct Measuring {
     bool on = false;
     std::vector<std::uint32_t> spheres{};  // in the order in which they were clicked, at most most_measured
     std::uint64_t revision = 0;            // Document::names_revision() in which these are the spheres' numbers
+    // Of the window, when it was last looked whether it covers what is measured.
+    ImVec2 size{};
+    std::size_t measured = 0;
 };
 
 // Takes a sphere that was clicked; one behind the last that is possible begins anew.
@@ -45,9 +48,11 @@ std::string value_text(const Measure& measure, int significant);
 // "distance ... = 12.5", "... = 109.47°"; in full, or with 6 digits.
 std::string in_words(const Measure& measure, bool in_full);
 
-// Draws a window of its own, first in the upper right corner of the area, which is the picture's, while measuring is on; it can be
-// moved within the area. Widgets:
+// Draws a window of its own, first in the upper left corner of the area, which is the picture's, while measuring is on; it can be
+// moved within the area. When it grows over one of the `places`, where the measured spheres are seen, it goes to a corner where it
+// covers none. Widgets:
 // "measuring", "measure copy", "measure again", "measure end".
-void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area);
+void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area,
+                    const std::vector<ImVec2>& places = {});
 
 }  // namespace sphereview

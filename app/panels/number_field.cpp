@@ -117,21 +117,25 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
     const bool untouched = fields.text == fields.opened_with || trimmed(fields.text).empty();
     const ExpressionValue shown = untouched ? ExpressionValue{} : entered(fields.text, rule);
     if (fields.focus) focus_next_box();
-    ImGui::PushStyleColor(ImGuiCol_Text, shown.fault.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : fault_color());
+    // What was refused is in red until it changes, in words below as well.
+    const bool refused = fields.refused == fields.typed;
+    ImGui::PushStyleColor(ImGuiCol_Text, !refused && shown.fault.empty() ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : fault_color());
     const int step = draw_text_box("##typed", "", fields.text, ImGuiInputTextFlags_AutoSelectAll);
     ImGui::PopStyleColor();
     note_widget(context, "slider " + fields.typed);
+    if (refused && ImGui::IsItemEdited()) fields.refused.clear();
     if (ImGui::IsItemActive()) {
         fields.focus = false;
         note_widget(context, "typed " + fields.typed);  // now, and not before, it takes what is typed
     }
     if (!ImGui::IsItemDeactivated() && step == 0) {
-        if (!untouched && (!shown.fault.empty() || is_calculation(fields.text))) say_below(shown);
+        if (!untouched && !refused && (!shown.fault.empty() || is_calculation(fields.text))) say_below(shown);
         return NumberChange::none;
     }
-    // Escape gave the old text back.
+    // Escape gave back the text that the box had when it got the keyboard, which may be a refused one.
     const std::string text = fields.text;
-    const bool same = text == fields.opened_with || trimmed(text).empty();
+    const bool given_up = step == 0 && key_pressed(ImGuiKey_Escape);
+    const bool same = given_up || text == fields.opened_with || trimmed(text).empty();
     const std::string name = fields.typed;
     const std::string before = fields.last_drawn;
     // Not the drag: a press on a field above has begun one already.
@@ -139,6 +143,8 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
     fields.just_typed = name;
     fields.focus = false;
     fields.passes_on = step > 0;
+    fields.left_by_key = step != 0 || key_pressed(ImGuiKey_Enter);
+    if (same && refused) fields.refused.clear();
     if (step < 0) open_box(fields, before);
     if (same) return NumberChange::none;
     const ExpressionValue result = entered(text, rule);
@@ -154,8 +160,16 @@ NumberChange draw_box(const PanelContext& context, NumberFields& fields, const N
 
 void say_what_it_is(const std::string& name, const NumberRule& rule, const std::string& shown) {
     const std::string help = *rule.help == '\0' ? "" : std::string(rule.help) + "\n";
-    ImGui::SetTooltip("%s = %s\n%sDrag it (Shift finer, Ctrl coarser), or click and type, also 50+3*2.", name.c_str(),
-                      shown.c_str(), help.c_str());
+    const std::string text =
+        name + " = " + shown + "\n" + help + "Drag it (Shift finer, Ctrl coarser), or click and type, also 50+3*2.";
+    // Beside the panel, where there is room: below the pointer are the next fields.
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float needed = ImGui::CalcTextSize(text.c_str()).x + 2.0F * style.WindowPadding.x + style.ItemSpacing.x;
+    const ImVec2 window = ImGui::GetWindowPos();
+    if (window.x >= needed) {
+        ImGui::SetNextWindowPos({window.x - style.ItemSpacing.x, ImGui::GetItemRectMin().y}, ImGuiCond_Always, {1.0F, 0.0F});
+    }
+    ImGui::SetTooltip("%s", text.c_str());
 }
 
 // Where the number is between its ends, on the field's lower edge: beside the digits, not on them.
@@ -175,6 +189,7 @@ NumberChange draw_drag(const PanelContext& context, NumberFields& fields, const 
     const float room = width - 2.0F * ImGui::GetStyle().FramePadding.x;
     std::string shown = several.empty() ? fitting_text(value, room) : several;
     if (width_of(rule.prefix + shown) <= room) shown.insert(0, rule.prefix);
+    if (width_of(shown + rule.unit) <= room) shown += rule.unit;
     ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgHovered));
     ImGui::PushStyleColor(ImGuiCol_ButtonActive, ImGui::GetStyleColorVec4(ImGuiCol_FrameBgActive));
@@ -221,6 +236,11 @@ NumberChange draw_number(const PanelContext& context, NumberFields& fields, cons
 void refuse_number(NumberFields& fields, const std::string& name, const std::string& fault) {
     fields.refused = name;
     fields.fault = fault;
+    if (!std::exchange(fields.left_by_key, false)) return;
+    fields.typed = name;
+    fields.focus = true;
+    fields.opens = false;  // with the text that was typed
+    fields.passes_on = false;
 }
 
 void draw_refusal(const PanelContext& context, const NumberFields& fields, const std::string& name) {

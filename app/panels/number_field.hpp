@@ -22,7 +22,10 @@ struct NumberRule {
     double usual_size = 1.0;
     const char* help = "";    // a sentence for the tooltip
     const char* prefix = "";  // before the number, where there is room
+    const char* unit = "";    // behind it, likewise
 };
+
+inline constexpr const char* degree_sign = "\u00B0";
 
 // Of a coordinate in a scene: one near 0 moves by a part of what the scene takes up.
 inline NumberRule coordinate_rule(const SceneBounds& bounds) {
@@ -38,11 +41,12 @@ struct NumberFields {
     std::string typed;  // its name; "" for none
     std::string text;
     std::string opened_with;
-    bool focus = false;      // the box is to get the keyboard
-    bool opens = false;      // the box is to get the number as its text
-    bool passes_on = false;  // what is drawn next gets the keyboard
-    std::string last_drawn;  // the field that Shift+Tab goes back to
-    std::string just_typed;  // the field that says nothing of itself until the pointer has left it
+    bool focus = false;        // the box is to get the keyboard
+    bool opens = false;        // the box is to get the number as its text
+    bool passes_on = false;    // what is drawn next gets the keyboard
+    std::string last_drawn;    // the field that Shift+Tab goes back to
+    std::string just_typed;    // the field that says nothing of itself until the pointer has left it
+    bool left_by_key = false;  // the last box, by Enter or Tab: else the person went on to something else
 
     // The latest drag: the number is `from` and so many steps, of a pixel each. Nothing adds up, and back is back to the bit.
     struct Drag {
@@ -69,8 +73,9 @@ enum class NumberChange { none, dragged, typed };
 
 // As wide as the next item's width. A drag gives `value` a short number and begins a gesture of its own; with Shift it is finer,
 // with Ctrl coarser, and Escape takes it back. A click, or Tab from another number, types one, or a calculation; what is none, or
-// not allowed, is refused, and the old number stays. Noted as "slider NAME". `name` is unique among the panel's fields. `several`:
-// where the value stands for others, too, which differ from it, what is shown instead; "" where they do not.
+// not allowed, is refused: the old number stays, and the box remains open for another one until Escape or a click elsewhere. Noted
+// as "slider NAME". `name` is unique among the panel's fields. `several`: where the value stands for others, too, which differ from
+// it, what is shown instead; "" where they do not.
 NumberChange draw_number(const PanelContext& context, NumberFields& fields, const std::string& name, const NumberRule& rule,
                          double& value, const std::string& several = "");
 
@@ -78,7 +83,8 @@ NumberChange draw_number(const PanelContext& context, NumberFields& fields, cons
 NumberChange draw_number_line(const PanelContext& context, NumberFields& fields, const char* name, const NumberRule& rule,
                               double& value);
 
-// Notes why the field's number cannot be, for what a rule does not know. It is said until another number is typed or dragged.
+// Notes why the field's number cannot be, for what a rule does not know. It is said until another number is typed or dragged. After
+// Enter or Tab the box opens again with what was typed: keys are still meant for that number, and not for the window.
 void refuse_number(NumberFields& fields, const std::string& name, const std::string& fault);
 
 // Says, on lines of its own, why the number of that field was refused; nothing where it was not.

@@ -41,6 +41,11 @@ RaysAnswer draw_picture(const PanelContext& context, const RaysFacts& facts, con
     draw.AddRectFilled(low, high, IM_COL32(0, 0, 0, 110));
     if (facts.picture) draw.AddImage(*facts.picture, low, high);
     draw.PushClipRect(low, high, true);
+    if (!facts.picture) {
+        constexpr const char* words = "is being traced...";
+        const ImVec2 room = ImGui::CalcTextSize(words);
+        draw.AddText({0.5F * (low.x + high.x - room.x), 0.5F * (low.y + high.y - room.y)}, IM_COL32(255, 255, 255, 200), words);
+    }
     if (facts.place) {
         const ImVec2 at{low.x + unit * static_cast<float>(facts.place->x), low.y + unit * static_cast<float>(facts.place->y)};
         if (choice.shown == RaysShown::row) draw.AddLine({low.x, at.y}, {high.x, at.y}, IM_COL32(255, 220, 90, 130), context.scale);

@@ -101,12 +101,16 @@ private:
     }
 
     void accept_name(std::size_t i) {
+        // What Escape gives back may be a name that was refused.
+        const bool given_up = key_pressed(ImGuiKey_Escape);
         const std::string name = std::exchange(state_.renamed_view, {}).name;
-        if (name == views_[i].name) return;
+        if (given_up || name == views_[i].name) return state_.view_fault.clear();
         std::string fault = view_name_fault(name);
         if (std::ranges::find(views_, name, &SavedView::name) != views_.end()) fault = "the name of another view";
         if (!fault.empty()) {
             state_.view_fault = in_quotes(name) + " is " + fault + ". The view keeps its name.";
+            // The keys that follow are still meant for the name, and not for the window.
+            if (key_pressed(ImGuiKey_Enter)) state_.renamed_view.start(i, name);
             return;
         }
         std::vector<SavedView> views = views_;

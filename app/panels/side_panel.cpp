@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -104,6 +105,15 @@ void draw_filter_fault(const PanelContext& context, const SidePanelState& state)
     note_rectangle(context, "filter fault", place, ImGui::GetItemRectSize());
 }
 
+// As much as there is room for: all of it holds for every scene.
+const char* filter_hint(float width) {
+    const float room = width - 2.0F * ImGui::GetStyle().FramePadding.x;
+    for (const char* hint : {"Filter: name, number, radius > 2", "Filter: name, number"}) {
+        if (width_of(hint) <= room) return hint;
+    }
+    return "Filter";
+}
+
 void draw_filter(const PanelContext& context, SidePanelState& state) {
     const float side = ImGui::GetFrameHeight();
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -112,8 +122,9 @@ void draw_filter(const PanelContext& context, SidePanelState& state) {
     const bool below = is_condition(state.filter);
     const float beside = below ? 0.0F : select + gap;
     const float buttons = state.filter.empty() ? 0.0F : side + gap + beside;
-    ImGui::SetNextItemWidth(std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons));
-    ImGui::InputTextWithHint("##filter", "Filter: name, number, charge > 0.5", &state.filter);
+    const float width = std::max(1.0F, ImGui::GetContentRegionAvail().x - buttons);
+    ImGui::SetNextItemWidth(width);
+    ImGui::InputTextWithHint("##filter", filter_hint(width), &state.filter);
     note_widget(context, "filter");
     if (state.filter.empty()) return;
     const auto draw_clear = [&] {
@@ -160,6 +171,34 @@ std::string sphere_heading(const PanelContext& context) {
     return heading + "###sphere";
 }
 
+// The heading of a part, noted as `part`.
+bool draw_part(const PanelContext& context, SidePanelState& state, const std::string& part, const std::string& heading,
+               ImGuiTreeNodeFlags flags = 0) {
+    const bool again = state.toggled && state.toggled->part == part && std::exchange(state.toggled->clicked_again, false);
+    if (again) ImGui::SetNextItemOpen(!state.toggled->open);
+    const bool open = ImGui::CollapsingHeader(heading.c_str(), flags);
+    note_widget(context, part);
+    if (again) {
+        state.toggled->open = open;
+    } else if (ImGui::IsItemToggledOpen()) {
+        state.toggled = ToggledPart{part, ImGui::GetIO().MousePos, open};
+    }
+    return open;
+}
+
+// Where the heading was clicked, over all that the panel has there now.
+void draw_place_of_click(const PanelContext& context, std::optional<ToggledPart>& toggled) {
+    if (!toggled) return;
+    const float reach = std::round(4.0F * context.scale);
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    if (std::fabs(mouse.x - toggled->at.x) > reach || std::fabs(mouse.y - toggled->at.y) > reach) return toggled.reset();
+    const ImVec2 size{2.0F * reach, 2.0F * reach};
+    ImGui::SetCursorScreenPos({toggled->at.x - reach, toggled->at.y - reach});
+    ImGui::BeginChild("##again", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    if (ImGui::InvisibleButton("##again", size)) toggled->clicked_again = true;
+    ImGui::EndChild();
+}
+
 }  // namespace
 
 void draw_side_panel(const PanelContext& context, SidePanelState& state) {
@@ -170,23 +209,20 @@ void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     draw_sphere_list(context, state, std::max(least, ImGui::GetContentRegionAvail().y - state.below_list));
     const float below = ImGui::GetCursorPosY();
     ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
-    if (ImGui::CollapsingHeader(sphere_heading(context).c_str(), ImGuiTreeNodeFlags_DefaultOpen))
-        draw_sphere_editor(context, state);
-    const bool look = ImGui::CollapsingHeader("Colour and size");
-    note_widget(context, "look");
-    if (look) draw_look_panel(context, state.look, state.numbers);
-    const bool light = ImGui::CollapsingHeader("Light");
-    note_widget(context, "light");
-    if (light) draw_light_panel(context, state);
+    const auto part = [&](const char* name, const std::string& heading, ImGuiTreeNodeFlags flags = 0) {
+        return draw_part(context, state, name, heading, flags);
+    };
+    if (part("sphere", sphere_heading(context), ImGuiTreeNodeFlags_DefaultOpen)) draw_sphere_editor(context, state);
+    if (part("look", "Colour and size")) draw_look_panel(context, state.look, state.numbers);
+    if (part("light", "Light")) draw_light_panel(context, state);
     if (std::exchange(state.open_camera, false)) ImGui::SetNextItemOpen(true);
-    const bool camera = ImGui::CollapsingHeader("Camera");
-    note_widget(context, "camera");
-    if (camera) {
+    if (part("camera", "Camera")) {
         draw_camera_panel(context, state);
         draw_saved_views(context, state);
     }
-    if (ImGui::CollapsingHeader("Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_background(context);
+    if (part("scene", "Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_background(context);
     state.below_list = ImGui::GetCursorPosY() - below + ImGui::GetStyle().ItemSpacing.y;
+    draw_place_of_click(context, state.toggled);
 }
 
 }  // namespace sphereview

@@ -1,6 +1,7 @@
 // The list of spheres, the editor of the selected ones, and what else a scene holds.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,15 @@ struct Renaming {
 // Draws the box. Returns whether the name is to be taken: Escape has given the present one back.
 bool draw_renaming(const PanelContext& context, Renaming& renaming, const char* widget);
 
+// The part of the panel whose heading was clicked last, until the pointer moves. As the list above makes room for a part that
+// opens, its heading goes from under the pointer: another click there, as of a double click, is still meant for it.
+struct ToggledPart {
+    std::string part;
+    ImVec2 at;  // on the screen
+    bool open = false;
+    bool clicked_again = false;  // since it was drawn
+};
+
 // What the side panel remembers from redraw to redraw.
 struct SidePanelState {
     std::string filter;
@@ -71,6 +81,8 @@ struct SidePanelState {
     bool has_box() const { return !numbers.typed.empty() || renamed_view.of; }
 
     LookPanelState look;
+
+    std::optional<ToggledPart> toggled{};
 
     std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
     float below_list = 0.0F;      // how high what comes below the list was

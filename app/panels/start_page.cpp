@@ -21,6 +21,8 @@ constexpr ImGuiWindowFlags start_window = quiet_window | ImGuiWindowFlags_NoBrin
 
 constexpr std::size_t most_recent_shown = 6;
 
+constexpr float margin_of_page = 16.0F;  // times the scale
+
 struct Example {
     const char* file;
     const char* title;
@@ -67,14 +69,18 @@ void draw_name(const PanelContext& context) {
     const auto ball = [&](float across, float down, float radius, const ImVec4& color) {
         draw_ball({low.x + across * height, low.y + down * height}, radius * height, color);
     };
-    ball(0.95F, 0.36F, 0.26F, {0.95F, 0.62F, 0.22F, 1.0F});
-    ball(0.50F, 0.50F, 0.42F, {0.26F, 0.52F, 0.90F, 1.0F});
-    ball(1.02F, 0.74F, 0.18F, {0.86F, 0.30F, 0.30F, 1.0F});
-    const float left = ImGui::GetCursorPosX() + 1.5F * height;
+    // Where there is no room for both, the name alone stays.
+    const bool balls = ImGui::GetContentRegionAvail().x >= 1.5F * height + name_size * width_of("sphereview");
+    if (balls) {
+        ball(0.95F, 0.36F, 0.26F, {0.95F, 0.62F, 0.22F, 1.0F});
+        ball(0.50F, 0.50F, 0.42F, {0.26F, 0.52F, 0.90F, 1.0F});
+        ball(1.02F, 0.74F, 0.18F, {0.86F, 0.30F, 0.30F, 1.0F});
+    }
+    const float left = ImGui::GetCursorPosX() + (balls ? 1.5F * height : 0.0F);
     const float top = ImGui::GetCursorPosY();
-    ImGui::SetCursorPos({left, top + 0.1F * height});
+    ImGui::SetCursorPos({left, top + (balls ? 0.1F * height : 0.0F)});
     draw_heading(context, "sphereview", "Ray traced spheres, exact to the pixel");
-    ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + height + 4.0F * context.scale));
+    if (balls) ImGui::SetCursorPosY(std::max(ImGui::GetCursorPosY(), top + height + 4.0F * context.scale));
 }
 
 // The rows of the page, from top to bottom: the pointer and the arrow keys choose among the same ones.
@@ -88,19 +94,21 @@ public:
         ImGui::PushID(count_);
         const ImVec2 low = ImGui::GetCursorScreenPos();
         const float width = ImGui::GetContentRegionAvail().x;
-        const float height = row_height();
+        const float inset = 6.0F * context_.scale;
+        // Where there is no room for both, the words alone stay, on as many lines as they need.
+        const bool fits = !more.empty() && width_of(words) + width_of(more) + 3.0F * inset <= width;
+        const float right = fits ? width_of(more) : 0.0F;
+        const float room = std::max(width - right - 3.0F * inset, 1.0F);
+        const float lines = ImGui::CalcTextSize(words.c_str(), nullptr, false, room).y - ImGui::GetTextLineHeight();
+        const float height = row_height() + std::max(lines, 0.0F);
         // As in the list of spheres, one right below the other.
         ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 0.0F});
         const bool clicked = ImGui::Selectable("##row", chosen, 0, {width, height});
         ImGui::PopStyleVar();
         note_widget(context_, widget);
         ImGui::PopID();
-        const float inset = 6.0F * context_.scale;
-        // Where there is no room for both, the words alone stay.
-        const bool fits = !more.empty() && width_of(words) + width_of(more) + 3.0F * inset <= width;
-        const float right = fits ? width_of(more) : 0.0F;
-        put({low.x + inset, low.y}, width - right - 3.0F * inset, height, words, ImGuiCol_Text);
-        put({low.x + width - right - inset, low.y}, right, height, more, ImGuiCol_TextDisabled);
+        put({low.x + inset, low.y}, room, words, ImGuiCol_Text);
+        if (fits) put({low.x + width - right - inset, low.y}, right, more, ImGuiCol_TextDisabled);
         ++count_;
         return clicked || (chosen && has_keys_ && key_pressed(ImGuiKey_Enter));
     }
@@ -113,14 +121,11 @@ public:
     }
 
 private:
-    // What does not fit is cut off.
-    static void put(ImVec2 low, float width, float height, const std::string& text, ImGuiCol color) {
-        if (width <= 0.0F) return;
-        ImDrawList* draw = ImGui::GetWindowDrawList();
-        draw->PushClipRect(low, {low.x + width, low.y + height}, true);
-        const float down = 0.5F * (height - ImGui::GetTextLineHeight());
-        draw->AddText({low.x, low.y + std::max(down, 0.0F)}, ImGui::GetColorU32(color), text.c_str());
-        draw->PopClipRect();
+    // Wrapped; a hair wider than it was measured, so that rounding breaks no line.
+    static void put(ImVec2 low, float width, const std::string& text, ImGuiCol color) {
+        const float down = 0.5F * (row_height() - ImGui::GetTextLineHeight());
+        ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x, low.y + std::max(down, 0.0F)},
+                                            ImGui::GetColorU32(color), text.c_str(), nullptr, width + 1.0F);
     }
 
     const PanelContext& context_;
@@ -182,10 +187,14 @@ std::vector<ExampleScene> example_scenes() {
     return found;
 }
 
+float start_page_room(const PanelContext& context) {
+    return std::max(440.0F * context.scale, 29.0F * ImGui::GetFontSize()) + 2.0F * margin_of_page * context.scale;
+}
+
 void draw_start_page(const PanelContext& context, StartPage& page, const std::vector<std::string>& recent, const Rectangle& area,
                      bool has_keys) {
-    const float margin = 16.0F * context.scale;
-    const float width = std::min(std::max(440.0F * context.scale, 29.0F * ImGui::GetFontSize()), area.width - 2.0F * margin);
+    const float margin = margin_of_page * context.scale;
+    const float width = std::min(start_page_room(context), area.width) - 2.0F * margin;
     if (width < 12.0F * ImGui::GetFontSize()) return;  // nothing could be read
     ImGui::SetNextWindowPos({std::floor(area.x + 0.5F * area.width), std::floor(area.y + 0.5F * area.height)}, ImGuiCond_Always,
                             {0.5F, 0.5F});

@@ -23,6 +23,9 @@ struct StartPage {
 // was built and not installed.
 std::vector<ExampleScene> example_scenes();
 
+// How wide a picture the page asks for.
+float start_page_room(const PanelContext& context);
+
 // Draws a window of its own in the middle of `area`, which is the picture's. Its rows are clicked, or chosen with the arrow keys
 // and taken with Enter where `has_keys`. Widgets: "start page", "start open", "start recent 0", "start example 0", "start command
 // 0".

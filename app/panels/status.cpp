@@ -12,11 +12,16 @@ namespace sphereview {
 
 namespace {
 
-void draw_announcement(const PanelContext& context, const std::string& text, const Rectangle& area) {
+void draw_announcement(const PanelContext& context, const std::string& text, const Rectangle& area, const CornerMarks& marks) {
     const float margin = 16.0F * context.scale;
     const float padding = ImGui::GetStyle().WindowPadding.x;
     const float most = std::max(area.width - 2.0F * (margin + padding), 4.0F * ImGui::GetFontSize());
-    ImGui::SetNextWindowPos({area.x + 0.5F * area.width, area.y + area.height - margin}, ImGuiCond_Always, {0.5F, 1.0F});
+    const std::string safe = shown_lines(text);
+    const float width = ImGui::CalcTextSize(safe.data(), safe.data() + safe.size(), false, most).x + 2.0F * padding;
+    const float beside = 0.5F * (area.width - width);
+    const float below =
+        std::max({margin, beside < marks.left.x ? marks.left.y : 0.0F, beside < marks.right.x ? marks.right.y : 0.0F});
+    ImGui::SetNextWindowPos({area.x + 0.5F * area.width, area.y + area.height - below}, ImGuiCond_Always, {0.5F, 1.0F});
     ImGui::SetNextWindowBgAlpha(0.9F);
     // NoInputs: clicks go through the announcement to the picture.
     if (ImGui::Begin("###announcement", nullptr,
@@ -27,12 +32,12 @@ void draw_announcement(const PanelContext& context, const std::string& text, con
     ImGui::End();
 }
 
-// Returns whether Cancel was pressed. `place`: of the middle of the box, or of its upper edge.
-bool draw_work(const PanelContext& context, const char* name, const WorkShown& work, const Rectangle& area, ImVec2 place,
-               ImVec2 pivot) {
+// At the picture's top, out of the way of what is looked at. Returns whether Cancel was pressed. `top`: where the box before ends;
+// gets where this one does.
+bool draw_work(const PanelContext& context, const char* name, const WorkShown& work, const Rectangle& area, float& top) {
     const float margin = 16.0F * context.scale;
     const float width = std::max(std::min(420.0F * context.scale, area.width - 2.0F * margin), 8.0F * ImGui::GetFontSize());
-    ImGui::SetNextWindowPos(place, ImGuiCond_Always, pivot);
+    ImGui::SetNextWindowPos({area.x + 0.5F * area.width, top + 12.0F * context.scale}, ImGuiCond_Always, {0.5F, 0.0F});
     ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, std::max(area.height, 1.0F)});
     ImGui::SetNextWindowBgAlpha(0.9F);
     bool cancelled = false;
@@ -43,6 +48,7 @@ bool draw_work(const PanelContext& context, const char* name, const WorkShown& w
         ImGui::ProgressBar(static_cast<float>(work.fraction.value_or(0.0)), {-1.0F, 0.0F}, percent.c_str());
         cancelled = work.can_cancel && draw_button(context, "Cancel", std::string("cancel ") + name);
         note_window(context, std::string("message ") + name);
+        top = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
     }
     ImGui::End();
     return cancelled;
@@ -171,7 +177,7 @@ std::string under_pointer(const PanelContext& context, const Status& status) {
 
 }  // namespace
 
-CancelledWork draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area) {
+CancelledWork draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area, const CornerMarks& marks) {
     const Trouble scene{"scene error", "The scene file cannot be read; the last good scene is shown.", messages.scene_error, false,
                         area.y};
     float below = draw_trouble(context, scene, area);
@@ -184,15 +190,10 @@ CancelledWork draw_messages(const PanelContext& context, Messages& messages, con
         context, {"shader error", "A shader does not compile; the last good one is running.", messages.shader_error, true, below},
         area);
     CancelledWork cancelled;
-    const float middle = area.x + 0.5F * area.width;
-    if (messages.work) {
-        cancelled.work = draw_work(context, "work", *messages.work, area, {middle, area.y + 0.4F * area.height}, {0.5F, 0.5F});
-    }
-    if (messages.film) {
-        cancelled.film = draw_work(context, "film", *messages.film, area, {middle, below + 12.0F * context.scale}, {0.5F, 0.0F});
-    }
+    if (messages.work) cancelled.work = draw_work(context, "work", *messages.work, area, below);
+    if (messages.film) cancelled.film = draw_work(context, "film", *messages.film, area, below);
     const std::string& told = messages.announcement.empty() ? messages.hint : messages.announcement;
-    if (!told.empty()) draw_announcement(context, told, area);
+    if (!told.empty()) draw_announcement(context, told, area, marks);
     return cancelled;
 }
 

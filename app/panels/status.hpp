@@ -28,7 +28,14 @@ struct Messages {
     std::string scene_gone{};         // the scene's file, while it is not there
 };
 
-// Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. The log is in
+// How large what is drawn in the picture's lower corners is, from the corner on, in ImGui's coordinates.
+struct CornerMarks {
+    ImVec2 left{};
+    ImVec2 right{};
+};
+
+// Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. What is
+// announced stands above the marks that it would lie on. The log is in
 // the second font of ImGui's atlas, if there is one: a monospaced one. Widgets: "message announcement", also for the hint, "message
 // scene error", "message shader error", "message scene gone", "close scene error", "close shader error", "close scene gone",
 // "message work", "cancel work", "message film", "cancel film".
@@ -36,7 +43,7 @@ struct CancelledWork {
     bool work = false;
     bool film = false;
 };
-CancelledWork draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area);
+CancelledWork draw_messages(const PanelContext& context, Messages& messages, const Rectangle& area, const CornerMarks& marks = {});
 
 struct Status {
     std::string renderer;        // "llvmpipe (LLVM 15.0.6, 256 bits)"

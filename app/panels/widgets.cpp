@@ -124,7 +124,7 @@ ImVec4 on_panel(const ImVec4& on_dark) {
 
 void draw_heading(const PanelContext& context, const std::string& name, const std::string& words) {
     ImGui::BeginGroup();
-    ImGui::SetWindowFontScale(1.6F);
+    ImGui::SetWindowFontScale(name_size);
     ImGui::TextUnformatted(name.c_str());
     ImGui::SetWindowFontScale(1.0F);
     dim_text(words);
@@ -192,6 +192,7 @@ std::optional<std::size_t> draw_choice(const PanelContext& context, const std::s
         if (!help.empty()) explain_item(help);
         return std::nullopt;
     }
+    close_list_by_escape();
     std::optional<std::size_t> chosen;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (ImGui::Selectable(words[i].c_str(), i == present) && i != present) chosen = i;
@@ -199,6 +200,10 @@ std::optional<std::size_t> draw_choice(const PanelContext& context, const std::s
     }
     ImGui::EndCombo();
     return chosen;
+}
+
+void close_list_by_escape() {
+    if (key_pressed(ImGuiKey_Escape)) ImGui::CloseCurrentPopup();
 }
 
 float button_width(std::string_view label) {

@@ -22,6 +22,7 @@ ImVec4 on_panel(const ImVec4& on_dark);
 
 // The one scale of type and room: a heading (a large line, and dim words below it), the title of a part, text, and rows in which
 // text can be chosen, as high as fields.
+inline constexpr float name_size = 1.6F;  // of a heading's large line, times the text's
 void draw_heading(const PanelContext& context, const std::string& name, const std::string& words);
 void draw_title(const PanelContext& context, const std::string& title);
 float row_height();
@@ -48,6 +49,9 @@ bool draw_button(const PanelContext& context, const char* label, const std::stri
 std::optional<std::size_t> draw_choice(const PanelContext& context, const std::string& widget,
                                        const std::vector<std::string>& words, std::size_t present, const std::string& help = "",
                                        ImGuiComboFlags flags = 0);
+
+// In a list of words that is open: Escape closes it, also in a dialog, where ImGui's own keys are off.
+void close_list_by_escape();
 
 // How wide a button with that label is, at least.
 float button_width(std::string_view label);

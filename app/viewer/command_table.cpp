@@ -89,7 +89,7 @@ Command setting(const CommandInfo& info, bool ViewerSettings::*on) {
 template <typename T>
 Command choice(const CommandInfo& info, T ViewerSettings::*setting, T value) {
     return {info,
-            [setting, value](ViewerState& s) { s.settings.*setting = value; },
+            [setting, value](ViewerState& s) { choose(s, setting, value); },
             {},
             [setting, value](const ViewerState& s) { return s.settings.*setting == value; }};
 }
@@ -240,7 +240,8 @@ std::vector<Command> make_commands() {
           "Brings the selected spheres to the middle of the picture."},
          center_on_selection,
          selects_any},
-        {{Id::fit_all, "View", "Fit everything", "F", "Moves the view so that it sees everything, the way it looks.", true},
+        {{Id::fit_all, "View", "Fit everything", "F",
+          "Moves the view so that it sees everything, in the direction that it looks and with the usual field of view.", true},
          [](ViewerState& s) { fly_to_fit(s, axes_of(s.camera)); }},
         side({Id::view_front, "View", "From the front", "1", "Fits everything, seen along z."}, 0.0, 0.0),
         side({Id::view_back, "View", "From the back", "Shift+1", "Fits everything, seen against z."}, 180.0, 0.0),
@@ -263,7 +264,7 @@ std::vector<Command> make_commands() {
          edits(use_view_as_camera),
          [](const ViewerState& s) { return s.camera != s.scene().camera; }},
         {{Id::save_view, "View", "Save this view", "V",
-          "Keeps the view under a name, in the scene: to come back to it. One that is kept already is only named."},
+          "Keeps the view under a name, in the scene, to come back to it. A view that is saved already can be renamed."},
          save_view},
         toggle({Id::toggle_panel, "View", "Side panel", "Tab|F9", "Shows or hides the side panel.", true},
                &ViewerState::panel_shown),

@@ -197,8 +197,7 @@ void ask_for_film(ViewerState& state, const std::string& path, const std::string
     browser.view = state.picture_size;
     browser.film = std::make_shared<FilmForm>(new_form(state));
     browser.accept = [&state, form = browser.film](const std::string& chosen, PictureSize size) {
-        state.settings.film_width = size.width;
-        state.settings.film_height = size.height;
+        choose_size(state, &ViewerSettings::film_width, &ViewerSettings::film_height, size);
         state.film_choices = form->chosen;
         form->refresh(*form);
         const auto ask_again = [&](const std::string& why) { ask_for_film(state, chosen, why); };

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -80,6 +81,18 @@ PointerShape shape_for(ImGuiMouseCursor cursor) {
         case ImGuiMouseCursor_Hand: return PointerShape::hand;
         default: return PointerShape::arrow;
     }
+}
+
+// Of all triangles: an ImDrawVert has no padding.
+std::size_t hash_of(const ImDrawData& data) {
+    std::size_t hash = 0;
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImVector<ImDrawVert>& vertices = data.CmdLists[i]->VtxBuffer;
+        const std::string_view bytes(reinterpret_cast<const char*>(vertices.Data),
+                                     static_cast<std::size_t>(vertices.Size) * sizeof(ImDrawVert));
+        hash = 31 * hash + std::hash<std::string_view>{}(bytes);
+    }
+    return hash;
 }
 
 // Asked for as a C string that lives until the next time.
@@ -211,9 +224,11 @@ void ImguiBridge::begin_redraw(const std::vector<InputEvent>& events, double sec
     ImGui::NewFrame();
 }
 
-void ImguiBridge::end_redraw() {
+bool ImguiBridge::end_redraw() {
     ImGui::Render();
     window_.set_pointer(shape_for(ImGui::GetMouseCursor()));
+    const std::size_t drawn = hash_of(*ImGui::GetDrawData());
+    return std::exchange(drawn_, drawn) != drawn;
 }
 
 void ImguiBridge::render() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }

@@ -1,6 +1,7 @@
 // Dear ImGui between the window's events and its framebuffer.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "panels/widgets.hpp"
@@ -25,8 +26,8 @@ public:
     // Begins a redraw with these events. A change of the screen's scale builds the fonts anew.
     // `navigates`: arrows, Enter and Escape move through what has popped up, such as a menu.
     void begin_redraw(const std::vector<InputEvent>& events, double seconds_since_last, bool navigates);
-    // Ends the redraw; render() draws it into the bound framebuffer.
-    void end_redraw();
+    // Ends the redraw; render() draws it into the bound framebuffer. Returns whether what it draws differs from the redraw before.
+    bool end_redraw();
     void render();
 
     // How large sizes in ImGui's coordinates are to be drawn: 1 on usual screens.
@@ -42,6 +43,7 @@ private:
     Theme theme_;
     float scale_ = 0.0F;
     float font_pixels_ = 0.0F;  // that the fonts were built for
+    std::size_t drawn_ = 0;     // a hash of what the last frame draws
 };
 
 }  // namespace sphereview

@@ -43,10 +43,16 @@ void place_window(const Rectangle& area) {
     ImGui::SetNextWindowSize(ImVec2(area.width, area.height));
 }
 
+// ImGui's windows begin at whole pixels: what lies between two of them ends there, too.
+float whole_pixels(float length, const PanelContext& context) { return std::round(length * context.scale); }
+
 // What the side panel leaves for the picture and for the tools that are open, at least. Someone who opened a tool wants to read it,
 // so the side panel narrows for that, and gives way where it would be too narrow itself.
-float room_beside_panel(const ViewerState& state, float whole, float scale) {
-    const float picture = (state.rays.on || state.measuring.on ? narrowest_under_tool : narrowest_picture) * scale;
+float room_beside_panel(const ViewerState& state, const PanelContext& context, float whole, bool compares) {
+    const float scale = context.scale;
+    float picture = (state.rays.on || state.measuring.on ? narrowest_under_tool : narrowest_picture) * scale;
+    // Nothing is there yet that the panel could be used for: the page comes first.
+    if (state.is_at_start() && !compares) picture = std::max(picture, start_page_room(context));
     if (!state.inspector_shown) return picture;
     return std::max(picture, least_picture_share * whole) + (inspector_at_least + splitter_width) * scale;
 }
@@ -69,7 +75,7 @@ float draw_splitter(const PanelContext& context, const char* name, const Rectang
 
 // Beside the picture, at its left, so that no pixel is covered by its own explanation. Returns what is left of the picture's place.
 Rectangle draw_inspector_beside(ViewerState& state, const PanelContext& context, const RedrawFacts& facts, Rectangle picture) {
-    const float splitter = splitter_width * context.scale;
+    const float splitter = whole_pixels(splitter_width, context);
     constexpr float most = 0.55F;  // of the room: the picture is what it is about
     const double wanted = inspector_width_range.nearest(state.settings.inspector_width);
     const float width = std::floor(std::min(static_cast<float>(wanted) * context.scale, most * picture.width));
@@ -144,10 +150,10 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     const float status_height = has_status ? status_line : 0.0F;
     Rectangle picture{0.0F, menu_height, whole.x, std::max(whole.y - menu_height - status_height, 0.0F)};
 
-    const float splitter = splitter_width * context.scale;
-    float room = whole.x - splitter - room_beside_panel(state, whole.x, context.scale);
+    const float splitter = whole_pixels(splitter_width, context);
     // A comparison takes the side panel's place: so it covers neither the picture nor the inspector, in which it explains pixels.
     const bool compares = state.comparison && state.comparison->open;
+    float room = whole.x - splitter - room_beside_panel(state, context, whole.x, compares);
     const bool has_room = room >= narrowest_panel * context.scale;
     // The panel narrows for the number of the frame under the picture, as far as it can be read itself.
     if (has_room && has_several_frames(state)) {
@@ -191,7 +197,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     }
     ImGui::PopStyleVar(2);
 
-    const CancelledWork cancelled = draw_messages(context, state.messages, picture);
+    const CancelledWork cancelled = draw_messages(context, state.messages, picture, state.marks_in_corners);
     if (cancelled.work) cancel_work(state);
     if (cancelled.film) cancel_film(state);
     if (state.is_at_start()) {
@@ -199,7 +205,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
-    draw_measuring(context, state.measuring, picture);
+    draw_measuring(context, state.measuring, picture, measured_places(state, picture));
     if (state.rays.on) draw_rays_over(state, context, facts, picture);
     if (compares) {
         draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, comparison,

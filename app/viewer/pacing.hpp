@@ -66,13 +66,18 @@ public:
     // Something happened: some redraws must be drawn, until the panels have settled.
     void touch() {
         redraws_ = settles_ ? 1 : settling_redraws;
+        more_ = settles_ ? 0 : most_more;
         goes_on_ = false;
     }
     // There is another picture to show, which changes nothing of the panels.
     void show_once() { redraws_ = redraws_ > 0 ? redraws_ : 1; }
-    // A redraw was drawn.
-    void drew(int step) {
+    // A redraw was drawn. `panels_changed`: its panels differ from those of the redraw before, so they may not have settled yet.
+    void drew(int step, bool panels_changed = false) {
         if (redraws_ > 0) --redraws_;
+        if (redraws_ == 0 && panels_changed && more_ > 0) {
+            --more_;
+            redraws_ = 1;
+        }
         coarse_ = step > 1;
         goes_on_ = false;
     }
@@ -125,8 +130,12 @@ private:
 
     // ImGui shows what a click did in the next redraw, and places what is new in the one after that.
     static constexpr int settling_redraws = 3;
+    // A window's scroll bar changes how wide its content is, and so how high: that may take some redraws more. A bound, in case
+    // something goes to and fro.
+    static constexpr int most_more = 8;
 
     int redraws_ = settling_redraws;
+    int more_ = most_more;  // so many redraws may be added while panels change
     bool coarse_ = false;
     bool goes_on_ = false;       // a part of the fine picture is drawn
     int level_ = 0;              // the step of what moves is 2^this

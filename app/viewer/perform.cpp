@@ -39,7 +39,12 @@ void take_step(ViewerState& state, bool moves_view, const std::string& name, Tou
 
 }  // namespace
 
-void undo(ViewerState& state) { take_step(state, state.document.undo_moves_view(), state.document.undo_name(), &Document::undo); }
+void undo(ViewerState& state) {
+    const Touched before = state.document.selected_before_undo_step();
+    take_step(state, state.document.undo_moves_view(), state.document.undo_name(), &Document::undo);
+    // Spheres that were added are gone; what they were made of, or what else was selected, is in hand again.
+    if (!before.empty()) state.selection.set(before);
+}
 
 void redo(ViewerState& state) { take_step(state, state.document.redo_moves_view(), state.document.redo_name(), &Document::redo); }
 
@@ -53,7 +58,9 @@ void apply(ViewerState& state, EditScene action) {
     const bool moves_view = camera != nullptr && camera->moves_view;
     if (action.is_look) state.look_steps.insert(action.name);
     note_frame_before_edit(state, adds_or_removes || reorders);
-    const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture);
+    // Other edits leave the spheres there that they concern.
+    Touched before = std::holds_alternative<InsertSpheres>(action.edit) ? state.selection.numbers() : Touched{};
+    const Touched touched = state.document.apply(std::move(action.edit), std::move(action.name), action.gesture, std::move(before));
     if (moves_view) show_scene_camera(state);
     if (adds_or_removes) state.selection.clear();
     if (adds_or_removes || reorders) select_touched(state, touched);

@@ -144,8 +144,7 @@ void ask_for_export(ViewerState& state, const std::string& first, const std::str
     const std::string marks = shown_marks(state);
     if (!marks.empty()) form.marks = std::make_shared<MarksChoice>(MarksChoice{marks, state.settings.marks_exported});
     form.accept = [&state, marks = form.marks](const std::string& path, PictureSize size) {
-        state.settings.export_width = size.width;
-        state.settings.export_height = size.height;
+        choose_size(state, &ViewerSettings::export_width, &ViewerSettings::export_height, size);
         if (marks) state.settings.marks_exported = marks->drawn;
         const auto ask_again = [&state, path](const std::string& why) { ask_for_export(state, path, why); };
         if (state.exporting) return ask_again(state.exporting->shown_path() + " is not exported yet");

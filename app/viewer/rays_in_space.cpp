@@ -27,6 +27,7 @@ constexpr std::size_t most_looked_at = 2000;  // spheres
 constexpr int coarsest = 4;                   // times as far between rays as is usual
 constexpr int longest_picture = 720;          // pixels of the eye's picture, which is drawn no larger than that
 constexpr int most_samples = 4;
+constexpr int redraws_until_sized = 2;
 
 PictureSize no_longer_than(PictureSize size, int longest) {
     const double factor = std::min(1.0, static_cast<double>(longest) / std::max(size.width, size.height));
@@ -138,6 +139,7 @@ void show_rays(ViewerState& state) {
     if (rays.on) return;
     const RayChoice choice = rays.choice;
     rays = {.on = true, .choice = choice, .camera = state.camera, .size = state.picture_size};
+    rays.pivot = state.pivot;
     const std::vector<TracedRay> found = trace_rays(state.scene(), rays.camera, rays.size, probed_pixels(rays.size), 1.0);
     std::optional<double> nearest;
     double deepest = 0.0;
@@ -158,22 +160,28 @@ void show_rays(ViewerState& state) {
     state.pivot = point_at(rays.camera, rays.size, {0.5 * rays.size.width, 0.5 * rays.size.height}, middle);
     state.flight.reset();
     rays.to_see = points_beside(state, found);
-    constexpr int redraws_until_sized = 2;
+    rays.flies = true;
     rays.waits = redraws_until_sized;
 }
 
 void fly_beside(ViewerState& state, const glm::dvec2& covered) {
     RaysInSpace& rays = state.rays;
-    if (rays.to_see.empty() || rays.waits-- > 0) return;
-    const std::optional<Camera> beside = camera_beside(rays.camera, state.picture_size, rays.to_see, covered);
-    rays.to_see.clear();
-    if (beside) state.flight.emplace(state.camera, *beside, state.pivot);
+    if (!rays.flies && rays.beside && state.camera == *rays.beside && state.picture_size != rays.beside_size) {
+        rays.flies = true;
+        rays.waits = redraws_until_sized;
+    }
+    if (!rays.flies || rays.waits-- > 0) return;
+    rays.flies = false;
+    rays.beside = camera_beside(rays.camera, state.picture_size, rays.to_see, covered);
+    rays.beside_size = state.picture_size;
+    if (rays.beside) state.flight.emplace(state.camera, *rays.beside, state.pivot);
 }
 
 void end_rays(ViewerState& state) {
     RaysInSpace& rays = state.rays;
     if (!rays.on) return;
     const Camera camera = rays.camera;
+    state.pivot = rays.pivot;
     rays = {.choice = rays.choice};
     state.flight.emplace(state.camera, camera, state.pivot);
 }

@@ -38,12 +38,16 @@ struct RaysInSpace {
     RayChoice choice{RaysShown::one, 0, 0};  // 0: what suits the picture
 
     // While they are shown:
-    Camera camera{};                       // the eye's
-    PictureSize size{};                    // of its picture
-    double screen_depth = 1.0;             // how deep its screen is drawn (camera/beside.hpp)
-    double far_depth = 1.0;                // and the end of rays that hit nothing
-    std::vector<glm::dvec3> to_see{};      // what is to be seen from beside, until it is known from where
-    int waits = 0;                         // so many redraws for what is drawn over the picture to have its size
+    Camera camera{};                   // the eye's
+    PictureSize size{};                // of its picture
+    double screen_depth = 1.0;         // how deep its screen is drawn (camera/beside.hpp)
+    double far_depth = 1.0;            // and the end of rays that hit nothing
+    std::vector<glm::dvec3> to_see{};  // what is to be seen from beside
+    bool flies = false;                // to where that is seen, once that is known
+    int waits = 0;                     // so many redraws for what is drawn over the picture to have its size
+    std::optional<Camera> beside{};    // where that was, in a picture of this size:
+    PictureSize beside_size{};
+    glm::dvec3 pivot{};                    // of the view before
     std::optional<PinnedPixel> pointed{};  // the eye's pixel under the pointer
     float beside_panel = 0.0F;             // the axes begin so far to the right, where the panel reaches down to them
     MadeBeside<AskedRays, std::vector<TracedRay>> rays{};
@@ -52,7 +56,8 @@ struct RaysInSpace {
 
 // Shows the rays of the view. The view is to be moved by fly_beside().
 void show_rays(ViewerState& state);
-// Flies to where the eye and what it sees are seen from beside, if that is still to be done; `covered`: as for camera_beside().
+// Flies to where the eye and what it sees are seen from beside, if that is still to be done, or to be done anew because the picture
+// has another size and nobody has moved the view since; `covered`: as for camera_beside().
 void fly_beside(ViewerState& state, const glm::dvec2& covered);
 // Ends that, and flies back.
 void end_rays(ViewerState& state);

@@ -55,7 +55,7 @@ void say_of_edits(const std::string& said) {
         open_state->autosave.finish();
         const std::string kept = keep_unsaved(*open_state);
         if (!kept.empty()) said += "; " + kept;
-        save_settings(open_state->settings);
+        save_settings(settings_to_keep(*open_state));
     }
     say("sphereview: " + said + way_out);
     std::fflush(stderr);  // of all, one may be locked: a read of standard input waits on another thread
@@ -223,7 +223,7 @@ ExitCode run_view(const ViewOptions& options) {
         if (interrupted != 0) {
             say_of_edits(keep_unsaved(state));
             edits_kept.set_value();
-            save_settings(state.settings);
+            save_settings(settings_to_keep(state));
             return static_cast<ExitCode>(128 + interrupted.load());
         }
         remove_own_recovery();  // saved, or not wanted
@@ -232,7 +232,7 @@ ExitCode run_view(const ViewOptions& options) {
     } catch (const RenderError& error) {
         throw RenderError(std::string("sphereview: ") + error.what() + way_out);
     }
-    save_settings(state.settings);
+    save_settings(settings_to_keep(state));
     return ExitCode::done;
 }
 

@@ -115,6 +115,7 @@ void draw_axes_on_screen(ViewerState& state, const PanelContext& context, const 
     const ImVec2 middle{std::round(picture.x + away + (state.rays.on ? state.rays.beside_panel : 0.0F)),
                         std::round(picture.y + picture.height - away)};
     if (middle.x + away > picture.x + picture.width) return;
+    state.marks_in_corners.left = {middle.x + away - picture.x, 2.0F * away};
     AxesOnScreen axes(state, context, middle, unit_here);
     const std::optional<AxisEnd> chosen = axes.take_mouse();
     if (chosen) {
@@ -127,20 +128,34 @@ void draw_axes_on_screen(ViewerState& state, const PanelContext& context, const 
     }
 }
 
-void draw_scale_bar_on_screen(const ViewerState& state, const Rectangle& picture, double pixels, int unit) {
+// Letters as large as the window's; those of the axes, in their balls, are larger.
+int unit_of_letters(int unit) { return std::max(unit * 2 / 3, 1); }
+
+void draw_scale_bar_on_screen(ViewerState& state, const Rectangle& picture, double pixels, int unit) {
     const double most = longest_scale_bar * state.picture_size.shorter_side();
     const std::optional<ScaleBar> bar = scale_bar(state.camera, state.picture_size, state.pivot, most);
     if (!bar) return;
-    const float away = 2.0F * marks_margin * static_cast<float>(unit / (stroke_unit * pixels));
+    const double size = stroke_unit * pixels;  // of an ImGui coordinate
+    const float away = 2.0F * marks_margin * static_cast<float>(unit / size);
     const ImVec2 corner{std::round(picture.x + picture.width - away), std::round(picture.y + picture.height - away)};
-    draw_strokes(strokes_of_scale_bar(*bar, {0, 0}, unit, state.picture_size.width * stroke_unit / 2), corner, pixels);
+    const std::vector<Stroke> strokes =
+        strokes_of_scale_bar(*bar, {0, 0}, unit_of_letters(unit), state.picture_size.width * stroke_unit / 2);
+    draw_strokes(strokes, corner, pixels);
+    ImVec2& extent = state.marks_in_corners.right;
+    for (const Stroke& stroke : strokes) {
+        for (const StrokePlace& at : {stroke.from, stroke.to}) {
+            extent.x = std::max(extent.x, away - static_cast<float>(at.x / size));
+            extent.y = std::max(extent.y, away - static_cast<float>(at.y / size));
+        }
+    }
+    extent.x += away;
+    extent.y += away;
 }
 
 void draw_legend_on_screen(const ViewerState& state, const Coloring& coloring, const Rectangle& picture, double pixels, int unit) {
     const LegendRoom room = room_for_legend(state.picture_size.width * stroke_unit, state.picture_size.height * stroke_unit, unit);
-    // Letters as large as the window's.
-    draw_strokes(strokes_of_legend(coloring, room, unit * 2 / 3, is_light(state.shown_background())), {picture.x, picture.y},
-                 pixels);
+    draw_strokes(strokes_of_legend(coloring, room, unit_of_letters(unit), is_light(state.shown_background())),
+                 {picture.x, picture.y}, pixels);
 }
 
 }  // namespace
@@ -149,10 +164,22 @@ void draw_view_marks(ViewerState& state, const PanelContext& context, const Rect
     const Coloring* coloring = shown_coloring(state.document, state.side_panel.look);  // also for exports and other frames
     const int wanted = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
     const int unit = unit_of_marks(state.picture_size.shorter_side(), wanted);
+    state.marks_in_corners = {};
     if (state.is_at_start() || unit == 0) return;
     if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, pixels, unit);
     if (state.settings.legend_shown && coloring != nullptr) draw_legend_on_screen(state, *coloring, picture, pixels, unit);
     if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
+}
+
+std::vector<ImVec2> measured_places(const ViewerState& state, const Rectangle& picture) {
+    std::vector<ImVec2> places;
+    const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
+    for (const std::uint32_t number : state.measuring.spheres) {
+        if (!has_sphere(state.scene(), number)) return {};
+        const auto at = place_of(state.camera, state.picture_size, state.scene().spheres[number].center);
+        if (at) places.push_back(on_screen(picture, pixels, *at));
+    }
+    return places;
 }
 
 void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels) {

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/picture_marks.hpp"
 #include "panels/panel_context.hpp"
@@ -25,6 +26,9 @@ void draw_view_marks(ViewerState& state, const PanelContext& context, const Rect
 
 // Draws lines between the spheres that are measured, and beside them what they measure.
 void draw_measured(const ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels);
+
+// Where the measured spheres' centres are seen, those before the eye.
+std::vector<ImVec2> measured_places(const ViewerState& state, const Rectangle& picture);
 
 // "axes, scale bar and legend", as far as the window shows them; "" for none.
 std::string shown_marks(const ViewerState& state);

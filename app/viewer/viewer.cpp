@@ -71,7 +71,7 @@ void Viewer::keep_recent_files() {
     if (state_.settings.recent == kept_recent_ || (settings_kept_ && !settings_kept_->ended())) return;
     kept_recent_ = state_.settings.recent;
     settings_kept_.reset();
-    settings_kept_.emplace([settings = state_.settings](WorkControl&) { save_settings(settings); });
+    settings_kept_.emplace([settings = settings_to_keep(state_)](WorkControl&) { save_settings(settings); });
 }
 
 bool Viewer::plays() const { return state_.player.clock.plays(); }
@@ -239,6 +239,10 @@ void Viewer::redraw() {
     pixels_ = window_.extent().width > 0 ? static_cast<double>(framebuffer.width) / window_.extent().width : 1.0;
     state_.picture_size = {std::max(static_cast<int>(std::lround(area_.width * pixels_)), 1),
                            std::max(static_cast<int>(std::lround(area_.height * pixels_)), 1)};
+    // The rays are drawn last, over the picture that is shown then, and yet lie below the marks.
+    ImDrawList& over_picture = *ImGui::GetBackgroundDrawList();
+    over_picture.ChannelsSplit(2);
+    over_picture.ChannelsSetCurrent(1);
     draw_view_marks(state_, context, area_, pixels_);
     draw_measured(state_, context, area_, pixels_);
     use_mouse(context, facts_.keys.escape);
@@ -256,21 +260,23 @@ void Viewer::redraw() {
     }
     give_seen();
     const bool searches = state_.panel_drawn && !state_.side_panel.search.done();
-    if (fly_on(state_, begin) || !state_.rays.to_see.empty() || searches) pacing_.touch();
+    if (fly_on(state_, begin) || state_.rays.flies || searches) pacing_.touch();
     window_.set_title(title_for(state_));
 
     rest_.settle(state_);
     const bool traced = update_picture(pacing_.moving_step(), pacing_.budget());
     note_facts();
     follow_rays(state_);
+    over_picture.ChannelsSetCurrent(0);
     draw_rays_in_space();  // over the picture that is shown now, whose spheres hide them
-    imgui_.end_redraw();
+    over_picture.ChannelsMerge();
+    const bool panels_changed = imgui_.end_redraw();
     imgui_.set_text_scale(state_.settings.text_scale);
     imgui_.set_theme(theme_of(state_.settings));
     show(area_);
     imgui_.render();
     window_.swap_buffers();
-    pacing_.drew(picture_.step());
+    pacing_.drew(picture_.step(), panels_changed);
     if (!plays()) {
         pacing_.end_play();
     } else if (traced) {
@@ -311,6 +317,10 @@ void Viewer::show(const Rectangle& area) {
     const bool finished = rest_.upload(state_, picture_);
     const Window::Extent framebuffer = window_.framebuffer();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    // Where neither the picture nor a panel draws, nothing of an earlier redraw shows through.
+    const ImVec4 around = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+    glClearColor(around.x, around.y, around.z, 1.0F);
+    glClear(GL_COLOR_BUFFER_BIT);
     const int left = static_cast<int>(std::lround(area.x * pixels_));
     const int top = static_cast<int>(std::lround(area.y * pixels_));
     const PictureSize size = state_.picture_size;

@@ -61,7 +61,8 @@ void Viewer::use_mouse(const PanelContext& context, bool cancelled) {
     const PictureConsequences done = mouse_.redraw(mouse, picture, state_.gesture, context.actions);
     if (done.camera && *done.camera != state_.camera) state_.camera = *done.camera;
     if (done.pivot) state_.pivot = *done.pivot;
-    if (done.clicked && state_.has_pins()) pin_clicked(*done.clicked, mouse.shift);
+    // A click that measures is not one that pins, too.
+    if (done.clicked && state_.has_pins() && !state_.measuring.on) pin_clicked(*done.clicked, mouse.shift);
 }
 
 std::optional<PinnedPixel> Viewer::pointed_pixel(const std::optional<Pixel>& pixel,

@@ -22,6 +22,24 @@ Light ViewerState::shown_light() const {
     return with_options(scene(), asked);
 }
 
+void choose_size(ViewerState& state, int ViewerSettings::*width, int ViewerSettings::*height, PictureSize size) {
+    if (PictureSize{state.settings.*width, state.settings.*height} == size) return;
+    choose(state, width, size.width);
+    choose(state, height, size.height);
+}
+
+ViewerSettings settings_to_keep(const ViewerState& state) {
+    ViewerSettings kept = state.settings;
+    const ViewerSettings& remembered = state.remembered;
+    kept.shading = remembered.shading;
+    kept.samples = remembered.samples;
+    kept.export_width = remembered.export_width;
+    kept.export_height = remembered.export_height;
+    kept.film_width = remembered.film_width;
+    kept.film_height = remembered.film_height;
+    return kept;
+}
+
 void announce(ViewerState& state, const std::string& text) {
     state.messages.announcement = text;
     state.announcement_ends =

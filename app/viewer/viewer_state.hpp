@@ -40,12 +40,15 @@ using Clock = std::chrono::steady_clock;
 // Not movable: dialog callbacks hold references to it.
 struct ViewerState {
     explicit ViewerState(ViewOptions viewer_options, ViewerSettings viewer_settings)
-        : options(std::move(viewer_options)), settings(std::move(viewer_settings)) {}
+        : options(std::move(viewer_options)), settings(std::move(viewer_settings)), remembered(settings) {}
     ViewerState(const ViewerState&) = delete;
     ViewerState& operator=(const ViewerState&) = delete;
 
     ViewOptions options;
     ViewerSettings settings;
+    // Of shading, samples and the sizes of exports and films: what the next run begins with. The command line's options say what
+    // this run has in `settings`; they are not what the person chose in a window.
+    ViewerSettings remembered;
 
     // The loop's thread holds this while the document, its file or the autosave may change, so that another thread can keep the
     // edits when the loop hangs elsewhere, in a driver.
@@ -87,6 +90,7 @@ struct ViewerState {
     glm::dvec3 pivot{0.0};
     std::optional<CameraFlight> flight;  // where the view moves by itself
     AxesInHand axes_in_hand;
+    CornerMarks marks_in_corners{};        // as they were drawn last
     PictureSize picture_size;              // of the window's picture, in pixels
     std::optional<Background> background;  // instead of the scene's, as --background asks
     LightOptions light;                    // instead of the scene's, as --sun and its like ask
@@ -135,6 +139,17 @@ struct ViewerState {
     // How the window's title and questions call the scene: the file's name, or "untitled".
     std::string name() const;
 };
+
+// What a person chose in the window: it holds, and is remembered.
+template <typename T>
+void choose(ViewerState& state, T ViewerSettings::*setting, const T& value) {
+    state.settings.*setting = state.remembered.*setting = value;
+}
+// Likewise the size in a dialog, if it is another than the dialog offered.
+void choose_size(ViewerState& state, int ViewerSettings::*width, int ViewerSettings::*height, PictureSize size);
+
+// What the next run is to begin with.
+ViewerSettings settings_to_keep(const ViewerState& state);
 
 // Shows a line over the picture for some seconds.
 void announce(ViewerState& state, const std::string& text);

@@ -42,6 +42,11 @@ Document::Document(Scene scene, std::size_t history_bytes)
 const std::string& Document::undo_name() const { return name_of(history_.last_done()); }
 const std::string& Document::redo_name() const { return name_of(history_.last_undone()); }
 
+std::vector<std::uint32_t> Document::selected_before_undo_step() const {
+    const HistoryStep* step = history_.last_done();
+    return step == nullptr ? std::vector<std::uint32_t>{} : step->selected;
+}
+
 bool Document::undo_moves_view() const { return moves_view(history_.last_done()); }
 bool Document::redo_moves_view() const { return moves_view(history_.last_undone()); }
 
@@ -60,14 +65,14 @@ Edit Document::carry_out(Edit edit) {
     return inverse;
 }
 
-Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture) {
+Touched Document::apply(Edit edit, std::string name, std::uint64_t gesture, std::vector<std::uint32_t> selected) {
     Touched touched = numbers_concerned(edit);
     if (changes_nothing(edit, scene_)) return touched;
     Edit inverse = carry_out(std::move(edit));
     if (history_.covers(inverse, gesture)) {
         history_.drop_idle_step(scene_);
     } else {
-        history_.add(std::move(inverse), std::move(name), gesture);
+        history_.add(std::move(inverse), std::move(name), gesture, std::move(selected));
     }
     return touched;
 }

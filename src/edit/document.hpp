@@ -39,8 +39,9 @@ public:
 
     // Makes a step of its own, or with the same gesture (not 0) as the last one, so long as nothing was undone or saved since,
     // a part of that. `name` is what a menu says: "Move 'sun'"; a step has that of its first edit. Forgets what could be
-    // redone. An edit that changes nothing is no step; a gesture that ends where it began leaves none.
-    Touched apply(Edit edit, std::string name, std::uint64_t gesture = 0);
+    // redone. An edit that changes nothing is no step; a gesture that ends where it began leaves none. `selected`: the numbers that
+    // are selected before, ascending, where undoing the step is to select them again.
+    Touched apply(Edit edit, std::string name, std::uint64_t gesture = 0, std::vector<std::uint32_t> selected = {});
 
     // Adds the properties whose names the scene does not have, each with a value for every sphere. No step to undo: they were in
     // the file all the time. Steps from before know no values of theirs: what they bring back has none.
@@ -51,6 +52,8 @@ public:
     // Of the step that would be undone or redone; "" if there is none.
     const std::string& undo_name() const;
     const std::string& redo_name() const;
+    // What the step that would be undone was given as selected.
+    std::vector<std::uint32_t> selected_before_undo_step() const;
     // Whether that step changed the camera of a view that showed it.
     bool undo_moves_view() const;
     bool redo_moves_view() const;

@@ -49,7 +49,7 @@ std::size_t bytes_of(const Edit& edit) {
 }
 
 std::size_t bytes_of(const HistoryStep& step) {
-    std::size_t bytes = sizeof(HistoryStep);
+    std::size_t bytes = sizeof(HistoryStep) + step.selected.size() * sizeof(std::uint32_t);
     for (const Edit& edit : step.edits) bytes += bytes_of(edit);
     return bytes;
 }
@@ -66,13 +66,13 @@ bool History::covers(const Edit& inverse, std::uint64_t gesture) const {
     return false;
 }
 
-void History::add(Edit inverse, std::string name, std::uint64_t gesture) {
+void History::add(Edit inverse, std::string name, std::uint64_t gesture, std::vector<std::uint32_t> selected) {
     if (!continues(gesture)) {
         // A state that only redoing would have reached is gone.
         if (saved_ && *saved_ > done_.size()) saved_.reset();
         undone_.clear();
         undone_bytes_ = 0;
-        push_done({std::move(name), {}});
+        push_done({std::move(name), {}, std::move(selected)});
         open_gesture_ = gesture;
     }
     done_bytes_ += bytes_of(inverse);

@@ -16,6 +16,7 @@ namespace sphereview {
 struct HistoryStep {
     std::string name;
     std::vector<Edit> edits;
+    std::vector<std::uint32_t> selected{};  // before it, where whoever made it said so: ascending numbers
 };
 
 class History {
@@ -26,8 +27,9 @@ public:
     // Whether an edit with that inverse, in that gesture, needs no place: undoing the step that it belongs to takes it back too.
     bool covers(const Edit& inverse, std::uint64_t gesture) const;
 
-    // Notes an edit by its inverse, in the open step of that gesture or in one of its own, whose name it then gives.
-    void add(Edit inverse, std::string name, std::uint64_t gesture);
+    // Notes an edit by its inverse, in the open step of that gesture or in one of its own, whose name and selection it then
+    // gives.
+    void add(Edit inverse, std::string name, std::uint64_t gesture, std::vector<std::uint32_t> selected = {});
 
     // Takes the open step away if undoing it would change nothing of the scene.
     void drop_idle_step(const Scene& scene);

@@ -18,12 +18,12 @@ protected:
     std::vector<std::string> judged;  // the paths
 
     // Of a file of so many frames.
-    void put(std::int64_t frames) {
+    void put(std::int64_t frames, const std::string& name = "a.mp4") {
         FileBrowser form;
         form.saving = true;
         form.title = "Export film";
         form.folder = folder.path();
-        form.name = "a.mp4";
+        form.name = name;
         form.kinds = {{"Film", {".mp4"}, {}, "a.mp4"},
                       {"Pictures", {".png"}, "{frame", "{name}-{frame:05}.png"},
                       {"Animated", {".png"}, {}, "a.png"}};
@@ -110,6 +110,35 @@ TEST_F(FilmDialog, HasForEachKindWhatThatCanBe) {
     EXPECT_TRUE(harness.panels.has("film rate"));
     harness.enter_over("browser name", "b{frame}");
     EXPECT_EQ(accepted, Accepted{folder.path("b{frame}.png")}) << "the kind's ending";
+}
+
+TEST_F(FilmDialog, HasTheKindOfTheNameThatIsOffered) {
+    put(10, "{name}-{frame:05}.png");
+    EXPECT_EQ(harness.top<FileBrowser>().kind, 1U);
+}
+
+TEST_F(FilmDialog, EscapeAndEnterAreTheListsWhileItIsOpen) {
+    put(10);
+    for (const char* list : {"browser kind", "export sizes", "film samples"}) {
+        harness.click(list);
+        ASSERT_TRUE(ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup));
+        const bool has_row = harness.panels.has("export 1920 x 1080") || harness.panels.has("browser kind Film (.mp4)") ||
+                             harness.panels.has("film samples 4");
+        EXPECT_TRUE(has_row) << list;
+        harness.keys = {.enter = true};
+        harness.panels.redraws(2);
+        ASSERT_FALSE(harness.dialogs.empty()) << list;
+        harness.keys = {.escape = true};
+        harness.panels.tap(ImGuiKey_Escape);
+        harness.panels.redraws(3);
+        ASSERT_FALSE(harness.dialogs.empty()) << list;
+        EXPECT_FALSE(harness.panels.has("export 1920 x 1080") || harness.panels.has("browser kind Film (.mp4)") ||
+                     harness.panels.has("film samples 4"))
+            << list;
+    }
+    EXPECT_TRUE(accepted.empty());
+    harness.escape();
+    EXPECT_TRUE(harness.dialogs.empty());
 }
 
 TEST_F(FilmDialog, TakesNoQualityBeyondTheBest) {

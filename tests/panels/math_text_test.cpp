@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "panels/widgets.hpp"
 #include "support/panel_harness.hpp"
 
 namespace sphereview {
@@ -50,6 +51,22 @@ TEST(MathText, EndsLinesAtSpacesAlone) {
         EXPECT_NE(text.find(number), std::string::npos) << text;
     }
     EXPECT_GT(std::count(text.begin(), text.end(), '\n'), 1) << text;
+}
+
+TEST(MathText, KeepsWhatIsComparedTogether) {
+    std::string words = "the discriminant is b < 0, so";
+    float width = 0.0F;
+    PanelHarness panel(PanelHarness::in_window(
+        [&](const PanelContext&) {
+            width = width_of("the discriminant is b <");
+            ImGui::BeginChild("narrow", {width, 0.0F});
+            draw_words(words);
+            ImGui::EndChild();
+        },
+        400.0F, 200.0F));
+    EXPECT_NE(panel.text().find("b < 0"), std::string::npos) << panel.text();
+    words = "r = 195225000000000000000000000000000000000000000000";  // there is no other place
+    EXPECT_NE(panel.text().find("r =\n"), std::string::npos) << panel.text();
 }
 
 }  // namespace

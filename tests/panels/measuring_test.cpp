@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "panels/harness.hpp"
+#include "panels/math_text.hpp"
 #include "support/spheres.hpp"
 
 namespace sphereview {
@@ -35,7 +36,9 @@ struct MeasuringHarness {
 
     Rectangle area;
     Measuring measuring{.on = true};
-    PanelHarness panels{[this](const PanelContext& context) { draw_measuring(context, measuring, area); }, {}, 800.0F, 600.0F};
+    std::vector<ImVec2> places;
+    PanelHarness panels{
+        [this](const PanelContext& context) { draw_measuring(context, measuring, area, places); }, {}, 800.0F, 600.0F};
 };
 
 using Words = std::vector<std::string>;
@@ -63,6 +66,13 @@ TEST(Measures, DihedralsAreClockwiseAsTheyAreSeen) {
     EXPECT_NEAR(*dihedral_of(a, b, c, {1, -1, 0}, false), 180.0, 1e-10);
     EXPECT_NEAR(*dihedral_of(a, b, c, {1, -1, 0}, true), 180.0, 1e-10);
     EXPECT_FALSE(dihedral_of({-1, 0, 0}, b, c, at(30.0), false)) << "on a line";
+}
+
+TEST(Measures, AreShownWithAMinusAndCopiedAsNumbers) {
+    const PanelHarness panel([](const PanelContext&) {});
+    const Measure angle{"dihedral", -12.5, true};
+    EXPECT_EQ(value_text(angle, 4), in_glyphs("\u221212.5") + "\u00B0");
+    EXPECT_EQ(in_words(angle, true), "dihedral = -12.5\u00B0");
 }
 
 TEST(MeasuringPanel, GivesDistancesThenAnAngleThenADihedral) {
@@ -129,6 +139,25 @@ TEST(MeasuringPanel, IsMovedAsideAndStaysWithinThePicture) {
     harness.panels.redraws(2);
     EXPECT_LE(window().right, 480.0F);
     EXPECT_LE(window().bottom, 350.0F);
+}
+
+TEST(MeasuringPanel, CoversNoSphereThatIsMeasured) {
+    MeasuringHarness harness;
+    const WidgetRectangle at_first = harness.panels.rectangles.at("measuring");
+    harness.places = {{at_first.left + 10.0F, at_first.bottom + 20.0F}, {690.0F, 70.0F}};
+    harness.measure_all({0, 1, 2, 3});  // the window grows
+    const WidgetRectangle grown = harness.panels.rectangles.at("measuring");
+    for (const ImVec2& place : harness.places) {
+        EXPECT_FALSE(place.x > grown.left && place.x < grown.right && place.y > grown.top && place.y < grown.bottom);
+    }
+    // Where the person drags it, it stays.
+    const ImVec2 handle{grown.left + 60.0F, grown.top + 10.0F};
+    harness.panels.drag(handle, {handle.x, handle.y - 150.0F});
+    const float dragged = harness.panels.rectangles.at("measuring").top;
+    EXPECT_LT(dragged, grown.top - 100.0F);
+    harness.places = {{grown.left + 20.0F, dragged + 20.0F}};
+    harness.panels.redraws(4);
+    EXPECT_EQ(harness.panels.rectangles.at("measuring").top, dragged);
 }
 
 TEST(MeasuringPanel, FitsANarrowPicture) {

@@ -25,8 +25,37 @@ std::vector<std::string> all_keys() {
     return keys;
 }
 
+// A window that has a scene: else the page of an empty one asks for room.
+void give_scene(ViewerState& state) {
+    Scene one;
+    one.spheres.emplace_back();
+    state.document = Document(std::move(one));
+}
+
+TEST(Layout, ThePanelYieldsToThePageOfAnEmptyWindow) {
+    ViewerState state({}, {});
+    Rectangle picture;
+    float room = 0.0F;
+    PanelHarness window(
+        [&](const PanelContext& context) {
+            room = start_page_room(context);
+            picture = draw_panels(state, context, {});
+        },
+        {}, 800.0F);
+    EXPECT_TRUE(state.panel_drawn);
+    EXPECT_GE(picture.width, room - 1.0F);
+    ImGui::GetIO().DisplaySize.x = 600.0F;
+    window.redraws(2);
+    EXPECT_FALSE(state.panel_drawn);
+    EXPECT_EQ(picture.width, 600.0F);
+    give_scene(state);
+    window.redraws(2);
+    EXPECT_TRUE(state.panel_drawn);
+}
+
 TEST(Layout, ThePanelGetsItsWidthBackWhenThereIsRoom) {
     ViewerState state({}, {});
+    give_scene(state);
     state.settings.panel_width = 700.0;
     float picture = 0.0F;
     PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}).width; }, {}, 1400.0F);
@@ -66,6 +95,7 @@ TEST(Layout, PanelsYieldToThePictureInASmallWindow) {
 
 TEST(Layout, TheSidePanelYieldsToToolsThatAreOpen) {
     ViewerState state({}, {});
+    give_scene(state);
     Rectangle picture;
     PanelHarness window([&](const PanelContext& context) { picture = draw_panels(state, context, {}); }, {}, 1400.0F, 900.0F);
     const auto resized = [&](float width, float height, float scale) {

@@ -221,13 +221,62 @@ TEST(NumberField, WhatIsRefusedIsSaidAndTheNumberStays) {
     EXPECT_NE(field.text_beside().find("'2,5': a point is expected instead of the comma."), std::string::npos)
         << field.text_beside();
     EXPECT_GE(field.place("refusal n", 0.0F, 0.0F).y, field.place("slider n", 0.0F, 1.0F).y) << "below the field";
+    field.click(ImVec2(190.0F, 190.0F));
+    EXPECT_TRUE(field.has("refusal n"));
     field.drag_by(30.0F);
     EXPECT_FALSE(field.has("refusal n"));
     field.enter("11");
     EXPECT_NE(field.text_beside().find("'11': a number from 0 to 10 is expected."), std::string::npos) << field.text_beside();
+    field.click(ImVec2(190.0F, 190.0F));
     field.enter("2.5");
     EXPECT_FALSE(field.has("refusal n"));
     EXPECT_EQ(field.number(), 2.5);
+}
+
+// Keys that follow are meant for it: they are no shortcuts of the window.
+TEST(NumberField, ABoxWhoseNumberIsRefusedStaysOpenWithTheKeyboard) {
+    for (const ImGuiKey key : {ImGuiKey_Enter, ImGuiKey_Tab}) {
+        OneNumber field(4.0);
+        field.enter("1/0", key);
+        field.redraws(3);
+        EXPECT_TRUE(field.has("typed n") && field.has("refusal n"));
+        EXPECT_TRUE(ImGui::GetIO().WantTextInput);
+        EXPECT_EQ(field.state().text, "1/0");
+        field.tap(ImGuiKey_End);
+        field.tap(ImGuiKey_Backspace);
+        EXPECT_EQ(field.state().text, "1/");
+        EXPECT_FALSE(field.has("refusal n")) << "another text is not yet refused";
+        field.type("8");
+        field.tap(ImGuiKey_Enter);
+        EXPECT_EQ(field.number(), 0.125);
+        field.redraws(2);
+        EXPECT_FALSE(ImGui::GetIO().WantTextInput);
+    }
+}
+
+TEST(NumberField, EscapeOrAClickElsewhereLeavesARefusedNumber) {
+    OneNumber field(4.0);
+    field.enter("1/0");
+    field.redraws(3);
+    field.tap(ImGuiKey_Escape);
+    field.redraws(2);
+    EXPECT_FALSE(field.has("typed n") || field.has("refusal n"));
+    field.enter("1/0");
+    field.redraws(3);
+    field.click(ImVec2(190.0F, 190.0F));
+    field.redraws(2);
+    EXPECT_FALSE(field.has("typed n"));
+    EXPECT_TRUE(field.has("refusal n"));
+    EXPECT_EQ(field.number(), 4.0);
+}
+
+TEST(NumberField, ShowsAUnitWhereThereIsRoom) {
+    const auto shown = [](double value) {
+        OneNumber field(value, {.unit = degree_sign});
+        return field.text_beside();
+    };
+    EXPECT_NE(shown(12.5).find(std::string("12.5") + degree_sign), std::string::npos) << shown(12.5);
+    EXPECT_EQ(shown(1.0 / 3.0).find(degree_sign), std::string::npos) << shown(1.0 / 3.0);
 }
 
 TEST(NumberField, WhatIsToBeAboveZeroIs) {

@@ -73,6 +73,10 @@ TEST(SavedViewsPanel, ANameThatNoViewCanHaveIsRefused) {
         EXPECT_EQ(panel.document.scene(), OpenSavedViews::scene_with_views());
         panel.move({1000.0F, 900.0F});  // no tooltip, which would end the text
         EXPECT_NE(panel.text().find(why), std::string::npos) << panel.text();
+        EXPECT_TRUE(panel.has("view name") && ImGui::GetIO().WantTextInput) << "the keys are still meant for the name";
+        panel.tap(ImGuiKey_Escape);
+        panel.redraws(2);
+        EXPECT_FALSE(panel.has("view name") || panel.has("view fault"));
     }
     panel.rename(0, "fine");
     EXPECT_FALSE(panel.has("view fault"));

@@ -17,6 +17,8 @@ TEST(SphereColor, ColorIsEditedInWholeNumbers) {
     for (const char* refused : {"256", "-1", "12.5"}) {
         panel.enter("green", refused);
         EXPECT_NE(panel.text().find(": a whole number from 0 to 255 is expected."), std::string::npos) << panel.text();
+        panel.tap(ImGuiKey_Escape);
+        panel.redraws(2);
     }
     panel.take_actions();
     panel.drag_by("red", 37.0F);

@@ -107,7 +107,7 @@ TEST(SphereEditor, TabGoesThroughTheNumbersInTheirOrder) {
     panel.redraws(3);
     panel.tap(ImGuiKey_Escape);
     EXPECT_EQ(panel.sphere(3).radius, 5.5);
-    // Backwards, and what is no number is refused on the way.
+    // Backwards; and what is no number is mended before it goes on.
     open(panel, "slider z");
     panel.modifiers(false, true);
     tab();
@@ -118,9 +118,15 @@ TEST(SphereEditor, TabGoesThroughTheNumbersInTheirOrder) {
     panel.modifiers(false);
     panel.type("nonsense");
     tab();
+    EXPECT_EQ(panel.state().numbers.typed, "x");
+    panel.modifiers(true);
+    panel.tap(ImGuiKey_A);
+    panel.modifiers(false);
+    panel.type("1.75");
+    tab();
     panel.type("-3");
     panel.tap(ImGuiKey_Enter);
-    EXPECT_EQ(panel.sphere(3).center, glm::dvec3(1.5, -3.0, 3.5));
+    EXPECT_EQ(panel.sphere(3).center, glm::dvec3(1.75, -3.0, 3.5));
     EXPECT_EQ(panel.state().numbers.typed, "");
 }
 
@@ -130,6 +136,9 @@ TEST(SphereEditor, WhatIsRefusedChangesNothing) {
     for (const auto& [slider, text] : {std::pair("slider x", "1e999"), std::pair("slider y", "nan"), std::pair("slider z", " "),
                                        std::pair("slider radius", "0"), std::pair("slider radius", "1e-999")}) {
         type_into(panel, slider, text);
+        panel.redraws(3);
+        panel.tap(ImGuiKey_Escape);
+        panel.redraws(2);
         EXPECT_EQ(panel.state().numbers.typed, "") << "the number is back";
     }
     type_into(panel, "slider x", "12", ImGuiKey_Escape);

@@ -14,7 +14,11 @@ struct StartHarness {
     std::vector<std::string> recent{"/home/a/mine.txt"};
     Rectangle area{0.0F, 30.0F, 700.0F, 560.0F};
     bool has_keys = true;
-    PanelHarness panels{[this](const PanelContext& context) { draw_start_page(context, page, recent, area, has_keys); }};
+    float room = 0.0F;
+    PanelHarness panels{[this](const PanelContext& context) {
+        room = start_page_room(context);
+        draw_start_page(context, page, recent, area, has_keys);
+    }};
 
     std::vector<std::string> opened() {
         std::vector<std::string> paths;
@@ -72,6 +76,13 @@ TEST(StartPage, StaysInsideThePictureAndGoesWhereNothingCouldBeRead) {
         EXPECT_GE(page.top, start.area.y);
         EXPECT_LE(page.bottom, start.area.y + start.area.height);
     }
+    start.area.width = start.room;
+    start.panels.redraws(4);
+    const WidgetRectangle wide = start.panels.rectangles.at("start command 1");
+    start.area.width = 200.0F;
+    start.panels.redraws(4);
+    const WidgetRectangle narrow = start.panels.rectangles.at("start command 1");
+    EXPECT_GE(narrow.bottom - narrow.top, wide.bottom - wide.top + ImGui::GetTextLineHeight()) << "words go on in another line";
     start.area.width = 100.0F;
     start.panels.redraws(2);
     EXPECT_FALSE(start.panels.has("start page"));

@@ -13,9 +13,10 @@ namespace {
 struct MessageHarness {
     Messages messages;
     Rectangle area{100.0F, 50.0F, 600.0F, 500.0F};
+    CornerMarks marks;
     bool cancelled = false;
     PanelHarness panels{[this](const PanelContext& context) {
-                            if (draw_messages(context, messages, area).work) cancelled = true;
+                            if (draw_messages(context, messages, area, marks).work) cancelled = true;
                         },
                         {},
                         800.0F,
@@ -56,6 +57,26 @@ TEST(MessagesPanel, AnnouncesAtTheBottom) {
     EXPECT_NE(harness.panels.text().find("Saved /home/a/b.png"), std::string::npos);
     harness.panels.move(harness.panels.place("message announcement"));
     EXPECT_FALSE(ImGui::GetIO().WantCaptureMouse) << "clicks go through to the picture";
+}
+
+TEST(MessagesPanel, AnnouncesAboveTheMarksInTheCornersThatItWouldCover) {
+    MessageHarness harness;
+    harness.marks = {.left = {100.0F, 110.0F}, .right = {150.0F, 60.0F}};
+    harness.messages.announcement = "Saved";
+    EXPECT_GT(harness.rectangle("message announcement").bottom, 500.0F) << "between them";
+    harness.messages.announcement = "Saved /" + std::string(50, 'x');
+    EXPECT_LE(harness.rectangle("message announcement").bottom, 490.0F);
+    harness.messages.announcement = "Saved /" + std::string(200, 'x');
+    EXPECT_LE(harness.rectangle("message announcement").bottom, 440.0F);
+}
+
+TEST(MessagesPanel, WorkIsShownAtTheTopOneBelowTheOther) {
+    MessageHarness harness;
+    harness.messages.work = WorkShown{"Exporting a.png", 0.5, true};
+    harness.messages.film = WorkShown{"Exporting a.mp4", 0.5, true};
+    const WidgetRectangle work = harness.rectangle("message work");
+    EXPECT_LT(work.top, harness.area.y + 20.0F);
+    EXPECT_GE(harness.rectangle("message film").top, work.bottom);
 }
 
 TEST(MessagesPanel, WrapsAVeryLongPath) {

@@ -97,6 +97,9 @@ TEST(Timeline, TheNumberIsTypedOrDragged) {
     panel.type("101");  // the last is 100
     panel.tap(ImGuiKey_Enter);
     EXPECT_TRUE(panel.frames_taken().empty());
+    panel.redraws(3);
+    panel.tap(ImGuiKey_Escape);
+    panel.redraws(2);
     const ImVec2 from = panel.place("slider frame");
     panel.drag(from, {from.x + 33.0F, from.y});
     const std::vector<std::int64_t> asked = panel.frames_taken();

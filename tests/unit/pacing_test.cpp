@@ -32,6 +32,26 @@ TEST(Pacing, RestsAfterAFewFrames) {
     EXPECT_EQ(pacing.patience(), 0.0);
 }
 
+// A scroll bar that comes or goes changes what is beside it in the redraws that follow.
+TEST(Pacing, GoesOnWhilePanelsChangeButNotForEver) {
+    Pacing pacing;
+    const int settled = frames_until_rest(pacing, 1);
+    pacing.touch();
+    for (int i = 0; i < settled + 2; ++i) {
+        EXPECT_FALSE(pacing.rests()) << i;
+        pacing.drew(1, true);
+    }
+    pacing.drew(1, false);
+    EXPECT_TRUE(pacing.rests());
+    pacing.touch();
+    int frames = 0;
+    for (; !pacing.rests() && frames < 100; ++frames) pacing.drew(1, true);
+    EXPECT_LT(frames, 20);
+    pacing.show_once();
+    pacing.drew(1, true);
+    EXPECT_TRUE(pacing.rests()) << "nothing happened: what changed is what is shown";
+}
+
 TEST(Pacing, AnotherPictureTakesOneFrame) {
     Pacing pacing;
     redraws_until_rest(pacing, 1);

@@ -97,6 +97,35 @@ TEST_F(Commands, WhatWasAddedOrMovedIsSelected) {
     EXPECT_EQ(state.selection.numbers(), std::vector<std::uint32_t>{1});
 }
 
+TEST_F(Commands, UndoSelectsWhatWasSelectedBeforeSpheresWereAdded) {
+    state.selection.set_only(1);
+    for (int i = 0; i < 3; ++i) run_command(state, CommandId::duplicate);
+    run_command(state, CommandId::add_sphere);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{5}));
+    run_command(state, CommandId::undo);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{4}));
+    for (int i = 0; i < 3; ++i) run_command(state, CommandId::undo);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{1}));
+    run_command(state, CommandId::redo);
+    EXPECT_EQ(state.selection.numbers(), (std::vector<std::uint32_t>{2}));
+}
+
+// What the command line asks for holds for its run; what is chosen in the window is remembered.
+TEST_F(Commands, TheCommandLinesLookIsNotRemembered) {
+    state.settings.shading = Shading::flat;
+    state.settings.samples = 1;
+    state.settings.export_width = 12;
+    EXPECT_EQ(settings_to_keep(state), ViewerSettings{});
+    run_command(state, CommandId::no_anti_aliasing);
+    EXPECT_EQ(settings_to_keep(state).samples, 1) << "chosen, though it was so already";
+    EXPECT_EQ(settings_to_keep(state).shading, Shading::studio);
+    choose_size(state, &ViewerSettings::export_width, &ViewerSettings::export_height, {12, 1000});
+    EXPECT_EQ(settings_to_keep(state).export_width, 1000) << "what the dialog offered";
+    choose_size(state, &ViewerSettings::export_width, &ViewerSettings::export_height, {12, 13});
+    EXPECT_EQ(settings_to_keep(state).export_width, 12);
+    EXPECT_EQ(settings_to_keep(state).export_height, 13);
+}
+
 TEST_F(Commands, AClickInThePictureScrollsTheListAndOneInTheListDoesNot) {
     Selection selection;
     selection.set_only(1);

@@ -5,6 +5,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "camera/beside.hpp"
 #include "camera/camera_values.hpp"
 #include "camera/navigation.hpp"
 #include "exact/explain.hpp"
@@ -147,6 +148,25 @@ TEST_F(Rays, AreAViewAndNoEdit) {
 }
 
 // The numbers in the camera panel are the drawn eye's, and who looks at it stays where he is.
+TEST_F(Rays, AreSeenAsAWholeInAPictureOfAnotherSizeUntilTheViewIsMoved) {
+    const glm::dvec3 pivot = state.pivot;
+    show_rays(state);
+    settle();
+    const Camera wide = state.camera;
+    state.picture_size = {150, 200};  // as the inspector leaves it
+    settle();
+    const Camera narrow = state.camera;
+    EXPECT_NE(narrow, wide);
+    EXPECT_EQ(narrow, *camera_beside(state.rays.camera, state.picture_size, state.rays.to_see, {}));
+    state.camera = orbited(state.camera, state.pivot, 0.1, 0.0);
+    const Camera moved = state.camera;
+    state.picture_size = seen;
+    settle();
+    EXPECT_EQ(state.camera, moved);
+    end_rays(state);
+    EXPECT_EQ(state.pivot, pivot);
+}
+
 TEST_F(Rays, LetTheDrawnEyeBeEdited) {
     run_command(state, CommandId::toggle_rays);
     settle();
