@@ -40,8 +40,8 @@ SphereData data_of(Atoms atoms, const std::string& name, const DataOptions& opti
         data.scene.names.emplace_hint(data.scene.names.end(), static_cast<std::uint32_t>(i), name_of(atoms.labels[i]));
     }
     add_properties(data, std::move(atoms.properties));
-    warn_of_virtual_sites(data, atoms.virtual_sites.size(), name, options);
-    if (!options.virtual_sites) remove_spheres(data.scene, atoms.virtual_sites);
+    warn_of_left_out(data, atoms.left_out.size(), name, "atom", "atoms");
+    finish_virtual_sites(data, atoms.virtual_sites, name, options, atoms.left_out);
     return data;
 }
 

@@ -74,6 +74,14 @@ inline glm::dvec3 read_place(TokenReader& reader, const OfAtom& the) {
     return {x, y, z};
 }
 
+// The same; false where one of the numbers is missing, which nan and the like stand for.
+inline bool read_place_if_any(TokenReader& reader, const OfAtom& the, glm::dvec3& place) {
+    const bool x = reader.number_if_any(the("x"), place.x);
+    const bool y = reader.number_if_any(the("y"), place.y);
+    const bool z = reader.number_if_any(the("z"), place.z);
+    return x && y && z;
+}
+
 // What finders of frames share, which step from frame to frame without a look at the atoms. Each of them has a type Frame and
 // next(frame, number, wanted), which steps over the next frame, number `number` from 0, and is false when there is none; of the
 // wanted one it notes where the atoms are.
@@ -174,6 +182,7 @@ struct LineAtom {
     Sphere sphere{};
     std::string_view label{};  // what the atom's name is made of
     bool is_virtual = false;   // no atom (elements.hpp)
+    bool has_place = true;     // else it is left out
 };
 
 // Gives the atom its element's size and colour.
@@ -184,6 +193,7 @@ struct Atoms {
     std::vector<Sphere> spheres{};
     std::vector<std::string_view> labels{};    // none of more than most_named_atoms
     std::vector<std::size_t> virtual_sites{};  // their numbers, ascending
+    std::vector<std::size_t> left_out{};       // likewise, of those without a place: no virtual sites
     FileProperties properties{};
 };
 
@@ -196,6 +206,7 @@ Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, const Ma
     atoms.spheres.resize(lines.count);
     atoms.labels.resize(lines.count <= most_named_atoms ? lines.count : 0);
     std::vector<std::vector<std::size_t>> virtual_sites(lines.pieces.size());
+    std::vector<std::vector<std::size_t>> left_out(lines.pieces.size());
     parallel_in_order(lines.pieces.size(), [&](std::size_t piece) {
         auto reader = make_reader(piece);
         LineWalker walker = lines.walker(source, piece);
@@ -205,12 +216,18 @@ Atoms read_atom_lines(const TextSource& source, const AtomLines& lines, const Ma
             const LineAtom atom = reader.read(lines.step(source, walker), i);
             atoms.spheres[i] = atom.sphere;
             if (!atoms.labels.empty()) atoms.labels[i] = atom.label;
-            if (atom.is_virtual) virtual_sites[piece].push_back(i);
+            if (!atom.has_place) {
+                left_out[piece].push_back(i);
+            } else if (atom.is_virtual) {
+                virtual_sites[piece].push_back(i);
+            }
         }
     });
-    for (const auto& of_piece : virtual_sites) {
-        atoms.virtual_sites.insert(atoms.virtual_sites.end(), of_piece.begin(), of_piece.end());
-    }
+    const auto append = [](const auto& pieces, std::vector<std::size_t>& numbers) {
+        for (const auto& of_piece : pieces) numbers.insert(numbers.end(), of_piece.begin(), of_piece.end());
+    };
+    append(virtual_sites, atoms.virtual_sites);
+    append(left_out, atoms.left_out);
     return atoms;
 }
 

@@ -1,6 +1,7 @@
 #include "formats/atoms.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/memory.hpp"
@@ -8,6 +9,25 @@
 #include "scene/numbered.hpp"
 
 namespace sphereview {
+
+namespace {
+
+// The spheres of these numbers become no larger than a virtual site, nor than the smallest of the others.
+void make_small(std::vector<Sphere>& spheres, std::span<const std::size_t> numbers) {
+    if (numbers.empty()) return;
+    double most = virtual_site().radius;
+    auto next = numbers.begin();
+    for (std::size_t i = 0; i < spheres.size(); ++i) {
+        if (next != numbers.end() && *next == i) {
+            ++next;
+        } else {
+            most = std::min(most, spheres[i].radius);
+        }
+    }
+    for (const std::size_t number : numbers) spheres[number].radius = std::min(spheres[number].radius, most);
+}
+
+}  // namespace
 
 double radius_of(const Element& element, const DataOptions& options) {
     if (!options.radius) return element.radius;
@@ -49,6 +69,19 @@ void warn_of_virtual_sites(SphereData& data, std::size_t count, const std::strin
         name + ": found " + in_groups(count) +
         (count == 1 ? " virtual site or dummy, which is no atom; " : " virtual sites or dummies, which are no atoms; ") +
         (options.virtual_sites ? "shown small, or not with --no-virtual" : "left out"));
+}
+
+void finish_virtual_sites(SphereData& data, std::span<const std::size_t> numbers, const std::string& name,
+                          const DataOptions& options, std::span<const std::size_t> left_out) {
+    warn_of_virtual_sites(data, numbers.size(), name, options);
+    std::vector<std::size_t> gone(left_out.begin(), left_out.end());
+    if (options.virtual_sites) {
+        make_small(data.scene.spheres, numbers);
+    } else {
+        gone.clear();
+        std::ranges::merge(numbers, left_out, std::back_inserter(gone));
+    }
+    remove_spheres(data.scene, gone);
 }
 
 }  // namespace sphereview

@@ -28,4 +28,9 @@ void warn_of_left_out(SphereData& data, std::size_t count, const std::string& na
 // Warns of the virtual sites of the file `name`, if there are any.
 void warn_of_virtual_sites(SphereData& data, std::size_t count, const std::string& name, const DataOptions& options);
 
+// The same, by the numbers of their spheres, which ascend; then makes those small that have radii of their own, none larger than
+// the smallest atom, or removes all of them where `options` says so. Removes the spheres `left_out`, too, which are others.
+void finish_virtual_sites(SphereData& data, std::span<const std::size_t> numbers, const std::string& name,
+                          const DataOptions& options, std::span<const std::size_t> left_out = {});
+
 }  // namespace sphereview

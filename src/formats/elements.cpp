@@ -120,14 +120,16 @@ bool is_dummy(std::string_view species) {
     const std::string_view letters(name.data(), static_cast<std::size_t>(std::ranges::find_if_not(name, is_letter) - name.begin()));
     if (letters.starts_with('x')) return letters != "xe";
     return std::ranges::find(beginnings, letters.substr(0, 2)) != beginnings.end() || letters == "m" || name[0] == '@' ||
-           name == "0" || name.find("ghost") != std::string::npos;
+           name == "0" || name.find("ghost") != std::string::npos || name.ends_with("-bq") || name.ends_with(':');
 }
 
 const Element& element_of_species(std::string_view species) {
     // Most species begin with another character, and need no closer look.
     constexpr std::string_view firsts = "BDEGLMTVXbdeglmtvx@0";
     constexpr std::size_t longest_symbol = 5;  // with a charge or a number: longer ones may end in _ghost
-    const bool may_be = !species.empty() && (species.size() > longest_symbol || firsts.find(species[0]) != std::string_view::npos);
+    constexpr std::string_view lasts = "qQ:";
+    const bool may_be = !species.empty() && (species.size() > longest_symbol || firsts.find(species[0]) != std::string_view::npos ||
+                                             lasts.find(species.back()) != std::string_view::npos);
     if (may_be && is_dummy(species)) return no_element;
     std::size_t letters = 0;
     while (letters < species.size() && is_letter(species[letters])) ++letters;

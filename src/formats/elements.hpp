@@ -31,8 +31,8 @@ const Element& virtual_site();
 
 inline bool is_virtual(const Element& element) { return &element == &virtual_site(); }
 
-// Whether `species` is what programs call that: X, Xx, Bq, Gh(O), @O, O_ghost, Du, LP, EP, M, MW, Tv (a vector of the lattice), or
-// the atomic number 0.
+// Whether `species` is what programs call that: X, Xx, Bq, Gh(O), @O, O_ghost, O-Bq, O:, Du, LP, EP, M, MW, Tv (a vector of the
+// lattice), or the atomic number 0.
 bool is_dummy(std::string_view species);
 
 // What files call an atom: a symbol, a symbol with more behind its letters ("C1", "Fe2+", "O_w"), two letters of which the first
