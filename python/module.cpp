@@ -21,6 +21,8 @@
 #include "python/errors.hpp"
 #include "python/image_arrays.hpp"
 #include "python/light_arguments.hpp"
+#include "python/look_arguments.hpp"
+#include "python/property_arrays.hpp"
 #include "python/renderers.hpp"
 #include "python/scene_arrays.hpp"
 #include "tiles/build_lists.hpp"
@@ -158,8 +160,10 @@ std::vector<std::string> words_of_warnings(const LoadedScene& loaded) {
     return words;
 }
 
+// `properties`: names of those to keep; none: all.
 py::dict read(const std::string& path, std::int64_t frame, std::optional<double> radius, bool virtual_sites,
-              const std::optional<std::string>& columns, std::optional<bool> wanted, const std::optional<std::string>& view) {
+              const std::optional<std::string>& columns, std::optional<bool> wanted, const std::optional<std::string>& view,
+              const std::optional<std::vector<std::string>>& properties, const LookArguments& look_arguments) {
     if (frame < 0) wrong_argument("frame", std::to_string(frame), "the number of a frame, from 0");
     if (radius && !(*radius > 0.0 && std::isfinite(*radius))) wrong_argument("radius", shortest(*radius), "a number above 0");
     DataOptions data{frame, radius, virtual_sites, {}};
@@ -168,6 +172,9 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
         if (!choices) wrong_argument("columns", *columns, column_choices_syntax);
         data.columns = *choices;
     }
+    data.all_properties = !properties;
+    if (properties) data.properties = *properties;
+    const LookOptions look = look_from(look_arguments);
     FitOptions fit;
     fit.wanted = wanted;
     if (view) {
@@ -175,13 +182,16 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
         if (!asked) wrong_argument("view", *view, std::string(any_view_syntax));
         fit = *asked;
     }
-    const LoadedScene loaded = beside_python([path, data, fit](WorkControl& control) {
+    LoadedScene loaded = beside_python([path, data, look, fit](WorkControl& control) {
         LoadOptions options;
         options.more_per_sphere = sizeof(Sphere);  // the arrays
         options.data = data;
+        options.look = look;
         options.fit = fit;
         options.control = &control;
-        return load_scene(path, options);
+        LoadedScene read = load_scene(path, options);
+        require_properties(read, data);
+        return read;
     });
     const Scene& scene = loaded.scene;
     const SphereArrays arrays = arrays_of(scene);
@@ -191,6 +201,7 @@ py::dict read(const std::string& path, std::int64_t frame, std::optional<double>
     read["colors"] = arrays.colors;
     read["hidden"] = arrays.hidden;
     read["names"] = scene.names;
+    read["properties"] = values_of(std::move(loaded.scene.properties), data);
     read["background"] = to_string(scene.background);
     read["camera"] = numbers_of(scene.camera);
     read["light"] = numbers_of(scene.light);
@@ -251,7 +262,7 @@ void define(py::module_& module) {
                py::arg("pixel"), py::arg("size"), py::arg("shade"), py::arg("light"), py::arg("light_instead"), py::arg("name"));
     module.def("fit", &fit, py::arg("arrays"), py::arg("camera"), py::arg("right_handed"), py::arg("view"));
     module.def("read", &read, py::arg("path"), py::arg("frame"), py::arg("radius"), py::arg("virtual"), py::arg("columns"),
-               py::arg("fit"), py::arg("view"));
+               py::arg("fit"), py::arg("view"), py::arg("properties"), py::arg("look"));
     module.def(
         "sky_lights",
         [](const LightNumbers& light, std::size_t spheres, int samples) { return sky_lights(light_from(light), spheres, samples); },

@@ -12,6 +12,11 @@ _Light = tuple[int | None, float | None, float, tuple[float, float, float] | Non
 # The same, each instead of another light's; the sun as the command line spells it.
 _LightArguments = tuple[int | None, float | None, float | None, str | None, float | None]
 
+# color_by, colormap, range, log, size_by, scale, radii and radius_scale.
+_Look = tuple[
+    str | None, str | None, tuple[float, float] | None, bool, str | None, float | None, str | None, float | None
+]
+
 class SphereArrays:
     def __init__(
         self,
@@ -47,7 +52,15 @@ def explain(
 ) -> str: ...
 def fit(arrays: SphereArrays, camera: _Camera, right_handed: bool, view: str | None) -> _Camera: ...
 def read(
-    path: bytes, frame: int, radius: float | None, virtual: bool, columns: str | None, fit: bool | None, view: str | None
+    path: bytes,
+    frame: int,
+    radius: float | None,
+    virtual: bool,
+    columns: str | None,
+    fit: bool | None,
+    view: str | None,
+    properties: list[str] | None,
+    look: _Look,
 ) -> dict[str, Any]: ...
 def light(arguments: _LightArguments) -> _Light: ...
 def sky_lights(light: _Light, spheres: int, samples: int) -> int: ...

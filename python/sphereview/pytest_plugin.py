@@ -86,7 +86,7 @@ class ExactImage:
         from .scene import Scene, read
 
         golden = self._golden(name)
-        source: Any = read(picture) if isinstance(picture, (str, os.PathLike)) else picture
+        source: Any = read(picture, properties=()) if isinstance(picture, (str, os.PathLike)) else picture
         scene = source if isinstance(source, Scene) else None
         if scene is not None:
             actual = scene.render(**options)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -34,6 +34,7 @@ class Scene:
     format: str | None = None  #: of that file: "text", "TOML", "XYZ", and so on, as `sphereview --help` lists them
     frames: int = 1  #: in that file
     light: Light = Light()  #: for shade="studio"
+    properties: dict[str, NDArray[Any]] = field(default_factory=dict)  #: what the file holds of each sphere besides: (N,) each
 
     def __post_init__(self) -> None:
         for name in ("centers", "radii", "colors"):
@@ -133,6 +134,15 @@ def read(
     columns: str | Mapping[str, str | int] | None = None,
     fit: bool | None = None,
     view: View | None = None,
+    properties: Iterable[str] | None = None,
+    color_by: str | None = None,
+    colormap: str | None = None,
+    range: tuple[float, float] | None = None,
+    log: bool = False,
+    size_by: str | None = None,
+    scale: float | None = None,
+    radii: str | None = None,
+    radius_scale: float | None = None,
 ) -> Scene:
     """The scene in a file of any format that the program reads, also packed with gzip.
 
@@ -147,13 +157,28 @@ def read(
         keeps its camera.
     view: fits from a side: as for the function `fit`. Or the name of one of the file's saved views, whose camera is taken as it is.
 
+    properties: names of those to keep in the scene's `properties`, in any letter case; () keeps none, which takes less time and memory.
+        None: all that the file holds of each sphere, as docs/formats.md lists them. Numbers are float64 with nan, float32, or int32; where
+        a sphere has no whole number all are float64. Words are Python's, "" where a sphere has none, in an array of objects.
+    color_by: colours the spheres by a property of that name, or by "x", "y", "z" or "radius". Of numbers with the `colormap` "viridis",
+        "plasma", "cividis", "turbo", "coolwarm" or "grey", over the `range` (a, b), None: from the least to the greatest, with `log` by
+        their logarithm.
+    size_by: radii by a property: `scale` times the value; None: by the distances of the spheres.
+    radii: of atoms, by element: "covalent", "vdw" or "ionic".
+    radius_scale: every radius, times so much.
+
     The scene's arrays are new and yours: centers float64 (N, 3), radii float64 (N,), colors uint8 (N, 3), hidden bool (N,) or None. Its
     camera is the one that `sphereview render` takes with the same options, so `read(path).render()` is that picture.
 
     ValueError: what is wrong with the file, with its line and column. OSError, such as FileNotFoundError: it cannot be read.
     UserWarning: what is wrong with a file that is read all the same.
     """
-    found: dict[str, Any] = _native.read(path_bytes(path), frame, radius, virtual, columns_text(columns), fit, view_text(view))
+    if isinstance(properties, str):
+        raise ValueError(f"properties: found {properties!r}, expected a list of names")
+    kept = None if properties is None else list(properties)
+    look = (color_by, colormap, range, log, size_by, scale, radii, radius_scale)
+    columns_chosen = columns_text(columns)
+    found: dict[str, Any] = _native.read(path_bytes(path), frame, radius, virtual, columns_chosen, fit, view_text(view), kept, look)
     for warning in found.pop("warnings"):
         warnings.warn(warning, stacklevel=2)
     found["camera"] = Camera.from_numbers(found["camera"])

@@ -94,6 +94,111 @@ def test_columns_are_those_of_the_command_line(run_program, tmp_path):
     assert str(caught.value) == words.replace("sphereview: --columns", "columns").removesuffix(" (see 'sphereview render --help')")
 
 
+CHARGES = """4
+Properties=species:S:1:pos:R:3:charge:R:1:id:I:1:group:I:1:forces:R:3
+O  0.000  0.000 0.000 -0.8   10 1 0 0 0
+H  0.757  0.586 0.000 0.4    20 2 3 4 0
+H -0.757  0.586 0.000 0.4    30 2 1 0 0
+Na 3.000  0.000 0.000 nan  -40 nan 0 2 0
+"""
+
+
+def test_a_scene_has_what_its_file_holds_of_each_sphere(tmp_path, run_program):
+    path = tmp_path / "charges.xyz"
+    path.write_text(CHARGES)
+    scene = sphereview.read(path)
+    properties = scene.properties
+    assert list(properties) == ["element", "charge", "id", "group", "forces.x", "forces.y", "forces.z", "forces"]
+    assert properties["element"].tolist() == ["O", "H", "H", "Na"]
+    assert (properties["element"] == "H").tolist() == [False, True, True, False]
+    numpy.testing.assert_array_equal(properties["charge"], [-0.8, 0.4, 0.4, numpy.nan])
+    numpy.testing.assert_array_equal(properties["group"], [1, 2, 2, numpy.nan])
+    assert properties["id"].tolist() == [10, 20, 30, -40] and properties["forces"].tolist() == [0, 5, 1, 2]
+    assert [properties[name].dtype for name in ("charge", "id", "group")] == [numpy.float64, numpy.int32, numpy.float64]
+    for values in properties.values():
+        assert values.shape == (4,) and values.flags.c_contiguous and values.flags.writeable
+    scene.colors[properties["element"] == "Na"] = (1, 2, 3)
+    assert [1, 2, 3] in scene.render((60, 40)).reshape(-1, 3).tolist()
+
+    assert list(sphereview.read(path, properties=["CHARGE"]).properties) == ["charge"]
+    assert sphereview.read(path, properties=()).properties == {}
+    with pytest.raises(ValueError) as caught:
+        sphereview.read(path, properties=["mass"])
+    assert str(caught.value) == run_program("convert", path, tmp_path / "x.toml", "--properties", "mass")[2].rstrip("\n")
+    with pytest.raises(ValueError, match="^properties: found 'charge', expected a list of names$"):
+        sphereview.read(path, properties="charge")
+
+
+def test_properties_survive_the_native_format(tmp_path, run_program):
+    path, native = tmp_path / "charges.xyz", tmp_path / "charges.toml"
+    path.write_text(CHARGES)
+    assert run_program("convert", path, native, "--properties", "all")[0] == 0
+    first, again = sphereview.read(path).properties, sphereview.read(native).properties
+    assert list(first) == list(again)
+    for name, values in first.items():
+        assert values.dtype == again[name].dtype
+        numpy.testing.assert_array_equal(values, again[name])
+    assert list(sphereview.read(native, properties=["charge"]).properties) == ["charge"]
+    assert sphereview.read(ROOT / "scenes" / "input4.txt").properties == {}
+
+
+def test_single_precision_and_no_spheres_have_properties_too(tmp_path):
+    path = tmp_path / "points.ply"
+    header = "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\nproperty float z\nproperty float heat\nend_header\n"
+    path.write_text(header.format(2) + "0 0 0 0.1\n4 0 0 2\n")
+    heat = sphereview.read(path, radius=1).properties["heat"]
+    assert heat.dtype == numpy.float32 and heat.tolist() == [numpy.float32(0.1), 2]
+    path.write_text(header.format(0))
+    assert [values.shape for values in sphereview.read(path).properties.values()] == [(0,)]
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"color_by": "charge"}, ["--color-by", "charge"]),
+        (
+            {"color_by": "ID", "colormap": "coolwarm", "range": (40, 10), "log": True},
+            ["--color-by", "ID", "--colormap", "coolwarm", "--range", "40:10", "--log"],
+        ),
+        ({"color_by": "element", "radii": "vdw"}, ["--color-by", "element", "--radii", "vdw"]),
+        ({"size_by": "id", "scale": 0.05, "radius_scale": 2}, ["--size-by", "id", "--scale", "0.05", "--radius-scale", "2"]),
+    ],
+)
+def test_colors_and_sizes_are_those_of_the_command_line(tmp_path, run_program, options, words):
+    path = tmp_path / "charges.xyz"
+    path.write_text(CHARGES)
+    scene = sphereview.read(path, properties=(), **options)
+    assert scene.properties == {}
+    assert run_program("render", path, "-o", tmp_path / "picture.png", "-s", "60x40", *words)[0] == 0
+    picture = sphereview.read_png(tmp_path / "picture.png")
+    assert numpy.array_equal(scene.render((60, 40)), picture)
+    assert not numpy.array_equal(sphereview.read(path).render((60, 40)), picture)
+
+
+@pytest.mark.parametrize(
+    "options, words",
+    [
+        ({"color_by": "charge", "colormap": "jet"}, "colormap: found 'jet', expected viridis, plasma, cividis, turbo, coolwarm or grey"),
+        ({"color_by": "charge", "range": (1, 1)}, "range: found '(1, 1)', expected (a, b), two different numbers"),
+        ({"color_by": "charge", "range": (0, 1), "log": True}, "range: found '(0, 1)', expected numbers above 0 with log"),
+        ({"colormap": "grey"}, "colormap: expected color_by as well"),
+        ({"range": (0, 1)}, "range: expected color_by as well"),
+        ({"log": True}, "log: expected color_by as well"),
+        ({"scale": 2}, "scale: expected size_by as well"),
+        ({"size_by": "id", "scale": 0}, "scale: found '0', expected a number above 0"),
+        ({"size_by": "id", "radii": "vdw"}, "radii: expected no size_by beside it"),
+        ({"radii": "atomic"}, "radii: found 'atomic', expected covalent, vdw or ionic"),
+        ({"radius_scale": float("inf")}, "radius_scale: found 'inf', expected a number above 0"),
+    ],
+)
+def test_wrong_colors_and_sizes_are_told(tmp_path, options, words):
+    path = tmp_path / "charges.xyz"
+    path.write_text(CHARGES)
+    with pytest.raises(ValueError) as caught:
+        sphereview.read(path, **options)
+    assert str(caught.value) == words
+
+
 def test_a_saved_view_is_seen_by_its_name(tmp_path):
     path = tmp_path / "scene.toml"
     path.write_text(TOML + "\n[[view]]\nname = 'from behind'\neye = [0, 0, 900]\ncenter = [0, 0, 800]\nup = [0, -50, 0]\n")

@@ -154,7 +154,7 @@ bool FrameReader::find_next() {
     end_position_ = position_at(text, *length, end_position_);
     end_ += *length;
     numbers_behind_first_ = part.numbers_behind_first;
-    if (const auto part = part_passed(); watcher_ && part) watcher_(*part);
+    if (const auto passed = part_passed(); watcher_ && passed) watcher_(*passed);
     return true;
 }
 

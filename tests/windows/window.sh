@@ -1,6 +1,7 @@
 #!/bin/sh
 # The window of the program for Windows: tests/windows/window.sh SPHEREVIEW.EXE SPHEREVIEW
-# A sphere is dragged with the mouse, the scene saved, and F12 writes what `render` of this system's program writes. Needs a display.
+# A sphere is dragged with the mouse, the scene saved, and F12 writes what `render` of this system's program writes; opened from a folder, no
+# console stays beside the window. Needs a display.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 exe=$1 native=$2
@@ -54,4 +55,17 @@ status=0
 wait $job || status=$?
 job=
 [ $status = 0 ] || fail "status $status"
+
+# As from a folder, in a console of its own, whose window has the program's name.
+is_shown() { xdotool search --onlyvisible --name "$1"; }
+is_gone() { ! is_shown "$1"; }
+"$here/wine" start /unix "$exe" "$folder/scene.txt" 2>err.txt &
+job=$!
+waits_for is_shown '^scene.txt - sphereview'
+waits_for is_gone 'sphereview\.exe'
+is_shown '^scene.txt - sphereview' >/dev/null || fail "the window went with the console"
+xdotool windowfocus "$(is_shown '^scene.txt - sphereview' | tail -n 1)" key ctrl+q
+waits_for is_gone 'sphereview'
+wait $job
+job=
 echo "all as it should be"
