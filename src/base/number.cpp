@@ -43,7 +43,7 @@ NumberFault parse_any_double(std::string_view token, double& value) {
         exponent.remove_prefix(2);
     } else if (exponent[0] == 'D' || exponent[0] == 'd') {
         exponent.remove_prefix(1);
-    } else if (!is_signed || exponent.size() != 4 || token.find('.') == std::string_view::npos) {
+    } else if (!is_signed || exponent.size() < 3 || exponent.size() > 4 || token.find('.') == std::string_view::npos) {
         return fault;
     }
     return parse_double(std::string(token.substr(0, mantissa)).append("e").append(exponent), value);

@@ -19,8 +19,8 @@ inline std::from_chars_result read_double(const char* begin, const char* end, do
 // A leading '+' is allowed. On a fault `value` is left alone; too_large means beyond the largest double.
 NumberFault parse_double(std::string_view token, double& value);
 
-// The same, also with the exponents of other programs: 1.0D+00 and 1.0d0 (Fortran), 1.0*^-6 (Mathematica), 0.25-102 (Fortran where
-// the exponent has three digits).
+// The same, also with the exponents of other programs: 1.0D+00 and 1.0d0 (Fortran), 1.0*^-6 (Mathematica), 1.0+01 and 0.25-102
+// (Fortran where the exponent's letter is left out).
 NumberFault parse_any_double(std::string_view token, double& value);
 
 // Reads the whole of `token` as a whole number; false, with `value` undefined, when `token` is none or `value` cannot hold it.

@@ -183,13 +183,37 @@ std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(mark) ? text.substr(mark.size()) : text;
 }
 
-bool is_utf16(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
+namespace {
+
+// Whether each second byte from `zero` on is 0 and the others are what texts of Latin letters hold, as far as it is looked at.
+bool is_latin_in_pairs(std::string_view bytes, std::size_t zero) {
+    constexpr std::size_t enough = 64;
+    const std::string_view head = bytes.substr(0, std::min(enough, bytes.size() / 2 * 2));
+    for (std::size_t i = 0; i < head.size(); i += 2) {
+        const char letter = head[i + 1 - zero];
+        const bool is_text =
+            static_cast<unsigned char>(letter) >= ' ' || letter == '\n' || letter == '\r' || letter == '\t' || letter == '\x1A';
+        if (head[i + zero] != '\0' || !is_text) return false;
+    }
+    return head.size() > 2;
+}
+
+bool has_utf16_mark(std::string_view bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
+
+}  // namespace
+
+bool is_utf16(std::string_view bytes) {
+    return has_utf16_mark(bytes) || is_latin_in_pairs(bytes, 0) || is_latin_in_pairs(bytes, 1);
+}
 
 std::string utf8_of_utf16(std::string_view bytes) {
-    const std::size_t low = bytes.starts_with("\xFF\xFE") ? 0 : 1;  // which of two bytes is the lower one
+    const bool has_mark = has_utf16_mark(bytes);
+    const bool low_first = has_mark ? bytes[0] == '\xFF' : bytes.size() > 1 && bytes[1] == '\0';
+    if (has_mark) bytes.remove_prefix(2);
+    const std::size_t low = low_first ? 0 : 1;  // which of two bytes is the lower one
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     std::u16string units;
-    for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) units += static_cast<char16_t>(byte(i + low) | byte(i + 1 - low) << 8);
+    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) units += static_cast<char16_t>(byte(i + low) | byte(i + 1 - low) << 8);
     const auto is_half = [&](std::size_t i, char16_t first) {
         return i < units.size() && units[i] >= first && units[i] < first + 0x400;
     };

@@ -72,10 +72,10 @@ std::string_view trimmed(std::string_view text, std::string_view white = " \t\r\
 // `text` without the UTF-8 byte-order mark that some editors put first, and that is no character of a line.
 std::string_view without_byte_order_mark(std::string_view text);
 
-// Whether `bytes` begin with the byte-order mark of UTF-16, of either order.
+// Whether `bytes` begin with the byte-order mark of UTF-16, of either order, or without one like a text of Latin letters in it.
 bool is_utf16(std::string_view bytes);
 
-// The text in such bytes, without the mark, as UTF-8; U+FFFD for what is half a character.
+// The text in such bytes, without a mark, as UTF-8; U+FFFD for what is half a character.
 std::string utf8_of_utf16(std::string_view bytes);
 
 // `text` with a letter and the accent that follows it as one character where Unicode has one, for letters of Latin-1 and Latin

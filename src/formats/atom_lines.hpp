@@ -75,6 +75,14 @@ inline glm::dvec3 read_place(TokenReader& reader, const OfAtom& the) {
     return {x, y, z};
 }
 
+// The same; false where one of the numbers is missing, which nan and the like stand for.
+inline bool read_place_if_any(TokenReader& reader, const OfAtom& the, glm::dvec3& place) {
+    const bool x = reader.number_if_any(the("x"), place.x);
+    const bool y = reader.number_if_any(the("y"), place.y);
+    const bool z = reader.number_if_any(the("z"), place.z);
+    return x && y && z;
+}
+
 // What finders of frames share, which step from frame to frame without a look at the atoms. Each of them has a type Frame and
 // next(frame, number, wanted), which steps over the next frame, number `number` from 0, and is false when there is none; of the
 // wanted one it notes where the atoms are.

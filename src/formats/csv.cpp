@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <charconv>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <numeric>
@@ -9,6 +9,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/atom_lines.hpp"
+#include "formats/atom_names.hpp"
 #include "formats/atoms.hpp"
 #include "formats/csv_table.hpp"
 #include "formats/csv_values.hpp"
@@ -24,19 +25,23 @@ namespace {
 
 constexpr double usual_radius = 1.0;
 
-// What rows hold beside their spheres, counted.
-struct RowCounts {
-    std::size_t radii = 0;         // rows with a radius of their own
-    std::size_t no_center = 0;     // rows that were left out
-    bool color_fractions = false;  // a red, green or blue is written as 0.5 or 255.0
-    bool color_above_1 = false;
+// What rows hold beside their spheres.
+struct RowNotes {
+    std::size_t radii = 0;                      // rows with a radius of their own
+    std::size_t no_center = 0;                  // rows that were left out
+    std::size_t odd = 0;                        // rows whose radius or colour is none and does not say so
+    double largest_color = 0.0;                 // of red, green and blue
+    std::vector<std::size_t> virtual_sites{};   // which of the spheres are no atoms
+    std::vector<std::size_t> values_of_rare{};  // of each of CsvTable::rare, in how many rows there is a value
 
-    RowCounts& operator+=(const RowCounts& other) {
+    // `first`: the number of the first of the other's spheres.
+    void add(const RowNotes& other, std::size_t first) {
         radii += other.radii;
         no_center += other.no_center;
-        color_fractions = color_fractions || other.color_fractions;
-        color_above_1 = color_above_1 || other.color_above_1;
-        return *this;
+        odd += other.odd;
+        largest_color = std::max(largest_color, other.largest_color);
+        for (const std::size_t site : other.virtual_sites) virtual_sites.push_back(first + site);
+        for (std::size_t i = 0; i < other.values_of_rare.size(); ++i) values_of_rare[i] += other.values_of_rare[i];
     }
 };
 
@@ -44,15 +49,15 @@ struct RowCounts {
 struct Spheres {
     std::vector<Sphere> spheres{};
     std::vector<std::pair<std::size_t, std::string>> names{};
-    RowCounts counts{};
+    RowNotes notes{};
 };
 
 // Reads the fields of a record.
 class RowReader {
 public:
-    // colors_to_1: red, green and blue are parts of 1; else of 255. names_elements: an atom without a name gets its element's.
-    RowReader(const CsvRecords& records, const CsvTable& table, const DataOptions& options, bool colors_to_1, bool names_elements)
-        : records_(records), table_(table), options_(options), colors_to_1_(colors_to_1), names_elements_(names_elements) {}
+    // full_color: what stands for 255 in red, green and blue. names_elements: an atom without a name gets its element's.
+    RowReader(const CsvRecords& records, const CsvTable& table, const DataOptions& options, double full_color, bool names_elements)
+        : records_(records), table_(table), options_(options), full_color_(full_color), names_elements_(names_elements) {}
 
     // Appends the record's sphere and name, unless it has no centre.
     void read(Spheres& read) const {
@@ -66,19 +71,32 @@ public:
         Sphere sphere;
         if (!read_center(sphere.center)) {
             const auto is_empty = [](const CsvField& field) { return field.text.empty(); };
-            if (!std::ranges::all_of(fields, is_empty)) ++read.counts.no_center;  // spreadsheets end with empty rows
+            if (!std::ranges::all_of(fields, is_empty)) ++read.notes.no_center;  // spreadsheets end with empty rows
             return;
         }
-        const Element* element = has(CsvColumn::element) ? &element_of_species(field(CsvColumn::element).text) : nullptr;
-        if (!set_radius(sphere.radius)) {
+        const Element* element = has(CsvColumn::element) ? &element_of_row() : nullptr;
+        bool odd = false;
+        if (!set_radius(sphere.radius, odd)) {
             sphere.radius = element == nullptr ? options_.radius.value_or(usual_radius) : radius_of(*element, options_);
         } else {
-            ++read.counts.radii;
+            ++read.notes.radii;
         }
-        if (!set_color(sphere.color, read.counts) && element != nullptr) sphere.color = element->color;
+        if (!set_color(sphere.color, read.notes.largest_color, odd) && element != nullptr) sphere.color = element->color;
+        if (odd) ++read.notes.odd;
+        if (element != nullptr && is_virtual(*element)) read.notes.virtual_sites.push_back(read.spheres.size());
+        look_at_rare(read.notes.values_of_rare);
         read.spheres.push_back(sphere);
         std::string name = name_of_row();
         if (!name.empty()) read.names.emplace_back(read.spheres.size() - 1, std::move(name));
+    }
+
+    // Of a table with a column of elements, or of the names of atoms.
+    const Element& element_of_row() const {
+        const std::string_view text = field(CsvColumn::element).text;
+        if (!table_.atom_names) return element_of_species(text);
+        const auto residue = table_.residue;
+        const bool has_residue = residue && *residue < records_.fields().size();
+        return element_of_name(text, has_residue ? records_.fields()[*residue].text : any_amino_acid, NameColumns::unknown);
     }
 
     // False where the row has none.
@@ -89,6 +107,8 @@ public:
     }
 
 private:
+    static constexpr std::string_view any_amino_acid = "ALA";  // CA is carbon in each
+
     static std::string name_of(CsvColumn column) { return csv_column_names[static_cast<std::size_t>(column)]; }
 
     bool has(CsvColumn column) const { return table_.columns.has(column); }
@@ -108,58 +128,81 @@ private:
 
     bool odd_number(CsvColumn column, const CsvField& text, double& value) const {
         if (is_missing(text.text)) return false;
-        const NumberFault fault = parse_csv_number(text.text, table_.decimal_commas, value);
+        const NumberFault fault = parse_csv_number(text.text, table_.commas, value);
         if (fault == NumberFault::none) return true;
         records_.fail(text, name_of(column) + ", " + expected_instead_of(fault));
     }
 
-    // False where the row says none: also by 0, which OVITO writes for it.
-    bool set_radius(double& radius) const {
+    // False where the row says none: also by 0, which OVITO writes for it, and by what is no radius, which is odd.
+    bool set_radius(double& radius, bool& odd) const {
         const bool has_radius = has(CsvColumn::radius);
         if (!has_radius && !has(CsvColumn::diameter)) return false;
-        const CsvColumn column = has_radius ? CsvColumn::radius : CsvColumn::diameter;
+        const std::string_view text = field(has_radius ? CsvColumn::radius : CsvColumn::diameter).text;
         double value = 0.0;
-        if (!number(column, value)) return false;
-        if (value < 0.0) records_.fail(field(column), name_of(column) + " above 0");
+        const bool is_number =
+            parse_double(text, value) == NumberFault::none || parse_csv_number(text, table_.commas, value) == NumberFault::none;
+        odd = odd || (is_number ? value < 0.0 : !is_missing(text));
+        if (!is_number) return false;
         radius = has_radius ? value : 0.5 * value;
         return radius > 0.0;
     }
 
-    bool set_color(Color& color, RowCounts& counts) const {
+    bool set_color(Color& color, double& largest, bool& odd) const {
         if (has(CsvColumn::color)) {
-            const auto found = parse_hex_color(field(CsvColumn::color).text);
+            const std::string_view text = field(CsvColumn::color).text;
+            const auto found = table_.packed_colors ? parse_packed_color(text) : parse_hex_color(text);
             if (found) color = *found;
+            odd = odd || (!found && !is_missing(text));
             return found.has_value();
         }
         if (!has(CsvColumn::red)) return false;
         Color read;
-        if (!set_channel(CsvColumn::red, read.r, counts) || !set_channel(CsvColumn::green, read.g, counts) ||
-            !set_channel(CsvColumn::blue, read.b, counts)) {
+        if (!set_channel(CsvColumn::red, read.r, largest, odd) || !set_channel(CsvColumn::green, read.g, largest, odd) ||
+            !set_channel(CsvColumn::blue, read.b, largest, odd)) {
             return false;
         }
         color = read;
         return true;
     }
 
-    bool set_channel(CsvColumn column, std::uint8_t& channel, RowCounts& counts) const {
+    bool set_channel(CsvColumn column, std::uint8_t& channel, double& largest, bool& odd) const {
         const CsvField& text = field(column);
-        if (!parse_whole(text.text, channel)) return set_odd_channel(column, text, channel, counts);
-        counts.color_above_1 |= channel > 1;
-        if (colors_to_1_ && channel > 0) channel = color_max;
+        if (!parse_whole(text.text, channel)) return set_odd_channel(text.text, channel, largest, odd);
+        largest = std::max(largest, static_cast<double>(channel));
+        if (full_color_ != color_max) channel = color_byte(channel, full_color_).value_or(color_max);
         return true;
     }
 
-    bool set_odd_channel(CsvColumn column, const CsvField& text, std::uint8_t& channel, RowCounts& counts) const {
-        if (is_missing(text.text)) return false;
+    // 0.5, 255.0 and 65535; also 100% and 0xff, which mean the same in every column.
+    bool set_odd_channel(std::string_view text, std::uint8_t& channel, double& largest, bool& odd) const {
+        constexpr double percent = 100.0;
         double value = 0.0;
-        const NumberFault fault = parse_csv_number(text.text, true, value);
-        if (fault != NumberFault::none || !(value >= 0.0 && value <= color_max)) {
-            records_.fail(text, name_of(column) + ", a whole number from 0 to 255");
+        std::optional<std::uint8_t> byte;
+        if (text.ends_with('%') &&
+            parse_csv_number(trimmed(text.substr(0, text.size() - 1)), Commas::decimal, value) == NumberFault::none) {
+            byte = color_byte(value, percent);
+        } else if (has_hex_mark(text) && text[0] == '0') {
+            std::uint8_t read = 0;
+            const auto end = text.data() + text.size();
+            const auto result = std::from_chars(text.data() + 2, end, read, 16);
+            if (result.ec == std::errc{} && result.ptr == end) byte = read;
+        } else if (parse_csv_number(text, Commas::decimal, value) == NumberFault::none) {
+            if (value <= most_of_color) largest = std::max(largest, value);
+            byte = color_byte(value, full_color_);
         }
-        counts.color_fractions = true;
-        counts.color_above_1 |= value > 1.0;
-        channel = static_cast<std::uint8_t>(std::lround(colors_to_1_ ? color_max * std::min(1.0, value) : value));
-        return true;
+        odd = odd || (!byte && !is_missing(text));
+        channel = byte.value_or(0);
+        return byte.has_value();
+    }
+
+    void look_at_rare(std::vector<std::size_t>& counts) const {
+        if (table_.rare.empty()) return;
+        counts.resize(table_.rare.size());
+        const auto fields = records_.fields();
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            const std::size_t place = table_.rare[i];
+            if (place < fields.size() && !is_missing(fields[place].text)) ++counts[i];
+        }
     }
 
     std::string name_of_row() const {
@@ -170,7 +213,7 @@ private:
     const CsvRecords& records_;
     const CsvTable& table_;
     const DataOptions& options_;
-    bool colors_to_1_;
+    double full_color_;
     bool names_elements_;
 };
 
@@ -216,17 +259,18 @@ public:
     }
 
     // Replaces the scene.
-    RowCounts read(Scene& scene, bool colors_to_1) const {
+    RowNotes read(Scene& scene, double full_color) const {
         scene = {};
         scene.spheres.reserve(most_);
-        RowCounts counts;
+        RowNotes notes;
+        notes.values_of_rare.resize(table_.rare.size());
         if (source_.text.find('"', table_.begin) != std::string_view::npos) {
             // Whether a quote opens or closes a field only its line's beginning tells, and that of the line before it.
             constexpr std::size_t rows_at_once = 4096;
             CsvRecords records = rows_from(source_, table_, table_.begin);
             bool more = true;
-            while (more) counts += append(scene, read_records(records, colors_to_1, rows_at_once, more));
-            return counts;
+            while (more) append(scene, read_records(records, full_color, rows_at_once, more), notes);
+            return notes;
         }
         const std::size_t pieces_at_once = 4 * static_cast<std::size_t>(worker_count());
         for (std::size_t done = 0; done + 1 < places_.size(); done += pieces_at_once) {
@@ -235,18 +279,18 @@ public:
                 // With the field behind a separator at the line's end.
                 CsvRecords records(source_, table_.layout, places_[done + i], places_[done + i + 1], table_.fields + 1);
                 bool more = false;
-                pieces[i] = read_records(records, colors_to_1, std::numeric_limits<std::size_t>::max(), more);
+                pieces[i] = read_records(records, full_color, std::numeric_limits<std::size_t>::max(), more);
             });
-            for (Spheres& piece : pieces) counts += append(scene, std::move(piece));
+            for (Spheres& piece : pieces) append(scene, std::move(piece), notes);
         }
-        return counts;
+        return notes;
     }
 
     // The values of the spheres, `count` of them, that were read.
     FileProperties read_properties_of(std::size_t count) const {
         const auto walk = [&](PropertyTable& properties) {
             CsvRecords records = rows_from(source_, table_, table_.begin);
-            const RowReader row(records, table_, options_, false, false);
+            const RowReader row(records, table_, options_, color_max, false);
             glm::dvec3 ignored;
             std::string text;
             while (records.next()) {
@@ -254,19 +298,20 @@ public:
                 const auto fields = records.fields();
                 properties.add([&](std::size_t place) -> std::string_view {
                     if (place >= fields.size()) return {};
+                    if (table_.atom_names && place == table_.columns[CsvColumn::element]) return row.element_of_row().symbol;
                     if (!fields[place].quoted) return fields[place].text;
                     text = unquoted(fields[place]);
                     return text;
                 });
             }
         };
-        return read_properties(table_.properties, options_, count, source_.name, walk, table_.decimal_commas);
+        return read_properties(table_.properties, options_, count, source_.name, walk, table_.commas);
     }
 
 private:
-    Spheres read_records(CsvRecords& records, bool colors_to_1, std::size_t most, bool& more) const {
+    Spheres read_records(CsvRecords& records, double full_color, std::size_t most, bool& more) const {
         Spheres read;
-        const RowReader row(records, table_, options_, colors_to_1, names_elements_);
+        const RowReader row(records, table_, options_, full_color, names_elements_);
         more = true;
         for (std::size_t i = 0; i < most && more; ++i) {
             more = records.next();
@@ -275,7 +320,7 @@ private:
         return read;
     }
 
-    RowCounts append(Scene& scene, Spheres read) const {
+    void append(Scene& scene, Spheres read, RowNotes& notes) const {
         const std::size_t first = scene.spheres.size();
         const std::size_t count = first + read.spheres.size();
         if (count > most_spheres) {
@@ -286,7 +331,7 @@ private:
         for (auto& [index, text] : read.names) {
             scene.names.emplace_hint(scene.names.end(), static_cast<std::uint32_t>(first + index), std::move(text));
         }
-        return read.counts;
+        notes.add(read.notes, first);
     }
 
     const TextSource& source_;
@@ -298,13 +343,32 @@ private:
 };
 
 // What to say of a column that is not there.
-std::string passed_over_in_words(std::vector<std::string> columns, const DataOptions& options) {
-    std::erase_if(columns, [&](const std::string& name) { return is_wanted(options, name, 0); });
+std::string passed_over_in_words(const CsvTable& table, const DataOptions& options) {
+    std::vector<std::string> columns;
+    for (const CsvPassedOver& column : table.passed_over) {
+        if (!is_wanted(options, column.name, 0)) columns.push_back(in_quotes(column.name));
+    }
     if (columns.empty()) return "";
     constexpr std::size_t most_listed = 20;
-    for (std::string& column : columns) column = in_quotes(column);
     return "columns that are passed over: " + joined(first_of(std::move(columns), most_listed), ", ") +
            "; --color-by and --size-by can use them";
+}
+
+// Columns in which nothing stands are of no use to anybody.
+void forget_empty_columns(CsvTable& table, const RowNotes& notes) {
+    std::vector<std::size_t> empty;
+    for (std::size_t i = 0; i < table.rare.size(); ++i) {
+        if (notes.values_of_rare[i] == 0) empty.push_back(table.rare[i]);
+    }
+    const auto is_empty = [&](const auto& column) { return std::ranges::binary_search(empty, column.place); };
+    std::erase_if(table.passed_over, is_empty);
+    std::erase_if(table.properties, is_empty);
+}
+
+void warn_of_odd(SphereData& data, std::size_t rows, const std::string& name) {
+    if (rows == 0) return;
+    data.warnings.push_back(name + ": " + in_groups(rows) + (rows == 1 ? " row has" : " rows have") +
+                            " a radius or colour that is none, and " + (rows == 1 ? "gets" : "get") + " the usual one");
 }
 
 }  // namespace
@@ -313,15 +377,19 @@ bool shows_csv(std::string_view head) { return is_clearly_csv(is_utf16(head) ? u
 
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options) {
     const std::string converted = is_utf16(content) ? utf8_of_utf16(content) : "";
-    const TextSource source{name, converted.empty() ? without_byte_order_mark(content) : std::string_view(converted)};
-    const CsvTable table = find_csv_table(source, options.columns);
+    std::string_view text = converted.empty() ? without_byte_order_mark(content) : std::string_view(converted);
+    constexpr char end_of_dos = '\x1A';
+    if (text.ends_with(end_of_dos)) text.remove_suffix(1);
+    const TextSource source{name, text};
+    CsvTable table = find_csv_table(source, options.columns);
     const RowsReader rows(source, table, options);
     SphereData data;
-    RowCounts counts = rows.read(data.scene, table.colors_to_1);
+    RowNotes notes = rows.read(data.scene, table.full_color);
     // What the first rows show of the colours need not hold for all of them.
-    const bool colors_to_1 = counts.color_fractions && !counts.color_above_1;
-    if (colors_to_1 != table.colors_to_1 && table.columns.has(CsvColumn::red)) counts = rows.read(data.scene, colors_to_1);
+    const double full = full_color(notes.largest_color);
+    if (full != table.full_color && notes.largest_color > 0.0) notes = rows.read(data.scene, full);
 
+    forget_empty_columns(table, notes);
     add_properties(data, rows.read_properties_of(data.scene.spheres.size()));
     if (!table.has_header && options.columns.empty()) {
         data.warnings.push_back(name + ": no header: the first columns are taken for x, y" +
@@ -329,10 +397,11 @@ SphereData read_csv(std::string_view content, const std::string& name, const Dat
                                 (table.columns.has(CsvColumn::red) ? ", and three more for red, green and blue" : ""));
     }
     if (!table.columns.has(CsvColumn::z)) data.warnings.push_back(name + ": no column for z: all lie in the plane z = 0");
-    warn_of_left_out(data, counts.no_center, name, "row", "rows");
-    if (counts.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name);
-    if (const std::string words = passed_over_in_words(table.passed_over, options); !words.empty())
-        data.notes.push_back(name + ": " + words);
+    warn_of_left_out(data, notes.no_center, name, "row", "rows");
+    warn_of_odd(data, notes.odd, name);
+    settle_virtual_sites(data, notes.virtual_sites, name, options);
+    if (notes.radii == 0 && !options.radius && !table.columns.has(CsvColumn::element)) use_radius_of_points(data, name);
+    if (const std::string words = passed_over_in_words(table, options); !words.empty()) data.notes.push_back(name + ": " + words);
     return data;
 }
 

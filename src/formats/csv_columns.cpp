@@ -45,6 +45,7 @@ constexpr auto place_names = std::to_array<Triple>({
     {"centerofmassx", "centerofmassy", "centerofmassz"},
     {"cx", "cy", "cz"},
     {"xm", "ym", "zm"},                       // ImageJ's centre of mass
+    {"centroid0", "centroid1", "centroid2"},  // scikit-image
     {"centroid1", "centroid2", "centroid3"},  // MATLAB's regionprops3
     {"var1", "var2", "var3"},                 // MATLAB's array2table
     {"v1", "v2", "v3"},                       // R's as.data.frame
@@ -72,31 +73,41 @@ std::string compact(std::string_view name) {
     return key;
 }
 
-// `name` without "[nm]" or "(um)" at its end.
+// `name` without "[nm]", "(um)" or "{mm}" at its end.
 std::string_view without_bracket(std::string_view name) {
-    const char close = name.empty() ? '\0' : name.back();
-    if (close != ')' && close != ']') return name;
-    const std::size_t open = name.rfind(close == ')' ? '(' : '[');
+    constexpr std::string_view opening = "([{";
+    const std::size_t bracket = name.empty() ? std::string_view::npos : std::string_view(")]}").find(name.back());
+    if (bracket == std::string_view::npos) return name;
+    const std::size_t open = name.rfind(opening[bracket]);
     if (open == std::string_view::npos || open == 0) return name;
     return trimmed(name.substr(0, open));
 }
 
-// `name` without "_um" or " nm" at its end.
+// `name` without "_um", " nm" or " in mm" at its end.
 std::string_view without_unit(std::string_view name) {
+    constexpr std::string_view in = " in";
     const std::size_t end = name.find_last_of(" _/,-");
     if (end == std::string_view::npos || end == 0) return name;
-    return std::ranges::find(units, name.substr(end + 1)) == units.end() ? name : name.substr(0, end);
+    if (std::ranges::find(units, name.substr(end + 1)) == units.end()) return name;
+    name = name.substr(0, end);
+    return name.size() > in.size() && name.ends_with(in) ? name.substr(0, name.size() - in.size()) : name;
 }
 
 class Names {
 public:
-    explicit Names(const std::vector<std::string>& names) {
+    explicit Names(const std::vector<std::string>& names) : names_(names) {
         std::ranges::transform(names, std::back_inserter(keys_), [](const std::string& name) { return column_key(name); });
     }
 
     std::optional<std::size_t> find(std::string_view key) const {
         const auto found = std::ranges::find(keys_, key);
         return found == keys_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - keys_.begin()));
+    }
+
+    // The column that is called so, to the letter.
+    std::optional<std::size_t> find_exactly(std::string_view name) const {
+        const auto found = std::ranges::find(names_, name);
+        return found == names_.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - names_.begin()));
     }
 
     std::optional<std::size_t> first_of(std::initializer_list<std::string_view> keys) const {
@@ -116,6 +127,7 @@ public:
     }
 
 private:
+    const std::vector<std::string>& names_;
     std::vector<std::string> keys_{};
 };
 
@@ -134,8 +146,11 @@ CsvColumns columns_by_name(const ColumnNames& names) {
         columns.places = {1, 2, names.size() > 3 ? std::optional<std::size_t>(3) : std::nullopt};
         return columns;
     }
+    // Beside x, y and z there may be an X, or a Z for atomic numbers.
+    const std::array exactly = {known.find_exactly("x"), known.find_exactly("y"), known.find_exactly("z")};
+    const bool is_exact = exactly[0] && exactly[1] && exactly[2];
     for (const Triple& triple : place_names) {
-        const auto places = found(triple);
+        const auto places = is_exact ? exactly : found(triple);
         if (!places[0] || !places[1]) continue;
         const bool numbered = triple[2].back() >= '0' && triple[2].back() <= '9';
         if (places[2]) {
@@ -156,8 +171,10 @@ CsvColumns columns_by_name(const ColumnNames& names) {
         break;
     }
     columns[CsvColumn::color] = known.first_of({"color", "colour", "hex", "hexcolor", "colorhex", "rgb", "farbe", "couleur"});
-    columns[CsvColumn::element] =
-        known.first_of({"element", "species", "symbol", "atomsymbol", "elementsymbol", "type", "atomtype", "particletype", "atom"});
+    columns[CsvColumn::element] = known.first_of({"element", "species", "symbol", "atomsymbol", "elementsymbol", "type", "atomtype",
+                                                  "particletype", "atom", "atomname", "atomicnumber"});
+    const bool has_other_places = known.find_exactly("X") || known.find_exactly("Y");
+    if (!columns.has(CsvColumn::element) && is_exact && !has_other_places) columns[CsvColumn::element] = known.find_exactly("Z");
     columns[CsvColumn::name] = known.find("name");
     return columns;
 }
@@ -180,9 +197,16 @@ std::optional<std::size_t> number_of(const std::string& choice, std::size_t fiel
 }  // namespace
 
 std::string column_key(std::string_view name) {
-    const std::string lower = lower_case(name);
+    std::string lower = lower_case(name);
+    constexpr std::string_view no_break_space = "\xC2\xA0";
+    for (std::size_t i = 0; (i = lower.find(no_break_space, i)) != std::string::npos;) lower.replace(i, no_break_space.size(), " ");
     const std::string_view plain = without_bracket(trimmed(lower));
     return compact(without_unit(plain));
+}
+
+bool is_unit(std::string_view text) {
+    const std::string lower = lower_case(trimmed(text, " ()[]{}"));
+    return std::ranges::find(units, lower) != units.end();
 }
 
 ChosenColumns choose_columns(const ColumnNames& names, const std::vector<ColumnChoice>& choices) {

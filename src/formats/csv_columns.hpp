@@ -31,6 +31,9 @@ using ColumnNames = std::vector<std::string>;
 // "Position X [um]" and "POSITION_X".
 std::string column_key(std::string_view name);
 
+// Whether text is a unit of length, perhaps in brackets: "nm", "(um)".
+bool is_unit(std::string_view text);
+
 // The columns that are drawn among those with such names. Places may be missing: a table needs x and y.
 struct ChosenColumns {
     CsvColumns columns{};

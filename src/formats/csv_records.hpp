@@ -78,6 +78,8 @@ public:
 
     [[noreturn]] void fail(const CsvField& field, const std::string& expected) const { source_.fail(field.text, expected); }
 
+    [[noreturn]] void fail_at(const CsvField& field, const std::string& message) const { source_.fail_at(field.text, message); }
+
     // Says that the record ends too early.
     [[noreturn]] void fail_at_end(const std::string& expected) const {
         source_.fail(static_cast<std::size_t>(record_end_ - source_.text.data()), "the line ends, expected " + expected);

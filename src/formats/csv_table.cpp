@@ -7,6 +7,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/csv_values.hpp"
+#include "formats/elements.hpp"
 
 namespace sphereview {
 
@@ -17,19 +18,25 @@ constexpr int most_titles = 100;   // lines before a header
 constexpr int most_unit_rows = 3;  // behind it: TrackMate has three
 
 // By which a line may be divided: what stands between fields before what may stand inside of them.
-constexpr std::string_view separators = ";\t, ";
+constexpr std::string_view separators = ";\t|, ";
 
-bool is_number(std::string_view text, bool decimal_commas) {
+bool is_number(std::string_view text, bool with_commas) {
     double ignored = 0.0;
-    return parse_csv_number(text, decimal_commas, ignored) == NumberFault::none;
+    return parse_csv_number(text, Commas::none, ignored) == NumberFault::none ||
+           (with_commas && (parse_csv_number(text, Commas::decimal, ignored) == NumberFault::none ||
+                            parse_csv_number(text, Commas::thousands, ignored) == NumberFault::none));
 }
+
+// What rows without a header may begin with, before x, y and z.
+bool is_symbol(std::string_view text) { return find_element(text) != nullptr && text[0] >= 'A' && text[0] <= 'Z'; }
 
 // The names in a header. Between blanks a unit in brackets belongs to the name before it.
 ColumnNames names_of(const CsvRecords& records, char separator) {
     ColumnNames names;
     for (const CsvField& field : records.fields()) {
         const std::string name = as_utf8(trimmed(unquoted(field), white_space));
-        const bool is_unit = separator == ' ' && !names.empty() && (name.starts_with('[') || name.starts_with('('));
+        const bool is_unit =
+            separator == ' ' && !names.empty() && (name.starts_with('[') || name.starts_with('(') || name.starts_with('{'));
         if (is_unit) {
             names.back() += " " + name;
         } else {
@@ -162,7 +169,7 @@ private:
         return table_;
     }
 
-    // Rows of numbers alone, of which the first three are a place.
+    // Rows of numbers alone, of which the first three are a place; an element may stand before them.
     bool is_headless(std::size_t begin) {
         for (const char separator : candidates()) {
             CsvRecords row = records(separator, begin);
@@ -173,7 +180,9 @@ private:
             const auto is_value = [&](const CsvField& field) {
                 return is_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
             };
-            if (count < 2 || !std::all_of(fields.begin(), fields.end() - (trails ? 1 : 0), is_value)) continue;
+            const std::size_t first = count >= 4 && is_symbol(fields[0].text) ? 1 : 0;
+            const auto behind = fields.begin() + static_cast<std::ptrdiff_t>(count);
+            if (count < 2 || !std::all_of(fields.begin() + static_cast<std::ptrdiff_t>(first), behind, is_value)) continue;
             // Names that nobody knows are no reason to guess.
             if (unknown_header_) {
                 CsvRecords header = records(separator, *unknown_header_);
@@ -181,9 +190,13 @@ private:
                 table_.layout.separator = separator;
             }
             ChosenColumns chosen;
-            chosen.columns.places = {0, 1, count > 2 ? std::optional<std::size_t>(2) : std::nullopt};
+            chosen.columns.places = {first, first + 1, count > 2 ? std::optional<std::size_t>(first + 2) : std::nullopt};
             table_.fields = count;
-            if (count >= 6 && has_colors_behind_places(begin)) {
+            if (first > 0) {
+                // A sentence may begin like one row.
+                if (separator == ' ' && !continues_at(row, count)) continue;
+                chosen.columns[CsvColumn::element] = 0;
+            } else if (count >= 6 && has_colors_behind_places(begin)) {
                 chosen.columns[CsvColumn::red] = 3;
                 chosen.columns[CsvColumn::green] = 4;
                 chosen.columns[CsvColumn::blue] = 5;
@@ -197,6 +210,11 @@ private:
             return true;
         }
         return false;
+    }
+
+    // Whether another row with an element follows, or nothing.
+    static bool continues_at(CsvRecords& rows, std::size_t count) {
+        return !rows.try_next() || (rows.fields().size() == count && is_symbol(rows.fields()[0].text));
     }
 
     // Whether the fourth to sixth column hold nothing but whole numbers from 0 to 255.
@@ -221,8 +239,12 @@ private:
         const auto fields = header.fields();
         for (const auto& place : table_.columns.places) {
             if (!place || names.size() != fields.size()) continue;
+            // A column that is called x, y or z to the letter is meant before others.
+            const bool is_exact = names[*place] == "x" || names[*place] == "y" || names[*place] == "z";
             for (std::size_t i = *place + 1; i < names.size(); ++i) {
-                if (lower_case(names[i]) != lower_case(names[*place])) continue;
+                const bool is_drawn = std::ranges::find(table_.columns.places, std::optional(i)) != table_.columns.places.end();
+                if (is_drawn) continue;  // z beside a Z for atomic numbers
+                if (is_exact ? names[i] != names[*place] : lower_case(names[i]) != lower_case(names[*place])) continue;
                 header.fail(fields[i], "each of x, y, z, radius, r, g, b and name only once");
             }
         }
@@ -234,9 +256,17 @@ private:
         for (int skipped = 0; skipped <= most_unit_rows && rows.try_next(); ++skipped) {
             if (is_row(rows, table_.columns)) return skipped == 0 ? begin : rows.begin();
             const auto is_word = [](const CsvField& field) { return !is_number(field.text, true); };
-            if (!std::ranges::all_of(rows.fields(), is_word)) break;
+            if (!std::ranges::all_of(rows.fields(), is_word) && !has_units_for_places(rows)) break;
         }
         return begin;
+    }
+
+    bool has_units_for_places(const CsvRecords& rows) const {
+        for (const CsvColumn column : {CsvColumn::x, CsvColumn::y}) {
+            const std::size_t place = *table_.columns[column];
+            if (place >= rows.fields().size() || !is_unit(rows.fields()[place].text)) return false;
+        }
+        return true;
     }
 
     // R's write.table names the rows in a column that the header leaves out.
@@ -290,7 +320,23 @@ private:
         const std::string expected = choices_.empty()
                                          ? std::string(header_syntax) + "; --columns x=NAME,y=NAME,z=NAME names others"
                                          : "a header with the columns of --columns, such as " + in_quotes(choices_[0].field);
+        if (const std::string columns = columns_in_words(begin); choices_.empty() && !columns.empty()) {
+            first.fail_at(first.fields()[0], "found the columns " + columns + ", expected " + expected);
+        }
         first.fail(first.fields()[0], expected);
+    }
+
+    // The fields of the line that begins there; "" where nothing but blanks divides it: it may be a sentence.
+    std::string columns_in_words(std::size_t begin) {
+        constexpr std::size_t most_listed = 20;
+        for (const char separator : candidates()) {
+            CsvRecords header = records(separator, begin);
+            if (separator == ' ' || !header.try_next() || header.fields().size() < 2) continue;
+            ColumnNames names = names_of(header, separator);
+            for (std::string& name : names) name = in_quotes(name);
+            return joined(first_of(std::move(names), most_listed), ", ");
+        }
+        return "";
     }
 
     const TextSource& source_;

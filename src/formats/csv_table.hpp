@@ -2,17 +2,25 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "formats/csv_columns.hpp"
 #include "formats/csv_records.hpp"
+#include "formats/csv_values.hpp"
 #include "formats/lines.hpp"
 #include "formats/property_columns.hpp"
 #include "formats/sphere_data.hpp"
 
 namespace sphereview {
+
+// A column that nothing drawn is made of.
+struct CsvPassedOver {
+    std::string name;  // or number from 1
+    std::size_t place;
+};
 
 struct CsvTable {
     CsvLayout layout{};
@@ -20,9 +28,13 @@ struct CsvTable {
     CsvColumns columns{};
     std::size_t begin = 0;                     // of the first row
     bool has_header = true;                    // else what the columns are is a guess
-    bool decimal_commas = false;               // 1,5 is a number
-    bool colors_to_1 = false;                  // what the first rows show: red, green and blue are parts of 1
-    std::vector<std::string> passed_over{};    // the names, or numbers from 1, of the other columns
+    Commas commas = Commas::none;              // in numbers
+    double full_color = color_max;             // what the first rows show: what stands for 255 in red, green and blue
+    bool packed_colors = false;                // a colour is one whole number, else hexadecimal
+    bool atom_names = false;                   // the column of elements holds the names of atoms, as PDB has them
+    std::optional<std::size_t> residue{};      // where these have their residues; else all are of amino acids
+    std::vector<CsvPassedOver> passed_over{};  // the other columns
+    std::vector<std::size_t> rare{};           // ascending: those of them that have no value in the first rows
     std::vector<PropertyColumn> properties{};  // all but places, colours and names
 };
 

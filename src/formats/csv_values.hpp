@@ -1,6 +1,7 @@
 // What the fields of tables hold, as programs write it.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -9,13 +10,37 @@
 
 namespace sphereview {
 
-// What stands in a field that holds nothing: nothing, or what programs write for it ("nan", "NA", "#N/A").
+// Whether text is what stands in a field that holds nothing: nothing, or what programs write for it ("nan", "NA", "#N/A").
 bool is_missing(std::string_view text);
 
-// A number as tables have them; `decimal_commas`: 1,5 is one.
-NumberFault parse_csv_number(std::string_view text, bool decimal_commas, double& value);
+// What commas in numbers are.
+enum class Commas {
+    none,
+    decimal,   // 1,5 is one and a half
+    thousands  // 1,234 is a thousand and more
+};
 
-// "#ff8000", "ff8000", "0xff8000" or "#f80", in any letter case; what stands for alpha behind it is passed over.
+// A number as tables have them, also with the exponents of parse_any_double(), no-break spaces and Unicode's minus.
+NumberFault parse_csv_number(std::string_view text, Commas commas, double& value);
+
+// "#ff8000", "0xff8000", "#f80" or, of at least six digits, "ff8000", in any letter case; what stands for alpha behind it is passed
+// over.
 std::optional<Color> parse_hex_color(std::string_view text);
+
+// Whether only a colour is written so: with a mark before it.
+bool has_hex_mark(std::string_view text);
+
+// One whole number for red, green and blue, 65536 r + 256 g + b, as PCL and Java write it; what stands for alpha above is passed
+// over.
+std::optional<Color> parse_packed_color(std::string_view text);
+
+// What stands for 255 in colours of which `largest` is the largest number: 1, 255 or, in 16 bits, 65535.
+double full_color(double largest);
+
+// No number of a colour is larger.
+inline constexpr double most_of_color = 65535.0;
+
+// A number of a colour as its byte; nothing for what is none, or clearly above `full`, which is what stands for 255.
+std::optional<std::uint8_t> color_byte(double value, double full);
 
 }  // namespace sphereview

@@ -16,6 +16,7 @@
 #include "base/number.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "formats/csv_values.hpp"
 
 namespace sphereview {
 
@@ -171,6 +172,17 @@ public:
         if (next.fault == NumberFault::not_a_number) fail(expected() + ", " + expected_instead_of(next.fault));
         step_to(next.end);
         return next.fault == NumberFault::none ? next.value : 0.0;
+    }
+
+    // A finite number; false, with 0 in `value`, where what programs write for none stands there (is_missing()).
+    template <typename Expected>
+    bool number_if_any(const Expected& expected, double& value) {
+        const NextNumber next = next_number(expected);
+        const bool is_any = next.fault == NumberFault::none;
+        if (!is_any && !is_missing(token())) fail(expected() + ", " + expected_instead_of(next.fault));
+        value = is_any ? next.value : 0.0;
+        step_to(next.end);
+        return is_any;
     }
 
     // The next token, whatever it is.

@@ -21,11 +21,10 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 // NaN for what is no finite number; 2+ and 1- are charges.
-double number_in(std::string_view text, bool decimal_commas) {
+double number_in(std::string_view text, Commas commas) {
     double value = 0.0;
     if (parse_double(text, value) == NumberFault::none) return value;
-    if (parse_any_double(text, value) == NumberFault::none) return value;
-    if (parse_csv_number(text, decimal_commas, value) == NumberFault::none) return value;
+    if (parse_csv_number(text, commas, value) == NumberFault::none) return value;
     if (text.size() > 1 && (text.back() == '+' || text.back() == '-') &&
         parse_double(text.substr(0, text.size() - 1), value) == NumberFault::none) {
         return text.back() == '-' ? -value : value;
@@ -100,15 +99,15 @@ void PropertyValues::begin_again() {
     labels_.numbers.reserve(count_);
 }
 
-void PropertyValues::add(std::string_view text, bool decimal_commas) {
+void PropertyValues::add(std::string_view text, Commas commas) {
     if (is_words_) {
         add_word(text);
     } else if (!needs_words_) {
-        add_number(text, decimal_commas);
+        add_number(text, commas);
     }
 }
 
-void PropertyValues::add_number(std::string_view text, bool decimal_commas) {
+void PropertyValues::add_number(std::string_view text, Commas commas) {
     if (is_whole_) {
         std::int32_t whole = no_whole_number;
         const bool plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
@@ -126,7 +125,7 @@ void PropertyValues::add_number(std::string_view text, bool decimal_commas) {
         std::ranges::transform(wholes_, std::back_inserter(numbers_), as_double);
         wholes_ = {};
     }
-    const double value = number_in(text, decimal_commas);
+    const double value = number_in(text, commas);
     if (std::isnan(value) && column_.kind == PropertyKind::found && !is_missing(text)) {
         needs_words_ = true;
         numbers_ = {};
@@ -161,8 +160,8 @@ Property PropertyValues::take() {
 }
 
 PropertyTable::PropertyTable(const std::vector<PropertyColumn>& columns, const DataOptions& options, std::size_t count,
-                             const std::string& file, bool decimal_commas)
-    : decimal_commas_(decimal_commas), count_(count), file_(file) {
+                             const std::string& file, Commas commas)
+    : commas_(commas), count_(count), file_(file) {
     for (const PropertyColumn& column : columns) {
         names_.push_back(column.name);
         if (!is_wanted(options, column.name, count)) continue;
@@ -185,7 +184,7 @@ void PropertyTable::next_walk() {
 
 double PropertyTable::magnitude(std::string_view x, std::string_view y, std::string_view z) {
     const auto square = [](std::string_view text) {
-        const double number = number_in(text, false);
+        const double number = number_in(text, Commas::none);
         return number * number;
     };
     const double length = square_root((square(x) + square(y)) + square(z));

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formats/csv_values.hpp"
 #include "formats/lines.hpp"
 #include "formats/sphere_data.hpp"
 
@@ -63,7 +64,7 @@ public:
     bool has_too_many_words() const { return labels_.words.size() > most_words; }
     void begin_again();
 
-    void add(std::string_view text, bool decimal_commas);
+    void add(std::string_view text, Commas commas);
     void add(double value) { numbers_.push_back(value); }
 
     // As many words as a category may have; what has more is none.
@@ -72,7 +73,7 @@ public:
     Property take();
 
 private:
-    void add_number(std::string_view text, bool decimal_commas);
+    void add_number(std::string_view text, Commas commas);
     void add_word(std::string_view text);
 
     PropertyColumn column_;
@@ -91,9 +92,9 @@ private:
 // Those of the columns that are asked for, while they are read.
 class PropertyTable {
 public:
-    // `file`: what messages call it. decimal_commas: 1,5 is a number.
+    // `file`: what messages call it. commas: what they are in numbers.
     PropertyTable(const std::vector<PropertyColumn>& columns, const DataOptions& options, std::size_t count,
-                  const std::string& file, bool decimal_commas = false);
+                  const std::string& file, Commas commas = Commas::none);
 
     // Whether the rows are to be walked through, perhaps once more: next_walk() before each.
     bool wants_rows() const;
@@ -110,7 +111,7 @@ public:
             if (column.kind == PropertyKind::magnitude) {
                 values.add(magnitude(text_at(column.place), text_at(column.place + 1), text_at(column.place + 2)));
             } else {
-                values.add(text_at(column.place), decimal_commas_);
+                values.add(text_at(column.place), commas_);
             }
         }
     }
@@ -123,7 +124,7 @@ private:
 
     std::vector<std::string> names_{};
     std::vector<PropertyValues> values_{};
-    bool decimal_commas_;
+    Commas commas_;
     int walks_ = 0;
     std::size_t count_;
     std::string file_;
@@ -133,8 +134,8 @@ private:
 // Reads them: walk(table) walks through all rows and calls table.add().
 template <typename Walk>
 FileProperties read_properties(const std::vector<PropertyColumn>& columns, const DataOptions& options, std::size_t count,
-                               const std::string& file, const Walk& walk, bool decimal_commas = false) {
-    PropertyTable table(columns, options, count, file, decimal_commas);
+                               const std::string& file, const Walk& walk, Commas commas = Commas::none) {
+    PropertyTable table(columns, options, count, file, commas);
     while (table.wants_rows()) {
         table.next_walk();
         walk(table);

@@ -156,8 +156,12 @@ const SceneFormat& detect_format(std::string_view content, std::string_view name
     content = without_byte_order_mark(content).substr(0, head);
     const auto is_binary = std::ranges::find_if(table, [&](const SceneFormat& f) { return f.may_be_binary && f.sniff(content); });
     if (is_binary != table.end()) return *is_binary;
-    if (const std::string_view kind = foreign_kind(content); !kind.empty()) {
+    const auto refuse = [&](std::string_view kind) {
         throw InputError(std::string(name) + ": found " + std::string(kind) + ", expected " + listed(format_names(), "or"));
+    };
+    const std::string_view kind_of_name = named == nullptr ? foreign_kind_of_name(name) : "";
+    if (const std::string_view kind = foreign_kind(content); !kind.empty()) {
+        refuse(kind == binary_data && !kind_of_name.empty() ? kind_of_name : kind);
     }
     if (named != nullptr && named->is_data) return *named;
     for (auto format = table.rbegin(); format != table.rend(); ++format) {
@@ -165,6 +169,7 @@ const SceneFormat& detect_format(std::string_view content, std::string_view name
         if (may_be && format->sniff(content)) return *format;
     }
     if (named != nullptr) return *named;
+    if (!kind_of_name.empty()) refuse(kind_of_name);
     const std::string ending = text_from(path_from(without_gzip_ending(name)).extension());
     if (const std::string meant = did_you_mean(ending, format_endings()); !meant.empty()) {
         throw InputError(std::string(name) + ": found the ending " + in_quotes(ending) +

@@ -1,13 +1,13 @@
 #include <algorithm>
-#include <cmath>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/atom_lines.hpp"
-#include "formats/atoms.hpp"
+#include "formats/csv_values.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
 #include "formats/point_lines.hpp"
+#include "formats/point_radius.hpp"
 #include "formats/sphere_data.hpp"
 #include "formats/xyz_columns.hpp"
 
@@ -76,22 +76,24 @@ private:
     std::string vectors_{};
 };
 
-// Colours that are no part of 1 by so much are of 255.
-constexpr double most_of_one = 1.5;
+// What the atoms of a frame, or of a piece of it, show of its columns.
+struct XyzNotes {
+    double largest_color = 0.0;
+    bool any_radius = false;
+};
 
 // Reads the lines of one piece.
 class XyzAtomReader {
 public:
-    // largest_color: raised to the largest number of a colour.
-    XyzAtomReader(const TextSource& source, const XyzLayout& layout, std::size_t count, const DataOptions& options,
-                  double& largest_color)
-        : source_(source), layout_(layout), count_(count), options_(options), largest_color_(largest_color) {}
+    // notes: of the piece.
+    XyzAtomReader(const TextSource& source, const XyzLayout& layout, std::size_t count, const DataOptions& options, XyzNotes& notes)
+        : source_(source), layout_(layout), count_(count), options_(options), notes_(notes) {}
 
     LineAtom read(std::string_view line, std::size_t index) {
         TokenReader reader(source_, line, parse_any_double);
         const OfAtom the{index, count_};
         LineAtom atom;
-        const Element* element = &unknown_element();
+        const Element* element = nullptr;
         bool has_radius = false;
         bool has_color = false;
         std::size_t column = 0;
@@ -104,10 +106,10 @@ public:
                     atom.label = reader.word(the("element"));
                     element = &element_of_species(atom.label);
                     break;
-                case XyzField::position: sphere.center = read_place(reader, the); break;
+                case XyzField::position: atom.is_nowhere = !read_place_if_any(reader, the, sphere.center); break;
                 case XyzField::flat_position:
-                    sphere.center.x = reader.number(the("x"));
-                    sphere.center.y = reader.number(the("y"));
+                    atom.is_nowhere = !reader.number_if_any(the("x"), sphere.center.x);
+                    atom.is_nowhere = !reader.number_if_any(the("y"), sphere.center.y) || atom.is_nowhere;
                     sphere.center.z = 0.0;
                     break;
                 case XyzField::radius:
@@ -122,9 +124,15 @@ public:
                     break;
             }
         }
-        atom.is_virtual = is_virtual(*element);
-        if (!has_radius) atom.sphere.radius = radius_of(*element, options_);
-        if (!has_color) atom.sphere.color = element->color;
+        if (element == nullptr) {
+            if (!has_radius) atom.sphere.radius = options_.radius.value_or(unknown_element().radius);
+            if (!has_color) atom.sphere.color = {color_max, color_max, color_max};
+        } else {
+            atom.is_virtual = is_virtual(*element);
+            if (!has_radius) atom.sphere.radius = radius_of(*element, options_);
+            if (!has_color) atom.sphere.color = element->color;
+        }
+        notes_.any_radius = notes_.any_radius || has_radius;
         return atom;
     }
 
@@ -133,17 +141,17 @@ private:
     template <typename Expected>
     bool channel(TokenReader& reader, const Expected& expected, std::uint8_t& channel) {
         const double value = reader.number_or_0(expected);
-        largest_color_ = std::max(largest_color_, value);
-        if (!(value >= 0.0 && value <= layout_.full_color * most_of_one)) return false;
-        channel = static_cast<std::uint8_t>(std::lround(color_max * std::min(1.0, value / layout_.full_color)));
-        return true;
+        if (value <= most_of_color) notes_.largest_color = std::max(notes_.largest_color, value);
+        const auto byte = color_byte(value, layout_.full_color);
+        channel = byte.value_or(0);
+        return byte.has_value();
     }
 
     const TextSource& source_;
     const XyzLayout& layout_;
     std::size_t count_;  // of the frame's atoms
     const DataOptions& options_;
-    double& largest_color_;
+    XyzNotes& notes_;
 };
 
 // Where nothing names them, numbers behind the places of the first atom are columns by their place.
@@ -166,22 +174,28 @@ std::optional<FrameTime> time_in_comment(std::string_view comment) {
 SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
     XyzLayout layout = xyz_layout(source, frame.comment);
-    std::vector<double> largest_colors(frame.atoms.pieces.size());
+    std::vector<XyzNotes> notes(frame.atoms.pieces.size());
     const auto read = [&] {
-        return read_atom_lines(source, frame.atoms, [&](std::size_t piece) {
-            return XyzAtomReader(source, layout, count, options, largest_colors[piece]);
-        });
+        return read_atom_lines(source, frame.atoms,
+                               [&](std::size_t piece) { return XyzAtomReader(source, layout, count, options, notes[piece]); });
     };
     Atoms atoms = read();
-    const auto largest_color = std::ranges::max_element(largest_colors);
-    if (layout.full_color == 1.0 && largest_color != largest_colors.end() && *largest_color > most_of_one) {
-        layout.full_color = color_max;
+    XyzNotes all;
+    for (const XyzNotes& of_piece : notes) {
+        all.largest_color = std::max(all.largest_color, of_piece.largest_color);
+        all.any_radius = all.any_radius || of_piece.any_radius;
+    }
+    if (const double full = full_color(all.largest_color); full != layout.full_color && all.largest_color > 0.0) {
+        layout.full_color = full;
         atoms = read();
     }
     if (layout.is_plain) add_further_columns(frame.atoms.first_line(source), layout.properties);
     atoms.properties = read_word_properties(source, frame.atoms, layout.properties, options);
     SphereData data = data_of(std::move(atoms), source.name, options, name_of_species);
     data.time = time_in_comment(frame.comment);
+    // What says neither what nor how large its atoms are holds points.
+    const bool has_species = std::ranges::find(layout.columns, XyzField::species, &XyzColumn::field) != layout.columns.end();
+    if (!has_species && !all.any_radius && !options.radius) use_radius_of_points(data, source.name);
     return data;
 }
 
@@ -202,8 +216,13 @@ bool shows_xyz(std::string_view head) {
 }
 
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
-    if (!options.part.is_a_frame && is_bare_points(source.text)) return read_points(source.text, name, options);
+    const std::string converted = is_utf16(content) ? utf8_of_utf16(content) : "";
+    const std::string_view text = converted.empty() ? without_byte_order_mark(content) : std::string_view(converted);
+    const TextSource source{name, text, options.part.origin};
+    if (!options.part.is_a_frame && shows_points(text)) {
+        require_frame(name, options.frame, 1);
+        return read_csv(text, name, options);
+    }
     XyzFinder finder(source, options.part);
     return read_wanted_frame(source, options, finder, "the number of atoms", [&](const XyzFrame& frame) {
         SphereData data = read_xyz_frame(source, frame, options);
@@ -213,7 +232,7 @@ SphereData read_xyz(std::string_view content, const std::string& name, const Dat
 }
 
 std::optional<std::size_t> step_over_xyz(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
-    if (part.frames == 0 && is_bare_points(text)) return ended ? std::optional(text.size()) : std::nullopt;
+    if (part.frames == 0 && (is_utf16(text) || shows_points(text))) return ended ? std::optional(text.size()) : std::nullopt;
     const TextSource source{name, whole_lines(text, ended), part.origin};
     XyzFinder finder(source, part);
     const auto length = step_over_frame(finder, ended, part.frames);

@@ -36,8 +36,8 @@ using Lines = std::vector<std::string>;
 const Centers two = {{1, 2, 3}, {4, 5, 6}};
 
 // The whole text as UTF-16; `text` is ASCII.
-std::string as_utf16(const std::string& text, bool low_first) {
-    std::string bytes = low_first ? "\xFF\xFE" : "\xFE\xFF";
+std::string as_utf16(const std::string& text, bool low_first, bool with_mark = true) {
+    std::string bytes = !with_mark ? "" : low_first ? "\xFF\xFE" : "\xFE\xFF";
     for (const char c : text) bytes += low_first ? std::string{c, '\0'} : std::string{'\0', c};
     return bytes;
 }
@@ -71,6 +71,10 @@ TEST(CsvColumns, AreKnownByTheNamesThatProgramsGive) {
              "# X,Y,Z",
              "//X,Y,Z",
              "% x,y,z",
+             "x{nm},y{nm},z{nm}",
+             "x in mm,y in mm,z in mm",
+             "x\xC2\xA0,y,\xC2\xA0z",
+             "centroid-0,centroid-1,centroid-2",
          }) {
         EXPECT_EQ(centers(std::string(header) + "\n1,2,3\n4,5,6\n"), two) << header;
     }
@@ -81,7 +85,12 @@ TEST(CsvColumns, AreKnownByTheNamesThatProgramsGive) {
               two);
     EXPECT_EQ(centers("x,y,Position X,Position Y,Position Z\n7,7,1,2,3\n7,7,4,5,6\n"), two);
     EXPECT_EQ(centers("x [px],y [px],z [px],x [nm],y [nm],z [nm]\n1,2,3,7,7,7\n4,5,6,7,7,7\n"), two);
-    EXPECT_EQ(centers(",0,1,2\n0,1,2,3\n1,4,5,6\n"), two);  // pandas.DataFrame(array)
+    EXPECT_EQ(centers(",0,1,2\n0,1,2,3\n1,4,5,6\n"), two);               // pandas.DataFrame(array)
+    EXPECT_EQ(centers("X,Y,Z,x,y,z\n7,7,7,1,2,3\n7,7,7,4,5,6\n"), two);  // to the letter
+    EXPECT_EQ(centers("x,y,z,X\n1,2,3,7\n4,5,6,7\n"), two);
+    EXPECT_EQ(centers("centroid-1,centroid-2,centroid-3\n1,2,3\n4,5,6\n"), two);
+    EXPECT_THROW(centers("X,Y,Z,x\n1,2,3,7\n"), InputError);
+    EXPECT_THROW(centers("x,y,z,x\n1,2,3,7\n"), InputError);
 }
 
 TEST(CsvColumns, ThatArePassedOverAreNamed) {
@@ -97,6 +106,22 @@ TEST(CsvColumns, ThatArePassedOverAreNamed) {
     EXPECT_EQ(table("x,y,z,b\n1,2,3,4\n", {.properties = {"b"}}).notes, Lines{});
     EXPECT_EQ(table("x,y,z,a\x1B[31m\n1,2,3,4\n").notes,
               Lines{"a.csv: columns that are passed over: 'a\\x1b[31m'; --color-by and --size-by can use them"});
+}
+
+TEST(CsvColumns, ThatAreEmptyAreNotOffered) {
+    const std::string head = "x,y,z,a,empty\n1,2,3,4,\n4,5,6,5,nan\n";
+    const SphereData data = table(head, {.all_properties = true});
+    EXPECT_EQ(data.notes, Lines{});
+    EXPECT_EQ(table(head).notes, Lines{"a.csv: columns that are passed over: 'a'; --color-by and --size-by can use them"});
+    EXPECT_EQ(table(head).property_names, Lines{"a"});
+    EXPECT_EQ(data.property_names, Lines{"a"});
+    // A value may come late.
+    std::string many = "x,y,z,late,empty\n";
+    for (int i = 0; i < 30000; ++i) many += std::to_string(i) + ",0,0,,\n";
+    EXPECT_EQ(table(many).property_names, Lines{});
+    many += "0,1,0,7,\n";
+    EXPECT_EQ(table(many).property_names, Lines{"late"});
+    EXPECT_EQ(table(many + "0,1,0,\"7\",\n").property_names, Lines{"late"});
 }
 
 TEST(CsvColumns, MayBeChosen) {
@@ -153,6 +178,24 @@ TEST(CsvRadius, IsFoundUnderItsNames) {
     EXPECT_EQ(spheres("x,y,z,radius\n0,0,0,0\n0,0,8,0\n")[0].radius, 2.0);
 }
 
+TEST(CsvRows, WithARadiusOrColourThatIsNoneAreShownAndCounted) {
+    for (const char* radius : {"-1", "abc", "1e999", "1.2.3"}) {
+        const SphereData data = table("x,y,z,radius\n1,2,3," + std::string(radius) + "\n4,5,6,2\n");
+        ASSERT_EQ(data.scene.spheres.size(), 2U) << radius;
+        EXPECT_EQ(data.scene.spheres[0].radius, 1.0) << radius;
+        EXPECT_EQ(data.scene.spheres[1].radius, 2.0) << radius;
+        EXPECT_EQ(data.warnings, Lines{"a.csv: 1 row has a radius or colour that is none, and gets the usual one"}) << radius;
+    }
+    for (const char* red : {"-1", "red", "0xfff", "300%", "999"}) {
+        const SphereData data = table("x,y,z,radius,r,g,b\n1,2,3,-4," + std::string(red) + ",0,0\n4,5,6,2,1,2,3\n7,8,9,2,x,2,3\n");
+        ASSERT_EQ(data.scene.spheres.size(), 3U) << red;
+        EXPECT_EQ(data.scene.spheres[0].color, (Color{255, 255, 255})) << red;
+        EXPECT_EQ(data.scene.spheres[1].color, (Color{1, 2, 3})) << red;
+        EXPECT_EQ(data.warnings, Lines{"a.csv: 2 rows have a radius or colour that is none, and get the usual one"}) << red;
+    }
+    EXPECT_EQ(table("x,y,z,radius,color\n1,2,3,,#ff8000\n4,5,6,1,none\n4,5,6,1,\n").warnings, Lines{});
+}
+
 TEST(CsvColors, AreWhatTheColumnHolds) {
     const Color orange{255, 128, 0};
     for (const char* rows :
@@ -165,7 +208,15 @@ TEST(CsvColors, AreWhatTheColumnHolds) {
         EXPECT_EQ(data.notes, Lines{}) << rows;
     }
     EXPECT_EQ(spheres("color,x,y,z\n#ff8000,1,2,3\n#0f0,4,5,6\n")[1].color, (Color{0, 255, 0}));
-    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,1,1,1\n")[0].color, (Color{1, 1, 1}));  // whole numbers are bytes
+    // Pure colours are parts of 1, also where they are written as whole numbers.
+    EXPECT_EQ(spheres("x,y,z,Color.R,Color.G,Color.B\n1,2,3,1,0,0\n4,5,6,0,0,1\n")[1].color, (Color{0, 0, 255}));
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,1,1,1\n1,2,3,2,0,0\n")[0].color, (Color{1, 1, 1}));
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,0,0,0\n")[0].color, (Color{0, 0, 0}));
+    // 16 bits, percent and hexadecimal.
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,65535,32896,0\n")[0].color, orange);
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,100%,50 %,0%\n")[0].color, orange);
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,0xff,0x80,0\n1,2,3,9,0,0\n")[0].color, orange);
+    EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,256,128,0\n")[0].color, orange);
     // Only a late row shows that the first are bytes.
     std::string many = "x,y,z,r,g,b\n";
     for (int i = 0; i < 3000; ++i) many += "1,2,3,1.0,0.0,1.0\n";
@@ -174,6 +225,64 @@ TEST(CsvColors, AreWhatTheColumnHolds) {
     // What says no colour is no reason to refuse a place.
     EXPECT_EQ(spheres("x,y,z,r,g,b\n1,2,3,0,nan,0\n")[0].color, (Color{255, 255, 255}));
     EXPECT_EQ(spheres("x,y,z,color\n1,2,3,#ff8000\n1,2,3,none\n")[1].color, (Color{255, 255, 255}));
+}
+
+TEST(CsvColors, AreNoOtherNumbers) {
+    for (const char* values : {"100\n1,2,3,200", "123456\n1,2,3,654321", "1\n1,2,3,2", "fad\n1,2,3,bed", "ff8000\n1,2,3,west12"}) {
+        const SphereData data = table("x,y,z,color\n1,2,3," + std::string(values) + "\n");
+        EXPECT_EQ(data.scene.spheres.at(0).color, (Color{255, 255, 255})) << values;
+        EXPECT_EQ(data.property_names, Lines{"color"}) << values;
+    }
+    EXPECT_EQ(spheres("x,y,z,color\n1,2,3,001122\n1,2,3,334455\n")[1].color, (Color{0x33, 0x44, 0x55}));
+    EXPECT_EQ(spheres("x,y,z,c\n1,2,3,112233\n", with_columns("color=c"))[0].color, (Color{0x11, 0x22, 0x33}));
+    // One number for all three, as PCL and Java write it.
+    EXPECT_EQ(spheres("x,y,z,rgb\n0,0,0,16744448\n1,0,0,255\n")[0].color, (Color{255, 128, 0}));
+    EXPECT_EQ(spheres("x,y,z,rgb\n0,0,0,-32768\n1,0,0,255\n")[0].color, (Color{255, 128, 0}));
+    EXPECT_EQ(spheres("x,y,z,c\n1,2,3,16744448\n4,5,6,255\n", with_columns("color=c"))[0].color, (Color{255, 128, 0}));
+}
+
+TEST(CsvElements, MayBeNamesOfAtoms) {
+    for (const char* text : {"atom,resname,x,y,z\nN,ALA,0,0,0\nCA,ALA,1,0,0\nC,ALA,2,0,0\nO,ALA,3,0,0\n",
+                             "atom,x,y,z\nN,0,0,0\nCA,1,0,0\nC,2,0,0\nO,3,0,0\n",
+                             "Atom Name;Residue;x;y;z\nN;GLY;0;0;0\nCA;GLY;1;0;0\nHB1;GLY;2;0;0\n"}) {
+        const SphereData data = table(text, {.all_properties = true});
+        EXPECT_EQ(data.scene.spheres.at(1).color, find_element("C")->color) << text;
+        EXPECT_EQ(data.scene.spheres.at(1).radius, find_element("C")->radius) << text;
+        const auto element = std::ranges::find(data.scene.properties, "element", &Property::name);
+        ASSERT_NE(element, data.scene.properties.end()) << text;
+        EXPECT_EQ(std::get<Labels>(element->values).words.at(1), "C") << text;
+    }
+    EXPECT_EQ(spheres("atom,resname,x,y,z\nCA,CA,1,0,0\n")[0].color, find_element("Ca")->color);
+    EXPECT_EQ(spheres("atom,x,y,z\nCA,1,0,0\nO,0,0,0\n")[0].color, find_element("Ca")->color);
+    EXPECT_EQ(spheres("atom,residue,x,y,z\n1,ALA,1,0,0\n2,ALA,0,0,0\n")[0].color, (Color{255, 255, 255}));  // numbers of atoms
+}
+
+TEST(CsvElements, MayBeAtomicNumbers) {
+    EXPECT_EQ(spheres("Z,x,y,z\n6,1,2,3\n8,4,5,6\n")[1].radius, find_element("O")->radius);
+    EXPECT_EQ(spheres("x,y,z,Atomic Number\n1,2,3,6\n")[0].radius, find_element("C")->radius);
+    EXPECT_EQ(spheres("Z,x,y,z\n6,1,2,3\n200,1,2,11\n")[0].radius, 2.0);
+    EXPECT_EQ(spheres("X,Y,Z\n1,2,6\n1,2,14\n")[0].radius, 2.0);
+}
+
+TEST(CsvElements, MayBeNoAtoms) {
+    const SphereData data = table("element,x,y,z,radius\nMW,1,2,3,5\nO,4,5,6,1\nLP1,4,5,6,0.01\n");
+    EXPECT_EQ(data.warnings,
+              Lines{"a.csv: found 2 virtual sites or dummies, which are no atoms; shown small, or not with --no-virtual"});
+    ASSERT_EQ(data.scene.spheres.size(), 3U);
+    EXPECT_EQ(data.scene.spheres[0].radius, virtual_site().radius);
+    EXPECT_EQ(data.scene.spheres[1].radius, 1.0);
+    EXPECT_EQ(data.scene.spheres[2].radius, 0.01);
+    // Where the unit is another one, 0.2 is large.
+    EXPECT_EQ(spheres("element,x,y,z,radius\nMW,1,2,3,0.1\nO,4,5,6,0.05\n")[0].radius, 0.05);
+    const SphereData without = table("element,x,y,z\nMW,1,2,3\nO,4,5,6\n", {.virtual_sites = false});
+    EXPECT_EQ(without.warnings, Lines{"a.csv: found 1 virtual site or dummy, which is no atom; left out"});
+    ASSERT_EQ(without.scene.spheres.size(), 1U);
+    EXPECT_EQ(without.scene.names.at(0), "O");
+    // Counted over all pieces of a long table.
+    std::string many = "element,x,y,z\n";
+    for (int i = 0; i < 40000; ++i) many += i % 2 == 0 ? "X,0.00,0.00,0.00\n" : "O,1.00,0.00,0.00\n";
+    for (const Sphere& sphere : spheres(many, {.virtual_sites = false})) ASSERT_EQ(sphere.center.x, 1.0);
+    EXPECT_EQ(spheres(many, {.virtual_sites = false}).size(), 20000U);
 }
 
 TEST(CsvElements, GiveColoursAndRadii) {
@@ -217,10 +326,18 @@ TEST(CsvDialects, OfProgramsAreRead) {
              "x,y,z\n1,2,3\n4,5,6\n,,\n,,\n",  // a spreadsheet's empty rows
              "Image,Nuclei,Nuclei,Nuclei\nImageNumber,Location_Center_X,Location_Center_Y,Location_Center_Z\n1,1,2,3\n1,4,5,6\n",
              " \tArea\tX\tY\tZ\n1\t9\t1\t2\t3\n2\t9\t4\t5\t6\n",  // ImageJ
+             "x|y|z\n1|2|3\n4|5|6\n",
+             "x,y,z\n1.0D+00,2d0,3\n4,5.0,6.0+00\n",
+             "x,y,z,id\n(um),(um),(um),1\n1,2,3,9\n4,5,6,8\n",
+             "x,y,z\n1,2,3\n4,5,6\n\x1A",
+             "C,1,2,3\nO,4,5,6\n",
+             "C 1 2 3\nO 4 5 6\n",
          }) {
         EXPECT_EQ(centers(text), two) << text;
         EXPECT_EQ(centers(as_utf16(text, true)), two) << text;
         EXPECT_EQ(centers(as_utf16(text, false)), two) << text;
+        EXPECT_EQ(centers(as_utf16(text, true, false)), two) << text;
+        EXPECT_EQ(centers(as_utf16(text, false, false)), two) << text;
         std::string crlf;
         for (const char c : text) crlf += c == '\n' ? "\r\n" : std::string(1, c);
         if (text.find('\r') == std::string::npos) {
@@ -239,6 +356,12 @@ TEST(CsvDialects, HaveDecimalCommas) {
         EXPECT_EQ(spheres(text), both) << text;
     }
     EXPECT_EQ(centers("1,5;2;3\n2,5;2;3\n"), (Centers{{1.5, 2, 3}, {2.5, 2, 3}}));
+    // Between commas 1,234 is a thousand, unless other numbers show that it is not.
+    EXPECT_EQ(centers("x,y,z\n\"1,234\",2,\"-12,345,678\"\n"), (Centers{{1234, 2, -12345678}}));
+    EXPECT_EQ(centers("x,y,z\n\"1,234.5\",2.5,\"3\"\n"), (Centers{{1234.5, 2.5, 3}}));
+    EXPECT_EQ(centers("x,y,z\n\"1,234\",\"0,500\",3\n"), (Centers{{1.234, 0.5, 3}}));
+    const Scene thousands = table("x,y,z,v\n1,2,3,\"1,234\"\n4,5,6,\"2,345\"\n", {.all_properties = true}).scene;
+    EXPECT_EQ(std::get<std::vector<double>>(thousands.properties.at(0).values), (std::vector<double>{1234, 2345}));
     // 1,234 is a thousand where other numbers have points.
     EXPECT_EQ(message_of<InputError>([] { spheres("x;y;z\n1,234;2.5;3\n"); }), "a.csv:2:1: found '1,234', expected x, a number");
 }
@@ -256,8 +379,11 @@ TEST(CsvWithoutHeader, TakesTheFirstColumns) {
     EXPECT_EQ(colored.notes, Lines{"a.csv: columns that are passed over: '7'; --color-by and --size-by can use them"});
     // Names that nobody knows are no reason to guess.
     EXPECT_EQ(message_of<InputError>([] { spheres("mass,time,depth\n1,2,3\n"); }),
-              "a.csv:1:1: found 'mass', expected a header with x, y, z, and perhaps radius, r, g, b, name; "
-              "--columns x=NAME,y=NAME,z=NAME names others");
+              "a.csv:1:1: found the columns 'mass', 'time', 'depth', expected a header with x, y, z, and perhaps radius, r, g, b, "
+              "name; --columns x=NAME,y=NAME,z=NAME names others");
+    // An element may stand first.
+    EXPECT_EQ(spheres("C,1,2,3\nO,4,5,6\n")[1].radius, find_element("O")->radius);
+    EXPECT_EQ(table("C,1,2,3\nQ,4,5,6\n").scene.spheres[0].color, (Color{255, 255, 255}));
 }
 
 TEST(CsvRows, WithoutCoordinatesAreLeftOutAndCounted) {
@@ -270,6 +396,15 @@ TEST(CsvRows, WithoutCoordinatesAreLeftOutAndCounted) {
     EXPECT_EQ(some.warnings[0], "a.csv: 5 rows have no coordinates and are left out");
     EXPECT_EQ(table("x,y\n1,2\n4,5\n").warnings[0], "a.csv: no column for z: all lie in the plane z = 0");
     EXPECT_EQ(centers("x,y\n1,2\n4,5\n"), (Centers{{1, 2, 0}, {4, 5, 0}}));
+}
+
+TEST(CsvRows, MayHoldWhatLibrariesWriteForNone) {
+    for (const char* none : {"<NA>", "NaT", "1.#QNAN", "-1.#IND", "1.#INF00", "-1.#IND00", "NULL"}) {
+        EXPECT_EQ(centers("x,y,z\n1,2,3\n" + std::string(none) + ",1,1\n4,5,6\n"), two) << none;
+    }
+    EXPECT_EQ(centers("x,y,z\n\xE2\x88\x92"
+                      "1,2\xC2\xA0,3\n"),
+              (Centers{{-1, 2, 3}}));
 }
 
 TEST(PointRadius, IsAQuarterOfTheMedianDistance) {

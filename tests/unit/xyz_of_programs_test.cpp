@@ -82,6 +82,7 @@ TEST(XyzOfPrograms, MoreMayStandBehindTheNumberOfAtoms) {
 TEST(XyzOfPrograms, ExponentsAreThoseOfOtherLanguages) {
     EXPECT_EQ(centers_of(read_programs_xyz("2\nc\nO 1.0D+00 -2.5d-1 3.*^2\nO -1.5*^-6 1.D0 0.25-102\n").scene),
               (std::vector<glm::dvec3>{{1.0, -0.25, 300.0}, {-1.5e-6, 1.0, 0.25e-102}}));
+    EXPECT_EQ(centers_of(read_programs_xyz("1\nc\nO 1.0+01 -2.5-01 0\n").scene), (std::vector<glm::dvec3>{{10.0, -0.25, 0.0}}));
     for (const std::string wrong :
          {"1.0D", "1.0*^", "1.0Dx", "1D1D1", "D1", "*^1", "1-2", "1.0-1", "1.0D1.5", "0x1p3", "1.0 *^2"}) {
         EXPECT_THROW(read_programs_xyz("1\nc\nO " + wrong + " 0\n"), InputError) << wrong;
@@ -115,11 +116,71 @@ TEST(XyzOfPrograms, MayBeNothingButPoints) {
     EXPECT_EQ(centers_of(read_programs_xyz("1 2 3\n4 5 6\n").scene), (std::vector<glm::dvec3>{{1, 2, 3}, {4, 5, 6}}));
     EXPECT_EQ(read_programs_xyz("1 2 3\n", {.radius = 2.5}).scene.spheres.at(0).radius, 2.5);
     EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1 2 3\n4 5 6\n7 8 9\n10 11\n"); }),
-              "a.xyz:4:6: the line ends, expected the z of point 3");
+              "a.xyz:4:6: the line ends, expected z");
     EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1 2 3\n4 5 6\n7 8 9\n1 x 1\n"); }),
-              "a.xyz:4:3: found 'x', expected the y of point 3, a number");
+              "a.xyz:4:3: found 'x', expected y, a number");
     EXPECT_EQ(message_of<InputError>([] { read_programs_xyz("1 2 3\n", {.frame = 1}); }),
               "a.xyz: found 1 frame, number 0, expected frame 1");
+}
+
+TEST(XyzOfPrograms, PointsMayHaveAllThatATableHas) {
+    const std::vector<glm::dvec3> two = {{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}};
+    for (const char* text :
+         {"nan nan nan\n0.1 0.2 0.3\n0.4 0.5 0.6\n", "0.1 0.2 0.3\n0.4 0.5 0.6\nnan nan nan\n", "2\n0.1 0.2 0.3\n0.4 0.5 0.6\n",
+          "2\n0.1 0.2 0.3 7.5\n0.4 0.5 0.6 7.5\n", "x y z\n0.1 0.2 0.3\n0.4 0.5 0.6\n", "x,y,z\n0.1,0.2,0.3\n0.4,0.5,0.6\n",
+          "0.1,0.2,0.3\n0.4,0.5,0.6\n", "1.0D-01 0.2 0.3\n0.4 0.5 0.6\n"}) {
+        EXPECT_EQ(centers_of(read_programs_xyz(text).scene), two) << text;
+        PartOfFile part;
+        EXPECT_EQ(step_over_xyz(text, true, "a.xyz", part), std::string(text).size()) << text;
+    }
+    const SphereData colored = read_programs_xyz("0.1 0.2 0.3 255 0 0 7\n0.4 0.5 0.6 0 255 0 8\n", {.all_properties = true});
+    EXPECT_EQ(colored.scene.spheres.at(0).color, (Color{255, 0, 0}));
+    EXPECT_EQ(colored.property_names, Lines{"column7"});
+    // Frames of atoms are none of these.
+    for (const char* text : {"2\n1 2 3\n6 0 0 0\n8 1 0 0\n", "2\n\n6 0 0 0\n8 1 0 0\n", "2\n1 2 3 4\n6 0 0 0\n8 1 0 0\n",
+                             "2\nx y z\nC 0 0 0\nO 1 0 0\n"}) {
+        EXPECT_EQ(read_programs_xyz(text).scene.spheres.at(1).radius, find_element("O")->radius) << text;
+    }
+}
+
+TEST(XyzOfPrograms, AtomsWithoutCoordinatesAreLeftOutAndCounted) {
+    const SphereData data = read_programs_xyz("4\nc\nH nan nan nan\nO 3 4 5\nX inf 0 0\nX 6 7 8\n");
+    EXPECT_EQ(centers_of(data.scene), (std::vector<glm::dvec3>{{3, 4, 5}, {6, 7, 8}}));
+    EXPECT_EQ(data.scene.names, (std::map<std::uint32_t, std::string>{{0, "O"}, {1, "X"}}));
+    EXPECT_EQ(data.warnings,
+              (Lines{"a.xyz: 2 atoms have no coordinates and are left out",
+                     "a.xyz: found 1 virtual site or dummy, which is no atom; shown small, or not with --no-virtual"}));
+    const Scene few = read_programs_xyz("3\nProperties=species:S:1:pos:R:3:q:R:1\nX 0 0 0 1\nO 3 4 NaN 2\nO 3 4 5 3\n",
+                                        {.virtual_sites = false, .all_properties = true})
+                          .scene;
+    EXPECT_EQ(centers_of(few), (std::vector<glm::dvec3>{{3, 4, 5}}));
+    EXPECT_EQ(std::get<std::vector<double>>(few.properties.at(1).values), std::vector<double>{3});
+    EXPECT_EQ(read_programs_xyz("2\nProperties=species:S:1:pos:R:2\nH nan 0\nO 3 4\n").scene.spheres.size(), 1U);
+}
+
+TEST(XyzOfPrograms, AtomsOfNoKindArePoints) {
+    for (const char* columns : {"pos:R:3", "pos:R:3:type:I:1", "pos:R:3:radius:R:1"}) {
+        const SphereData data =
+            read_programs_xyz("3\nProperties=" + std::string(columns) + "\n0 0 0 0\n20000 0 0 0\n0 20000 0 0\n");
+        EXPECT_EQ(data.scene.spheres.at(0).radius, 5000.0) << columns;
+        EXPECT_EQ(data.scene.spheres.at(0).color, (Color{255, 255, 255})) << columns;
+        EXPECT_EQ(data.radius_of_points, 5000.0);
+        EXPECT_EQ(data.warnings.size(), 1U);
+    }
+    EXPECT_EQ(read_programs_xyz("2\nProperties=pos:R:3\n0 0 0\n8 0 0\n", {.radius = 3.0}).scene.spheres.at(0).radius, 3.0);
+    EXPECT_EQ(read_programs_xyz("2\nProperties=pos:R:3:radius:R:1\n0 0 0 1\n8 0 0 0\n").scene.spheres.at(0).radius, 1.0);
+}
+
+TEST(XyzOfPrograms, MayBeUtf16) {
+    using namespace std::string_literals;
+    std::string bytes = "\xFF\xFE"s;
+    for (const char c : "2\nc\nH 0 0 0\nO 1 0 0\n"s) bytes += {c, '\0'};
+    EXPECT_EQ(read_programs_xyz(bytes).scene.names.at(1), "O");
+    EXPECT_EQ(read_programs_xyz(bytes.substr(2)).scene.names.at(1), "O");
+    EXPECT_EQ(detect_format(bytes, "a.xyz").name, "XYZ");
+    PartOfFile part;
+    EXPECT_EQ(step_over_xyz(bytes, false, "a.xyz", part), std::nullopt);
+    EXPECT_EQ(step_over_xyz(bytes, true, "a.xyz", part), bytes.size());
 }
 
 TEST(XyzOfPrograms, ARadiusThatIsNoneIsTheUsualOne) {
@@ -144,7 +205,9 @@ TEST(XyzOfPrograms, ColoursAreWhatTheColumnHolds) {
     EXPECT_EQ(colors("R", "1 0.5 0", "0 0 0.2"), (std::vector<Color>{{255, 128, 0}, {0, 0, 51}}));
     EXPECT_EQ(colors("R", "255.0 128.0 0", "1 1 1"), (std::vector<Color>{{255, 128, 0}, {1, 1, 1}}));
     EXPECT_EQ(colors("I", "255 128 0", "1 1 1"), (std::vector<Color>{{255, 128, 0}, {1, 1, 1}}));
-    EXPECT_EQ(colors("I", "1 0 0", "0 1 0"), (std::vector<Color>{{1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(colors("I", "1 0 0", "0 1 0"), (std::vector<Color>{{255, 0, 0}, {0, 255, 0}}));  // OVITO's pure colours
+    EXPECT_EQ(colors("I", "2 0 0", "0 1 0"), (std::vector<Color>{{2, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(colors("I", "65535 32896 0", "0 257 0"), (std::vector<Color>{{255, 128, 0}, {0, 1, 0}}));
     EXPECT_EQ(colors("R", "1.0000001 0 0", "0 1 0"), (std::vector<Color>{{255, 0, 0}, {0, 255, 0}}));
     EXPECT_EQ(colors("R", "nan -1 0", "0 1 0"), (std::vector<Color>{oxygen, {0, 255, 0}}));
 }
@@ -167,6 +230,12 @@ TEST(XyzOfPrograms, WhatIsNoAtomIsSmallOrLeftOut) {
     EXPECT_EQ(with.warnings,
               (Lines{"a.xyz: found 2,000 virtual sites or dummies, which are no atoms; shown small, or not with --no-virtual"}));
     EXPECT_EQ(with.scene.spheres.at(0).radius, virtual_site().radius);
+    const Scene large =
+        read_programs_xyz("3\nProperties=species:S:1:pos:R:3:radius:R:1\nX 0 0 0 5\nO 1 0 0 0.6\nX 0 0 0 0.1\n").scene;
+    EXPECT_EQ(large.spheres.at(0).radius, virtual_site().radius);
+    EXPECT_EQ(large.spheres.at(2).radius, 0.1);
+    EXPECT_EQ(read_programs_xyz("2\n\nO-Bq 0 0 0\nO: 1 0 0\n").warnings,
+              (Lines{"a.xyz: found 2 virtual sites or dummies, which are no atoms; shown small, or not with --no-virtual"}));
     const SphereData without = read_programs_xyz(text, {.virtual_sites = false});
     EXPECT_EQ(without.warnings, (Lines{"a.xyz: found 2,000 virtual sites or dummies, which are no atoms; left out"}));
     ASSERT_EQ(without.scene.spheres.size(), 1000U);
