@@ -217,6 +217,7 @@ InterruptibleFilm::InterruptibleFilm(Film& film) : film_(film) {
         given_up_ = film_.give_up();
         return given_up_ ? film_.how_far() : "";
     });
+    film_.begin();
 }
 
 InterruptibleFilm::~InterruptibleFilm() {

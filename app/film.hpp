@@ -76,6 +76,7 @@ private:
 // does the end of this where the film is not finished. One at a time.
 class InterruptibleFilm {
 public:
+    // Begins the film. Throws as that does.
     explicit InterruptibleFilm(Film& film);
     ~InterruptibleFilm();
     InterruptibleFilm(const InterruptibleFilm&) = delete;

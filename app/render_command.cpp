@@ -83,7 +83,6 @@ ExitCode run_render(const RenderOptions& asked_for) {
     if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
     std::optional<InterruptibleFilm> interruptible;
     if (options.film.movie) interruptible.emplace(*film);
-    if (film) film->begin();
     if (!prepares_first) prepare();
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);

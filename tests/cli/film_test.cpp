@@ -168,6 +168,12 @@ TEST_F(FilmCommand, IsWholeOrNotAtAll) {
     EXPECT_EQ(missing.status, 3) << missing;
     EXPECT_TRUE(contains(missing.errors, "found no program ffmpeg")) << missing;
 
+    // One that cannot be begun has no pictures to count.
+    const Outcome nowhere = run(film({"--movie", "none/out.mp4"}));
+    EXPECT_EQ(nowhere.status, 4) << nowhere;
+    EXPECT_TRUE(nowhere.errors.starts_with("none/out.mp4: cannot be written: ")) << nowhere;
+    EXPECT_FALSE(contains(nowhere.errors, "pictures were done")) << nowhere;
+
     // A frame that is bad ends the film.
     write_encoder("exec cat >\"$film\"");
     folder_.write("a.xyz", "1\n\nO 0 0 0\n1\n\nN 0 x 0\n1\n\nC 0 0 0\n");
