@@ -260,10 +260,11 @@ Color color_of_type(std::uint64_t number) {
 
 bool begins_with_letter(std::string_view word) { return !word.empty() && is_letter(word[0]); }
 
-// Whether there are atoms whose element is known, and others.
+// Whether there are atoms whose element is known, others, and such whose type is more than a number.
 struct SeenElements {
     bool known = false;
     bool unknown = false;
+    bool labels = false;
 };
 
 // Reads the lines of one piece.
@@ -275,6 +276,8 @@ public:
         : source_(source),
           columns_(columns),
           has_z_(columns.has(DumpField::z)),
+          is_scaled_(columns.is_scaled()),
+          is_mixed_(columns.is_mixed()),
           box_(box),
           count_(count),
           options_(options),
@@ -312,10 +315,8 @@ public:
         const bool is_number = element_name.empty() && !begins_with_letter(type);
         atom.label = element_name.empty() ? type : element_name;
         const Element& element = is_number ? unknown_element() : element_of_species(atom.label);
-        if (!is_virtual(element)) {
-            bool& is_seen = &element == &unknown_element() ? seen_.unknown : seen_.known;
-            if (!is_seen) is_seen = true;  // other cores may write beside it: once only
-        }
+        if (!is_number) note(seen_.labels);
+        if (!is_virtual(element)) note(&element == &unknown_element() ? seen_.unknown : seen_.known);
         show_as(atom, element, options_);
         if (radius > 0.0) atom.sphere.radius = radius;
         std::uint64_t number = 0;
@@ -324,18 +325,23 @@ public:
     }
 
 private:
+    // Other cores may write beside it: once only.
+    static void note(bool& seen) {
+        if (!seen) seen = true;
+    }
+
     static bool is_finite(const glm::dvec3& place) {
         return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
     }
 
     void set_place(glm::dvec3& center) const {
-        if (columns_.is_mixed()) {
+        if (is_mixed_) {
             const std::array<double, 3> edges = {box_.a.x, box_.b.y, box_.c.z};
             for (int axis = 0; axis < 3; ++axis) {
                 const auto at = static_cast<std::size_t>(axis);
                 if (columns_.scaled[at]) center[axis] = center[axis] * edges[at] + box_.corner[axis];
             }
-        } else if (columns_.is_scaled()) {
+        } else if (is_scaled_) {
             center = box_.place(center);
         }
         if (!has_z_) center.z = 0.0;
@@ -347,6 +353,8 @@ private:
     const TextSource& source_;
     const DumpColumns& columns_;
     bool has_z_;
+    bool is_scaled_;
+    bool is_mixed_;
     const Cell& box_;
     std::size_t count_;  // of the frame's atoms
     const DataOptions& options_;
@@ -441,7 +449,7 @@ SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, con
     const auto label = element != columns.columns.end() ? element : type;
     if (!has_elements) {
         atoms.virtual_sites.clear();  // X is a type, too
-        if (label != columns.columns.end()) color_by_label(atoms, source, frame.atoms, label->place);
+        if (std::ranges::any_of(seen, &SeenElements::labels)) color_by_label(atoms, source, frame.atoms, label->place);
     }
     if (has_elements && !columns.has(DumpField::element) && type != columns.columns.end()) {
         add_column(columns.properties, "element", PropertyKind::element, type->place);

@@ -1,7 +1,6 @@
 // PQR: PDB's records of atoms with blanks between what they say, and at the end the atom's charge and radius.
 #include <algorithm>
 #include <array>
-#include <span>
 #include <unordered_map>
 
 #include "base/number.hpp"
@@ -39,16 +38,18 @@ public:
         const bool is_whole = find_in_words(names);
         if ((!is_whole || is_glued(line)) && is_in_columns(line)) {
             find_in_columns(line, names);
+            read_values(line);
         } else if (!is_whole) {
             split_at_minus();
-            if (!find_in_words(names)) find_in_order(names);
+            if (!find_in_words(names)) {
+                find_in_order(names);
+                read_values(line);
+            }
         }
-        std::array<double, last_fields.size()> values{};
-        for (std::size_t i = 0; i < last_fields.size(); ++i) values[i] = value(line, i);
-        if (values[4] < 0.0) source_.fail(fields_[4], "the atom's radius, 0 or above");
+        if (values_[4] < 0.0) source_.fail(fields_[4], "the atom's radius, 0 or above");
         MoleculeAtom atom;
-        atom.position = {values[0], values[1], values[2]};
-        atom.radius = values[4];
+        atom.position = {values_[0], values_[1], values_[2]};
+        atom.radius = values_[4];
         atom.atom = names.atom;
         atom.residue = names.residue;
         atom.chain = names.chain;
@@ -93,14 +94,17 @@ private:
         }
     }
 
-    // Five numbers end the line, but for words behind them. Before them stands the residue's number. False where it is not so.
+    // Five numbers end the line, but for words behind them. Before them stands the residue's number. False where it is not so; else
+    // the values are read.
     bool find_in_words(Names& names) {
         std::size_t end = words_.size();
         while (end > 0 && !is_number(words_[end - 1])) --end;
         const std::size_t places = end - std::min(end, last_fields.size());
         if (places != fewest_names && places != fewest_names + 1) return false;
-        const std::span<const std::string_view> last = std::span(words_).subspan(places, last_fields.size());
-        if (!holds_digit(words_[places - 1]) || !std::ranges::all_of(last, is_number)) return false;
+        if (!holds_digit(words_[places - 1])) return false;
+        for (std::size_t i = 0; i < last_fields.size(); ++i) {
+            if (parse_double(words_[places + i], values_[i]) != NumberFault::none) return false;
+        }
         take_words(names, places);
         return true;
     }
@@ -146,13 +150,13 @@ private:
         fields_[4] = touch ? in_columns(line, 62, 70) : words_[1];
     }
 
-    double value(std::string_view line, std::size_t field) const {
-        const std::string expected = std::string("the atom's ") + last_fields[field];
-        if (fields_[field].empty()) source_.fail_behind(line, expected);
-        double value = 0.0;
-        const NumberFault fault = parse_double(fields_[field], value);
-        if (fault != NumberFault::none) source_.fail(fields_[field], expected + ", " + expected_instead_of(fault));
-        return value;
+    void read_values(std::string_view line) {
+        for (std::size_t i = 0; i < last_fields.size(); ++i) {
+            const std::string expected = std::string("the atom's ") + last_fields[i];
+            if (fields_[i].empty()) source_.fail_behind(line, expected);
+            const NumberFault fault = parse_double(fields_[i], values_[i]);
+            if (fault != NumberFault::none) source_.fail(fields_[i], expected + ", " + expected_instead_of(fault));
+        }
     }
 
     // Few names of many atoms are new.
@@ -168,6 +172,7 @@ private:
     const TextSource& source_;
     std::vector<std::string_view> words_{};  // of the line
     std::array<std::string_view, last_fields.size()> fields_{};
+    std::array<double, last_fields.size()> values_{};  // of these
     std::string key_{};
     std::unordered_map<std::string, const Element*> elements_{};
 };
