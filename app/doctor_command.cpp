@@ -165,11 +165,15 @@ std::string probe(const std::string& name) {
     return result.dump();
 }
 
+std::chrono::milliseconds in_milliseconds(double seconds) {
+    return std::chrono::milliseconds(static_cast<long long>(seconds * 1000.0));
+}
+
 // Probes in another process of the program, so that a driver that hangs or crashes ends only that one; where there can be none, in
 // this one.
 Json probe_apart(const std::string& name, double timeout_seconds) {
     const std::string culprit = name == "cpu" ? "the CPU renderer" : "the driver";
-    const auto limit = std::chrono::milliseconds(static_cast<long long>(timeout_seconds * 1000.0));
+    const auto limit = in_milliseconds(timeout_seconds);
     ProgramResult result;
     try {
         result = run_program(text_from(program_file()), {"doctor", "--probe", name}, limit);
@@ -258,7 +262,7 @@ Json diagnose(double timeout_seconds) {
     return rows;
 }
 
-std::string in_words(const Json& rows, const std::string& film_encoder) {
+std::string in_words(const Json& rows, const FilmEncoder& films) {
     std::string text = "sphereview " + std::string(version) + "\n";
     const auto line = [&](const char* label, const std::string& value) {
         text += "    " + std::string(label) + on_one_line(value) + "\n";
@@ -281,12 +285,14 @@ std::string in_words(const Json& rows, const std::string& film_encoder) {
         const std::string device = row["device"].is_null() ? "" : " --device " + number_of(row, "device");
         line("use:       ", "--backend " + text_of(row, "backend") + device);
     }
-    text += "\nFilms: " + std::string(film_encoder.empty() ? "do not work" : "work") + "\n";
-    if (film_encoder.empty()) {
-        line("why:       ", "no program ffmpeg in the folders of PATH");
+    text += "\nFilms: " + std::string(films.endings.empty() ? "do not work" : films.lacks.empty() ? "work" : "work in part") + "\n";
+    if (films.endings.empty()) {
+        line("why:       ", films.fault);
         line("try:       ", "install it (Debian: apt install ffmpeg), or give another encoder what render -o - writes");
     } else {
-        line("program:   ", film_encoder);
+        line("program:   ", films.program);
+        line("makes:     ", joined(films.endings, ", "));
+        if (!films.lacks.empty()) line("lacks:     ", joined(films.lacks, ", "));
         line("use:       ", "render --movie");
     }
     return text;
@@ -304,10 +310,12 @@ ExitCode run_doctor(const DoctorOptions& options) {
     const Json rows = diagnose(options.timeout_seconds);
     bool any = false;
     for (const Json& row : rows.list()) any = any || works(row);
-    const std::string film_encoder = find_film_encoder();
-    const Json report = {
-        {"version", version}, {"backends", rows}, {"film_encoder", film_encoder.empty() ? Json(nullptr) : Json(film_encoder)}};
-    write_output(out, options.json ? report.dump() + "\n" : in_words(rows, film_encoder));
+    const FilmEncoder films = ask_film_encoder(in_milliseconds(options.timeout_seconds));
+    const Json report = {{"version", version},
+                         {"backends", rows},
+                         {"film_encoder", films.endings.empty() ? Json(nullptr) : Json(films.program)},
+                         {"film_endings", films.endings}};
+    write_output(out, options.json ? report.dump() + "\n" : in_words(rows, films));
     return any ? ExitCode::done : ExitCode::no_renderer;
 }
 

@@ -1,8 +1,10 @@
 #include "app/film.hpp"
 
+#include <array>
 #include <cerrno>
 #include <filesystem>
 #include <mutex>
+#include <new>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -61,6 +63,35 @@ Words encoding(std::string_view ending, int quality, bool alpha) {
 }  // namespace
 
 std::string find_film_encoder() { return find_program("ffmpeg"); }
+
+FilmEncoder ask_film_encoder(std::chrono::milliseconds limit) {
+    FilmEncoder encoder{find_film_encoder()};
+    if (encoder.program.empty()) {
+        encoder.fault = "no program ffmpeg in the folders of PATH";
+        return encoder;
+    }
+    ProgramResult answer;
+    try {
+        answer = run_program(encoder.program, {"-hide_banner", "-encoders"}, limit);
+    } catch (const OutputError& error) {
+        encoder.fault = error.what();
+        return encoder;
+    }
+    constexpr std::array<std::pair<const char*, const char*>, 5> needed = {
+        {{".mp4", "libx264"}, {".webm", "libvpx-vp9"}, {".gif", "gif"}, {".png", "apng"}, {".mkv", "ffv1"}}};
+    for (const auto& [ending, name] : needed) {
+        if (answer.output.find(" " + std::string(name) + " ") != std::string::npos) {
+            encoder.endings.emplace_back(ending);
+        } else {
+            encoder.lacks.push_back(std::string(ending) + " (" + name + ")");
+        }
+    }
+    if (answer.end != ProgramResult::End::returned || encoder.endings.empty()) {
+        encoder.endings.clear();
+        encoder.fault = encoder.program + " does not say which encoders it has";
+    }
+    return encoder;
+}
 
 Film::Film(const FilmOptions& options, Durability durability, std::size_t pictures)
     : options_(options), durability_(durability), pictures_(pictures) {
@@ -181,7 +212,12 @@ InterruptibleFilm::InterruptibleFilm(Film& film) : film_(film) {
 
 InterruptibleFilm::~InterruptibleFilm() {
     interruptible_.reset();  // from now on there is nothing to say twice
-    if (!film_.is_finished()) say(film_.how_far());
+    if (film_.is_finished()) return;
+    try {
+        say(film_.how_far());
+    } catch (const std::bad_alloc&) {
+        // That memory ran out is said by who ends the command.
+    }
 }
 
 }  // namespace sphereview

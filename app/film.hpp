@@ -1,11 +1,13 @@
 // Pictures that become one film.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/film_options.hpp"
 #include "app/interruptible.hpp"
@@ -18,6 +20,15 @@ namespace sphereview {
 
 // The program that makes films, as a shell would find it; "" where there is none.
 std::string find_film_encoder();
+
+// What that program says of itself.
+struct FilmEncoder {
+    std::string program{};
+    std::vector<std::string> endings{};  // of the films that it makes
+    std::vector<std::string> lacks{};    // ".mp4 (libx264)": the endings of others, and the encoder that they need
+    std::string fault{};                 // why it makes none
+};
+FilmEncoder ask_film_encoder(std::chrono::milliseconds limit);
 
 class Film {
 public:
@@ -33,6 +44,8 @@ public:
     void add(const Image& picture);
     void finish();
 
+    // Whether it goes to standard output.
+    bool is_streamed() const { return !options_.movie; }
     // For the thread that adds pictures.
     bool is_finished() const { return finished_; }
     // "out.mp4: not written; 3 of 10 pictures were done". For the thread that adds pictures, or who has given up the film.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <string>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -20,11 +22,23 @@ std::optional<FrameRate> parse_frame_rate(std::string_view text) {
 }
 
 std::optional<FilmKind> film_kind(std::string_view path) {
-    constexpr std::array<FilmKind, 5> kinds = {
-        {{".mp4", true, false}, {".webm", true, false}, {".gif", false, false}, {".png", false, true}, {".mkv", false, true}}};
+    constexpr std::array<FilmKind, 5> kinds = {{{".mp4", true, false, 65'535},
+                                                {".webm", true, false, 1000},
+                                                {".gif", false, false, 50},
+                                                {".png", false, true, 65'535},
+                                                {".mkv", false, true, 1000}}};
     const std::string name = lower_case(path);
     const auto found = std::ranges::find_if(kinds, [&](const FilmKind& kind) { return name.ends_with(kind.ending); });
     return found == kinds.end() ? std::nullopt : std::optional(*found);
+}
+
+std::string rates_instead_of(FrameRate rate, const FilmKind& kind) {
+    constexpr int longest = 600;  // seconds that a picture stays: of .gif 655
+    const auto pictures = std::int64_t{rate.pictures};
+    const auto seconds = std::int64_t{rate.seconds};
+    if (pictures <= kind.fastest * seconds && pictures * longest >= seconds) return "";
+    return "1/" + std::to_string(longest) + " to " + std::to_string(kind.fastest) + " pictures a second of " +
+           std::string(kind.ending);
 }
 
 }  // namespace sphereview

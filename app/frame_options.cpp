@@ -76,6 +76,9 @@ void check_film_options(const CLI::App& command, const RenderOptions& options) {
     if (frames.skip_existing) wrong(option, "--skip-existing", "all pictures of a film");
     if (!options.film.movie) return;
     const FilmKind kind = film_kind(*options.film.movie).value();
+    if (const std::string rates = rates_instead_of(options.film.rate, kind); !rates.empty()) {
+        wrong("--fps", find_option(command, "--fps")->results().front(), rates);
+    }
     if (options.film.quality && !kind.has_quality) {
         wrong("--quality", in_quotes(*options.film.movie), "a name that ends with .mp4 or .webm: others have no quality to choose");
     }

@@ -1,6 +1,7 @@
 #include "app/interruptible.hpp"
 
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "base/interrupt.hpp"
@@ -18,9 +19,11 @@ Interruptible* current = nullptr;
 
 Interruptible::Interruptible(std::function<std::string()> last_words) : last_words_(std::move(last_words)) {
     const std::lock_guard lock(current_mutex);
+    // Not by std::call_once: without memory, an exception cannot pass through it.
+    static bool passed = false;
+    if (!passed) pass_interrupts_to(&Interruptible::interrupt);
+    passed = true;
     current = this;
-    static std::once_flag passed;
-    std::call_once(passed, [] { pass_interrupts_to(&Interruptible::interrupt); });
 }
 
 Interruptible::~Interruptible() {
@@ -30,10 +33,12 @@ Interruptible::~Interruptible() {
 
 void Interruptible::interrupt(int signal_number) {
     const std::lock_guard lock(current_mutex);
-    if (current != nullptr) {
-        const std::string words = current->last_words_();
+    try {
+        const std::string words = current != nullptr ? current->last_words_() : "";
         if (!words.empty() && stderr_is_terminal()) say("");  // behind the progress bar
         if (!words.empty()) say(words);
+    } catch (const std::bad_alloc&) {
+        // Without a word, then.
     }
     end_interrupted(signal_number);  // with the lock: what lives as long as `current` does waits
 }

@@ -6,8 +6,8 @@
 
 namespace sphereview {
 
-// While this lives, an interruption says what `last_words` returns, unless that is empty, which is called on a thread of its own, and ends the process:
-// at once, or where an output is written, behind that. One at a time.
+// While this lives, an interruption says what `last_words` returns, unless that is empty, which is called on a thread of its own,
+// and ends the process: at once, or where an output is written, behind that. One at a time.
 class Interruptible {
 public:
     explicit Interruptible(std::function<std::string()> last_words);

@@ -169,9 +169,9 @@ Json::Json(std::initializer_list<Json> values) {
 Json Json::from_text(std::string_view text) { return Tree::of(std::string(text)); }
 Json Json::array() { return Tree::of(Tree::List()); }
 Json Json::object() { return Tree::of(Tree::Members()); }
-Json Json::parse(std::string_view text, const std::string& name) {
+Json Json::parse(std::string_view text, const std::string& name, TextPosition origin) {
     const auto fail = [&](std::size_t offset, const std::string& what) {
-        throw InputError(place_in(name, position_at(text, offset)) + what);
+        throw InputError(place_in(name, position_at(text, offset, origin)) + what);
     };
     if (const auto deep = find_too_deep(text)) fail(deep->offset, "found values nested deeper than " + std::to_string(most_nested));
     Tree::Builder builder;

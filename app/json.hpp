@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.hpp"
 #include "scene/sphere.hpp"
 
 namespace sphereview {
@@ -34,8 +35,9 @@ public:
     Json(std::initializer_list<Json> values);  // an object where all are of the form {"key", value}, else a list
     static Json array();
     static Json object();
-    // Throws InputError with the place in `text`, which `name` is the file of, where that is not JSON or nests too deep.
-    static Json parse(std::string_view text, const std::string& name);
+    // Throws InputError with the place in `text`, which stands at `origin` of the file `name`, where that is not JSON or nests too
+    // deep.
+    static Json parse(std::string_view text, const std::string& name, TextPosition origin = {});
 
     // These are nothing for a value of another type; a member that is not there is null.
     bool is_null() const;

@@ -20,10 +20,18 @@ namespace sphereview {
 namespace {
 
 constexpr std::size_t read_at_once = std::size_t{1} << 22;
-constexpr std::size_t longest_line = std::size_t{1} << 20;  // that is written in one piece
+
+// No file's name and no option has a NUL; what follows one would be lost.
+std::optional<std::string> text_of(const Json& json, std::string_view key, const std::string& place) {
+    std::optional<std::string> text = json[key].text();
+    if (text && text->find('\0') != std::string::npos) {
+        throw InputError(place + "found a NUL in " + in_quotes(key) + ", expected a text without one");
+    }
+    return text;
+}
 
 std::string required_text(const Json& json, std::string_view key, const std::string& place) {
-    if (auto text = json[key].text()) return *text;
+    if (auto text = text_of(json, key, place)) return *text;
     throw InputError(place + "found no " + in_quotes(key) + ", expected a line of a manifest");
 }
 
@@ -34,10 +42,11 @@ std::int64_t required_number(const Json& json, std::string_view key, const std::
 }
 
 ManifestEntry entry_of(std::string_view line, const std::string& name, std::size_t number) {
-    const std::string place = place_in(name, {number, 1});
-    const Json json = Json::parse(line, name);
+    const TextPosition begin{number, 1};
+    const std::string place = place_in(name, begin);
+    const Json json = Json::parse(line, name, begin);
     ManifestEntry entry;
-    entry.picture = json["picture"].text();
+    entry.picture = text_of(json, "picture", place);
     entry.frame = required_number(json, "frame", place);
     entry.place = static_cast<std::size_t>(required_number(json, "place", place));
     entry.scene = required_text(json, "scene", place);
@@ -49,6 +58,11 @@ ManifestEntry entry_of(std::string_view line, const std::string& name, std::size
     entry.file_sum = json["file_sha256"].text();
     entry.version = required_text(json, "version", place);
     return entry;
+}
+
+// JSON holds no other name: nobody would find the file again.
+void require_utf8(const std::string& word) {
+    if (!is_utf8(word)) throw InputError("sphereview: --manifest: found " + in_quotes(word) + ", expected a name in UTF-8");
 }
 
 std::string_view whole_lines_of(std::string_view text) { return text.substr(0, text.rfind('\n') + 1); }
@@ -74,7 +88,10 @@ std::vector<std::string> options_of_one(const std::vector<std::string>& options,
 std::vector<ManifestEntry> entries_of(std::string_view text, const std::string& name) {
     std::vector<ManifestEntry> entries;
     std::size_t number = 1;
-    for (text = whole_lines_of(text); !text.empty(); ++number) entries.push_back(entry_of(take_line(text), name, number));
+    for (text = whole_lines_of(text); !text.empty(); ++number) {
+        const std::string_view line = take_line(text);
+        if (!trimmed(line).empty()) entries.push_back(entry_of(line, name, number));
+    }
     return entries;
 }
 
@@ -106,7 +123,9 @@ std::vector<std::string> options_of_one(const ManifestEntry& entry) {
 ManifestLines read_manifest(const std::string& path) {
     const InputFile file(path);
     const std::string_view text = file.bytes();
-    return {entries_of(text, file.name()), whole_lines_of(text).size() < text.size()};
+    ManifestLines lines{entries_of(text, file.name())};
+    if (whole_lines_of(text).size() < text.size()) lines.cut_off = position_at(text, text.size()).line;
+    return lines;
 }
 
 Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs)
@@ -115,8 +134,12 @@ Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs
     for (const std::string& scene : options.scenes) {
         if (scene == standard_stream)
             throw InputError("sphereview: --manifest: found stdin as a scene, expected a file: it has a sum");
+        require_utf8(scene);
+        scene_states_.emplace(scene, file_states(scene));
         scene_sums_.emplace(scene, sum_of_file(scene));
     }
+    for (const std::string& word : options.words) require_utf8(word);
+    for (const RenderJob& job : jobs) require_utf8(job.output.value_or(""));
     if (options.fit.camera) camera_sum_ = sum_of_file(*options.fit.camera);
     std::string kept;
     if (options.frames.skip_existing && file_identity(path, FileUse::input) != "") {
@@ -130,7 +153,6 @@ Manifest::Manifest(const RenderOptions& options, std::span<const RenderJob> jobs
     write_output(path, kept, Durability::on_disk, MissingFolder::made);
     file_.reset(open_file(path, "ab"));
     if (!file_) throw OutputError(path, std::strerror(errno), errno);
-    std::setvbuf(file_.get(), nullptr, _IOFBF, longest_line);
 }
 
 std::int64_t Manifest::number_of(const RenderJob& job) const {
@@ -150,7 +172,8 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
     }
     std::string kept;
     for (const ManifestEntry& entry : entries_of(lines, *options_.frames.manifest)) {
-        const std::string_view line = take_line(lines);
+        std::string_view line = take_line(lines);
+        while (trimmed(line).empty()) line = take_line(lines);
         const std::string picture = entry.picture.value_or("");
         const auto job = wanted.find(picture);
         if (job != wanted.end() && !is_of(entry, *job->second)) {
@@ -164,6 +187,11 @@ std::string Manifest::kept_of(std::string_view lines, std::span<const RenderJob>
 }
 
 void Manifest::add(const RenderJob& job, const PictureSums& sums) {
+    if (file_states(job.scene) != scene_states_.at(job.scene)) {
+        lost_scene_ = true;
+        throw InputError(job.scene + ": has changed since " + *options_.frames.manifest +
+                         " was begun, expected the same file to the end: this picture has no line");
+    }
     const Json line = {{"frame", number_of(job)},
                        {"picture", job.output},
                        {"place", job.shot},
@@ -176,10 +204,8 @@ void Manifest::add(const RenderJob& job, const PictureSums& sums) {
                        {"file_sha256", sums.file},
                        {"version", std::string(version)}};
     const std::string text = line.dump() + "\n";
-    errno = 0;
-    const bool good =
-        std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size() && flush(file_.get(), options_.durability);
-    if (!good) throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
+    if (!append(file_.get(), text, options_.durability))
+        throw OutputError(*options_.frames.manifest, errno != 0 ? std::strerror(errno) : "a write error", errno);
 }
 
 }  // namespace sphereview

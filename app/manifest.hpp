@@ -15,6 +15,7 @@
 
 #include "app/options.hpp"
 #include "app/render_plan.hpp"
+#include "base/file_watcher.hpp"
 #include "image/image.hpp"
 
 namespace sphereview {
@@ -47,10 +48,10 @@ struct ManifestEntry {
 // The options of a picture without those that say only which other pictures there are: what of them is seen, sequence_sum tells.
 std::vector<std::string> options_of_one(const ManifestEntry& entry);
 
-// The whole lines of a manifest: one that was cut off at its end is left out. Throws InputError.
+// The whole lines of a manifest, without blank ones: one that was cut off at its end is left out. Throws InputError.
 struct ManifestLines {
     std::vector<ManifestEntry> entries{};
-    bool is_cut_off = false;
+    std::optional<std::size_t> cut_off{};  // the number of the last line
 };
 ManifestLines read_manifest(const std::string& path);
 
@@ -58,7 +59,7 @@ class Manifest {
 public:
     // Begins the file named by the options anew, or with --skip-existing goes on behind the whole lines that are there, without
     // those that say of a job's picture that it was made of something else: then the jobs' sequences are to be prepared. Throws
-    // OutputError, and InputError for scenes without a name.
+    // OutputError, and InputError for scenes without a name, or names that JSON cannot hold.
     Manifest(const RenderOptions& options, std::span<const RenderJob> jobs);
 
     // Whether there is a line for that picture.
@@ -66,8 +67,11 @@ public:
     // How many pictures of the jobs had been made of something else.
     std::size_t outdated() const { return outdated_.size(); }
 
-    // Appends the line of a job's picture, whole or not at all, as durable as the picture. Throws OutputError.
+    // Appends the line of a job's picture, whole or not at all, as durable as the picture. Throws OutputError, and InputError where
+    // the scene is no longer the file whose sum the lines give.
     void add(const RenderJob& job, const PictureSums& sums);
+    // Whether a scene was found changed: no further picture gets a line.
+    bool has_lost_scene() const { return lost_scene_; }
 
 private:
     // Whether the line is what add() would write of the job, but for the sums of its picture.
@@ -78,6 +82,8 @@ private:
 
     const RenderOptions& options_;
     std::map<std::string, std::string> scene_sums_{};
+    std::map<std::string, FileStates> scene_states_{};  // from before they were summed
+    bool lost_scene_ = false;
     std::optional<std::string> camera_sum_{};
     std::set<std::string> known_{};
     std::set<std::string> outdated_{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -65,6 +66,12 @@ private:
     Image points_;  // colours that are not averaged yet
 };
 
+// So many rows of a block, from its row y on.
+std::span<std::int32_t> rows_of(std::span<std::int32_t> visible, const Block& block, int y, int rows) {
+    const auto width = static_cast<std::size_t>(block.width);
+    return visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(rows) * width);
+}
+
 // What happens to each block of a picture after it was traced. Its pixels are points here, unless something else is said: with
 // samples, blocks are those of a picture of `side` times the size, of which only as much as is traced at once is ever there.
 class PictureInProgress {
@@ -91,8 +98,8 @@ public:
         if (kept_ != nullptr) kept_->begin(lighting_->sets(), side_);
     }
 
-    // Calls trace(block, visible) for blocks of at most this size, one after the other, and finishes each. Width and height must
-    // be multiples of every sample_side().
+    // Calls trace(block, visible, done) for blocks of at most this size, one after the other, and finishes each. Width and height
+    // must be multiples of every sample_side(). Where tracing takes long, trace() calls done() now and then with the part that is.
     template <typename Trace>
     Image draw(int block_width, int block_height, const Trace& trace) {
         // Not a vector: nobody needs its millions of numbers cleared first.
@@ -104,7 +111,7 @@ public:
                 const Block block{x, y, std::min(block_width, size_.width - x), std::min(block_height, size_.height - y)};
                 const std::span visible(buffer.get(),
                                         static_cast<std::size_t>(block.width) * static_cast<std::size_t>(block.height));
-                trace(block, visible);
+                trace(block, visible, [&](double done) { report(block, part_of_trace() * done); });
                 finish(block, visible);
             }
         }
@@ -118,7 +125,6 @@ private:
     // With light a block is one batch: whatever the light falls on is asked for all its points at once.
     void finish(const Block& block, std::span<std::int32_t> visible) {
         if (!lighting_) return finish_strips(block, visible, 1.0);
-        constexpr double part_of_visibility = 0.1;
         finish_strips(block, visible, part_of_visibility);
         if (is_last(block)) {  // light takes memory, too
             lists_.begins = {0, 0};
@@ -154,19 +160,16 @@ private:
     }
 
     // In strips that take about as long as people wait for a sign of life: an exact pixel may cost a thousand times a usual one.
-    void finish_strips(const Block& block, std::span<std::int32_t> visible, double part_of_block) {
+    void finish_strips(const Block& block, std::span<std::int32_t> visible, double end_part) {
         const PhaseTimer timer(timings_, Phase::resolve);
-        const auto width = static_cast<std::size_t>(block.width);
         int rows = first_strip;
         for (int y = 0; y < block.height;) {
             const Block strip{block.x, block.y + y, block.width, std::min(rows, block.height - y)};
             const auto begin = std::chrono::steady_clock::now();
             const auto report_strip = [&](double strip_part) {
-                report(block, part_of_block * (y + strip_part * strip.height) / block.height);
+                report(block, std::lerp(part_of_trace(), end_part, (y + strip_part * strip.height) / block.height));
             };
-            finish_strip(strip,
-                         visible.subspan(static_cast<std::size_t>(y) * width, static_cast<std::size_t>(strip.height) * width),
-                         report_strip);
+            finish_strip(strip, rows_of(visible, block, y, strip.height), report_strip);
             const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
             report_strip(1.0);
             y += strip.height;
@@ -187,6 +190,10 @@ private:
         if (!lighting_) colored_.color(strip, visible, {});
     }
 
+    // Blocks that are not lit are small: their trace counts for nothing.
+    double part_of_trace() const { return lighting_ ? 0.5 * part_of_visibility : 0.0; }
+
+    static constexpr double part_of_visibility = 0.1;  // of a block that is lit
     static constexpr int fewest_rows = 8;
     static constexpr int first_strip = 64;
 
@@ -255,8 +262,14 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
         const CpuRenderer cpu(drawn, lists, options.camera, size);
         const int width = std::min(cpu_block_width, size.width);
         return picture.draw(cpu_block_width, lit ? lit_block_height(width) : cpu_block_height(size, lists),
-                            [&](const Block& block, std::span<std::int32_t> visible) {
-                                timed(timings, Phase::trace, [&] { cpu.trace(block, visible); });
+                            [&](const Block& block, std::span<std::int32_t> visible, const auto& done) {
+                                const PhaseTimer timer(timings, Phase::trace);
+                                const int rows = cpu_block_height(size, lists);
+                                for (int y = 0; y < block.height; y += rows) {
+                                    const Block strip{block.x, block.y + y, block.width, std::min(rows, block.height - y)};
+                                    cpu.trace(strip, rows_of(visible, block, y, strip.height));
+                                    done(static_cast<double>(y + strip.height) / block.height);
+                                }
                             });
     }
     GpuRenderer& gpu = *backend.gpu;
@@ -264,8 +277,9 @@ Image render_picture(OpenBackend& backend, const Scene& scene, const DrawnSphere
     facts.spheres_in = gpu.storage();
     const int side = gpu.largest_block_side() / 4 * 4;  // whole pixels, whatever the samples
     const int width = std::min(side, size.width);
-    return picture.draw(side, lit ? std::min(side, lit_block_height(width)) : gpu_block_height(width, side),
-                        [&](const Block& block, std::span<std::int32_t> visible) { gpu.trace(block, visible, timings); });
+    return picture.draw(
+        side, lit ? std::min(side, lit_block_height(width)) : gpu_block_height(width, side),
+        [&](const Block& block, std::span<std::int32_t> visible, const auto&) { gpu.trace(block, visible, timings); });
 }
 
 std::optional<Image> relit_picture(const Scene& scene, const PictureOptions& options, const KeptLight& kept) {

@@ -14,7 +14,7 @@
 #include "app/frame_sequence.hpp"
 #include "app/manifest.hpp"
 #include "app/options.hpp"
-#include "app/render_command.hpp"
+#include "app/render_jobs.hpp"
 #include "app/version.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
@@ -54,12 +54,17 @@ bool is_here(const std::string& file) {
     return true;
 }
 
-// Whether the picture's file, if it is here, is as it was written.
-bool is_file_unchanged(const ManifestEntry& entry) {
-    if (!entry.picture || !entry.file_sum || !is_here(*entry.picture)) return true;
-    if (sum_of_file(*entry.picture) == *entry.file_sum) return true;
+// Whether the picture's file, if it is here, is as it was written: done, differs, or what it means that it cannot be read.
+ExitCode state_of_file(const ManifestEntry& entry) {
+    if (!entry.picture || !entry.file_sum || !is_here(*entry.picture)) return ExitCode::done;
+    try {
+        if (sum_of_file(*entry.picture) == *entry.file_sum) return ExitCode::done;
+    } catch (const InputError& error) {  // the others are looked at
+        say(error.what());
+        return ExitCode::bad_input;
+    }
     say(*entry.picture + ": the file differs from the one that was written");
-    return false;
+    return ExitCode::differs;
 }
 
 // "3 of 10 pictures WHAT: a, b and 1 more"; nothing where there are none.
@@ -121,7 +126,7 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vect
                              std::to_string(entry.frame) + " in a manifest, expected " +
                              std::to_string(sequence->shots()[entry.place].number));
         }
-        if (!is_file_unchanged(entry)) worst = ExitCode::differs;
+        worst = std::max(worst, state_of_file(entry));
         RenderJob job;
         job.scene = entry.scene;
         job.label = entry.picture.value_or(entry.scene + ", " + std::to_string(entry.frame));
@@ -140,14 +145,20 @@ ExitCode verify_alike(const std::vector<ManifestEntry>& entries, const std::vect
 ExitCode run_verify(const VerifyOptions& options) {
     std::vector<ManifestEntry> all;
     for (const std::string& path : options.manifests) {
-        const auto [some, is_cut_off] = read_manifest(path);
-        if (some.empty()) throw InputError(path + ": found no whole line, expected one for each picture");
-        if (some.front().version != version) {
-            say(path + ": the pictures are by sphereview " + some.front().version + ", this is " + std::string(version));
+        const auto [some, cut_off] = read_manifest(path);
+        std::set<std::string> others;
+        for (const ManifestEntry& entry : some) {
+            if (entry.version != version) others.insert(entry.version);
         }
-        if (is_cut_off) say(place_in(path, {some.size() + 1, 1}) + "the line is cut off: its picture is not looked at");
+        if (!others.empty()) {
+            say(path + ": there are pictures by sphereview " +
+                joined(std::vector<std::string>(others.begin(), others.end()), ", ") + "; this is " + std::string(version));
+        }
+        if (cut_off) say(place_in(path, {*cut_off, 1}) + "the line is cut off: its picture is not looked at");
         all.insert(all.end(), some.begin(), some.end());
     }
+    // One manifest may be without a line: of a part of fewer frames than there are parts.
+    if (all.empty()) throw InputError(options.manifests.front() + ": found no whole line, expected one for each picture");
     say_which_are_not_here(all);
     const std::vector<ManifestEntry> entries = sample_of(all, options.sample);
     // With the sums: manifests may be from before and after a change of a file.

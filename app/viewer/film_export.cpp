@@ -95,11 +95,13 @@ std::vector<Shot> chosen_shots(const FilmForm& form, const std::string& scene) {
     return shots_of(frames, form.turns() ? form.chosen.turntable : 0);
 }
 
-FrameRate chosen_rate(const FilmForm& form) {
+FrameRate chosen_rate(const FilmForm& form, const std::optional<FilmKind>& kind) {
     const auto rate = parse_frame_rate(form.chosen.rate);
-    if (!rate) {
-        throw InputError("The pictures a second are " + in_quotes(form.chosen.rate) +
-                         ", expected a whole number or a fraction such as 30000/1001.");
+    const std::string instead = !rate  ? "a whole number or a fraction such as 30000/1001"
+                                : kind ? rates_instead_of(*rate, *kind)
+                                       : "";
+    if (!instead.empty()) {
+        throw InputError("The pictures a second are " + in_quotes(form.chosen.rate) + ", expected " + instead + ".");
     }
     return *rate;
 }
@@ -119,7 +121,7 @@ FilmJudgement judgement(const FilmForm& form, const std::string& path, const std
             if (shots.size() > 1) judged.summary += " to " + fill_in_frame(pattern, shots.back().number);
             return judged;
         }
-        const FrameRate rate = chosen_rate(form);
+        const FrameRate rate = chosen_rate(form, kind);
         judged.summary += ", a film of " + duration(static_cast<double>(shots.size()) * rate.seconds / rate.pictures);
         if (!has_encoder) judged.fault = no_encoder;
     } catch (const InputError& error) {
@@ -183,7 +185,8 @@ void start_unless_replacing(ViewerState& state, const FilmRequest& request, cons
         if (!replaces) return ask_for_film(state, path, "");
         start_film(state, request);
     };
-    state.dialogs.push_back(replace_question("Replace pictures?", on_one_line(there) + "\n\nexists already, and perhaps others do.", answer));
+    state.dialogs.push_back(
+        replace_question("Replace pictures?", on_one_line(there) + "\n\nexists already, and perhaps others do.", answer));
 }
 
 void ask_for_film(ViewerState& state, const std::string& path, const std::string& fault) {
@@ -275,7 +278,7 @@ FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::st
     options.legend = chosen.marks && state.settings.legend_shown;
     if (judged.is_film) {
         options.film.movie = path;
-        options.film.rate = chosen_rate(form);
+        options.film.rate = chosen_rate(form, film_kind(path));
         if (judged.has_quality) options.film.quality = chosen.quality;
     } else {
         options.output = path;

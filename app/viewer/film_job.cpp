@@ -6,7 +6,7 @@
 
 #include "app/film.hpp"
 #include "app/frame_sequence.hpp"
-#include "app/render_command.hpp"
+#include "app/render_jobs.hpp"
 #include "app/render_plan.hpp"
 #include "app/render_report.hpp"
 #include "base/error.hpp"

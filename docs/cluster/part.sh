@@ -6,4 +6,4 @@ trajectory=$1 part=$2 parts=$3
 mkdir -p frames
 # shellcheck disable=SC2086
 exec "${SPHEREVIEW:-sphereview}" render "$trajectory" --frames all --part "$part/$parts" --skip-existing \
-    --manifest "frames/part-$part.jsonl" -o 'frames/{frame:05}.png' ${RENDER_OPTIONS:-}
+    --manifest "frames/part-$part.jsonl" -o 'frames/{frame:07}.png' ${RENDER_OPTIONS:-}

@@ -10,7 +10,6 @@
 #include <mutex>
 #include <utility>
 #else
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <array>
@@ -19,6 +18,7 @@
 #endif
 
 #include <chrono>
+#include <system_error>
 #include <thread>
 
 namespace sphereview {
@@ -111,13 +111,17 @@ void pass_interrupts_to(std::function<void(int)> act) {
     const std::lock_guard lock(act_mutex);
     act_once = std::move(act);
 #else
-    std::array<int, 2> ends{};
-    if (pipe(ends.data()) != 0) return;  // signals go on ending the process
-    for (const int pipe_end : ends) fcntl(pipe_end, F_SETFD, FD_CLOEXEC);
-    std::thread([read_end = ends[0], act = std::move(act)] {
-        unsigned char number = 0;
-        if (uninterrupted([&] { return read(read_end, &number, 1); }) == 1) act(number);
-    }).detach();
+    const std::array<int, 2> ends = own_pipe();
+    if (ends[0] < 0) return;  // signals go on ending the process
+    try {
+        std::thread([read_end = ends[0], act = std::move(act)] {
+            unsigned char number = 0;
+            if (uninterrupted([&] { return read(read_end, &number, 1); }) == 1) act(number);
+        }).detach();
+    } catch (const std::system_error&) {  // the system allows no more threads: likewise
+        for (const int pipe_end : ends) close(pipe_end);
+        return;
+    }
     passing_pipe = ends[1];
 #endif
 }

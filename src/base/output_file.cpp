@@ -343,9 +343,15 @@ void write_regular_file(const std::string& path, std::string_view bytes, Durabil
     replace(path, regular_target_of(path), bytes, durability);
 }
 
-bool flush(std::FILE* file, Durability durability) {
+bool append(std::FILE* file, std::string_view bytes, Durability durability) {
     errno = 0;
-    return std::fflush(file) == 0 && (durability == Durability::in_system || sync(file));
+#ifdef _WIN32
+    const bool good = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size() && std::fflush(file) == 0;
+#else
+    // Not through the library's buffer, which forgets what a signal kept it from writing.
+    const bool good = write_all(fileno(file), bytes);
+#endif
+    return good && (durability == Durability::in_system || sync(file));
 }
 
 OutputPlace::OutputPlace(const std::string& path) : path_(path) {

@@ -26,9 +26,9 @@ void write_output(const std::string& path, std::string_view bytes, Durability du
 // would swallow the bytes, and a FIFO that nobody reads would be waited for.
 void write_regular_file(const std::string& path, std::string_view bytes, Durability durability = Durability::on_disk);
 
-// Passes on what was written to `file`, and waits for it by `durability`; false, with errno set, if that fails. In a pipe, or where
-// there is no such thing, nothing is waited for.
-bool flush(std::FILE* file, Durability durability);
+// Appends to a file that nothing else is written to, and waits for it by `durability`; false, with errno set, if that fails. In a
+// pipe, or where there is no such thing, nothing is waited for.
+bool append(std::FILE* file, std::string_view bytes, Durability durability);
 
 // Where another program writes an output, which appears whole or not at all as well.
 class OutputPlace {

@@ -37,6 +37,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_errors = 4096;
+constexpr std::size_t read_at_once = 4096;
 constexpr int most_wait = 1000;  // milliseconds, for a program that was killed: one whose disk hangs stays
 
 #ifdef _WIN32
@@ -174,7 +175,7 @@ public:
 
 private:
     static bool read(HANDLE pipe, std::string& text) {
-        std::array<char, 4096> buffer{};
+        std::array<char, read_at_once> buffer{};
         DWORD count = 0;
         const bool good = ReadFile(pipe, buffer.data(), static_cast<DWORD>(buffer.size()), &count, nullptr) != 0;
         text.append(buffer.data(), count);
@@ -194,15 +195,11 @@ private:
 
 namespace {
 
-// Both ends are closed in programs that this process starts.
 struct Pipe {
-    std::array<int, 2> ends{-1, -1};
-    int error = 0;  // why there is none
+    std::array<int, 2> ends = own_pipe();
+    int error = ends[0] < 0 ? errno : 0;  // why there is none
 
-    Pipe() {
-        if (pipe(ends.data()) != 0) error = errno;
-        for (const int end : ends) fcntl(end, F_SETFD, FD_CLOEXEC);
-    }
+    Pipe() = default;
     ~Pipe() {
         close_end(0);
         close_end(1);
@@ -217,7 +214,7 @@ struct Pipe {
     }
     // Waits for more; false at the end.
     bool read_into(std::string& text) const {
-        std::array<char, 4096> buffer{};
+        std::array<char, read_at_once> buffer{};
         const ssize_t count = uninterrupted([&] { return read(ends[0], buffer.data(), buffer.size()); });
         text.append(buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
         return count > 0;
@@ -316,19 +313,28 @@ private:
 
 PipedProgram::PipedProgram(const std::string& path, const std::vector<std::string>& arguments)
     : process_(std::make_unique<ProgramProcess>(path, arguments, false)) {
+    const auto give_up = [&] {
+        process_->kill();
+        process_->end_input();
+        process_->result();
+    };
     try {
-        reader_ = std::thread([this] {
-            std::string more;
+        // The thread itself allocates nothing: nobody could be told that memory has run out.
+        std::string more;
+        more.reserve(read_at_once);
+        errors_.reserve(most_errors);
+        reader_ = std::thread([this, more = std::move(more)]() mutable {
             while (process_->read_errors(more)) {
                 errors_.append(more, 0, most_errors - std::min(most_errors, errors_.size()));
                 more.clear();
             }
         });
     } catch (const std::system_error& error) {
-        process_->kill();
-        process_->end_input();
-        process_->result();
+        give_up();
         throw OutputError(path, "the program cannot be started: the system allows no more threads", error.code().value());
+    } catch (...) {
+        give_up();
+        throw;
     }
 }
 

@@ -21,8 +21,6 @@ struct FramePlace {
     std::uint64_t end = 0;
     TextPosition origin{};                 // of its first character
     std::size_t numbers_behind_first = 0;  // PartOfFile
-
-    bool operator==(const FramePlace&) const = default;
 };
 
 struct FrameIndex {

@@ -145,20 +145,31 @@ std::string kind_in_words(std::string_view bytes) {
     return "a file that begins with " + in_quotes(bytes.substr(0, 8));
 }
 
-}  // namespace
+using Decoder = Image (*)(std::string_view bytes, const std::string& name);
 
-Image decode_picture(std::string_view bytes, const std::string& name) {
+Image decode_map(std::string_view bytes, const std::string& name) { return PortableMap(bytes, name).read(); }
+
+// By the first bytes.
+Decoder decoder_of(std::string_view bytes, const std::string& name) {
     for (const char* map : {"P2", "P3", "P5", "P6"}) {
-        if (bytes.starts_with(map)) return PortableMap(bytes, name).read();
+        if (bytes.starts_with(map)) return decode_map;
     }
-    if (bytes.starts_with("BM")) return decode_bmp(bytes, name);
-    if (bytes.starts_with("\x89PNG")) return decode_png(bytes, name);
+    if (bytes.starts_with("BM")) return decode_bmp;
+    if (bytes.starts_with("\x89PNG")) return decode_png;
     throw InputError(name + ": found " + kind_in_words(bytes) + ", expected a PNG, PPM, PGM or BMP picture");
 }
 
+}  // namespace
+
+Image decode_picture(std::string_view bytes, const std::string& name) { return decoder_of(bytes, name)(bytes, name); }
+
 Image read_picture(const std::string& path) {
-    const InputFile file(path, Content::binary);
-    return decode_picture(file.bytes(), file.name());
+    constexpr std::size_t longest_mark = 12;
+    InputStream stream(path, Content::binary);
+    stream.fill(longest_mark);
+    const Decoder decode = decoder_of(stream.bytes(), stream.name());  // before the rest, which may be large or have no end
+    stream.fill();
+    return decode(stream.bytes(), stream.name());
 }
 
 }  // namespace sphereview

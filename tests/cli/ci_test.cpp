@@ -1,11 +1,14 @@
-// packaging/ci/compare, which action.yml and the image of the Containerfile run.
+// packaging/ci/compare, which action.yml and the image of the Containerfile run; and of what these and the workflows are made.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <regex>
 #include <sstream>
 
 #include "support/folders.hpp"
+#include "support/json.hpp"
 #include "support/render.hpp"
 #include "support/text_match.hpp"
 
@@ -142,6 +145,35 @@ TEST(CTestOfThePage, ComparesEachSceneWithTheGoldenImageOfItsName) {
     EXPECT_TRUE(contains(outcome.output, "1 tests failed out of 3") && contains(outcome.output, "picture.two.spheres (Failed)"))
         << outcome;
     EXPECT_TRUE(folder.has("build/two.spheres-difference.png"));
+}
+
+// A tag can be moved to something that nobody has looked at.
+TEST(Supply, IsNamedByWhatCannotBeMoved) {
+    const std::regex action(R"(\s*(- )?uses: \S+@[0-9a-f]{40}( #.*)?)");
+    const std::regex image(R"((\s*(- |container: )|FROM )\S*debian:\w+@sha256:[0-9a-f]{64})");
+    const std::regex variable(R"(\s*container: \$\{\{ matrix\.image \}\})");
+    int looked_at = 0;
+    for (const char* name : {".github/workflows/ci.yml", ".github/workflows/release.yml", "action.yml", "Containerfile"}) {
+        std::ifstream file(source_file(name));
+        ASSERT_TRUE(file) << name;
+        for (std::string line; std::getline(file, line);) {
+            const auto has = [&](const char* part) { return line.find(part) != std::string::npos; };
+            if (line.starts_with("#") || !(has("uses: ") || has("container: ") || has("- debian") || has("FROM "))) continue;
+            EXPECT_TRUE(std::regex_match(line, action) || std::regex_match(line, image) || std::regex_match(line, variable))
+                << name << ": " << line;
+            ++looked_at;
+        }
+    }
+    EXPECT_GT(looked_at, 20);
+    // What is taken of vcpkg, and its scripts.
+    std::ifstream libraries(source_file("vcpkg.json"));
+    const std::string baseline = Json::parse(libraries)["builtin-baseline"];
+    std::ifstream project(source_file("pyproject.toml"));
+    for (std::string line; std::getline(project, line);) {
+        if (line.find("git clone") != std::string::npos) {
+            EXPECT_TRUE(contains(line, "checkout --quiet " + baseline));
+        }
+    }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 #include "support/gzip.hpp"
 #include "support/render.hpp"
@@ -11,8 +12,8 @@
 namespace sphereview::test {
 namespace {
 
-// More than any of these commands makes: about 6,500, most of them for the declarations.
-constexpr int last = 8'000;
+// More than any of these commands makes: about 6,500, most of them for the declarations, which verify makes twice.
+constexpr int last = 12'000;
 
 class FailingMalloc : public testing::Test {
 protected:
@@ -22,7 +23,13 @@ protected:
         folder_.write("red.csv.gz", gzipped("x,y,z,name\n0,0,200,\"a \"\"red\"\" sphere, with a long name\"\n"));
         folder_.write("red.cif", "data_\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n0 0 0\n");
         folder_.write("bad.txt", "1\n255\n");
+        folder_.write("blue.txt", blue_scene);
+        folder_.write("charges.csv", "x,y,z,charge\n0,0,0,1\n5,0,0,2\n");
+        folder_.write("frames.xyz", "1\n\nO 0 0 0\n1\n\nN 0 0 0\n");
+        folder_.write("bin/ffmpeg", "#!/bin/sh\nfor film; do :; done\nexec /bin/cat >\"$film\"\n");
+        std::filesystem::permissions(folder_.path("bin/ffmpeg"), std::filesystem::perms::owner_all);
         render(folder_, {"red.txt", "-s", "8x8", "-o", "golden.png"});
+        render(folder_, {"frames.xyz", "--frames", "all", "-s", "8x8", "-o", "{frame}.png", "--manifest", "made.jsonl"});
     }
 
     // Whether it fails alone or with all that follow, the program ends with a documented status and has a line to say why.
@@ -40,6 +47,9 @@ protected:
                 EXPECT_EQ(outcome.status == 3, outcome.errors.find("memory ran out") != std::string::npos)
                     << number << ": " << outcome;
                 if (outcome.status == 3) ++told;
+                for (const std::string& name : folder_.names()) {
+                    ASSERT_FALSE(name.starts_with(".")) << number << (on ? " and on: " : ": ") << name << " is left; " << outcome;
+                }
             }
         }
         EXPECT_GT(told, every ? 1'000 : 1'000 / step_of_declarations);   // else none failed
@@ -63,6 +73,7 @@ protected:
         command.folder = folder_.path();
         command.arguments = arguments;
         command.environment = {{"LD_PRELOAD", FAILING_MALLOC},
+                               {"PATH", folder_.path("bin")},
                                {"FAILING_ALLOCATION", std::to_string(number)},
                                {on ? "FAILING_ALLOCATIONS" : "NOTHING", "on"}};
         return run(command);
@@ -84,6 +95,23 @@ TEST_F(FailingMalloc, OfConvertIsTold) {
     expect_good_ends({"convert", "red.cif", "out.toml"});
 #endif
 }
+
+TEST_F(FailingMalloc, OfFramesIsTold) {
+    expect_good_ends({"render", "frames.xyz", "--frames", "all", "--backend", "cpu", "-s", "8x8", "-o", "{frame}.png", "--manifest",
+                      "new.jsonl"});
+    expect_good_ends({"verify", "made.jsonl", "--backend", "cpu"});
+}
+
+TEST_F(FailingMalloc, OfAFilmIsTold) {
+    expect_good_ends({"render", "frames.xyz", "--frames", "all", "--backend", "cpu", "-s", "8x8", "--movie", "new.mp4"});
+}
+
+TEST_F(FailingMalloc, OfALegendIsTold) {
+    expect_good_ends({"render", "charges.csv", "--backend", "cpu", "-s", "200x200", "--color-by", "charge", "--legend", "--axes",
+                      "--scale-bar", "-o", "out.png"});
+}
+
+TEST_F(FailingMalloc, OfCompareIsTold) { expect_good_ends({"compare", "golden.png", "blue.txt"}, 1); }
 
 TEST_F(FailingMalloc, OfExplainIsTold) { expect_good_ends({"explain", "red.toml", "--pixel", "500,500", "--json"}); }
 

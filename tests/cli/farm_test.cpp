@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
 #include "cli/fails.hpp"
+#include "support/eventually.hpp"
 #include "support/folders.hpp"
 #include "support/json.hpp"
 #include "support/render.hpp"
@@ -141,6 +143,79 @@ TEST_F(Farm, AManifestFromBeforeAChangeOfTheSceneIsOfAnotherFile) {
     EXPECT_TRUE(fails(verify({"old.jsonl"}), 2, said));
 }
 
+// The fourth picture waits in a pipe while the scene becomes another one.
+TEST_F(Farm, AManifestEndsWhereItsSceneChanges) {
+    ASSERT_TRUE(std::filesystem::create_directory(folder_.path("out")));
+    ASSERT_EQ(mkfifo(folder_.path("out/3.png").c_str(), 0600), 0);
+    Running program(cpu_render(
+        folder_, {"a.xyz", "--frames", "all", "-s", "20x16", "-o", "out/{frame}.png", "--no-sync", "--manifest", "made.jsonl"}));
+    ASSERT_TRUE(eventually([&] {
+        const std::string text = folder_.has("made.jsonl") ? folder_.read("made.jsonl") : "";
+        return std::ranges::count(text, '\n') == 3;
+    }));
+    folder_.write("a.xyz", folder_.read("a.xyz") + "\n");
+    folder_.read("out/3.png");
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "a.xyz: has changed since made.jsonl was begun, expected the same file to the end: this picture has no line\n"
+              "sphereview: ended where a scene had changed; 3 of 6 pictures were done\n");
+    EXPECT_EQ(lines().size(), 3U);
+    EXPECT_FALSE(folder_.has("out/4.png"));
+}
+
+// JSON holds no other names.
+TEST_F(Farm, AManifestHasNamesInUtf8) {
+    std::filesystem::copy_file(folder_.path("a.xyz"), folder_.path("b\xff.xyz"));
+    const std::vector<std::string> arguments = {"b\xff.xyz",       "--frames",   "all",       "-o",
+                                                "out/{frame}.png", "--manifest", "made.jsonl"};
+    EXPECT_TRUE(fails(render(folder_, arguments), 2, "sphereview: --manifest: found 'b\\xff.xyz', expected a name in UTF-8"));
+    EXPECT_FALSE(folder_.has("made.jsonl") || folder_.has("out"));
+}
+
+// Of few frames some part has none.
+TEST_F(Farm, AManifestMayBeWithoutALine) {
+    expect_done({"--part", "7/7", "--manifest", "none.jsonl"});
+    expect_done({"--manifest", "made.jsonl"});
+    EXPECT_EQ(verify({"none.jsonl"}).output, "6 of 6 pictures rendered again: all are equal\n");
+    const Outcome none = run({.arguments = {"verify", "none.jsonl"}, .folder = folder_.path()});
+    EXPECT_TRUE(fails(none, 2, "none.jsonl: found no whole line, expected one for each picture"));
+}
+
+// It says where it is broken, and of a picture that is no file the others are looked at.
+TEST_F(Farm, AManifestIsReadLineByLine) {
+    expect_done({"--manifest", "made.jsonl"});
+    const std::string text = folder_.read("made.jsonl");
+    const std::size_t second = text.find('\n') + 1;
+    folder_.write("made.jsonl", text.substr(0, second) + "\n \n" + text.substr(second) + "{");
+    const Outcome cut = verify();
+    EXPECT_EQ(cut.output, "6 of 6 pictures rendered again: all are equal\n");
+    EXPECT_EQ(cut.errors, "made.jsonl:9:1: the line is cut off: its picture is not looked at\n");
+    folder_.write("made.jsonl", text.substr(0, second) + "{]\n" + text.substr(second));
+    EXPECT_TRUE(fails(verify(), 2, "made.jsonl:2:2: this is not JSON"));
+    std::string with_nul = text;
+    with_nul.replace(with_nul.find("out/0.png"), 5, "out\\u0000/0");
+    folder_.write("made.jsonl", with_nul);
+    EXPECT_TRUE(fails(verify(), 2, "made.jsonl:1:1: found a NUL in 'picture', expected a text without one"));
+    std::string by_another = text;
+    const std::string by = "\"version\":\"";
+    by_another.replace(by_another.rfind(by), by.size(), by + "9");
+    folder_.write("made.jsonl", by_another);
+    EXPECT_TRUE(contains(verify().errors, "made.jsonl: there are pictures by sphereview 9")) << by_another;
+
+    folder_.write("made.jsonl", text);
+    std::filesystem::remove(folder_.path("out/1.png"));
+    std::filesystem::create_directory(folder_.path("out/1.png"));
+    folder_.write("out/2.png", "another");
+    std::filesystem::remove(folder_.path("out/3.png"));
+    ASSERT_EQ(mkfifo(folder_.path("out/3.png").c_str(), 0600), 0);
+    const Outcome outcome = verify();
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "out/1.png: found no regular file")) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "out/3.png: found no regular file")) << outcome;
+    EXPECT_TRUE(contains(outcome.errors, "out/2.png: the file differs from the one that was written\n")) << outcome;
+}
+
 // It may lie where the pictures will be. Of a line that lacks its place nobody is accused.
 TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
     EXPECT_EQ(farm({"--manifest", "-"}).status, 2);
@@ -152,6 +227,11 @@ TEST_F(Farm, AManifestHasItsFolderAndWholeLines) {
     text.replace(text.find(place), place.size(), "");
     folder_.write("made.jsonl", text);
     EXPECT_TRUE(fails(verify(), 2, "made.jsonl:4:1: found no 'place' from 0, expected a line of a manifest"));
+    // Nor is it JSON.
+    text = folder_.read("out/made.jsonl");
+    const std::size_t fault = text.find(place);
+    folder_.write("made.jsonl", text.replace(fault, place.size(), "}"));
+    EXPECT_TRUE(fails(verify(), 2, "made.jsonl:4:" + std::to_string(fault - text.rfind('\n', fault)) + ": this is not JSON"));
     // Nor is a device read to an end that it has not.
     text = folder_.read("out/made.jsonl");
     for (std::size_t at = 0; (at = text.find("\"a.xyz\"", at)) != std::string::npos;) text.replace(at, 7, "\"/dev/zero\"");
@@ -178,7 +258,6 @@ TEST_F(Farm, AManifestCannotMakeVerifyWaitOrDoSomethingElse) {
     const std::string no_file = "fifo: found no regular file, expected one: a device may have no end";
     expect_refused("\"c.toml\"", "\"fifo\"", no_file);
     expect_refused("\"a.xyz\"", "\"fifo\"", no_file);
-    expect_refused("\"out/3.png\"", "\"fifo\"", no_file);
     expect_refused("\"" + sha256(folder_.read("c.toml")) + "\"", "null",
                    "a.xyz: found '--camera' in a manifest, expected 'camera_sha256' with it");
     for (const char* word : {"--help", "-h", "--output", "-o", "-ox", "--manifest", "--json", "--nothing", "SCENE", "--", "x"}) {

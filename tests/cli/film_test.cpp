@@ -3,8 +3,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <csignal>
+#include <fstream>
 
+#include "cli/fails.hpp"
 #include "support/eventually.hpp"
 #include "support/folders.hpp"
 #include "support/render.hpp"
@@ -108,6 +111,40 @@ TEST_F(FilmCommand, IsMadeByFfmpeg) {
     EXPECT_EQ(folder_.read("a.mkv"), pixels());
 }
 
+// A player shows a faster one slowly.
+TEST_F(FilmCommand, HasARateThatItsFormatCanSay) {
+    write_encoder("exec cat >\"$film\"");
+    for (const auto& [name, rate, instead] : std::vector<std::array<std::string, 3>>{{"out.gif", "60", "50"},
+                                                                                     {"out.gif", "101/2", "50"},
+                                                                                     {"out.webm", "2000", "1000"},
+                                                                                     {"out.mkv", "1/601", "1000"},
+                                                                                     {"out.png", "100000", "65535"}}) {
+        const std::string words =
+            "sphereview: --fps: found " + rate + ", expected 1/600 to " + instead + " pictures a second of " + name.substr(3);
+        EXPECT_TRUE(fails(run(film({"--movie", name, "--fps", rate})), 2, words));
+    }
+    EXPECT_EQ(run(film({"--movie", "out.gif", "--fps", "50"})).status, 0);
+}
+
+TEST_F(FilmCommand, DoctorSaysWhatTheEncoderMakes) {
+    const auto doctor = [&](const std::string& path) {
+        Command command{.arguments = {"doctor"}, .folder = folder_.path()};
+        command.environment.emplace_back("PATH", path);
+        const std::string text = run(command).output;
+        return text.substr(std::min(text.find("Films"), text.size()));
+    };
+    const std::string path = folder_.path("bin") + ":/usr/bin:/bin";
+    write_encoder("echo ' V....D gif   GIF (Graphics Interchange Format)\n V....D libx264   H.264'");
+    const std::string some = doctor(path);
+    EXPECT_TRUE(some.starts_with("Films: work in part\n")) << some;
+    EXPECT_TRUE(contains(some, ".mp4, .gif\n") && contains(some, ".webm (libvpx-vp9), .png (apng), .mkv (ffv1)\n")) << some;
+    write_encoder("exit 1");
+    const std::string none = doctor(path);
+    EXPECT_TRUE(none.starts_with("Films: do not work\n")) << none;
+    EXPECT_TRUE(contains(none, "bin/ffmpeg does not say which encoders it has\n")) << none;
+    EXPECT_TRUE(contains(doctor("/nowhere"), "no program ffmpeg in the folders of PATH\n"));
+}
+
 TEST_F(FilmCommand, IsWholeOrNotAtAll) {
     folder_.write("out.mp4", "old");
     write_encoder("head -c 20 >\"$film\"\nprintf 'no such codec\\n  bad\\n' >&2\nexit 3");
@@ -150,6 +187,22 @@ TEST_F(FilmCommand, InterruptedSaysHowFarItCame) {
     EXPECT_EQ(outcome.errors, "out.mp4: not written; 0 of 3 pictures were done\n");
     EXPECT_FALSE(folder_.has("out.mp4"));
     for (const std::string& name : folder_.names()) EXPECT_FALSE(contains(name, ".tmp")) << name;
+}
+
+// Nobody reads on, so the program waits within the first picture.
+TEST_F(FilmCommand, InterruptedOnStandardOutputSaysHowFarItCame) {
+    ASSERT_EQ(mkfifo(folder_.path("film").c_str(), 0600), 0);
+    Command command = cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "300x300", "-o", "-"});
+    command.program = "/bin/sh";
+    command.arguments.insert(command.arguments.begin(), {"-c", "exec \"$0\" \"$@\" >film", build_file("sphereview")});
+    Running program(command);
+    std::ifstream film(folder_.path("film"));
+    std::string head(40, ' ');
+    ASSERT_TRUE(film.read(head.data(), static_cast<std::streamsize>(head.size())));
+    program.send(SIGINT);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.status, 130) << outcome;
+    EXPECT_EQ(outcome.errors, "sphereview: interrupted; 0 of 3 pictures were done\n");
 }
 
 // The disk of the pictures beside the film is slow, so that the interruption comes while one of them is written.

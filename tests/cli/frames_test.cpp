@@ -248,6 +248,16 @@ TEST_F(Frames, TurnWhileTheyRunAndTheLightStays) {
     EXPECT_GT(front.at(12, 12)[0], back.at(12, 12)[0]);
 }
 
+TEST_F(Frames, SayOnceThatTheyShowNoSphere) {
+    folder_.write("view.toml", "[camera]\neye = [0, 0, 9]\ncenter = [0, 0, 10]\nright = [1, 0, 0]\nup = [0, 1, 0]\n");
+    folder_.write("a.xyz", "1\n\nO 0 0 0\n1\n\nO 0 0 0\n1\n\nO 0 0 0\n");
+    const Outcome outcome = run(cpu_render(folder_, {"a.xyz", "--frames", "all", "-s", "9x9", "--camera", "view.toml"}));
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "a.xyz, 0: no pixel shows a sphere; --fit frames all\n"
+              "sphereview: 3 of 3 pictures show no sphere\n");
+}
+
 // One that is written to a pipe is done when the pipe has taken it; the next one waits for a reader.
 TEST_F(Frames, SayHowManyWereDoneWhenInterrupted) {
     std::string text;

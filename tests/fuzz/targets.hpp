@@ -38,6 +38,9 @@ std::string fuzz_picture(std::string_view bytes);
 // Unpacks the bytes as gzip, all at once and piece by piece, which must give the same text or the same fault.
 std::string fuzz_gunzip(std::string_view bytes);
 
+// Reads the bytes as a manifest of pictures, line by line: each gives an entry or a fault that names this line.
+std::string fuzz_manifest(std::string_view bytes);
+
 // Reads the bytes as the window's settings, which must be the same when they were saved and read again.
 std::string fuzz_settings(std::string_view bytes);
 
@@ -54,7 +57,7 @@ inline constexpr std::array fuzz_targets = {
     FuzzTarget{"lammps", fuzz_lammps},     FuzzTarget{"gromacs", fuzz_gromacs},   FuzzTarget{"poscar", fuzz_poscar},
     FuzzTarget{"sdf", fuzz_sdf},           FuzzTarget{"pqr", fuzz_pqr},           FuzzTarget{"ply", fuzz_ply},
     FuzzTarget{"png", fuzz_png},           FuzzTarget{"picture", fuzz_picture},   FuzzTarget{"gunzip", fuzz_gunzip},
-    FuzzTarget{"settings", fuzz_settings}, FuzzTarget{"recovery", fuzz_recovery},
+    FuzzTarget{"settings", fuzz_settings}, FuzzTarget{"recovery", fuzz_recovery}, FuzzTarget{"manifest", fuzz_manifest},
 };
 
 }  // namespace sphereview

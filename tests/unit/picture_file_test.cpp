@@ -61,4 +61,13 @@ TEST(PictureFile, SaysWhatIsWrong) {
     }
 }
 
+#ifndef _WIN32
+TEST(PictureFile, WhatIsNoneIsNotReadToItsEnd) {
+    EXPECT_EQ(
+        message_of<InputError>([] { read_picture("/dev/zero"); }),
+        "/dev/zero: found a file that begins with '\\x00\\x00\\x00\\x00\\x00\\x00\\x00\\x00', expected a PNG, PPM, PGM or BMP "
+        "picture");
+}
+#endif
+
 }  // namespace sphereview

@@ -165,6 +165,22 @@ TEST_F(Outputs, ThePictureAtRestIsRelitAtOnce) {
     EXPECT_FALSE(state.rest_picture || state.kept_lights);
 }
 
+// Light takes its points by the million, whose trace alone may take long.
+TEST(LitPicture, SaysHowMuchIsTracedOfItsFirstBlock) {
+    Scene scene;
+    for (int i = 0; i < 4000; ++i) scene.spheres.push_back({{0, 0, 1000 + i}, 900});  // each covers the picture
+    OpenBackend cpu;
+    Timings timings;
+    PictureFacts facts;
+    const PictureOptions options{.camera = scene.camera, .size = {1024, 64}, .background = {}, .shading = Shading::studio};
+    const auto first = [&](double done) {
+        EXPECT_GT(done, 0.0);
+        EXPECT_EQ(timings[Phase::trace], 0.0) << "it was traced before";
+        throw Cancelled();
+    };
+    EXPECT_THROW(render_picture(cpu, scene, drawn_spheres(scene), options, timings, facts, first), Cancelled);
+}
+
 TEST_F(Outputs, WithoutAThreadTheReasonIsSaid) {
     if (!test::NoThreads::possible) GTEST_SKIP() << "threads can always begin here";
     run_command(state, CommandId::add_sphere);
