@@ -17,6 +17,7 @@ auto uninterrupted(const Call& call) {
     return result;
 }
 
+#ifndef _WIN32
 // A pipe whose ends are closed in programs that this process starts: one that had an end of its own input would wait for ever.
 // Ends of -1, with errno set, where there is none.
 inline std::array<int, 2> own_pipe() {
@@ -36,5 +37,6 @@ inline std::array<int, 2> own_pipe() {
 #endif
     return ends;
 }
+#endif
 
 }  // namespace sphereview
