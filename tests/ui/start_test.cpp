@@ -157,7 +157,8 @@ TEST(Settings, ThatAreAFifoAreNotWaitedFor) {
     ASSERT_EQ(mkfifo(folder.path("home/config/sphereview/viewer.json").c_str(), 0600), 0);
     const std::string scene = folder.write("scene.txt", one_sphere);
     for (const bool by_signal : {false, true}) {
-        ViewerWindow window(folder, {scene});
+        // By no settings the picture is lit, with 16 samples a pixel, which takes a sanitized program minutes.
+        ViewerWindow window(folder, {scene, "--shade", "flat", "--samples", "1"});
         by_signal ? window.send(SIGTERM) : window.key("ctrl+q");
         const Outcome outcome = window.wait_for_end();
         EXPECT_EQ(outcome.status, by_signal ? 128 + SIGTERM : 0) << outcome;
