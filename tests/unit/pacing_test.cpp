@@ -35,7 +35,7 @@ TEST(Pacing, RestsAfterAFewFrames) {
 // A scroll bar that comes or goes changes what is beside it in the redraws that follow.
 TEST(Pacing, GoesOnWhilePanelsChangeButNotForEver) {
     Pacing pacing;
-    const int settled = frames_until_rest(pacing, 1);
+    const int settled = redraws_until_rest(pacing, 1);
     pacing.touch();
     for (int i = 0; i < settled + 2; ++i) {
         EXPECT_FALSE(pacing.rests()) << i;
@@ -44,9 +44,9 @@ TEST(Pacing, GoesOnWhilePanelsChangeButNotForEver) {
     pacing.drew(1, false);
     EXPECT_TRUE(pacing.rests());
     pacing.touch();
-    int frames = 0;
-    for (; !pacing.rests() && frames < 100; ++frames) pacing.drew(1, true);
-    EXPECT_LT(frames, 20);
+    int redraws = 0;
+    for (; !pacing.rests() && redraws < 100; ++redraws) pacing.drew(1, true);
+    EXPECT_LT(redraws, 20);
     pacing.show_once();
     pacing.drew(1, true);
     EXPECT_TRUE(pacing.rests()) << "nothing happened: what changed is what is shown";
