@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "panels/math_text.hpp"
+#include "panels/widgets.hpp"
 
 namespace sphereview {
 
@@ -15,9 +16,10 @@ ImU32 faded(const ImVec4& color, float opacity) {
 ImU32 text_color(float opacity) { return faded(ImGui::GetStyleColorVec4(ImGuiCol_Text), opacity); }
 
 ImVec4 line_color(const Scene& scene, std::int32_t number) {
-    constexpr float least = 0.32F;
+    const float least = is_light_theme() ? 0.0F : 0.32F;
+    const float most = is_light_theme() ? 0.55F : 1.0F;
     const Color& color = scene.spheres[static_cast<std::size_t>(number)].color;
-    const auto part = [](std::uint8_t byte) { return least + (1.0F - least) * static_cast<float>(byte) / 255.0F; };
+    const auto part = [&](std::uint8_t byte) { return least + (most - least) * static_cast<float>(byte) / 255.0F; };
     return {part(color.r), part(color.g), part(color.b), 1.0F};
 }
 
@@ -31,7 +33,7 @@ Canvas::Canvas(const PanelContext& context, const char* name, float height_by_wi
     hovered_ = ImGui::IsItemHovered();
     note_widget(context, name);
     list_ = ImGui::GetWindowDrawList();
-    list_->AddRectFilled(low_, high(), IM_COL32(0, 0, 0, 60), 4.0F * scale_);
+    list_->AddRectFilled(low_, high(), is_light_theme() ? IM_COL32(255, 255, 255, 200) : IM_COL32(0, 0, 0, 60), 4.0F * scale_);
     list_->PushClipRect(low_, high(), true);
 }
 

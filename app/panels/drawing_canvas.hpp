@@ -16,7 +16,7 @@ namespace sphereview {
 ImU32 faded(const ImVec4& color, float opacity);
 // The theme's, for what is drawn.
 ImU32 text_color(float opacity);
-// A sphere's own colour, but never so dark that it is lost on the panel.
+// A sphere's own colour, but never so dark, or, in the light theme, so bright that it is lost on the panel.
 ImVec4 line_color(const Scene& scene, std::int32_t number);
 
 // Of a text in a drawing: where there is room for one alone, the other is left out.

@@ -125,8 +125,16 @@ private:
             ImGui::SetNextWindowPos({low.x - ImGui::GetStyle().WindowPadding.x, low.y}, ImGuiCond_Always, {1.0F, 0.0F});
             ImGui::SetTooltip("Drag the sun to where it shines from;\nin the ring around the ball, from behind.");
         }
-        if (ImGui::IsItemActivated()) ++context_.gesture;
-        if (ImGui::IsItemActive()) {
+        if (ImGui::IsItemActivated()) {
+            ++context_.gesture;
+            state_.sun_drag = {.light = context_.light, .last_sun = state_.last_sun, .cancelled = false};
+        }
+        if (ImGui::IsItemActive() && key_pressed(ImGuiKey_Escape)) state_.sun_drag.cancelled = true;
+        if (ImGui::IsItemActive() && state_.sun_drag.cancelled) {
+            light_ = state_.sun_drag.light;
+            state_.last_sun = state_.sun_drag.last_sun;
+            if (light_ != context_.light) change("Move the sun", context_.gesture);
+        } else if (ImGui::IsItemActive()) {
             const ImVec2 mouse = ImGui::GetIO().MousePos;
             const glm::dvec3 direction = direction_at({(mouse.x - middle.x) / radius, (mouse.y - middle.y) / radius});
             if (!light_.sun) switch_on(rounded(in_scene(direction)));
@@ -213,7 +221,9 @@ private:
             sun.direction = {-view.x, -view.y, -ahead * view.z};
             set_sun(sun, "Move the sun");
         }
-        double strength = light_.sun ? sun_strength_of(light_) : sun.strength.value_or(1.0);
+        Light with_sun = light_;
+        with_sun.sun = sun;
+        double strength = sun_strength_of(with_sun);
         if (number("strength", {.low = weakest_sun, .high = strongest_sun, .usual_size = 0.5}, strength)) {
             sun.strength = strength;
             set_sun(sun, "Change the sun");

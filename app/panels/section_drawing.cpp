@@ -12,8 +12,8 @@ namespace sphereview {
 
 namespace {
 
-const ImVec4 screen_color{0.36F, 0.62F, 0.95F, 1.0F};
-const ImVec4 sun_color{0.98F, 0.80F, 0.30F, 1.0F};
+ImVec4 screen_color() { return on_panel({0.36F, 0.62F, 0.95F, 1.0F}); }
+ImVec4 sun_color() { return on_panel({0.98F, 0.80F, 0.30F, 1.0F}); }
 
 void draw_length(Canvas& canvas) {
     const double width = canvas.window().high.x - canvas.window().low.x;
@@ -22,7 +22,10 @@ void draw_length(Canvas& canvas) {
     if (!(length > 0.0)) return;
     const float pixels = static_cast<float>(length / width) * (canvas.high().x - canvas.low().x);
     const float s = canvas.scale();
-    const ImVec2 end{canvas.high().x - 8.0F * s, canvas.high().y - 8.0F * s};
+    // Below, or above where the ray is there.
+    const float height = 2.0F * ImGui::GetTextLineHeight();
+    const bool above = std::fabs(canvas.at({0.0, 0.0}).y - canvas.high().y) < height;
+    const ImVec2 end{canvas.high().x - 8.0F * s, above ? canvas.low().y + height : canvas.high().y - 8.0F * s};
     const ImVec2 begin{end.x - pixels, end.y};
     const ImU32 color = text_color(0.55F);
     canvas.list().AddLine(begin, end, color, 1.5F * s);
@@ -85,8 +88,8 @@ private:
 
     void draw_screen() const {
         if (section_.screen) {
-            canvas_.line(section_.screen->from, section_.screen->to, faded(screen_color, 1.0F), 2.0F);
-            draw_name(*section_.screen, "screen", screen_color);
+            canvas_.line(section_.screen->from, section_.screen->to, faded(screen_color(), 1.0F), 2.0F);
+            draw_name(*section_.screen, "screen", screen_color());
         }
         if (section_.eye_plane) {
             canvas_.dashes(section_.eye_plane->from, section_.eye_plane->to, text_color(0.6F), 1.5F);
@@ -113,7 +116,7 @@ private:
         const double right = canvas_.window().high.x;
         canvas_.dashes({left, 0.0}, {0.0, 0.0}, text_color(0.35F), 1.0F);
         const double seen = section_.seen.value_or(right);
-        canvas_.line({0.0, 0.0}, {seen, 0.0}, of_.from_eye ? text_color(0.95F) : faded(sun_color, 0.95F), 1.8F);
+        canvas_.line({0.0, 0.0}, {seen, 0.0}, of_.from_eye ? text_color(0.95F) : faded(sun_color(), 0.95F), 1.8F);
         if (seen < right) canvas_.line({seen, 0.0}, {right, 0.0}, text_color(0.35F), 1.0F);
         // The arrow that D is.
         if (!section_.screen_outside && section_.screen) arrow({0.0, 0.0}, {section_.on_screen, 0.0}, text_color(0.95F));
@@ -140,9 +143,10 @@ private:
         canvas_.dashes(edge, circle.center, text_color(0.45F), 1.0F);
         canvas_.line(foot, edge, faded(color_of_sign(-1), 1.0F), 2.0F);
         canvas_.point(foot, 3.0F, faded(color_of_sign(-1), 1.0F), false);
-        const ImVec2 middle = canvas_.at(0.5 * (foot + edge));
-        canvas_.text({middle.x + 6.0F * canvas_.scale(), middle.y}, 0.0F, 0.5F, "misses by " + number_text(side * edge.y, 3),
-                     faded(color_of_sign(-1), 1.0F), Importance::most);
+        // On the ray's other side, where it covers nothing of the sphere.
+        const ImVec2 at = canvas_.at(foot);
+        canvas_.text({at.x, at.y + static_cast<float>(side) * 6.0F * canvas_.scale()}, 0.5F, side > 0.0 ? 0.0F : 1.0F,
+                     "misses by " + number_text(side * edge.y, 3), faded(color_of_sign(-1), 1.0F), Importance::most);
     }
 
     // From the centre to the hit.
@@ -151,6 +155,7 @@ private:
         const SectionCircle& circle = section_.circles.front();
         if (!canvas_.window().holds(circle.center)) return;
         canvas_.cross(circle.center, 3.0F, text_color(0.7F), 1.2F);
+        canvas_.keep_free(canvas_.at(circle.center), 3.0F);
         if (circle.first_counts || circle.second_counts) {
             const double hit = circle.first_counts ? circle.first : circle.second;
             canvas_.dashes(circle.center, {hit, 0.0}, text_color(0.5F), 1.0F);
@@ -164,12 +169,12 @@ private:
     void draw_sun() const {
         if (!section_.to_sun) return;
         const auto [from, to] = *section_.to_sun;
-        canvas_.line(from, to, faded(sun_color, 0.95F), 1.6F);
+        canvas_.line(from, to, faded(sun_color(), 0.95F), 1.6F);
         const bool blocked = section_.blocker.has_value();
         if (blocked) {
             canvas_.cross(to, 5.0F, faded(color_of_sign(-1), 1.0F), 2.0F);
         } else {
-            arrow(from, to, faded(sun_color, 0.95F));
+            arrow(from, to, faded(sun_color(), 0.95F));
         }
         // Named where it is still in the drawing.
         const ImVec2 a = canvas_.at(from);
@@ -178,7 +183,7 @@ private:
         if (blocked || length < 60.0F * canvas_.scale()) return;
         const float on = std::min(length, 46.0F * canvas_.scale()) / length;
         canvas_.text({a.x + on * (b.x - a.x) + 6.0F * canvas_.scale(), a.y + on * (b.y - a.y)}, 0.0F, 0.5F,
-                     "to the " + std::string(of_.name_of_sun), faded(sun_color, 0.95F), Importance::some);
+                     "to the " + std::string(of_.name_of_sun), faded(sun_color(), 0.95F), Importance::some);
     }
 
     void draw_roots() const {
@@ -215,9 +220,10 @@ private:
         canvas_.text({at.x - 2.0F * s, at.y + 7.0F * s}, 0.5F, 0.0F, name, text_color(1.0F), Importance::most);
         if (of_.from_eye) return;
         const ImVec2 sun{canvas_.high().x - 12.0F * s, at.y};
-        canvas_.list().AddCircleFilled(sun, 6.0F * s, faded(sun_color, 1.0F));
+        canvas_.list().AddCircleFilled(sun, 6.0F * s, faded(sun_color(), 1.0F));
         canvas_.keep_free(sun, 6.0F);
-        canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, of_.name_of_sun, faded(sun_color, 1.0F), Importance::some);
+        canvas_.text({sun.x - 10.0F * s, sun.y - 3.0F * s}, 1.0F, 1.0F, of_.name_of_sun, faded(sun_color(), 1.0F),
+                     Importance::some);
     }
 
     void draw_outside() const {

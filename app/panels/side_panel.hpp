@@ -28,6 +28,13 @@ struct CameraDrag {
     Camera camera;
 };
 
+// The light when the sun was taken, and the sun that the scene had last.
+struct SunDrag {
+    Light light;
+    std::optional<Sun> last_sun{};
+    bool cancelled = false;  // by Escape: the rest of the drag does nothing
+};
+
 // A name that is being typed in a list.
 struct Renaming {
     std::optional<std::size_t> of{};  // the sphere's number, or the view's place
@@ -85,7 +92,8 @@ struct SidePanelState {
     std::optional<ToggledPart> toggled{};
 
     std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
-    float below_list = 0.0F;      // how high what comes below the list was
+    SunDrag sun_drag;
+    float below_list = 0.0F;  // how high what comes below the list was
 };
 
 // Draws into the current ImGui window.

@@ -116,10 +116,11 @@ void apply_style(float scale, Theme theme) {
     ImGui::GetStyle() = style;
 }
 
+bool is_light_theme() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5F; }
+
 ImVec4 on_panel(const ImVec4& on_dark) {
-    const bool is_light = ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x > 0.5F;
     constexpr float darker = 0.5F;
-    return is_light ? ImVec4(darker * on_dark.x, darker * on_dark.y, darker * on_dark.z, on_dark.w) : on_dark;
+    return is_light_theme() ? ImVec4(darker * on_dark.x, darker * on_dark.y, darker * on_dark.z, on_dark.w) : on_dark;
 }
 
 void draw_heading(const PanelContext& context, const std::string& name, const std::string& words) {

@@ -17,6 +17,8 @@ enum class Theme { dark, light };
 // Gives the current ImGui context our look. Sizes are times `scale`; may be called again for another.
 void apply_style(float scale, Theme theme = Theme::dark);
 
+bool is_light_theme();
+
 // A colour of text that is readable on the dark theme's panels, as it has to be on those of the theme that is there.
 ImVec4 on_panel(const ImVec4& on_dark);
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "panels/inspector.hpp"
 #include "support/panel_harness.hpp"
 #include "support/spheres.hpp"
@@ -209,6 +211,26 @@ TEST(Inspector, DrawsTheSphereThatWasClicked) {
     panel.click(panel.place("quadratic drawing", 0.5F, 0.98F));
     panel.inspection.first = inspected(scene_of({{{0.0, 0.0, 200.0}, 20.0}}));
     EXPECT_NE(panel.text().find("centre C of sphere 0"), std::string::npos) << "one that is not explained cannot be chosen";
+}
+
+// By how much a ray passes a sphere is written on the other side of the ray.
+TEST(Inspector, AGapIsWrittenBesideTheSphere) {
+    for (const double side : {-1.0, 1.0}) {
+        InspectorHarness panel(of({{{0.0, side * 90.0, 300.0}, 40.0}}), 460.0F);
+        panel.frames(2);
+        ASSERT_TRUE(panel.has("ray drawing text C"));
+        const WidgetRectangle center = panel.rectangles.at("ray drawing text C");
+        const auto is_gap = [](const auto& named) { return named.first.starts_with("ray drawing text misses by"); };
+        const auto gap = std::ranges::find_if(panel.rectangles, is_gap);
+        ASSERT_NE(gap, panel.rectangles.end());
+        const WidgetRectangle drawing = panel.rectangles.at("ray drawing");
+        // The ray, the sphere's edge, its centre: one below the other.
+        if (side < 0.0) {
+            EXPECT_LT(gap->second.bottom, center.top - 0.2F * (drawing.bottom - drawing.top));
+        } else {
+            EXPECT_GT(gap->second.top, center.bottom + 0.2F * (drawing.bottom - drawing.top));
+        }
+    }
 }
 
 // Whatever the width and the text's size, what is written in the drawings stands apart, from points as well, and what matters most

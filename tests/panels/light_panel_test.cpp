@@ -58,6 +58,37 @@ TEST(LightPanel, NothingIsAskedForWhileTheHeldSunRests) {
     panel.expect_nothing_while_held(panel.ball(0.3F, 0.3F));
 }
 
+TEST(LightPanel, EscapeEndsADragOfTheSun) {
+    for (const bool has_sun : {true, false}) {
+        OpenLightPanel panel({.sun = has_sun ? std::optional(Sun{{1.0, 0.0, 0.0}, 2.0}) : std::nullopt});
+        const Light before = panel.light();
+        panel.move(panel.ball(0.0F, 0.0F));
+        panel.press();
+        panel.move(panel.ball(0.3F, 0.3F));
+        EXPECT_NE(panel.light(), before);
+        panel.tap(ImGuiKey_Escape);
+        EXPECT_EQ(panel.light(), before);
+        panel.move(panel.ball(-0.3F, 0.3F));
+        panel.release();
+        panel.frames(2);
+        EXPECT_EQ(panel.light(), before);
+        // The next drag is one again; a sun that was taken back is not remembered.
+        if (!has_sun) {
+            panel.click("sun");
+            EXPECT_GT(angle_between(panel.light().sun->direction, {0.3, 0.3, -0.9}), 5.0);
+        }
+        panel.drag(panel.ball(0.0F, 0.0F), panel.ball(0.6F, 0.5F));
+        EXPECT_NE(panel.light(), before);
+    }
+}
+
+TEST(LightPanel, ShowsHowStrongASunWouldBeThatIsOff) {
+    OpenLightPanel panel;
+    EXPECT_NE(panel.text().find("0.7"), std::string::npos) << panel.text();
+    panel.click("sun");
+    EXPECT_EQ(sun_strength_of(panel.light()), 0.7);
+}
+
 TEST(LightPanel, SwitchesTheSunOffAndOnAgainAsItWas) {
     OpenLightPanel panel;
     panel.click("sun");

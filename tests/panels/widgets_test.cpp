@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/drawing_canvas.hpp"
 #include "panels/menus.hpp"
 #include "panels/widgets.hpp"
 #include "support/panel_harness.hpp"
@@ -90,6 +91,20 @@ TEST(Style, TextStandsOutAsWcagAsks) {
                                      on_panel({1.00F, 0.42F, 0.40F, 1.0F}), colors[ImGuiCol_CheckMark]}) {
             EXPECT_GE(contrast(signal, colors[ImGuiCol_WindowBg]), 4.5);
         }
+    }
+}
+
+TEST(Style, WhatIsDrawnOfASphereIsSeenInBothThemes) {
+    PanelHarness harness([](const PanelContext&) {});
+    Scene scene;
+    for (const Color& color : {Color{255, 255, 255}, Color{255, 255, 0}, Color{200, 220, 255}, Color{0, 0, 0}, Color{0, 0, 90}}) {
+        scene.spheres.push_back({{}, 1.0, color});
+    }
+    for (std::int32_t i = 0; i < 5; ++i) {
+        apply_style(1.0F, Theme::light);
+        EXPECT_GE(contrast(line_color(scene, i), {1.0F, 1.0F, 1.0F, 1.0F}), 3.0) << i;
+        apply_style(1.0F, Theme::dark);
+        EXPECT_GE(contrast(line_color(scene, i), {0.1F, 0.1F, 0.1F, 1.0F}), 2.0) << i;
     }
 }
 
