@@ -17,7 +17,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::size_t spheres_at_once = 4096;
+constexpr std::size_t drawn_at_once = 4096;
 
 // Sizes, after scaling, for which neither squares overflow nor the bound underflows in float.
 constexpr double smallest_size = 0x1p-31;
@@ -92,7 +92,7 @@ private:
 std::vector<std::uint8_t> never_seen(const std::vector<Sphere>& spheres) {
     std::vector<std::uint8_t> marks(spheres.size());
     FirstSpheres first(spheres, marks);
-    parallel_pieces(spheres.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(spheres.size(), drawn_at_once, [&](std::size_t begin, std::size_t end) {
         std::array<std::uint64_t, 32> hashes{};
         for (std::size_t i = begin; i < end; i += hashes.size()) {
             const std::size_t count = std::min(hashes.size(), end - i);
@@ -141,7 +141,7 @@ int scale_for(const Scene& scene, const glm::dvec3& eye, const std::vector<std::
     const auto size_at = [&](std::size_t i) {
         return size_of(scene.spheres[numbers.empty() ? i : static_cast<std::size_t>(numbers[i])], eye);
     };
-    parallel_pieces(all, spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(all, drawn_at_once, [&](std::size_t begin, std::size_t end) {
         std::size_t count = 0;
         for (std::size_t i = begin; i < end; ++i) count += in_range(size_at(i)) ? 0 : 1;
         out_of_range += count;
@@ -191,7 +191,7 @@ DrawnSpheres drawn_of(const Scene& scene, const Camera& camera, std::vector<std:
     drawn.center_radius.reserve(count + DrawnSpheres::room_for_late);
     drawn.center_radius.resize(count);
     std::mutex beyond_float;
-    parallel_pieces(count, spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(count, drawn_at_once, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[static_cast<std::size_t>(drawn.number(i))];
             const EyeSide side = sides(sphere);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t most_at_once = 64;  // pixels
 
-constexpr std::size_t spheres_at_once = 4096;
+constexpr std::size_t shaded_at_once = 4096;
 constexpr double smallest_radius = 0x1p-1021;  // its inverse is finite
 constexpr int usual_scale = -3;                // shading_scale, as a power of two
 constexpr int large = 900;                     // 2 to this and to its negative are far enough from the ends of double
@@ -206,7 +206,7 @@ DepthRange depth_range(const Scene& scene, const Camera& camera) {
                                      : depths_in_perspective(sphere, camera.eye);
     };
     std::mutex joining;
-    parallel_pieces(scene.spheres.size(), spheres_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_pieces(scene.spheres.size(), shaded_at_once, [&](std::size_t begin, std::size_t end) {
         DepthRange part{none, 0.0};
         for (std::size_t i = begin; i < end; ++i) {
             const Sphere& sphere = scene.spheres[i];

@@ -15,7 +15,7 @@ namespace sphereview {
 
 namespace {
 
-constexpr std::size_t spheres_at_once = 4096;
+constexpr std::size_t listed_at_once = 4096;
 
 void sort(Candidate* begin, Candidate* end) {
     std::sort(begin, end, [](const Candidate& a, const Candidate& b) { return place_in_list(a) < place_in_list(b); });
@@ -138,7 +138,7 @@ CandidateLists build_lists(const DrawnSpheres& spheres, const Camera& camera, co
 
     // Put the spheres into bands of tiles first: writing straight into lists all over memory takes twice as long.
     UninitializedVector<PixelRange> ranges(spheres.size());
-    const std::size_t piece = std::max(spheres_at_once, ranges.size() / 64 + 1);
+    const std::size_t piece = std::max(listed_at_once, ranges.size() / 64 + 1);
     const std::size_t pieces = (ranges.size() + piece - 1) / piece;
     std::vector<Share> shares(pieces * bands.size());
     std::vector<PixelRange> covered(pieces);

@@ -216,8 +216,8 @@ TEST(Inspector, DrawsTheSphereThatWasClicked) {
 // By how much a ray passes a sphere is written on the other side of the ray.
 TEST(Inspector, AGapIsWrittenBesideTheSphere) {
     for (const double side : {-1.0, 1.0}) {
-        InspectorHarness panel(of({{{0.0, side * 90.0, 300.0}, 40.0}}), 460.0F);
-        panel.frames(2);
+        InspectorHarness panel(scene_of({{{0.0, side * 90.0, 300.0}, 40.0}}), 460.0F);
+        panel.redraws(2);
         ASSERT_TRUE(panel.has("ray drawing text C"));
         const WidgetRectangle center = panel.rectangles.at("ray drawing text C");
         const auto is_gap = [](const auto& named) { return named.first.starts_with("ray drawing text misses by"); };

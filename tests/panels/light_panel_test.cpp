@@ -70,7 +70,7 @@ TEST(LightPanel, EscapeEndsADragOfTheSun) {
         EXPECT_EQ(panel.light(), before);
         panel.move(panel.ball(-0.3F, 0.3F));
         panel.release();
-        panel.frames(2);
+        panel.redraws(2);
         EXPECT_EQ(panel.light(), before);
         // The next drag is one again; a sun that was taken back is not remembered.
         if (!has_sun) {
