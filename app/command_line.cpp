@@ -193,8 +193,10 @@ void declare(CLI::App& command, CompareOptions& options) {
     const std::string colors(background_syntax);
     add_option(command, options.background, {"--background", "COLOR", "Instead of the scene's: " + colors, colors},
                background_named);
-    CLI::Option* difference = add_file(command, options.difference, "--diff", "FILE",
-                                       "Where the picture of the difference goes, {name} is the picture's [{name}-difference.png]");
+    CLI::Option* difference =
+        add_file(command, options.difference, "--diff", "FILE",
+                 "Where the picture of the difference goes, {name} is the picture's and {folder} its folder's "
+                 "[{name}-difference.png]");
     add_flag(command, options.writes_difference, "--no-diff", "Write no picture of the difference", false)->excludes(difference);
     add_flag(command, options.json, "--json", "Report each picture as one JSON line");
     command.footer(std::string(compare_examples) + exit_codes);

@@ -1,6 +1,7 @@
 // sphereview compare: what is wrong in the pictures of somebody's own ray tracer.
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <memory>
 #include <set>
 #include <string>
@@ -15,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_file.hpp"
+#include "base/path.hpp"
 #include "base/standard_streams.hpp"
 #include "base/text.hpp"
 #include "exact/explain.hpp"
@@ -32,6 +34,31 @@ struct CompareJob {
     MissingFolder missing;   // of the difference
 };
 
+constexpr std::string_view folder_placeholder = "{folder}";
+
+// How the folder of a file is called.
+std::string folder_in_patterns(const std::string& path) {
+    return text_from(std::filesystem::absolute(path_from(path)).parent_path().filename());
+}
+
+std::string fill_in_names(std::string pattern, const std::string& picture) {
+    const std::string folder = folder_in_patterns(picture);
+    for (std::size_t at = 0; (at = pattern.find(folder_placeholder, at)) != std::string::npos; at += folder.size()) {
+        pattern.replace(at, folder_placeholder.size(), folder);
+    }
+    return fill_in(pattern, name_in_patterns(picture));
+}
+
+// A pattern that would give each picture a file of its own.
+std::string advice(const std::vector<std::string>& pictures) {
+    for (const char* pattern : {"out/{name}.png", "out/{folder}-{name}.png"}) {
+        std::set<std::string> names;
+        const auto is_new = [&](const std::string& picture) { return names.insert(fill_in_names(pattern, picture)).second; };
+        if (std::ranges::all_of(pictures, is_new)) return std::string("use --diff with a pattern such as ") + pattern;
+    }
+    return "compare those of one name one at a time";
+}
+
 // One job a picture. Throws InputError where a difference would overwrite a picture, the scene or another difference.
 std::vector<CompareJob> plan(const CompareOptions& options) {
     std::set<std::string> taken;
@@ -40,15 +67,15 @@ std::vector<CompareJob> plan(const CompareOptions& options) {
     std::vector<CompareJob> jobs;
     const std::string pattern = png_name(options.difference.value_or("{name}-difference"));
     for (const std::string& picture : options.pictures) {
-        CompareJob job{picture, "", missing_folder(pattern)};
+        const bool is_pattern = pattern.find(folder_placeholder) != std::string::npos;
+        CompareJob job{picture, "", is_pattern ? MissingFolder::made : missing_folder(pattern)};
         if (options.writes_difference) {
-            job.difference = fill_in(pattern, name_in_patterns(picture));
+            job.difference = fill_in_names(pattern, picture);
             check_output(job.difference, job.missing);
             const std::string file = file_identity(job.difference, FileUse::output);
             if (!file.empty() && !taken.insert(file).second) {
                 throw InputError(job.difference + ": the picture of the difference of " + picture +
-                                 " would overwrite another file of these; use --diff with a pattern such as out/{name}.png, or "
-                                 "compare those of one name one at a time");
+                                 " would overwrite another file of these; " + advice(options.pictures));
             }
         }
         jobs.push_back(std::move(job));

@@ -4,6 +4,8 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,12 +29,22 @@ struct ComparisonWords {
         std::string words;
     };
     std::vector<Example> examples{};
+    std::function<std::string(Pixel)> at{};  // what was found in a pixel, and what was expected; none for an equal picture
 };
 
-// As a window that fills `area`; its close button makes `open` false. `difference`: the picture of the
-// difference as a texture of ImGui's, if it is there. A click on an example, or into the difference, pins that pixel and returns to
-// the scene's own camera, which pictures are compared by. Widgets: "comparison", "difference", "example 0".
-void draw_comparison(const PanelContext& context, const ComparisonWords& comparison, const ImTextureID* difference,
-                     const Rectangle& area, bool& open);
+// Which picture is shown of those that were compared.
+enum class ComparedPicture { difference, found, right };
+
+struct ComparisonView {
+    bool open = true;
+    ComparedPicture picture = ComparedPicture::difference;
+};
+
+// As a window that fills `area`; its close button makes `view.open` false. `picture`: that of `view.picture` as a texture of
+// ImGui's, if it is there; the examples are marked in it. A click on an example, or into the picture, pins that pixel and returns
+// to the scene's own camera, which pictures are compared by. `pinned`: a pixel of the pictures, of which is said what was found.
+// Widgets: "comparison", "difference" (whichever picture is shown), "show difference", "show found", "show right", "example 0".
+void draw_comparison(const PanelContext& context, const ComparisonWords& comparison, const ImTextureID* picture,
+                     std::optional<Pixel> pinned, const Rectangle& area, ComparisonView& view);
 
 }  // namespace sphereview

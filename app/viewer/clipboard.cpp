@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "formats/scene_format.hpp"
+#include "panels/math_text.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 
@@ -32,13 +33,14 @@ Scene selected_spheres(const ViewerState& state) {
     return copied;
 }
 
-using Place = std::array<double, 3>;
+using Place = std::array<double, 4>;
 
 Place place_of(const Sphere& sphere, const glm::dvec3& by = {}) {
-    return {sphere.center.x + by.x, sphere.center.y + by.y, sphere.center.z + by.z};
+    return {sphere.center.x + by.x, sphere.center.y + by.y, sphere.center.z + by.z, sphere.radius};
 }
 
-// How far to the right the spheres are to be moved together, so that none has the centre of one that is there already.
+// How far to the right the spheres are to be moved together, so that none has the centre and the radius of one that is there
+// already: of two such spheres one is never seen.
 glm::dvec3 way_to_free_places(const ViewerState& state, const std::vector<Sphere>& pasted) {
     std::vector<Place> taken;
     taken.reserve(state.scene().spheres.size());
@@ -103,6 +105,8 @@ void paste(ViewerState& state) {
     insert.properties = std::move(pasted.properties);
     const std::string what = "Paste " + spheres_in_words(pasted.spheres.size());
     perform(state, {EditScene{std::move(insert), what, 0}});
+    if (by == glm::dvec3(0.0)) return;
+    announce(state, "Pasted beside where they were, by " + vector_text(by, 4) + ": the same spheres stand there already.");
 }
 
 }  // namespace sphereview

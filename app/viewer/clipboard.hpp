@@ -12,8 +12,8 @@ bool copy_selected(ViewerState& state);
 // Copies the selected spheres, then deletes them, as one step.
 void cut_selected(ViewerState& state);
 
-// Adds the spheres on the clipboard, as one step, and selects them: where they were, or, if another sphere has its centre there,
-// beside. An announcement says why nothing was pasted.
+// Adds the spheres on the clipboard, as one step, and selects them: where they were, or, if a sphere of the same centre and radius
+// stands there, all of them beside. An announcement says that, or why nothing was pasted.
 void paste(ViewerState& state);
 
 }  // namespace sphereview

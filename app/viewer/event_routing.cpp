@@ -57,7 +57,7 @@ bool EventRouting::is_escape_for_another(bool typing, bool popped_up, DialogKeys
     // Work is cancelled by others, and only where nothing of these is above it.
     const bool closed = std::exchange(state_.help_shown, false) || std::exchange(state_.about.shown, false);
     if (!closed && (state_.loading || state_.exporting || state_.comparing)) return true;
-    if (closed || (state_.comparison && std::exchange(state_.comparison->open, false)) || let_go(state_.pins) ||
+    if (closed || (state_.comparison && std::exchange(state_.comparison->view.open, false)) || let_go(state_.pins) ||
         std::exchange(state_.measuring, {}).on) {
         keys.escape = false;
         return true;

@@ -152,7 +152,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
 
     const float splitter = whole_pixels(splitter_width, context);
     // A comparison takes the side panel's place: so it covers neither the picture nor the inspector, in which it explains pixels.
-    const bool compares = state.comparison && state.comparison->open;
+    const bool compares = state.comparison && state.comparison->view.open;
     float room = whole.x - splitter - room_beside_panel(state, context, whole.x, compares);
     const bool has_room = room >= narrowest_panel * context.scale;
     // The panel narrows for the number of the frame under the picture, as far as it can be read itself.
@@ -208,8 +208,11 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
     draw_measuring(context, state.measuring, picture, measured_places(state, picture));
     if (state.rays.on) draw_rays_over(state, context, facts, picture);
     if (compares) {
-        draw_comparison(context, state.comparison->words, facts.difference ? &*facts.difference : nullptr, comparison,
-                        state.comparison->open);
+        const ComparisonWords& words = state.comparison->words;
+        const std::optional<PinnedPixel>& pin = state.pins.first;
+        const auto pinned = pin && pin->size == words.size ? std::optional(pin->pixel) : std::nullopt;
+        draw_comparison(context, words, facts.difference ? &*facts.difference : nullptr, pinned, comparison,
+                        state.comparison->view);
     }
     if (state.help_shown) draw_help(context, state.help_shown);
     draw_about(context, state.about, state.options.program.name_and_version, state.options.program.licenses, facts.status.renderer);

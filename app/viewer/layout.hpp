@@ -14,7 +14,7 @@ struct RedrawFacts {
     Status status;
     Inspection inspection;
     DialogKeys keys;
-    std::optional<ImTextureID> difference{};   // the picture of the comparison's
+    std::optional<ImTextureID> difference{};   // the comparison's picture that is chosen
     std::optional<ImTextureID> seen_by_eye{};  // what the eye sees whose rays are shown
 };
 

@@ -14,8 +14,15 @@ struct ViewerState;
 // What is shown of a comparison.
 struct ShownComparison {
     ComparisonWords words;
-    std::shared_ptr<const Image> difference{};  // null for an equal picture
-    bool open = true;
+    // Null for an equal picture.
+    std::shared_ptr<const Image> difference{};
+    std::shared_ptr<const Image> found{};
+    std::shared_ptr<const Image> right{};
+    ComparisonView view{};
+
+    const std::shared_ptr<const Image>& shown() const {
+        return view.picture == ComparedPicture::found ? found : view.picture == ComparedPicture::right ? right : difference;
+    }
 };
 
 // Asks for a picture, then compares it.

@@ -208,7 +208,7 @@ void Viewer::redraw() {
     // The box that is typed into loses the keyboard, and gives what it holds, before a save or a quit could miss that.
     if (routing_.waits_for_typing()) ImGui::SetWindowFocus(nullptr);
     widgets_.clear();
-    facts_.difference = difference_.follow(state_.comparison ? state_.comparison->difference : nullptr);
+    facts_.difference = difference_.follow(state_.comparison ? state_.comparison->shown() : nullptr);
     facts_.seen_by_eye = seen_by_eye_.follow(state_.rays.picture.made());
     if (!ImGui::IsAnyItemActive() && !mouse_.is_dragging()) update_bounds(state_);
 

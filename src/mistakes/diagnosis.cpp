@@ -343,7 +343,8 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
 
     if (found.float_as_likely) {
         out.as_likely.emplace_back("float");
-        out.as_likely_words += (out.as_likely_words.empty() ? "" : "; or ") + std::string(float_words);
+        out.as_likely_words += std::string(out.as_likely_words.empty() ? "" : "; or ") +
+                               "float arithmetic: the spheres are too close for float to tell which is seen";
     }
 
     if (blank) {

@@ -85,6 +85,23 @@ TEST_F(Compare, MakesTheFolderOfAPattern) {
     EXPECT_FALSE(folder_.has("other"));
 }
 
+// Students' pictures often have one name, in folders of their own.
+TEST_F(Compare, NamesFilesByTheirFolders) {
+    folder_.write("scene.txt", "1  0 255 0  0 0 300 50");
+    folder_.write("ann/mine.png", folder_.read("right.png"));
+    folder_.write("bob/mine.png", folder_.read("right.png"));
+    const Outcome same = compare({"ann/mine.png", "bob/mine.png", "scene.txt"});
+    EXPECT_EQ(same.status, 2);
+    EXPECT_TRUE(contains(same.errors, "use --diff with a pattern such as out/{folder}-{name}.png")) << same;
+    EXPECT_EQ(compare({"ann/mine.png", "bob/mine.png", "scene.txt", "--diff", "out/{folder}.png"}).status, 1);
+    EXPECT_TRUE(folder_.has("out/ann.png"));
+    EXPECT_TRUE(folder_.has("out/bob.png"));
+    const Outcome different = compare({"ann/mine.png", "right.png", "scene.txt", "--diff", "out.png"});
+    EXPECT_TRUE(contains(different.errors, "such as out/{name}.png")) << different;
+    const Outcome twice = compare({"right.png", "right.png", "scene.txt"});
+    EXPECT_TRUE(contains(twice.errors, "one at a time")) << twice;
+}
+
 TEST_F(Compare, RefusesWhatMakesNoSense) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"scene.txt"}, "PICTURE: found one file alone, expected pictures, and last the scene"},

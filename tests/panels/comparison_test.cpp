@@ -15,13 +15,19 @@ struct ComparisonHarness {
                                "12 of 20,000 pixels differ from the right picture.",
                                {"likeliest mistake: y points down", "explains 12 of the pixels that differ"},
                                {{"y points down", 12, {255, 255, 255}}},
-                               {{{3, 4}, "pixel 3,4: found 1 2 3"}, {{5, 6}, "pixel 5,6: found 1 2 3"}}};
-    bool open = true;
-    ImTextureID difference{};
+                               {{{3, 4}, "pixel 3,4: found 1 2 3"}, {{5, 6}, "pixel 5,6: found 1 2 3"}},
+                               {}};
+    ComparisonView view{};
+    ImTextureID picture{};
+    std::optional<Pixel> pinned{};
     Rectangle area{0.0F, 0.0F, 700.0F, 590.0F};
     PanelHarness panels{[this](const PanelContext& context) {
-        if (open) draw_comparison(context, comparison, &difference, area, open);
+        if (view.open) draw_comparison(context, comparison, &picture, pinned, area, view);
     }};
+
+    ComparisonHarness() {
+        comparison.at = [](Pixel pixel) { return "what is at " + std::to_string(pixel.x) + "," + std::to_string(pixel.y); };
+    }
 };
 
 }  // namespace
@@ -41,6 +47,21 @@ TEST(ComparisonPanel, NamesTheMistakeAndLeadsToItsPixels) {
     EXPECT_EQ(std::get<PinPixel>(actions[1]).size, (PictureSize{200, 100}));
     panels.click(panels.place("difference", 0.2525F, 0.505F));
     EXPECT_EQ(panels.taken<PinPixel>().at(0).pixel, (Pixel{50, 50}));
+}
+
+TEST(ComparisonPanel, ShowsAnyOfThePicturesAndWhatIsInAPinnedPixel) {
+    ComparisonHarness shown;
+    PanelHarness& panels = shown.panels;
+    EXPECT_EQ(shown.view.picture, ComparedPicture::difference);
+    panels.click("show found");
+    EXPECT_EQ(shown.view.picture, ComparedPicture::found);
+    panels.click("show right");
+    EXPECT_EQ(shown.view.picture, ComparedPicture::right);
+    panels.click("show difference");
+    EXPECT_EQ(shown.view.picture, ComparedPicture::difference);
+    EXPECT_EQ(panels.text().find("what is at"), std::string::npos);
+    shown.pinned = Pixel{7, 8};
+    EXPECT_NE(panels.text().find("what is at 7,8"), std::string::npos);
 }
 
 TEST(ComparisonPanel, TakesTheSidePanelsPlace) {
@@ -70,7 +91,7 @@ TEST(ComparisonPanel, TakesTheSidePanelsPlace) {
     window.scale = 1.0F;
     ImGui::GetIO().DisplaySize = {1400.0F, 900.0F};
     state.inspector_shown = false;
-    state.comparison->open = false;
+    state.comparison->view.open = false;
     window.redraws(2);
     EXPECT_TRUE(state.panel_drawn);
     EXPECT_EQ(picture.width, before.width);

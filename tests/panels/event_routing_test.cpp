@@ -37,7 +37,7 @@ TEST(EventRouting, EscapeEndsTheTopmostThingAlone) {
     state.pins.first.emplace();
     state.measuring.on = true;
     const auto shown = [&] {
-        return std::vector<bool>{state.help_shown, state.comparison->open, state.pins.first.has_value(), state.measuring.on};
+        return std::vector<bool>{state.help_shown, state.comparison->view.open, state.pins.first.has_value(), state.measuring.on};
     };
     for (const auto& left : {std::vector{false, true, true, true},
                              {false, false, true, true},

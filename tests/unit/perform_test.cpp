@@ -155,6 +155,20 @@ TEST_F(Commands, CopiedSpheresArePastedBesideTheirOriginals) {
     EXPECT_EQ(state.scene().spheres, before.spheres);
 }
 
+// Into another scene, coordinates stay what they are unless the very same sphere stands there.
+TEST_F(Commands, PastedSpheresStayWhereTheyWere) {
+    std::string* text = use_clipboard();
+    *text = "2\n9 9 9\n0 0 300\n61\n8 8 8\n-40 0 200\n5\n";  // the first is around sphere 0 and has its centre
+    run_command(state, CommandId::paste);
+    ASSERT_EQ(state.scene().spheres.size(), 4U);
+    EXPECT_EQ(state.scene().spheres[2].center, glm::dvec3(0, 0, 300));
+    EXPECT_EQ(state.scene().spheres[3].center, glm::dvec3(-40, 0, 200));
+    EXPECT_FALSE(state.messages.announcement.starts_with("Pasted beside")) << state.messages.announcement;
+    run_command(state, CommandId::paste);
+    EXPECT_EQ(state.scene().spheres[5].center, glm::dvec3(21, 0, 200));
+    EXPECT_EQ(state.messages.announcement, "Pasted beside where they were, by (61, 0, 0): the same spheres stand there already.");
+}
+
 TEST_F(Commands, CutTakesNamesAndHiddenSpheresAlong) {
     use_clipboard();
     state.document.apply(RenameSphere{1, "moon"}, "");

@@ -212,7 +212,22 @@ TEST_F(Inspecting, ComparesAPictureAndNamesTheMistake) {
     ASSERT_FALSE(words.verdict.empty());
     EXPECT_NE(words.verdict[0].find("upside down"), std::string::npos);
     EXPECT_EQ(words.examples.size(), 3U);
-    EXPECT_TRUE(state.comparison->difference);
+    ASSERT_TRUE(state.comparison->difference && state.comparison->found && state.comparison->right);
+    state.comparison->view.picture = ComparedPicture::found;
+    EXPECT_EQ(state.comparison->shown(), state.comparison->found);
+    const Image& right = *state.comparison->right;
+    const Image& found = *state.comparison->found;
+    int as_expected = 0;
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 60; ++x) {
+            EXPECT_TRUE(std::equal(right.at(x, y), right.at(x, y) + 3, found.at(x, 39 - y))) << x << "," << y;
+            const bool equal = std::equal(right.at(x, y), right.at(x, y) + 3, found.at(x, y));
+            EXPECT_EQ(words.at({x, y}).ends_with("as expected"), equal) << words.at({x, y});
+            as_expected += equal ? 1 : 0;
+        }
+    }
+    EXPECT_GT(as_expected, 100);
+    EXPECT_EQ(words.at(words.examples[0].pixel), words.examples[0].words);
 
     state.comparison.reset();
     folder.write("broken.png", "no picture");
