@@ -128,9 +128,9 @@ const Element& element_of_species(std::string_view species) {
     // Most species begin with another character, and need no closer look.
     constexpr std::string_view firsts = "BDEGLMTVXbdeglmtvx@0";
     constexpr std::size_t longest_symbol = 5;  // with a charge or a number: longer ones may end in _ghost
-    constexpr std::string_view lasts = ":qQ)";
+    const auto is_last = [](char c) { return c == ':' || c == 'q' || c == 'Q' || c == ')'; };
     const bool may_be = !species.empty() && (species.size() > longest_symbol || firsts.find(species[0]) != std::string_view::npos ||
-                                             lasts.find(species.back()) != std::string_view::npos);
+                                             (species.size() > 1 && is_last(species.back())));
     if (may_be && is_dummy(species)) return no_element;
     std::size_t letters = 0;
     while (letters < species.size() && is_letter(species[letters])) ++letters;

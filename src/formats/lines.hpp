@@ -179,8 +179,11 @@ public:
     bool number_if_any(const Expected& expected, double& value) {
         const NextNumber next = next_number(expected);
         const bool is_any = next.fault == NumberFault::none;
-        if (!is_any && !is_missing(token())) fail(expected() + ", " + expected_instead_of(next.fault));
-        value = is_any ? next.value : 0.0;
+        value = next.value;
+        if (!is_any) {
+            if (!is_missing(token())) fail(expected() + ", " + expected_instead_of(next.fault));
+            value = 0.0;
+        }
         step_to(next.end);
         return is_any;
     }
