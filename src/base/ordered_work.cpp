@@ -4,8 +4,6 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
-#include <future>
-#include <memory>
 #include <optional>
 #include <system_error>
 #include <thread>
@@ -17,20 +15,16 @@
 
 namespace sphereview {
 
-void Errands::ask(const std::function<void()>& errand) {
-    auto task = std::make_shared<std::packaged_task<void()>>(errand);
-    std::future<void> end = task->get_future();
-    {
-        const std::lock_guard lock(mutex_);
-        if (closed_) throw Cancelled();
-        asked_for_.emplace_back([task = std::move(task)] { (*task)(); });  // there alone: dropped, it ends the wait
-    }
+// No promise: one that is broken where memory has run out ends the process.
+void Errands::ask(const std::function<void()>& act) {
+    Errand errand{act};
+    std::unique_lock lock(mutex_);
+    if (closed_) throw Cancelled();
+    asked_for_.push_back(&errand);
     changed_.notify_all();
-    try {
-        end.get();
-    } catch (const std::future_error&) {
-        throw Cancelled();  // close() has dropped it
-    }
+    changed_.wait(lock, [&] { return errand.state != Errand::State::waits; });
+    if (errand.state == Errand::State::is_dropped) throw Cancelled();
+    if (errand.error) std::rethrow_exception(errand.error);
 }
 
 void Errands::serve() {
@@ -38,20 +32,25 @@ void Errands::serve() {
     while (true) {
         changed_.wait(lock, [this] { return closed_ || !asked_for_.empty(); });
         if (asked_for_.empty()) return;
-        const std::function<void()> errand = std::move(asked_for_.front());
+        Errand& errand = *asked_for_.front();
         asked_for_.pop_front();
         lock.unlock();
-        errand();
+        try {
+            errand.act();
+        } catch (...) {
+            errand.error = std::current_exception();
+        }
         lock.lock();
+        errand.state = Errand::State::is_done;
+        changed_.notify_all();
     }
 }
 
 void Errands::close() {
-    {
-        const std::lock_guard lock(mutex_);
-        closed_ = true;
-        asked_for_.clear();
-    }
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    for (Errand* errand : asked_for_) errand->state = Errand::State::is_dropped;
+    asked_for_.clear();
     changed_.notify_all();
 }
 

@@ -4,6 +4,7 @@
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
+#include <exception>
 #include <functional>
 #include <mutex>
 
@@ -30,9 +31,16 @@ public:
     void close();
 
 private:
+    // Belongs to who asks, and waits for its end.
+    struct Errand {
+        const std::function<void()>& act;
+        std::exception_ptr error{};
+        enum class State { waits, is_done, is_dropped } state = State::waits;
+    };
+
     std::mutex mutex_;
     std::condition_variable changed_;
-    std::deque<std::function<void()>> asked_for_;
+    std::deque<Errand*> asked_for_;
     bool closed_ = false;
 };
 

@@ -166,7 +166,9 @@ void MoleculeScene::add(const MoleculeAtom& atom) {
             {number, run_, atom.chain, atom.residue_number, atom.residue, atom.atom, atom.alternative, atom.occupancy});
     }
     if (is_virtual(*atom.element)) virtual_sites_.push_back(number);
-    if (named_) scene_.names.emplace_hint(scene_.names.end(), static_cast<std::uint32_t>(number), name_of(atom));
+    if (std::string name = named_ ? name_of(atom) : ""; !name.empty()) {
+        scene_.names.emplace_hint(scene_.names.end(), static_cast<std::uint32_t>(number), std::move(name));
+    }
     const double radius = atom.radius > 0.0 ? atom.radius : radius_of(*atom.element, options_);
     if (wants_texts_) add_values(atom);
     scene_.spheres.push_back({.center = atom.position, .radius = radius, .color = atom.element->color});

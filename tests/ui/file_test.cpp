@@ -185,7 +185,7 @@ TEST(Closing, SavesAndTheNextStartBringsTheWindowBack) {
         EXPECT_EQ(lines(folder.read("scenes/scene.txt")).front(), "2");
     }
     // All that was written lies in the home folder.
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"redraws.log", "home", "scenes"}));
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"home", "redraws.log", "scenes"}));
     EXPECT_TRUE(folder.has("home/config/sphereview"));
     ViewerWindow window(folder, {});
     EXPECT_EQ(window.at("picture"), picture);
