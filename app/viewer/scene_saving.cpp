@@ -171,7 +171,8 @@ void save_scene_as(ViewerState& state, const std::function<void()>& then) { ask_
 void quit(ViewerState& state) {
     if (state.exporting && !state.exporting->then_quit) {
         state.exporting->then_quit = true;
-        announce(state, "Closes when " + on_one_line(state.exporting->shown_path()) + " is written; close again to close without it");
+        announce(state,
+                 "Closes when " + on_one_line(state.exporting->shown_path()) + " is written; close again to close without it");
         return after(*state.exporting, [&state] { quit(state); });
     }
     if (state.filming && !state.filming->then_quit) return ask_about_film(state);

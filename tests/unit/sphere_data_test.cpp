@@ -88,11 +88,11 @@ TEST(Xyz, UsesTheRadiusAskedForWhereTheFileHasNone) {
 
 TEST(Xyz, ReadsTheFrameAskedFor) {
     const std::string text = "1\nfirst\nH 1 0 0\n2\nsecond\nHe 2 0 0\nHe 3 0 0\n\n0\nthird\n1\nProperties=pos:R:3\n4 0 0\n";
-    for (const auto& [frame, spheres] : std::vector<std::pair<int, std::vector<Sphere>>>{
-             {0, {atom("H", {1, 0, 0})}},
-             {1, {atom("He", {2, 0, 0}), atom("He", {3, 0, 0})}},
-             {2, {}},
-             {3, {{{4, 0, 0}, unknown_element().radius, {255, 255, 255}, false}}}}) {
+    for (const auto& [frame, spheres] :
+         std::vector<std::pair<int, std::vector<Sphere>>>{{0, {atom("H", {1, 0, 0})}},
+                                                          {1, {atom("He", {2, 0, 0}), atom("He", {3, 0, 0})}},
+                                                          {2, {}},
+                                                          {3, {{{4, 0, 0}, unknown_element().radius, {255, 255, 255}, false}}}}) {
         const SphereData data = read_xyz(text, "a.xyz", {frame, {}});
         EXPECT_EQ(data.frames, 4);
         EXPECT_EQ(data.scene.spheres, spheres) << frame;
