@@ -113,12 +113,15 @@ for i in range(20):
 PY
 windows render endless.txt --backend cpu -s 1000x100000 -o endless.png 2>/dev/null &
 job=$!
+# It takes signals once it renders: that alone needs the processor for so many seconds.
+is_rendering() {
+    pgrep -f 'sphereview.exe render endless' | xargs -r ps -o cputimes= -p | awk '$1 >= 3 { found = 1 } END { exit !found }'
+}
 tries=0
-until pgrep -f 'sphereview.exe render endless' >/dev/null || [ $tries -gt 100 ]; do
+until is_rendering || [ $tries -gt 600 ]; do
     tries=$((tries + 1))
     sleep 0.2
 done
-sleep 1
 pkill -INT -f 'sphereview.exe render endless'
 status=0
 wait $job || status=$?
