@@ -43,7 +43,7 @@ private:
     Theme theme_;
     float scale_ = 0.0F;
     float font_pixels_ = 0.0F;  // that the fonts were built for
-    std::size_t drawn_ = 0;     // a hash of what the last frame draws
+    std::size_t drawn_ = 0;     // a hash of what the last redraw draws
 };
 
 }  // namespace sphereview

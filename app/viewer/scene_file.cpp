@@ -238,10 +238,10 @@ void adopt(ViewerState& state, LoadedScene loaded, const std::string& path) {
     state.rays = {.choice = state.rays.choice};
     forget_file_messages(state);
     const bool has_file = !path.empty() && path != standard_stream;
-    state.path = has_file ? absolute_path(path) : "";
+    const std::string before = std::exchange(state.path, has_file ? absolute_path(path) : "");
     state.format = loaded.format;
     state.frame = 0;
-    state.player.choices.speed.recorded.reset();  // another file's time is no measure of this one's
+    if (state.path != before) state.player.choices.speed.recorded.reset();  // another file's time is no measure of this one's
     state.stamp.clear();
     if (has_file) {
         state.stamp = file_states(state.path);

@@ -121,6 +121,9 @@ void pass_interrupts_to(std::function<void(int)> act) {
     } catch (const std::system_error&) {  // the system allows no more threads: likewise
         for (const int pipe_end : ends) close(pipe_end);
         return;
+    } catch (...) {
+        for (const int pipe_end : ends) close(pipe_end);
+        throw;
     }
     passing_pipe = ends[1];
 #endif

@@ -298,7 +298,8 @@ public:
                 const auto fields = records.fields();
                 properties.add([&](std::size_t place) -> std::string_view {
                     if (place >= fields.size()) return {};
-                    if (table_.atom_names && place == table_.columns[CsvColumn::element]) return row.element_of_row().symbol;
+                    if (table_.atom_names && place == table_.columns[CsvColumn::element])
+                        return symbol_or_name(row.element_of_row(), fields[place].text);
                     if (!fields[place].quoted) return fields[place].text;
                     text = unquoted(fields[place]);
                     return text;

@@ -35,9 +35,9 @@ ColumnNames names_of(const CsvRecords& records, char separator) {
     ColumnNames names;
     for (const CsvField& field : records.fields()) {
         const std::string name = as_utf8(trimmed(unquoted(field), white_space));
-        const bool is_unit =
+        const bool is_unit_of_last =
             separator == ' ' && !names.empty() && (name.starts_with('[') || name.starts_with('(') || name.starts_with('{'));
-        if (is_unit) {
+        if (is_unit_of_last) {
             names.back() += " " + name;
         } else {
             names.push_back(name);

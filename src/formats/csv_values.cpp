@@ -25,6 +25,7 @@ bool take_out_thousands(std::string& text) {
     const std::size_t end = std::min(text.find('.'), text.size());
     const std::size_t comma = std::min(text.find(','), end);
     if (first == std::string::npos || comma <= first || comma > first + 3 || text[first] == '0') return false;
+    if (text.find(',', end) != std::string::npos) return false;
     for (std::size_t i = first; i < end; ++i) {
         const bool is_comma_place = i >= comma && (i - comma) % 4 == 0;
         if (is_comma_place ? text[i] != ',' : text[i] < '0' || text[i] > '9') return false;
@@ -50,8 +51,21 @@ bool is_missing(std::string_view text) {
     return mark != std::string::npos && mark <= 1 && word.find_first_of("in", mark) != std::string::npos;
 }
 
+namespace {
+
+// Fortran's 6.0+00 and 0.25-102 are numbers; 10.5-12 is rather a range.
+NumberFault parse_unless_range(std::string_view text, double& value) {
+    const std::size_t sign = text.find_last_of("+-");
+    const bool may_be_range = text.find_first_of("eEdD*") == std::string_view::npos && sign != std::string_view::npos && sign > 0;
+    const std::string_view digits = may_be_range ? text.substr(sign + 1) : "";
+    const bool is_range = may_be_range && !digits.starts_with('0') && digits.size() < 3;
+    return is_range ? parse_double(text, value) : parse_any_double(text, value);
+}
+
+}  // namespace
+
 NumberFault parse_csv_number(std::string_view text, Commas commas, double& value) {
-    const NumberFault fault = parse_any_double(text, value);
+    const NumberFault fault = parse_unless_range(text, value);
     if (fault != NumberFault::not_a_number) return fault;
     std::string plain(text);
     replace_all(plain, no_break_space, "");
@@ -59,7 +73,7 @@ NumberFault parse_csv_number(std::string_view text, Commas commas, double& value
     const std::size_t comma = plain.find(',');
     if (comma != std::string::npos && commas == Commas::decimal && plain.find('.') == std::string::npos) plain[comma] = '.';
     if (comma != std::string::npos && commas == Commas::thousands && !take_out_thousands(plain)) return fault;
-    return plain == text ? fault : parse_any_double(plain, value);
+    return plain == text ? fault : parse_unless_range(plain, value);
 }
 
 bool has_hex_mark(std::string_view text) { return text.starts_with('#') || text.starts_with("0x") || text.starts_with("0X"); }

@@ -122,7 +122,8 @@ constexpr auto marks = std::to_array<Mark>({
     {"@<tripos>"sv, "a MOL2 file", of_text},
     {"psf\n"sv, "a PSF file", of_text},
     {"psf\r"sv, "a PSF file", of_text},
-    {"psf "sv, "a PSF file", of_text},
+    {"psf ext"sv, "a PSF file", of_text},
+    {"psf cmap"sv, "a PSF file", of_text},
     {"%version "sv, "an AMBER topology", of_text},
     {"entering gaussian"sv, "a Gaussian log", of_text},
     {"%chk="sv, "a Gaussian input", of_text},
@@ -140,7 +141,6 @@ constexpr auto marks = std::to_array<Mark>({
     {"systemname "sv, "a SIESTA input", of_text},
     {"systemlabel "sv, "a SIESTA input", of_text},
     {"$coord"sv, "a Turbomole file", of_text},
-    {"vasp."sv, "a VASP log", of_text},
     {"[molden format]"sv, "a Molden file", of_text},
     {"!biosym archive"sv, "a BIOSYM archive", of_text},
     {"<molecule"sv, "a CML file", of_text},
@@ -152,8 +152,6 @@ constexpr auto marks = std::to_array<Mark>({
     {"#usda"sv, "a USD scene", of_text},
     {"#binvox"sv, "a binvox file", of_text},
     {"*heading"sv, "an Abaqus input", of_text},
-    {"p3\n"sv, "a PPM picture", of_text},
-    {"p6\n"sv, "a PPM picture", of_text},
     {"version https://git-lfs"sv, "a pointer of Git LFS, not the file itself: git lfs pull fetches that", of_text},
 });
 
@@ -250,6 +248,13 @@ bool has_decimals(std::string_view line, std::size_t decimals) {
 bool is_ascii_stl(const Opening& opening) {
     const FirstLines& lines = opening.lines;
     return lower_case(lines[0].substr(0, 5)) == "solid" && lower_case(trimmed(lines[1])).starts_with("facet ");
+}
+
+// The kind, and below it, or below a comment, the size. P6 is a space group, too, and so the title of crystals.
+bool is_ppm(const Opening& opening) {
+    const std::string_view kind = trimmed(opening.lines[0]);
+    const std::string_view size = trimmed(opening.lines[opening.lines[1].starts_with('#') ? 2 : 1]);
+    return (kind == "P3" || kind == "P6") && is_numbers(size, 2, true);
 }
 
 // "2 atom types" within the first lines; an XYZ may begin with "100 atoms".
@@ -418,6 +423,7 @@ struct Shape {
     std::string_view kind;
 };
 constexpr auto shapes = std::to_array<Shape>({
+    {is_ppm, "a PPM picture"},
     {is_ascii_stl, "an STL model"},
     {is_obj, "an OBJ model"},
     {is_lammps_data, "a LAMMPS data file"},

@@ -448,7 +448,11 @@ SphereData read_dump_frame(const TextSource& source, const DumpFrame& frame, con
     const auto element = std::ranges::find(columns.columns, DumpField::element, &DumpColumn::field);
     const auto label = element != columns.columns.end() ? element : type;
     if (!has_elements) {
-        atoms.virtual_sites.clear();  // X is a type, too
+        // X is a type, too, and no smaller than the others.
+        for (const std::size_t site : atoms.virtual_sites) {
+            if (options.radius) atoms.spheres[site].radius = *options.radius;
+        }
+        atoms.virtual_sites.clear();
         if (std::ranges::any_of(seen, &SeenElements::labels)) color_by_label(atoms, source, frame.atoms, label->place);
     }
     if (has_elements && !columns.has(DumpField::element) && type != columns.columns.end()) {

@@ -270,10 +270,10 @@ Search search(const Comparer& comparer, WrongPictures& wrong) {
 // For each differing pixel the number of its share; `none` for the others.
 constexpr std::uint8_t none = std::numeric_limits<std::uint8_t>::max();
 
-// By their place in the list of shares: the likeliest, then others, the last three for what comes from float, from nothing known,
-// and what no sphere's colour is.
 constexpr std::string_view float_words = "too close for float arithmetic to tell which sphere is seen";
 
+// By their place in the list of shares: the likeliest, then others, the last three for what comes from float, from nothing known,
+// and what no sphere's colour is.
 constexpr Color likeliest_mark{255, 255, 255};
 constexpr std::array<Color, 3> other_marks = {{{255, 220, 0}, {255, 140, 0}, {160, 220, 0}}};
 constexpr Color float_mark{0, 220, 255};
@@ -386,7 +386,7 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
         if (!scene.spheres[k].hidden) number_of_color.emplace(packed(scene.spheres[k].color), static_cast<std::int32_t>(k));
     }
     const auto has_color = [&](std::size_t i) { return number_of_color.contains(packed(comparer.found(i))); };
-    wrong.numbers_in_float({});
+    wrong.numbers_in_float({});  // what it looks in is made once, before all cores ask
     add_share({"float", std::string(float_words)}, float_mark, [&](std::size_t i) {
         if (!has_color(i)) return false;
         const Numbers perhaps = wrong.numbers_in_float(comparer.pixel(i));

@@ -362,6 +362,11 @@ TEST(CsvDialects, HaveDecimalCommas) {
     EXPECT_EQ(centers("x,y,z\n\"1,234\",\"0,500\",3\n"), (Centers{{1.234, 0.5, 3}}));
     const Scene thousands = table("x,y,z,v\n1,2,3,\"1,234\"\n4,5,6,\"2,345\"\n", {.all_properties = true}).scene;
     EXPECT_EQ(std::get<std::vector<double>>(thousands.properties.at(0).values), (std::vector<double>{1234, 2345}));
+    // Neither commas behind the point nor ranges are numbers.
+    for (const std::string value : {"\"1.234,56\"", "\"1.5,3\"", "10.5-12", "1.5-3"}) {
+        const Scene scene = table("x,y,z,v\n1,2,3," + value + "\n4,5,6,7\n", {.all_properties = true}).scene;
+        EXPECT_FALSE(std::holds_alternative<std::vector<double>>(scene.properties.at(0).values)) << value;
+    }
     // 1,234 is a thousand where other numbers have points.
     EXPECT_EQ(message_of<InputError>([] { spheres("x;y;z\n1,234;2.5;3\n"); }), "a.csv:2:1: found '1,234', expected x, a number");
 }
