@@ -30,8 +30,8 @@ std::string moved_frames(int count) {
 struct FramesInViewer : testing::Test {
     FramesInViewer() : state(ViewOptions{}, ViewerSettings{}) { open(moved_frames(5)); }
 
-    void open(const std::string& text) {
-        path = folder.write("a.xyz", text);
+    void open(const std::string& text, const std::string& name = "a.xyz") {
+        path = folder.write(name, text);
         adopt(state, load_scene(path, load_options(state, path, 0)), path);
     }
     void run(CommandId id) { run_command(state, id); }
@@ -164,7 +164,9 @@ TEST_F(FramesInViewer, PlaysAsRecorded) {
     EXPECT_EQ(state.frame, 0);
     run(CommandId::play_faster);
     EXPECT_EQ(state.player.choices.speed, (PlaySpeed{24.0, 5.0}));
-    open(moved_frames(3));
+    open(text);
+    EXPECT_EQ(state.player.choices.speed, (PlaySpeed{24.0, 5.0})) << "of the same file";
+    open(moved_frames(3), "b.xyz");
     EXPECT_EQ(state.player.choices.speed, PlaySpeed{24.0}) << "of another file";
     EXPECT_TRUE(timeline_facts(state).time.empty());
 }
