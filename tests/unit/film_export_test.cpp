@@ -174,7 +174,7 @@ TEST_F(FilmExport, MakesColoursRadiiAndWhatIsHiddenInAllFramesButNoPlaces) {
     alike.output = folder.path("alike/{frame:05}.png");
     Progress progress;
     FrameSequence sequence(alike.scenes.front(), alike, progress);
-    sequence.set_changes({.frame_size = 2, .spheres = {{.number = 0, .color = first.color, .radius = first.radius}}});
+    sequence.set_changes({.spheres = {{.number = 0, .color = first.color, .radius = first.radius}}});
     sequence.prepare(progress);
     for (const Shot& shot : sequence.shots()) {
         const LoadedScene loaded = sequence.load(shot);
