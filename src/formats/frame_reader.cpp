@@ -194,7 +194,13 @@ void FrameReader::count_in_whole_file() {
     if (frames_) return;
     DataOptions first = options_;
     first.frame = 0;
-    frames_ = format_.has_frames ? format_.read(stream_.bytes(), name(), first).frames : 1;
+    if (!format_.has_frames) {
+        frames_ = 1;
+        return;
+    }
+    SphereData data = format_.read(stream_.bytes(), name(), first);
+    frames_ = data.frames;
+    fault_ = std::move(data.fault);
 }
 
 // A frame behind the last one is looked for from there.

@@ -8,17 +8,17 @@ namespace sphereview {
 
 std::string TextSource::place(std::size_t offset) const { return place_in(name, position_at(text, offset, origin)); }
 
-void TextSource::fail(std::size_t offset, const std::string& message) const { throw InputError(place(offset) + message); }
+void TextSource::fail(std::size_t offset, const std::string& message) const { throw TextFault(place(offset) + message, offset); }
 
 void TextSource::fail_at_end(const std::string& expected) const {
-    throw TextEnds(place(text.size()) + "the text ends, expected " + expected);
+    throw TextEnds(place(text.size()) + "the text ends, expected " + expected, text.size());
 }
 
 void TextSource::fail(std::string_view piece, const std::string& expected) const {
-    throw InputError(place(piece) + found_expected(piece, expected));
+    fail_at(piece, found_expected(piece, expected));
 }
 
-void TextSource::fail_at(std::string_view piece, const std::string& message) const { throw InputError(place(piece) + message); }
+void TextSource::fail_at(std::string_view piece, const std::string& message) const { fail(offset_of(piece), message); }
 
 void TextSource::fail_behind(std::string_view line, const std::string& expected) const {
     fail_at(line.substr(line.size()), "the line ends, expected " + expected);

@@ -164,6 +164,40 @@ TEST_F(Frames, WarnOncePerFile) {
     EXPECT_FALSE(folder_.has("cut-00002.png"));
 }
 
+// As a program leaves it that was ended while it wrote.
+TEST_F(Frames, EndBeforeOneThatIsCutWithinItsLine) {
+    folder_.write("cut.xyz", "1\n\nO 0 0 0\n1\n\nO 1 0 0\n2\n\nO 1 0 0\nO 1 0");
+    const std::string fault = "cut.xyz:10:6: the text ends, expected the whole line of the last atom of frame 2";
+    for (const char* frames : {"all", "1:", ":7"}) {
+        const Outcome outcome = render({"cut.xyz", "--frames", frames, "-s", "9x9", "-o", "out/{frame}.png"});
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_EQ(outcome.errors, fault + "; what follows frame 1 is passed over\n");
+        EXPECT_TRUE(folder_.has("out/1.png"));
+        EXPECT_FALSE(folder_.has("out/2.png"));
+    }
+    for (const char* frames : {"2", "0,2"}) {
+        const Outcome outcome = render({"cut.xyz", "--frames", frames, "-s", "9x9"});
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.errors, fault + "\n");
+    }
+}
+
+// Of files that are read whole, too.
+TEST_F(Frames, OfAPdbFileEndBeforeOneThatIsCutWithinItsLine) {
+    const auto model = [](const char* x) {
+        return std::string("MODEL\nATOM      1  N   ALA A   1       ") + x +
+               ".000   0.000   0.000  1.00  0.00           N\nENDMDL\n";
+    };
+    folder_.write("cut.pdb", model("1") + model("2") + model("3").substr(0, 50));
+    const Outcome outcome = render({"cut.pdb", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "cut.pdb:8:45: the line ends, expected the atom's y in columns 39 to 46; what follows frame 1 is passed over\n");
+    EXPECT_TRUE(folder_.has("cut-00001.png"));
+    EXPECT_FALSE(folder_.has("cut-00002.png"));
+    EXPECT_EQ(render({"cut.pdb", "--frames", "2", "-s", "9x9"}).status, 2);
+}
+
 // Nobody can tell how many frames it had.
 TEST_F(Frames, RefuseAPackedFileThatIsCutOff) {
     const std::string packed = gzipped("1\n\nO 0 0 0\n1\n\nO 1 0 0\n");
