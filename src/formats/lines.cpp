@@ -61,6 +61,11 @@ NumberFault parse_or_nothing(std::string_view token, double& value) {
 
 std::string_view last_line(std::string_view text) { return text.substr(text.find_last_of("\r\n") + 1); }
 
+bool is_in_last_line(std::string_view text, std::size_t offset) {
+    const std::size_t end = text.find(line_end_of(text), offset);
+    return end == std::string_view::npos || text.find_first_not_of(white_space, end) == std::string_view::npos;
+}
+
 std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end) {
     return line.size() <= begin ? "" : trimmed(line.substr(begin, end - begin), " ");
 }

@@ -73,6 +73,9 @@ NumberFault parse_or_nothing(std::string_view token, double& value);
 // What stands behind the last line end of a text: "" where it ends with one.
 std::string_view last_line(std::string_view text);
 
+// Whether nothing stands behind the line of byte `offset`.
+bool is_in_last_line(std::string_view text, std::size_t offset);
+
 // What stands in columns [begin, end) of a line, from 0, without blanks; "" behind the line's end.
 std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end);
 

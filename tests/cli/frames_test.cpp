@@ -198,6 +198,25 @@ TEST_F(Frames, OfAPdbFileEndBeforeOneThatIsCutWithinItsLine) {
     EXPECT_EQ(render({"cut.pdb", "--frames", "2", "-s", "9x9"}).status, 2);
 }
 
+// There were more, which nobody can find.
+TEST_F(Frames, ThatAreLostBehindDamageGiveAnotherStatus) {
+    const std::string frame = "1\n\nO 0 0 0\n";
+    folder_.write("a.xyz", frame + frame + frame + "2x\n\nO 0 0 0\nO 1 0 0\n" + frame + frame);
+    const std::vector<std::string> all = {"a.xyz", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"};
+    const Outcome outcome = render(all);
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "a.xyz:10:1: found '2x', expected the number of atoms of frame 3, a whole number; what follows frame "
+              "2 is passed over\n");
+    EXPECT_TRUE(folder_.has("out/2.png"));
+    EXPECT_FALSE(folder_.has("out/3.png"));
+    std::vector<std::string> again = all;
+    again.emplace_back("--skip-existing");
+    EXPECT_EQ(render(again).status, 2) << "they are not there either";
+    expect_done({"a.xyz", "--frames", "0:3", "-s", "9x9", "-o", "out/{frame}.png"});
+    EXPECT_EQ(render({"a.xyz", "--frames", "1:4", "-s", "9x9", "-o", "out/{frame}.png"}).status, 2);
+}
+
 // Nobody can tell how many frames it had.
 TEST_F(Frames, RefuseAPackedFileThatIsCutOff) {
     const std::string packed = gzipped("1\n\nO 0 0 0\n1\n\nO 1 0 0\n");

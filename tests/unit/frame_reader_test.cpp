@@ -199,6 +199,7 @@ TEST_F(FrameReading, ACutAnywhereLeavesTheFramesBefore) {
             FrameReader reader(folder_.write(name, text.substr(0, size)), {});
             const std::int64_t count = reader.count();
             EXPECT_TRUE(count == before || count == before + 1);
+            EXPECT_FALSE(reader.is_damaged());
             if (count > before) {
                 reader.read(before);
             } else if (!reader.fault().empty()) {
@@ -213,6 +214,23 @@ TEST_F(FrameReading, ACutAnywhereLeavesTheFramesBefore) {
         }
         EXPECT_GT(cuts, 40) << name;
     }
+}
+
+TEST_F(FrameReading, TellsDamageFromACut) {
+    const std::string frame = "1\n\nO 0 0 0\n";
+    const auto is_damaged = [&](const std::string& text) {
+        FrameReader reader(folder_.write("a.xyz", text), {});
+        EXPECT_EQ(reader.count(), 2);
+        EXPECT_NE(reader.fault(), "");
+        return reader.is_damaged();
+    };
+    EXPECT_TRUE(is_damaged(frame + frame + "2x\n\nO 0 0 0\n" + frame));
+    EXPECT_TRUE(is_damaged(frame + frame + "O 0 0 0\n" + frame)) << "one atom more";
+    EXPECT_FALSE(is_damaged(frame + frame + "x"));
+    EXPECT_FALSE(is_damaged(frame + frame + "x\n\n")) << "nothing was to be had behind it";
+    EXPECT_FALSE(is_damaged(frame + frame + "2\n\nO 0 0 0\n"));
+    // What follows may be farther than what is read at once.
+    EXPECT_TRUE(is_damaged(frame + frame + "x\n" + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
 }
 
 TEST_F(FrameReading, OtherFilesAreReadWhole) {
