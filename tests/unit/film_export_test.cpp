@@ -299,7 +299,8 @@ TEST_F(FilmExport, SaysInOneMessageWhatWentWrong) {
     write_encoder("head -c 20 >\"$film\"\necho 'no such codec' >&2\nexit 3");
     start_film(state, request("a.mp4"));
     ASSERT_TRUE(test::eventually([&] { return is_finished(); }));
-    EXPECT_TRUE(test::contains(error(), "ffmpeg has failed: no such codec")) << error();
+    EXPECT_TRUE(error().starts_with(folder.path("a.mp4") + ": cannot be written: ffmpeg has failed: no such codec")) << error();
+    EXPECT_EQ(error().find("a.mp4", folder.path("a.mp4").size()), std::string::npos) << error();
     EXPECT_FALSE(folder.has("a.mp4"));
 
     write_encoder("exec cat >\"$film\"");
