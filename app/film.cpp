@@ -175,8 +175,11 @@ void Film::fail() {
         const std::string_view line = trimmed(take_line(errors));
         if (!line.empty()) lines.emplace_back(line);
     }
+    const ProgramResult& result = encoder_->result();
+    const bool crashed = result.end == ProgramResult::End::crashed;
+    const std::string end = crashed ? "ffmpeg was ended by signal " + std::to_string(result.code) : "ffmpeg has failed";
     const std::string why = on_one_line(joined(lines, "; "));
-    throw OutputError(*options_.movie, "ffmpeg has failed" + (why.empty() ? "" : ": " + why), EIO);
+    throw OutputError(*options_.movie, end + (why.empty() ? "" : ": " + why), EIO);
 }
 
 void Film::add(const Image& picture) {

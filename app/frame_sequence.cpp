@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/kept_fit.hpp"
+#include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/sha256.hpp"
 #include "camera/fit.hpp"
@@ -50,7 +51,14 @@ FrameSequence::FrameSequence(const std::string& path, const RenderOptions& optio
     reader_->watch([&progress](double done) { progress.update(done); });
     std::vector<FrameRange> ranges = options.frames.ranges;
     if (ranges.empty()) ranges = {{options.data.frame, {}, 1, true}};
-    const auto frames = frames_in(ranges, reader_->name(), [this](std::int64_t enough) { return reader_->count(enough); });
+    const auto frames = [&] {
+        try {
+            return frames_in(ranges, reader_->name(), [this](std::int64_t enough) { return reader_->count(enough); });
+        } catch (const InputError&) {
+            if (reader_->fault().empty()) throw;
+            throw InputError(reader_->fault());  // why there are no more
+        }
+    }();
     reader_->watch({});
     progress.clear();
     if (!reader_->fault().empty()) {

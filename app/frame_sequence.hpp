@@ -40,6 +40,8 @@ public:
     void set_changes(FrameChanges changes) { changes_ = std::move(changes); }
     // Where the file is cut off or wrong behind a frame, what is passed over, in words; "" where nothing is.
     const std::string& early_end() const { return early_end_; }
+    // Whether it is wrong there, and not only cut off.
+    bool is_damaged() const { return reader_ && reader_->is_damaged(); }
 
     const std::vector<Shot>& shots() const { return shots_; }
 

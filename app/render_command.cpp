@@ -1,4 +1,5 @@
 // sphereview render: which pictures, and where they go.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -77,7 +78,10 @@ ExitCode run_render(const RenderOptions& asked_for) {
     if (prepares_first) prepare();
     if (options.frames.manifest) manifest.emplace(options, jobs);
     leave_out_existing(jobs, options, manifest ? &*manifest : nullptr);
-    if (jobs.empty()) return ExitCode::done;
+    // The pictures are those of the frames before, but more were to be had.
+    const bool is_damaged = std::ranges::any_of(sequences, [](const auto& sequence) { return sequence->is_damaged(); });
+    const ExitCode best = is_damaged ? ExitCode::bad_input : ExitCode::done;
+    if (jobs.empty()) return best;
     std::optional<Film> film;
     const bool is_streamed = options.frames.several() && options.output == standard_stream;
     if (options.film.movie || is_streamed) film.emplace(options.film, options.durability, jobs.size());
@@ -87,7 +91,7 @@ ExitCode run_render(const RenderOptions& asked_for) {
     const RenderSinks sinks{film ? &*film : nullptr, manifest ? &*manifest : nullptr};
     const ExitCode status = run_jobs(options, jobs, sinks, progress);
     if (film && status == ExitCode::done) film->finish();
-    return status;
+    return std::max(status, best);
 }
 
 }  // namespace sphereview

@@ -282,8 +282,9 @@ FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::st
     } else {
         options.output = path;
     }
-    request.changes.light = state.shown_light();
     request.is_of_file = form.takes_frames();
+    if (request.is_of_file) request.changes = shared_edits_now(state);
+    request.changes.light = state.shown_light();
     if (!request.is_of_file) {
         request.shown = scene_snapshot(state);
         const LookPanelState& look = state.side_panel.look;
@@ -297,9 +298,6 @@ FilmRequest film_request(ViewerState& state, const FilmForm& form, const std::st
     options.data.all_properties_up_to = 0;
     if (state.player.radius) options.data.radius = state.player.radius;
     options.look = read.look;
-    const SharedEdits shared = shared_edits_now(state);
-    request.changes.frame_size = shared.frame_size;
-    request.changes.spheres = shared.spheres;
     return request;
 }
 

@@ -101,7 +101,7 @@ void make_film(const FilmRequest& request, WorkControl& control, FilmStatus& sta
     const auto reported = [&](const RenderReport& report) {
         control.check();
         status.warn(sequence->not_said(report.warnings));
-        if (!report.error.empty()) throw RenderError(report.error);
+        if (!report.error.empty()) throw InputError(report.error);  // which names its file
         status.add_done();
     };
     run_jobs(options, jobs, {.film = film.get(), .manifest = nullptr, .reported = reported}, progress);

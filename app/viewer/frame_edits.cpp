@@ -46,42 +46,14 @@ Scene with_chosen_look(ViewerState& state) {
     return scene;
 }
 
-template <typename T>
-void note_other(std::optional<T>& other, const T& before, const T& after) {
-    if (!(before == after)) other = after;
-}
-
 }  // namespace
 
-SharedEdits shared_edits(const Scene& before, const Scene& after) {
-    SharedEdits shared;
-    shared.frame_size = after.spheres.size();
-    shared.spheres = changes_between(before.spheres, after.spheres);
-    for (const auto& [number, name] : before.names) {
-        if (!after.names.contains(number)) shared.names[number] = "";
-    }
-    for (const auto& [number, name] : after.names) {
-        const auto was = before.names.find(number);
-        if (was == before.names.end() || was->second != name) shared.names[number] = name;
-    }
-    note_other(shared.background, before.background, after.background);
-    note_other(shared.camera, before.camera, after.camera);
-    note_other(shared.light, before.light, after.light);
-    note_other(shared.views, before.views, after.views);
-    return shared;
-}
-
-SharedEdits shared_edits_now(ViewerState& state) {
+FrameChanges shared_edits_now(ViewerState& state) {
     const FrameEdits& edits = state.player.edits;
     // Once spheres have come, gone or changed places no number tells anything: what was noted before that stays.
     if (!edits.before || !has_numbers_of_file(state)) return edits.shared;
-    SharedEdits shared = shared_edits(with_chosen_look(state), state.scene());
-    // A frame of another size in between has got nothing, and takes nothing away.
-    if (shared.frame_size != edits.shared.frame_size && shared.spheres.empty() && shared.names.empty()) {
-        shared.frame_size = edits.shared.frame_size;
-        shared.spheres = edits.shared.spheres;
-        shared.names = edits.shared.names;
-    }
+    FrameChanges shared = changes_between(with_chosen_look(state), state.scene());
+    shared.add_beyond(state.scene().spheres.size(), edits.shared);
     return shared;
 }
 
@@ -108,41 +80,56 @@ EditsReach reach_of_edits(ViewerState& state) {
     if (!edits.before) return EditsReach::none;
     if (edits.judged_revision == state.document.revision()) return edits.judged;
     edits.judged_revision = state.document.revision();
-    edits.judged = !same_places(*edits.before, state.scene())   ? EditsReach::this_frame
-                   : same_besides(*edits.before, state.scene()) ? EditsReach::none
-                                                                : EditsReach::all_frames;
+    const bool is_as_read = same_besides(*edits.before, state.scene()) && !lacks_edited_spheres(state);
+    edits.judged = !same_places(*edits.before, state.scene()) ? EditsReach::this_frame
+                   : is_as_read                               ? EditsReach::none
+                                                              : EditsReach::all_frames;
     return edits.judged;
 }
 
-void take_shared_edits(ViewerState& state) {
-    state.player.edits.shared = shared_edits_now(state);
-    state.player.edits.before.reset();
+bool lacks_edited_spheres(const ViewerState& state) {
+    const FrameEdits& edits = state.player.edits;
+    return edits.before && edits.shared.go_beyond(edits.before->spheres.size());
+}
+
+void take_shared_edits(ViewerState& state, std::size_t next_size) {
+    FrameEdits& edits = state.player.edits;
+    edits.shared = shared_edits_now(state);
+    // While a film plays nothing is kept: what it began with is.
+    if (edits.shared.go_beyond(next_size) && !state.player.clock.plays()) {
+        state.autosave.keep_before_reading(state.document, state.path);
+    }
+    edits.before.reset();
 }
 
 void give_shared_edits(ViewerState& state) {
-    const SharedEdits& shared = state.player.edits.shared;
+    const FrameChanges& shared = state.player.edits.shared;
     if (!shared.any()) return;
     Document& document = state.document;
     note_frame_before_edit(state, false);
     const std::uint64_t gesture = ++state.gesture;
     const auto give = [&](Edit edit) { document.apply(std::move(edit), "Changes of all frames", gesture); };
-    if (shared.frame_size == document.scene().spheres.size()) {
-        ChangeSpheres change;
-        for (const SphereChange& one : shared.spheres) {
-            Sphere sphere = document.scene().spheres[one.number];
-            sphere.color = one.color.value_or(sphere.color);
-            sphere.radius = one.radius.value_or(sphere.radius);
-            sphere.hidden = one.hidden.value_or(sphere.hidden);
-            change.numbers.push_back(one.number);
-            change.spheres.push_back(sphere);
-        }
-        if (!change.numbers.empty()) give(std::move(change));
-        for (const auto& [number, name] : shared.names) give(RenameSphere{number, name});
+    const std::size_t size = document.scene().spheres.size();
+    ChangeSpheres change;
+    for (const SphereChange& one : changes_within(shared, size)) {
+        Sphere sphere = document.scene().spheres[one.number];
+        sphere.color = one.color.value_or(sphere.color);
+        sphere.radius = one.radius.value_or(sphere.radius);
+        sphere.hidden = one.hidden.value_or(sphere.hidden);
+        change.numbers.push_back(one.number);
+        change.spheres.push_back(sphere);
+    }
+    if (!change.numbers.empty()) give(std::move(change));
+    for (const auto& [number, name] : shared.names) {
+        if (number < size) give(RenameSphere{number, name});
     }
     if (shared.background) give(ChangeBackground{*shared.background});
     if (shared.camera) give(ChangeCamera{*shared.camera});
     if (shared.light) give(ChangeLight{*shared.light});
     if (shared.views) give(ChangeViews{*shared.views});
+    if (!lacks_edited_spheres(state)) return;
+    document.mark_unsaved();
+    state.autosave.keep_instead_of(document);
 }
 
 }  // namespace sphereview

@@ -268,9 +268,17 @@ std::shared_ptr<const BackgroundJob> Autosave::keep_before_reading(const Documen
     return job_;
 }
 
+void Autosave::keep_instead_of(const Document& document) {
+    if (kept_) tried_ = instead_of_ = document.revision();
+}
+
+bool Autosave::keeps_instead_of(const Document& document) const {
+    return kept_ && instead_of_ == document.revision() && written_->done;
+}
+
 std::string keep_unsaved(const ViewerState& state) {
     if (!state.document.is_changed() && !state.saving) return "";  // a save may not be finished
-    const bool kept = write_recovery(state.scene(), state.path);
+    const bool kept = state.autosave.keeps_instead_of(state.document) || write_recovery(state.scene(), state.path);
     return "unsaved changes of " + state.name() + (kept ? " are kept; the next start offers them" : " could not be kept");
 }
 

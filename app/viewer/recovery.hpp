@@ -63,6 +63,12 @@ public:
     // returns, if it is anything, has ended.
     std::shared_ptr<const BackgroundJob> keep_before_reading(const Document& document, const std::string& original);
 
+    // The document is a frame that lacks spheres which were changed in others: what is kept has them, so it stays until this
+    // document changes.
+    void keep_instead_of(const Document& document);
+    // Whether it still does.
+    bool keeps_instead_of(const Document& document) const;
+
     // When look() has something to do that no input announces.
     std::optional<Clock::time_point> due() const { return due_; }
 
@@ -71,8 +77,9 @@ private:
 
     std::optional<Clock::time_point> due_;
     Clock::duration pause_ = shortest_pause;
-    std::uint64_t tried_ = 0;  // the revision of the last attempt
-    bool kept_ = false;        // there may be a recovery file of ours
+    std::uint64_t tried_ = 0;       // the revision of the last attempt,
+    std::uint64_t instead_of_ = 0;  // or of the frame instead of which what is kept stays
+    bool kept_ = false;             // there may be a recovery file of ours
     // Of the last copy that was written; the job's thread sets them.
     struct Written {
         std::atomic<bool> done = false;

@@ -170,7 +170,8 @@ void note_back(ViewerState& state) {
 
 void offer_reload(ViewerState& state, LoadedScene loaded) {
     state.messages.scene_error.clear();
-    if (!state.document.is_changed() || loaded.scene == state.scene()) return reload(state, std::move(loaded));
+    const bool shows_all = loaded.scene == state.scene() && !lacks_edited_spheres(state);
+    if (!state.document.is_changed() || shows_all) return reload(state, std::move(loaded));
     ask(state, {.id = "reload",
                 .title = "The file has changed on disk",
                 .text = in_quotes(state.name()) + " was changed by another program, and has changes here that are not saved.\n" +
@@ -290,7 +291,7 @@ void ask_for_scene(ViewerState& state) {
 }
 
 void adopt_frame(ViewerState& state, std::int64_t frame, LoadedScene loaded, const FileStates& stamp) {
-    take_shared_edits(state);
+    take_shared_edits(state, loaded.scene.spheres.size());
     const bool same_spheres = loaded.scene.spheres.size() == state.scene().spheres.size();
     const bool measures = state.measuring.revision == state.document.names_revision();
     state.document = Document(std::move(loaded.scene));

@@ -54,6 +54,13 @@ void write(ViewerState& state, const std::string& path, SceneFormat format, cons
 
 void ask_where_to_save(ViewerState& state, SceneFormat format, const std::function<void()>& then);
 
+std::string words_of_unsaved(const ViewerState& state) {
+    const std::string words = in_quotes(state.name()) + " has changes that are not saved.";
+    if (!lacks_edited_spheres(state)) return words;
+    return words + "\nSome are of spheres that frame " + std::to_string(state.frame) +
+           " does not have: only a frame that has them can be saved with them.";
+}
+
 void write_unless_lost(ViewerState& state, const std::string& path, SceneFormat format, const std::function<void()>& then) {
     const std::string lost = lost_in(state.scene(), format);
     if (lost.empty()) return write(state, path, format, then);
@@ -95,7 +102,16 @@ void ask_where_to_save(ViewerState& state, SceneFormat format, const std::functi
             return report_error(state, "The scene cannot be saved",
                                 in_quotes(text_from(path_from(absolute).filename())) + " is " + fault + ".");
         }
-        write_unless_lost(state, absolute, format_of_name(absolute), then);
+        const auto go_on = [&state, absolute, then] { write_unless_lost(state, absolute, format_of_name(absolute), then); };
+        if (!lacks_edited_spheres(state)) return go_on();
+        state.dialogs.push_back(Question{.id = "frame-loses",
+                                         .title = "The frame does not have all that is changed",
+                                         .text = words_of_unsaved(state),
+                                         .answers = {"Save all the same", "Cancel"},
+                                         .cancel = 1,
+                                         .answer = [go_on](int answer) {
+                                             if (answer == 0) go_on();
+                                         }});
     };
     state.dialogs.push_back(std::move(browser));
 }
@@ -135,7 +151,7 @@ void with_edits_safe(ViewerState& state, std::function<void()> then, const std::
     if (!state.document.is_changed()) return then();
     ask(state, {.id = "save-changes",
                 .title = "Save changes?",
-                .text = question.empty() ? in_quotes(state.name()) + " has changes that are not saved." : question,
+                .text = question.empty() ? words_of_unsaved(state) : question,
                 .answers = {"Save", "Don't save", "Cancel"},
                 .cancel = 2,
                 .answer = [&state, then = std::move(then)](int answer) {

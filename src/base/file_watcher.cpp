@@ -1,6 +1,7 @@
 #include "base/file_watcher.hpp"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -18,7 +19,9 @@ constexpr auto interval = std::chrono::milliseconds(250);
 std::optional<FileState> state_of(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return {};
-    return FileState{fs::canonical(file, error), fs::file_size(file, error), fs::last_write_time(file, error)};
+    fs::path canonical = fs::canonical(file, error);
+    if (error == std::errc::not_enough_memory) throw std::bad_alloc();  // else the file would seem another one
+    return FileState{std::move(canonical), fs::file_size(file, error), fs::last_write_time(file, error)};
 }
 
 }  // namespace

@@ -347,11 +347,12 @@ PipedProgram::~PipedProgram() {
 bool PipedProgram::write(std::string_view bytes) { return process_->write(bytes); }
 
 bool PipedProgram::finish() {
-    if (!reader_.joinable()) return done_;
-    process_->end_input();
-    reader_.join();
-    done_ = process_->result().end == ProgramResult::End::returned;
-    return done_;
+    if (reader_.joinable()) {
+        process_->end_input();
+        reader_.join();
+        result_ = process_->result();
+    }
+    return result_.end == ProgramResult::End::returned;
 }
 
 void PipedProgram::kill() { process_->kill(); }

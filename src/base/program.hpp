@@ -13,6 +13,16 @@ namespace sphereview {
 // The file of the program of that name in the folders of PATH, as a shell would find it; "" where there is none.
 std::string find_program(const std::string& name);
 
+// How a program ended that was waited for.
+struct ProgramResult {
+    enum class End { returned, timed_out, crashed, exited };
+
+    End end = End::returned;  // exited: with another status than 0, or it wrote nothing
+    unsigned code = 0;        // the signal's number (on Windows the exception's) or the exit status
+    std::string output{};     // what it wrote to standard output
+    std::string errors{};     // and to standard error
+};
+
 // A program that takes what is written to it.
 class PipedProgram {
 public:
@@ -27,6 +37,8 @@ public:
     bool write(std::string_view bytes);
     // Ends its input and waits for its end; whether it says that it has done its work. A second call returns the same.
     bool finish();
+    // How it ended, after finish(); without what it wrote.
+    const ProgramResult& result() const { return result_; }
     // From any thread.
     void kill();
     // What it wrote to standard error, after finish(): the beginning.
@@ -35,18 +47,8 @@ public:
 private:
     std::unique_ptr<class ProgramProcess> process_;
     std::string errors_{};
-    bool done_ = false;
+    ProgramResult result_{};
     std::thread reader_{};  // of its errors; last: it uses what is above
-};
-
-// How a program ended that was waited for.
-struct ProgramResult {
-    enum class End { returned, timed_out, crashed, exited };
-
-    End end = End::returned;  // exited: with another status than 0, or it wrote nothing
-    unsigned code = 0;        // the signal's number (on Windows the exception's) or the exit status
-    std::string output{};     // what it wrote to standard output
-    std::string errors{};     // and to standard error
 };
 
 // Runs the program at `path` and waits for it; kills it after `limit`. Its standard input is empty, and ends when this process

@@ -6,12 +6,17 @@ namespace sphereview {
 
 AtomLines step_over_atoms(const TextSource& source, LineWalker& walker, std::size_t count, bool wanted, const std::string& of_frame,
                           GoesOn goes_on, const char* what) {
+    const LineWalker first = walker;
     AtomLines lines{count, goes_on, walker.line_end()};
     for (std::size_t i = 0; i < count; ++i) {
         if (walker.at_end()) source.fail_at_end(of_atom(i, count, what).substr(4) + of_frame);
         lines.last = walker.offset();
         if (wanted && i % atom_lines_a_piece == 0) lines.pieces.push_back(walker.offset());
         lines.step(source, walker);
+    }
+    if (!wanted && walker.at_end()) {
+        walker = first;
+        return step_over_atoms(source, walker, count, true, of_frame, goes_on, what);
     }
     return lines;
 }

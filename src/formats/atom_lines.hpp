@@ -30,7 +30,8 @@ struct AtomLines {
     GoesOn goes_on = nullptr;  // null: each atom has one line
     char line_end = '\n';
     std::size_t last = 0;               // where the first line of the last atom begins
-    std::vector<std::size_t> pieces{};  // where the first line of each atom_lines_a_piece begins; of the wanted frame alone
+    std::vector<std::size_t> pieces{};  // where the first line of each atom_lines_a_piece begins; of the wanted frame,
+                                        // and of one that the text ends with
 
     // At a piece's first line.
     LineWalker walker(const TextSource& source, std::size_t piece) const { return {source.text, line_end, pieces[piece]}; }
@@ -133,14 +134,23 @@ private:
     std::string of_frame_{};
 };
 
-// Of the text's last frame, whose last line has no line end: what is wrong where it is an atom's line and not whole; else "". A
-// program that was ended while it wrote leaves half a line.
-template <typename Finder>
+// Of the text's last frame, whose last line has no line end: what is wrong where that is not whole; else "". A program that was
+// ended while it wrote leaves half a line, which shows where the frame is read, by read_frame(frame).
+template <typename Finder, typename ReadFrame>
 std::string fault_of_last_line(const TextSource& source, const Finder& finder, const typename Finder::Frame& frame,
-                               std::int64_t number) {
+                               std::int64_t number, const ReadFrame& read_frame) {
     if (!finder.at_end()) return "";  // first: to look for the last line behind each frame would take long
-    const std::string_view line = last_line(source.text);
-    if (line.empty() || finder.holds_atom(frame, line)) return "";
+    const bool ends_in_cr = source.text.ends_with('\r') && line_end_of(source.text) == '\n';
+    const std::string_view line = last_line(source.text.substr(0, source.text.size() - (ends_in_cr ? 1 : 0)));
+    if (line.empty()) return "";
+    bool is_whole = finder.holds_atom(frame, line);
+    try {
+        // Of a frame that goes on behind its atoms these are whole, and their lines are not noted.
+        if (is_whole && !frame.atoms.pieces.empty()) read_frame(frame);
+    } catch (const TextFault& fault) {
+        is_whole = fault.offset < source.offset_of(line);
+    }
+    if (is_whole) return "";
     return source.place(source.text.size()) + "the text ends, expected the whole line of the last atom of frame " +
            std::to_string(number);
 }
@@ -164,7 +174,11 @@ SphereData read_wanted_frame(const TextSource& source, const DataOptions& option
             fault = early_end(error.what(), frames);
             break;
         }
-        const std::string cut = fault_of_last_line(source, finder, frame, frames);
+        // The wanted one is read in any case.
+        const auto read = [&](const Frame& last) {
+            if (frames > options.frame) read_frame(last);
+        };
+        const std::string cut = fault_of_last_line(source, finder, frame, frames, read);
         if (frames > options.frame && !cut.empty()) {
             fault = early_end(cut, frames);
             break;
@@ -183,14 +197,15 @@ SphereData read_wanted_frame(const TextSource& source, const DataOptions& option
     return data;
 }
 
-// What SceneFormat::step_over gives, by a finder of frames that stands at the first one of its text.
-template <typename Finder>
-std::optional<std::size_t> step_over_frame(Finder& finder, bool ended, std::int64_t number) {
+// What SceneFormat::step_over gives, by a finder of frames that stands at the first one of its text. read_frame(frame) reads one.
+template <typename Finder, typename ReadFrame>
+std::optional<std::size_t> step_over_frame(Finder& finder, bool ended, std::int64_t number, const ReadFrame& read_frame) {
     try {
         typename Finder::Frame frame;
         const bool found = finder.next(frame, number, false);
-        const std::string fault = ended && found && number > 0 ? fault_of_last_line(finder.source(), finder, frame, number) : "";
-        if (!fault.empty()) throw TextEnds(fault);
+        const TextSource& source = finder.source();
+        const std::string fault = ended && found && number > 0 ? fault_of_last_line(source, finder, frame, number, read_frame) : "";
+        if (!fault.empty()) throw TextEnds(fault, source.text.size());
         if (finder.at_end() && !ended) return std::nullopt;  // a line that belongs to the frame may follow
         return found ? finder.offset() : 0;
     } catch (const TextEnds&) {

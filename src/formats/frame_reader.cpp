@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "formats/lines.hpp"
 
 namespace sphereview {
 
@@ -15,6 +16,11 @@ constexpr std::size_t read_at_once = std::size_t{1} << 22;
 constexpr std::size_t byte_order_mark_size = 3;
 constexpr std::size_t longest_head = std::size_t{1} << 18;
 constexpr std::uint64_t most_expected_expansion = 32;  // of a packed text
+
+bool is_in_last_line_of(std::string_view text, const InputError& error) {
+    const auto* fault = dynamic_cast<const TextFault*>(&error);
+    return fault != nullptr && is_in_last_line(text, fault->offset);
+}
 
 }  // namespace
 
@@ -50,6 +56,7 @@ void FrameReader::begin_at_the_beginning() {
     known_end_ = 0;
     found_all_ = false;
     fault_.clear();
+    is_damaged_ = false;
 }
 
 void FrameReader::note_stamp() {
@@ -156,8 +163,11 @@ bool FrameReader::find_next() {
             length = format_.step_over(text, ended, name(), part);
         } catch (const InputError& error) {
             if (places_.empty()) throw;
-            fault_ = error.what();
-            length = 0;
+            is_damaged_ = !is_in_last_line_of(text, error);
+            if (is_damaged_ || ended) {
+                fault_ = error.what();
+                length = 0;
+            }
         }
         if (length) break;
         stream_.fill(std::max(read_at_once, 2 * stream_.bytes().size()));
@@ -194,7 +204,13 @@ void FrameReader::count_in_whole_file() {
     if (frames_) return;
     DataOptions first = options_;
     first.frame = 0;
-    frames_ = format_.has_frames ? format_.read(stream_.bytes(), name(), first).frames : 1;
+    if (!format_.has_frames) {
+        frames_ = 1;
+        return;
+    }
+    SphereData data = format_.read(stream_.bytes(), name(), first);
+    frames_ = data.frames;
+    fault_ = std::move(data.fault);
 }
 
 // A frame behind the last one is looked for from there.

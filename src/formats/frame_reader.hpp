@@ -46,6 +46,8 @@ public:
     std::int64_t count(std::int64_t enough = most_frames);
     // That fault, once frames up to it were counted; "" where none was met.
     const std::string& fault() const { return fault_; }
+    // Whether more follows it in the text, which is damaged there and not only cut off.
+    bool is_damaged() const { return is_damaged_; }
 
     // The frame's spheres. Throws InputError, also where the file has no such frame, and MemoryError.
     SphereData read(std::int64_t frame);
@@ -85,6 +87,7 @@ private:
     bool is_whole_ = false;             // the one frame is the whole text, and no part of it
     bool found_all_ = false;
     std::string fault_{};
+    bool is_damaged_ = false;
     // Of a format that is only read whole: how many there are, and the last that was read, with the place behind it.
     std::optional<std::int64_t> frames_{};
     std::int64_t last_frame_ = 0;

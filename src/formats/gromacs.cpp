@@ -172,7 +172,7 @@ SphereData read_gromacs(std::string_view content, const std::string& name, const
 std::optional<std::size_t> step_over_gromacs(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
     const TextSource source{name, whole_lines(text, ended), part.origin};
     GroFinder finder(source);
-    return step_over_frame(finder, ended, part.frames);
+    return step_over_frame(finder, ended, part.frames, [&](const GroFrame& frame) { read_gro_frame(source, frame, {}); });
 }
 
 }  // namespace sphereview

@@ -484,7 +484,8 @@ SphereData read_lammps(std::string_view content, const std::string& name, const 
 std::optional<std::size_t> step_over_lammps(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
     const TextSource source{name, whole_lines(text, ended), part.origin};
     DumpFinder finder(source, part);
-    const auto length = step_over_frame(finder, ended, part.frames);
+    const auto length =
+        step_over_frame(finder, ended, part.frames, [&](const DumpFrame& frame) { read_dump_frame(source, frame, {}); });
     if (length) part.of_first = finder.units();
     return length;
 }

@@ -8,17 +8,17 @@ namespace sphereview {
 
 std::string TextSource::place(std::size_t offset) const { return place_in(name, position_at(text, offset, origin)); }
 
-void TextSource::fail(std::size_t offset, const std::string& message) const { throw InputError(place(offset) + message); }
+void TextSource::fail(std::size_t offset, const std::string& message) const { throw TextFault(place(offset) + message, offset); }
 
 void TextSource::fail_at_end(const std::string& expected) const {
-    throw TextEnds(place(text.size()) + "the text ends, expected " + expected);
+    throw TextEnds(place(text.size()) + "the text ends, expected " + expected, text.size());
 }
 
 void TextSource::fail(std::string_view piece, const std::string& expected) const {
-    throw InputError(place(piece) + found_expected(piece, expected));
+    fail_at(piece, found_expected(piece, expected));
 }
 
-void TextSource::fail_at(std::string_view piece, const std::string& message) const { throw InputError(place(piece) + message); }
+void TextSource::fail_at(std::string_view piece, const std::string& message) const { fail(offset_of(piece), message); }
 
 void TextSource::fail_behind(std::string_view line, const std::string& expected) const {
     fail_at(line.substr(line.size()), "the line ends, expected " + expected);
@@ -60,6 +60,11 @@ NumberFault parse_or_nothing(std::string_view token, double& value) {
 }
 
 std::string_view last_line(std::string_view text) { return text.substr(text.find_last_of("\r\n") + 1); }
+
+bool is_in_last_line(std::string_view text, std::size_t offset) {
+    const std::size_t end = text.find(line_end_of(text), offset);
+    return end == std::string_view::npos || text.find_first_not_of(white_space, end) == std::string_view::npos;
+}
 
 std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end) {
     return line.size() <= begin ? "" : trimmed(line.substr(begin, end - begin), " ");

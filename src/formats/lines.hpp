@@ -22,9 +22,16 @@ namespace sphereview {
 
 inline constexpr std::string_view white_space = " \t\n\v\f\r";
 
+// Something is wrong in a text.
+struct TextFault : InputError {
+    TextFault(const std::string& message, std::size_t place) : InputError(message), offset(place) {}
+
+    std::size_t offset;  // where, from the text's beginning
+};
+
 // A text ends where more of it was expected.
-struct TextEnds : InputError {
-    using InputError::InputError;
+struct TextEnds : TextFault {
+    using TextFault::TextFault;
 };
 
 // A piece of a file: what messages call the file, and where in it the text begins.
@@ -38,13 +45,13 @@ struct TextSource {
     // Of a piece of the text.
     std::string place(std::string_view piece) const { return place(offset_of(piece)); }
     std::size_t offset_of(std::string_view piece) const { return static_cast<std::size_t>(piece.data() - text.data()); }
-    // Throws InputError "NAME:LINE:COLUMN: MESSAGE".
+    // Throws TextFault "NAME:LINE:COLUMN: MESSAGE".
     [[noreturn]] void fail(std::size_t offset, const std::string& message) const;
     // Throws TextEnds "NAME:LINE:COLUMN: the text ends, expected EXPECTED".
     [[noreturn]] void fail_at_end(const std::string& expected) const;
-    // Throws InputError "NAME:LINE:COLUMN: found 'PIECE', expected EXPECTED".
+    // Throws TextFault "NAME:LINE:COLUMN: found 'PIECE', expected EXPECTED".
     [[noreturn]] void fail(std::string_view piece, const std::string& expected) const;
-    // Throws InputError "NAME:LINE:COLUMN: MESSAGE" of where a piece of the text begins.
+    // Throws TextFault "NAME:LINE:COLUMN: MESSAGE" of where a piece of the text begins.
     [[noreturn]] void fail_at(std::string_view piece, const std::string& message) const;
     // The same of where it ends: "the line ends, expected EXPECTED".
     [[noreturn]] void fail_behind(std::string_view line, const std::string& expected) const;
@@ -65,6 +72,9 @@ NumberFault parse_or_nothing(std::string_view token, double& value);
 
 // What stands behind the last line end of a text: "" where it ends with one.
 std::string_view last_line(std::string_view text);
+
+// Whether nothing stands behind the line of byte `offset`.
+bool is_in_last_line(std::string_view text, std::size_t offset);
 
 // What stands in columns [begin, end) of a line, from 0, without blanks; "" behind the line's end.
 std::string_view in_columns(std::string_view line, std::size_t begin, std::size_t end);

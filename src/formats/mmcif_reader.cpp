@@ -315,7 +315,8 @@ SphereData read_mmcif(std::string_view content, const std::string& name, const D
         table.is_crystal ? read_crystal(source, table.table, options) : read_model(source, table.table, wanted, options);
     data.frames = wanted.frames;
     if (!found.fault.empty()) data.warnings.push_back(found.fault + "; passed over");
-    if (!read.fault.empty()) data.warnings.push_back(early_end(read.fault, wanted.frames));
+    data.fault = read.fault;
+    if (!data.fault.empty()) data.warnings.push_back(early_end(data.fault, wanted.frames));
     return data;
 }
 

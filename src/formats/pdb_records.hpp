@@ -51,7 +51,8 @@ SphereData read_pdb_frame(const TextSource& source, const DataOptions& options, 
         try {
             atom_of(last, false);
         } catch (const InputError& error) {
-            data.warnings.push_back(early_end(error.what(), --data.frames));
+            data.fault = error.what();
+            data.warnings.push_back(early_end(data.fault, --data.frames));
         }
     }
     return data;

@@ -204,6 +204,16 @@ private:
     const DataOptions& options_;
 };
 
+SphereData read_poscar_frame(const TextSource& source, const PoscarFrame& frame, const DataOptions& options) {
+    const auto reader = [&](std::size_t) { return PoscarAtomReader(source, frame, options); };
+    Atoms atoms = read_atom_lines(source, frame.atoms, reader);
+    const auto symbol = [&](std::string_view, std::size_t index, std::size_t, std::vector<std::string_view>& fields) {
+        fields.push_back(frame.group_of(index).symbol);
+    };
+    atoms.properties = read_line_properties(source, frame.atoms, {{"element", PropertyKind::element, 0}}, options, symbol);
+    return data_of(std::move(atoms), source.name, options, name_of_species);
+}
+
 }  // namespace
 
 // A title, a scale, three edges, and then the symbols or numbers of the atoms, and how their places are meant.
@@ -225,15 +235,8 @@ bool shows_poscar(std::string_view head) {
 SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content), options.part.origin};
     PoscarFinder finder(source, options.part);
-    return read_wanted_frame(source, options, finder, "a title", [&](const PoscarFrame& frame) {
-        const auto reader = [&](std::size_t) { return PoscarAtomReader(source, frame, options); };
-        Atoms atoms = read_atom_lines(source, frame.atoms, reader);
-        const auto symbol = [&](std::string_view, std::size_t index, std::size_t, std::vector<std::string_view>& fields) {
-            fields.push_back(frame.group_of(index).symbol);
-        };
-        atoms.properties = read_line_properties(source, frame.atoms, {{"element", PropertyKind::element, 0}}, options, symbol);
-        return data_of(std::move(atoms), name, options, name_of_species);
-    });
+    return read_wanted_frame(source, options, finder, "a title",
+                             [&](const PoscarFrame& frame) { return read_poscar_frame(source, frame, options); });
 }
 
 std::optional<std::size_t> step_over_poscar(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
@@ -241,7 +244,8 @@ std::optional<std::size_t> step_over_poscar(std::string_view text, bool ended, c
     if (!ended && trimmed(text, white_space).empty()) return std::nullopt;
     const TextSource source{name, whole_lines(text, ended), part.origin};
     PoscarFinder finder(source, part);
-    const auto length = step_over_frame(finder, ended, part.frames);
+    const auto length =
+        step_over_frame(finder, ended, part.frames, [&](const PoscarFrame& frame) { read_poscar_frame(source, frame, {}); });
     if (length) part.of_first = finder.head_frame();
     return length;
 }

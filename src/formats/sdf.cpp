@@ -257,6 +257,13 @@ FileProperties read_mol_properties(const TextSource& source, const MolFrame& fra
     return read_line_properties(source, frame.atoms, columns, options, fields);
 }
 
+SphereData read_mol_frame(const TextSource& source, const MolFrame& frame, const DataOptions& options) {
+    const auto reader = [&](std::size_t) { return MolAtomReader(source, frame, options); };
+    Atoms atoms = read_atom_lines(source, frame.atoms, reader);
+    atoms.properties = read_mol_properties(source, frame, options);
+    return data_of(std::move(atoms), source.name, options, name_of_species);
+}
+
 }  // namespace
 
 bool shows_sdf(std::string_view head) {
@@ -268,18 +275,14 @@ bool shows_sdf(std::string_view head) {
 SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options) {
     const TextSource source{name, without_byte_order_mark(content), options.part.origin};
     MoleculeFinder finder(source);
-    return read_wanted_frame(source, options, finder, "three lines of title", [&](const MolFrame& frame) {
-        const auto reader = [&](std::size_t) { return MolAtomReader(source, frame, options); };
-        Atoms atoms = read_atom_lines(source, frame.atoms, reader);
-        atoms.properties = read_mol_properties(source, frame, options);
-        return data_of(std::move(atoms), name, options, name_of_species);
-    });
+    return read_wanted_frame(source, options, finder, "three lines of title",
+                             [&](const MolFrame& frame) { return read_mol_frame(source, frame, options); });
 }
 
 std::optional<std::size_t> step_over_sdf(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {
     const TextSource source{name, whole_lines(text, ended), part.origin};
     MoleculeFinder finder(source);
-    return step_over_frame(finder, ended, part.frames);
+    return step_over_frame(finder, ended, part.frames, [&](const MolFrame& frame) { read_mol_frame(source, frame, {}); });
 }
 
 }  // namespace sphereview

@@ -235,7 +235,8 @@ std::optional<std::size_t> step_over_xyz(std::string_view text, bool ended, cons
     if (part.frames == 0 && (is_utf16(text) || shows_points(text))) return ended ? std::optional(text.size()) : std::nullopt;
     const TextSource source{name, whole_lines(text, ended), part.origin};
     XyzFinder finder(source, part);
-    const auto length = step_over_frame(finder, ended, part.frames);
+    const auto length =
+        step_over_frame(finder, ended, part.frames, [&](const XyzFrame& frame) { read_xyz_frame(source, frame, {}); });
     if (length) part.of_first = finder.numbers_behind_first();
     return length;
 }

@@ -158,6 +158,11 @@ TEST_F(FilmCommand, IsWholeOrNotAtAll) {
     EXPECT_EQ(folder_.read("out.mp4"), "old");
     EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.xyz", "bin", "out.mp4"}));
 
+    write_encoder("head -c 20 >\"$film\"\nkill -SEGV $$");
+    const Outcome crashed = run(film({"--movie", "out.mp4"}));
+    EXPECT_EQ(crashed.status, 4) << crashed;
+    EXPECT_TRUE(contains(crashed.errors, "out.mp4: cannot be written: ffmpeg was ended by signal 11\n")) << crashed;
+
     // An encoder that says that all is well, and has written nothing.
     write_encoder("cat >/dev/null");
     const Outcome empty = run(film({"--movie", "out.mp4"}));

@@ -164,6 +164,59 @@ TEST_F(Frames, WarnOncePerFile) {
     EXPECT_FALSE(folder_.has("cut-00002.png"));
 }
 
+// As a program leaves it that was ended while it wrote.
+TEST_F(Frames, EndBeforeOneThatIsCutWithinItsLine) {
+    folder_.write("cut.xyz", "1\n\nO 0 0 0\n1\n\nO 1 0 0\n2\n\nO 1 0 0\nO 1 0");
+    const std::string fault = "cut.xyz:10:6: the text ends, expected the whole line of the last atom of frame 2";
+    for (const char* frames : {"all", "1:", ":7"}) {
+        const Outcome outcome = render({"cut.xyz", "--frames", frames, "-s", "9x9", "-o", "out/{frame}.png"});
+        EXPECT_EQ(outcome.status, 0) << outcome;
+        EXPECT_EQ(outcome.errors, fault + "; what follows frame 1 is passed over\n");
+        EXPECT_TRUE(folder_.has("out/1.png"));
+        EXPECT_FALSE(folder_.has("out/2.png"));
+    }
+    for (const char* frames : {"2", "0,2"}) {
+        const Outcome outcome = render({"cut.xyz", "--frames", frames, "-s", "9x9"});
+        EXPECT_EQ(outcome.status, 2) << outcome;
+        EXPECT_EQ(outcome.errors, fault + "\n");
+    }
+}
+
+// Of files that are read whole, too.
+TEST_F(Frames, OfAPdbFileEndBeforeOneThatIsCutWithinItsLine) {
+    const auto model = [](const char* x) {
+        return std::string("MODEL\nATOM      1  N   ALA A   1       ") + x +
+               ".000   0.000   0.000  1.00  0.00           N\nENDMDL\n";
+    };
+    folder_.write("cut.pdb", model("1") + model("2") + model("3").substr(0, 50));
+    const Outcome outcome = render({"cut.pdb", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "cut.pdb:8:45: the line ends, expected the atom's y in columns 39 to 46; what follows frame 1 is passed over\n");
+    EXPECT_TRUE(folder_.has("cut-00001.png"));
+    EXPECT_FALSE(folder_.has("cut-00002.png"));
+    EXPECT_EQ(render({"cut.pdb", "--frames", "2", "-s", "9x9"}).status, 2);
+}
+
+// There were more, which nobody can find.
+TEST_F(Frames, ThatAreLostBehindDamageGiveAnotherStatus) {
+    const std::string frame = "1\n\nO 0 0 0\n";
+    folder_.write("a.xyz", frame + frame + frame + "2x\n\nO 0 0 0\nO 1 0 0\n" + frame + frame);
+    const std::vector<std::string> all = {"a.xyz", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"};
+    const Outcome outcome = render(all);
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "a.xyz:10:1: found '2x', expected the number of atoms of frame 3, a whole number; what follows frame "
+              "2 is passed over\n");
+    EXPECT_TRUE(folder_.has("out/2.png"));
+    EXPECT_FALSE(folder_.has("out/3.png"));
+    std::vector<std::string> again = all;
+    again.emplace_back("--skip-existing");
+    EXPECT_EQ(render(again).status, 2) << "they are not there either";
+    expect_done({"a.xyz", "--frames", "0:3", "-s", "9x9", "-o", "out/{frame}.png"});
+    EXPECT_EQ(render({"a.xyz", "--frames", "1:4", "-s", "9x9", "-o", "out/{frame}.png"}).status, 2);
+}
+
 // Nobody can tell how many frames it had.
 TEST_F(Frames, RefuseAPackedFileThatIsCutOff) {
     const std::string packed = gzipped("1\n\nO 0 0 0\n1\n\nO 1 0 0\n");

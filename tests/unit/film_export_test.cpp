@@ -174,7 +174,7 @@ TEST_F(FilmExport, MakesColoursRadiiAndWhatIsHiddenInAllFramesButNoPlaces) {
     alike.output = folder.path("alike/{frame:05}.png");
     Progress progress;
     FrameSequence sequence(alike.scenes.front(), alike, progress);
-    sequence.set_changes({.frame_size = 2, .spheres = {{.number = 0, .color = first.color, .radius = first.radius}}});
+    sequence.set_changes({.spheres = {{.number = 0, .color = first.color, .radius = first.radius}}});
     sequence.prepare(progress);
     for (const Shot& shot : sequence.shots()) {
         const LoadedScene loaded = sequence.load(shot);
@@ -299,7 +299,8 @@ TEST_F(FilmExport, SaysInOneMessageWhatWentWrong) {
     write_encoder("head -c 20 >\"$film\"\necho 'no such codec' >&2\nexit 3");
     start_film(state, request("a.mp4"));
     ASSERT_TRUE(test::eventually([&] { return is_finished(); }));
-    EXPECT_TRUE(test::contains(error(), "ffmpeg has failed: no such codec")) << error();
+    EXPECT_TRUE(error().starts_with(folder.path("a.mp4") + ": cannot be written: ffmpeg has failed: no such codec")) << error();
+    EXPECT_EQ(error().find("a.mp4", folder.path("a.mp4").size()), std::string::npos) << error();
     EXPECT_FALSE(folder.has("a.mp4"));
 
     write_encoder("exec cat >\"$film\"");

@@ -4,12 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 
+#include "support/environment.hpp"
 #include "support/eventually.hpp"
 #include "support/temporary_folder.hpp"
 #include "viewer/command_table.hpp"
 #include "viewer/perform.hpp"
 #include "viewer/scene_file.hpp"
+#include "viewer/scene_saving.hpp"
 
 namespace sphereview {
 
@@ -27,8 +30,22 @@ std::string moved_frames(int count) {
     return text;
 }
 
+// Of so many atoms each.
+std::string sized_frames(const std::vector<int>& sizes) {
+    std::string text;
+    for (const int size : sizes) {
+        text += std::to_string(size) + "\n\n";
+        for (int i = 0; i < size; ++i) text += "O " + std::to_string(3 * i) + " 0 100\n";
+    }
+    return text;
+}
+
 struct FramesInViewer : testing::Test {
     FramesInViewer() : state(ViewOptions{}, ViewerSettings{}) { open(moved_frames(5)); }
+    ~FramesInViewer() override {
+        state.autosave.finish();
+        remove_own_recovery();
+    }
 
     void open(const std::string& text, const std::string& name = "a.xyz") {
         path = folder.write(name, text);
@@ -88,6 +105,7 @@ struct FramesInViewer : testing::Test {
     bool plays() const { return state.player.clock.plays(); }
 
     test::TemporaryFolder folder;
+    test::Variable folder_of_state{"XDG_STATE_HOME", folder.path("state")};  // where changes are kept
     std::string path;
     ViewerState state;
     PlayClock::Time now{};
@@ -250,15 +268,96 @@ TEST_F(FramesInViewer, WhatIsNoPlaceGoesAlong) {
     EXPECT_FALSE(state.document.is_changed());
 }
 
-TEST_F(FramesInViewer, FramesOfAnotherSizeGetNothingAndTheNextOnesDo) {
-    open(moved_frames(2) + "1\n\nO 7 0 100\n" + moved_frames(2));
+TEST_F(FramesInViewer, ChangesStayWithTheNumberInFramesOfAllSizes) {
+    open(sized_frames({2, 1, 3, 2}));
     edit(1, [](Sphere& s) { s.hidden = true; });
-    run(CommandId::next_frame);
-    run(CommandId::next_frame);
-    EXPECT_EQ(state.scene().spheres.size(), 1U);
-    EXPECT_FALSE(state.document.is_changed());
-    run(CommandId::next_frame);
+    apply(state, {RenameSphere{1, "second"}, "Rename"});
+    show_frame(state, 1);
+    edit(0, [](Sphere& s) { s.color = {1, 2, 3}; });
+    show_frame(state, 2);
     EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(name_of(state.scene(), 1), "second");
+    EXPECT_EQ(sphere(0).color, (Color{1, 2, 3}));
+    edit(2, [](Sphere& s) { s.radius = 0.125; });
+    show_frame(state, 3);
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(sphere(0).color, (Color{1, 2, 3}));
+    // What is taken back where some spheres are missing is taken back of the others.
+    show_frame(state, 1);
+    EXPECT_EQ(sphere(0).color, (Color{1, 2, 3}));
+    undo(state);
+    EXPECT_NE(sphere(0).color, (Color{1, 2, 3}));
+    show_frame(state, 2);
+    EXPECT_NE(sphere(0).color, (Color{1, 2, 3}));
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(sphere(2).radius, 0.125);
+    undo(state);
+    redo(state);
+    show_frame(state, 0);
+    EXPECT_TRUE(sphere(1).hidden);
+    EXPECT_EQ(name_of(state.scene(), 1), "second");
+    undo(state);
+    show_frame(state, 2);
+    EXPECT_FALSE(sphere(1).hidden);
+    EXPECT_EQ(name_of(state.scene(), 1), "O");
+    EXPECT_EQ(sphere(2).radius, 0.125);
+}
+
+// A frame that has none of the spheres that were changed does not hide that something is not saved.
+TEST_F(FramesInViewer, WhatAFrameCannotShowIsAskedAboutAndKept) {
+    open(sized_frames({2, 1, 1}));
+    edit(1, [](Sphere& s) { s.hidden = true; });
+    show_frame(state, 1);
+    ASSERT_EQ(state.frame, 1);
+    EXPECT_TRUE(state.document.is_changed());
+    EXPECT_EQ(reach_of_edits(state), EditsReach::all_frames);
+    show_frame(state, 2);
+    EXPECT_TRUE(state.document.is_changed());
+    // The recovery is of the frame that has them.
+    for (const auto later : {0s, 10s, 20s}) state.autosave.look(state.document, state.path, Autosave::Clock::now() + later);
+    state.autosave.finish();
+    EXPECT_NE(keep_unsaved(state).find("are kept"), std::string::npos);
+    std::size_t kept = 0;
+    for (const auto& file : std::filesystem::directory_iterator(folder.path("state/sphereview"))) {
+        if (file.path().extension() != ".toml") continue;
+        const Scene scene = load_scene(file.path().string()).scene;
+        ASSERT_EQ(scene.spheres.size(), 2U);
+        EXPECT_TRUE(scene.spheres[1].hidden);
+        ++kept;
+    }
+    EXPECT_EQ(kept, 1U);
+    quit(state);
+    EXPECT_FALSE(state.quits);
+    ASSERT_NE(question(), nullptr);
+    EXPECT_NE(question()->text.find("Some are of spheres that frame 2 does not have"), std::string::npos) << question()->text;
+    answer(0);
+    ASSERT_FALSE(state.dialogs.empty());
+    auto* browser = std::get_if<FileBrowser>(&state.dialogs.back());
+    ASSERT_NE(browser, nullptr);
+    const auto accept = browser->accept;
+    state.dialogs.clear();
+    accept(folder.path("saved.toml"), {});
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "frame-loses");
+    answer(1);
+    EXPECT_FALSE(state.saving);
+    // The file has grown, the frame is the same: what other frames have is not thrown away.
+    folder.write("a.xyz", sized_frames({2, 1, 1, 1}));
+    look_at_file(state);
+    EXPECT_TRUE(test::eventually([&] {
+        finish_work(state);
+        return !state.loading;
+    }));
+    ASSERT_NE(question(), nullptr);
+    EXPECT_EQ(question()->id, "reload");
+    answer(1);
+    show_frame(state, 0);
+    EXPECT_TRUE(sphere(1).hidden);
+    // Once it is taken back there is nothing left.
+    undo(state);
+    show_frame(state, 1);
+    EXPECT_FALSE(state.document.is_changed());
+    EXPECT_EQ(reach_of_edits(state), EditsReach::none);
 }
 
 TEST_F(FramesInViewer, APlaceIsThisFramesAndAskedAboutOnce) {

@@ -185,6 +185,54 @@ TEST_F(FrameReading, FaultsSayWhereInTheFile) {
               empty + ":1:1: the text is empty, expected the number of atoms of frame 0");
 }
 
+// Wherever a program was ended that wrote the last frame, it is there whole or not at all.
+TEST_F(FrameReading, ACutAnywhereLeavesTheFramesBefore) {
+    std::map<std::string, std::string> whole = trajectories(4);
+    std::map<std::string, std::string> begun = trajectories(3);
+    whole["XDATCAR"] = xdatcar();
+    begun["XDATCAR"] = whole["XDATCAR"].substr(0, whole["XDATCAR"].rfind("Direct"));
+    for (const auto& [name, text] : whole) {
+        const std::int64_t before = name == "XDATCAR" ? 29 : 3;
+        std::int64_t cuts = 0;
+        for (std::size_t size = begun[name].size() + 1; size < text.size(); ++size) {
+            SCOPED_TRACE(name + " " + std::to_string(size));
+            FrameReader reader(folder_.write(name, text.substr(0, size)), {});
+            const std::int64_t count = reader.count();
+            EXPECT_TRUE(count == before || count == before + 1);
+            EXPECT_FALSE(reader.is_damaged());
+            if (count > before) {
+                reader.read(before);
+            } else if (!reader.fault().empty()) {
+                ++cuts;
+                EXPECT_EQ(message_of<InputError>([&] { reader.read(before); }), reader.fault());
+            }
+            reader.read(before - 1);
+            // The same at once.
+            const SphereData data = read_at_once(text.substr(0, size), name, 0);
+            EXPECT_EQ(data.frames, count);
+            EXPECT_EQ(data.warnings.empty(), reader.fault().empty());
+        }
+        EXPECT_GT(cuts, 40) << name;
+    }
+}
+
+TEST_F(FrameReading, TellsDamageFromACut) {
+    const std::string frame = "1\n\nO 0 0 0\n";
+    const auto is_damaged = [&](const std::string& text) {
+        FrameReader reader(folder_.write("a.xyz", text), {});
+        EXPECT_EQ(reader.count(), 2);
+        EXPECT_NE(reader.fault(), "");
+        return reader.is_damaged();
+    };
+    EXPECT_TRUE(is_damaged(frame + frame + "2x\n\nO 0 0 0\n" + frame));
+    EXPECT_TRUE(is_damaged(frame + frame + "O 0 0 0\n" + frame)) << "one atom more";
+    EXPECT_FALSE(is_damaged(frame + frame + "x"));
+    EXPECT_FALSE(is_damaged(frame + frame + "x\n\n")) << "nothing was to be had behind it";
+    EXPECT_FALSE(is_damaged(frame + frame + "2\n\nO 0 0 0\n"));
+    // What follows may be farther than what is read at once.
+    EXPECT_TRUE(is_damaged(frame + frame + "x\n" + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
+}
+
 TEST_F(FrameReading, OtherFilesAreReadWhole) {
     const std::string points = folder_.write("points.xyz", "0 0 0\n1 0 0\n2 0 0\n");
     FrameReader bare(points, {});

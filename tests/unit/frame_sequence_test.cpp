@@ -108,7 +108,7 @@ TEST_F(KeptCamera, IsOfItsQuestionAlone) {
     RenderOptions changed = options();
     Progress progress;
     FrameSequence sequence(path_, changed, progress);
-    sequence.set_changes({1, {{.number = 0, .radius = 20.0}}, {}});
+    sequence.set_changes({.spheres = {{.number = 0, .radius = 20.0}}});
     sequence.prepare(progress);
     EXPECT_NE(sequence.load(sequence.shots().front()).scene.camera, camera);
 }
