@@ -127,9 +127,9 @@ private:
     }
 
     bool odd_number(CsvColumn column, const CsvField& text, double& value) const {
-        if (is_missing(text.text)) return false;
         const NumberFault fault = parse_csv_number(text.text, table_.commas, value);
         if (fault == NumberFault::none) return true;
+        if (stands_for_none(text.text, fault)) return false;
         records_.fail(text, name_of(column) + ", " + expected_instead_of(fault));
     }
 

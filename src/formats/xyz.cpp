@@ -114,7 +114,7 @@ public:
                     break;
                 case XyzField::radius:
                     // OVITO's 0 is the usual radius.
-                    sphere.radius = reader.number_or_0(the("radius"));
+                    sphere.radius = reader.number_or(0.0, the("radius"));
                     has_radius = sphere.radius > 0.0;
                     break;
                 case XyzField::color:
@@ -140,7 +140,7 @@ private:
     // False for what is no part of layout_.full_color.
     template <typename Expected>
     bool channel(TokenReader& reader, const Expected& expected, std::uint8_t& channel) {
-        const double value = reader.number_or_0(expected);
+        const double value = reader.number_or(0.0, expected);
         if (value <= most_of_color) notes_.largest_color = std::max(notes_.largest_color, value);
         const auto byte = color_byte(value, layout_.full_color);
         channel = byte.value_or(0);

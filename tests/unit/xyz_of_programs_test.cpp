@@ -186,7 +186,7 @@ TEST(XyzOfPrograms, MayBeUtf16) {
 TEST(XyzOfPrograms, ARadiusThatIsNoneIsTheUsualOne) {
     const double usual = find_element("Si")->radius;
     const std::string head = "2\nProperties=species:S:1:pos:R:3:radius:R:1\n";
-    for (const std::string radius : {"0", "0.0", "-1", "nan", "inf", "1e999"}) {
+    for (const std::string radius : {"0", "0.0", "-1", "nan", "inf", "1e999", "NA", "nan(0x7)"}) {
         const Scene scene = read_programs_xyz(head + "Si 0 0 0 " + radius + "\nSi 2 0 0 0.5\n").scene;
         EXPECT_EQ(scene.spheres.at(0).radius, usual) << radius;
         EXPECT_EQ(scene.spheres.at(1).radius, 0.5) << radius;
