@@ -472,7 +472,7 @@ bool shows_lammps(std::string_view head) {
 }
 
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
+    const TextSource source{name, text_of_file(content), options.part.origin};
     DumpFinder finder(source, options.part);
     return read_wanted_frame(source, options, finder, "ITEM: TIMESTEP",
                              [&](const DumpFrame& frame) { return read_dump_frame(source, frame, options); });

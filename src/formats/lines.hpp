@@ -60,6 +60,9 @@ void split_line(std::string_view line, std::size_t most, std::vector<std::string
 bool is_number(std::string_view word);
 bool is_digits(std::string_view word);
 
+// The text of a file, without what marks its beginning or its end.
+inline std::string_view text_of_file(std::string_view content) { return without_end_marks(without_byte_order_mark(content)); }
+
 // What stands behind the last line end of a text: "" where it ends with one.
 std::string_view last_line(std::string_view text);
 

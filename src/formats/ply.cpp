@@ -328,8 +328,9 @@ void read_vertex_properties(const TextSource& source, const VertexReader& vertic
 bool shows_ply(std::string_view head) { return take_line(head) == "ply"; }
 
 SphereData read_ply(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    TextSource source{name, without_byte_order_mark(content)};
     const PlyHeader header = read_ply_header(source);
+    if (header.encoding == PlyEncoding::ascii) source.text = without_end_marks(source.text);
     const auto element = std::ranges::find(header.elements, "vertex", &PlyElement::name);
     if (element == header.elements.end()) source.fail(header.end, "found no element vertex, expected one in the header");
     DrawnVertices drawn = drawn_of(source, *element);
