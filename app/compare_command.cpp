@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -34,19 +35,13 @@ struct CompareJob {
     MissingFolder missing;   // of the difference
 };
 
-constexpr std::string_view folder_placeholder = "{folder}";
-
 // How the folder of a file is called.
 std::string folder_in_patterns(const std::string& path) {
     return text_from(std::filesystem::absolute(path_from(path)).parent_path().filename());
 }
 
-std::string fill_in_names(std::string pattern, const std::string& picture) {
-    const std::string folder = folder_in_patterns(picture);
-    for (std::size_t at = 0; (at = pattern.find(folder_placeholder, at)) != std::string::npos; at += folder.size()) {
-        pattern.replace(at, folder_placeholder.size(), folder);
-    }
-    return fill_in(pattern, name_in_patterns(picture));
+std::string fill_in_names(std::string_view pattern, const std::string& picture) {
+    return fill_in(pattern, {.name = name_in_patterns(picture), .folder = folder_in_patterns(picture)});
 }
 
 // A pattern that would give each picture a file of its own.
@@ -67,7 +62,7 @@ std::vector<CompareJob> plan(const CompareOptions& options) {
     std::vector<CompareJob> jobs;
     const std::string pattern = png_name(options.difference.value_or("{name}-difference"));
     for (const std::string& picture : options.pictures) {
-        const bool is_pattern = pattern.find(folder_placeholder) != std::string::npos;
+        const bool is_pattern = fill_in(pattern, {.folder = ""}) != pattern;
         CompareJob job{picture, "", is_pattern ? MissingFolder::made : missing_folder(pattern)};
         if (options.writes_difference) {
             job.difference = fill_in_names(pattern, picture);

@@ -27,9 +27,13 @@ std::vector<std::string> verdict_in_words(const Diagnosis& diagnosis) {
 std::string in_words(const Scene& scene, const DifferingPixel& example) {
     const std::string found =
         example.found_number ? called(scene, *example.found_number) : std::string("a colour of nothing in the scene");
+    const bool is_background = example.expected_number == visible_background;
+    const auto with_alpha = [&](const Color& color, int alpha) {
+        return in_words(color) + (example.alpha ? " with alpha " + std::to_string(alpha) : "");
+    };
     return "pixel " + std::to_string(example.pixel.x) + "," + std::to_string(example.pixel.y) + ": found " +
-           in_words(example.found) + " (" + found + "), expected " + in_words(example.expected) + " (" +
-           called(scene, example.expected_number) + ")";
+           with_alpha(example.found, example.alpha.value_or(color_max)) + " (" + found + "), expected " +
+           with_alpha(example.expected, is_background ? 0 : color_max) + " (" + called(scene, example.expected_number) + ")";
 }
 
 }  // namespace sphereview

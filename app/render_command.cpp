@@ -62,7 +62,8 @@ void leave_out_existing(std::vector<RenderJob>& jobs, const RenderOptions& optio
 
 ExitCode run_render(const RenderOptions& asked_for) {
     RenderOptions options = asked_for;
-    if (std::optional<std::string>& movie = options.film.movie) movie = fill_in(*movie, name_in_patterns(options.scenes.front()));
+    if (std::optional<std::string>& movie = options.film.movie)
+        movie = fill_in(*movie, {.name = name_in_patterns(options.scenes.front())});
     // Light needs megabytes of its own, when what was needed before it is given back.
     if (options.shading == Shading::studio) return_large_blocks();
     Progress progress;

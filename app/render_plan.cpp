@@ -17,11 +17,12 @@ namespace sphereview {
 namespace {
 
 constexpr std::string_view placeholder = "{name}";
+constexpr std::string_view folder_placeholder = "{folder}";
 
 constexpr std::string_view frame_placeholder = "{frame";
 constexpr std::size_t most_digits = 18;
 
-// How many characters of `text`, which begins with {frame, are a placeholder, and with how many digits; 0 where it is none.
+// How many characters at the beginning of `text` are a placeholder of a frame, and with how many digits; 0 where it is none.
 struct FramePlaceholder {
     std::size_t length = 0;
     std::size_t digits = 1;
@@ -29,7 +30,7 @@ struct FramePlaceholder {
 
 FramePlaceholder frame_placeholder_at(std::string_view text) {
     const std::size_t end = text.find('}');
-    if (end == std::string_view::npos) return {};
+    if (!text.starts_with(frame_placeholder) || end == std::string_view::npos) return {};
     const std::string_view format = text.substr(0, end).substr(frame_placeholder.size());
     if (format.empty()) return {end + 1, 1};
     std::size_t digits = 0;
@@ -55,7 +56,7 @@ std::string usual_output(const RenderOptions& options) {
 
 void name_files(RenderJob& job, std::int64_t number, const RenderOptions& options, const std::string& output,
                 const std::optional<std::string>& diff) {
-    const auto filled = [&](const std::string& pattern) { return fill_in_frame(fill_in(pattern, job.name), number); };
+    const auto filled = [&](const std::string& pattern) { return fill_in(pattern, {.name = job.name, .frame = number}); };
     const bool is_streamed = options.frames.several() && options.output == standard_stream;
     const bool is_written = options.output ? !is_streamed : !options.expect && !options.film.movie;
     if (is_written) job.output = filled(output);
@@ -122,33 +123,33 @@ private:
 
 }  // namespace
 
-std::string fill_in(std::string pattern, const std::string& name) {
-    for (std::size_t at = 0; (at = pattern.find(placeholder, at)) != std::string::npos; at += name.size()) {
-        pattern.replace(at, placeholder.size(), name);
-    }
-    return pattern;
-}
-
-std::string fill_in_frame(const std::string& pattern, std::int64_t number) {
+std::string fill_in(std::string_view pattern, const PatternValues& values) {
     std::string filled;
-    for (std::size_t at = 0; at < pattern.size();) {
-        const std::size_t begin = pattern.find(frame_placeholder, at);
-        filled += pattern.substr(at, begin - at);
-        if (begin == std::string::npos) break;
-        const FramePlaceholder found = frame_placeholder_at(std::string_view(pattern).substr(begin));
-        const std::string digits = std::to_string(number);
-        if (found.length == 0) {
-            filled += frame_placeholder;
-        } else {
+    while (!pattern.empty()) {
+        std::size_t length = 0;
+        if (values.name && pattern.starts_with(placeholder)) {
+            filled += *values.name;
+            length = placeholder.size();
+        } else if (values.folder && pattern.starts_with(folder_placeholder)) {
+            filled += *values.folder;
+            length = folder_placeholder.size();
+        } else if (const FramePlaceholder found = frame_placeholder_at(pattern); values.frame && found.length > 0) {
+            const std::string digits = std::to_string(*values.frame);
             filled += std::string(found.digits - std::min(found.digits, digits.size()), '0') + digits;
+            length = found.length;
+        } else {
+            length = std::min(pattern.find('{', 1), pattern.size());
+            filled += pattern.substr(0, length);
         }
-        at = begin + (found.length == 0 ? frame_placeholder.size() : found.length);
+        pattern.remove_prefix(length);
     }
     return filled;
 }
 
+bool has_frame(std::string_view pattern) { return fill_in(pattern, {.frame = 0}) != pattern; }
+
 MissingFolder missing_folder(const std::string& pattern) {
-    const bool is_pattern = pattern.find(placeholder) != std::string::npos || fill_in_frame(pattern, 0) != pattern;
+    const bool is_pattern = pattern.find(placeholder) != std::string::npos || has_frame(pattern);
     return is_pattern ? MissingFolder::made : MissingFolder::refused;
 }
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/options.hpp"
@@ -30,11 +31,18 @@ struct RenderJob {
     std::optional<std::string> pixels_sum{};    // the SHA-256 that its pixels must have
 };
 
-// `pattern` with `name` for each {name}.
-std::string fill_in(std::string pattern, const std::string& name);
+// What the placeholders of a pattern stand for. Those without a value stay as they are.
+struct PatternValues {
+    std::optional<std::string> name{};    // {name}
+    std::optional<std::int64_t> frame{};  // {frame}, and with at least W digits {frame:0W}
+    std::optional<std::string> folder{};  // {folder}
+};
 
-// `pattern` with `number` for each {frame}, and with at least W digits for each {frame:0W}.
-std::string fill_in_frame(const std::string& pattern, std::int64_t number);
+// `pattern` with the values filled in once, from left to right: what a value itself holds is no placeholder.
+std::string fill_in(std::string_view pattern, const PatternValues& values);
+
+// Whether a pattern holds {frame} or {frame:0W}.
+bool has_frame(std::string_view pattern);
 
 // The folder of outputs of a pattern with {name} or {frame} is made: a batch needs no `mkdir`. A file that is named whole may be a
 // slip.

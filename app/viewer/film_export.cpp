@@ -39,7 +39,7 @@ constexpr const char* usual_pictures = "{name}-{frame:05}.png";
 
 bool is_pictures(const std::string& path) {
     const auto kind = film_kind(path);
-    return kind && kind->ending == ".png" && fill_in_frame(path, 0) != path;
+    return kind && kind->ending == ".png" && has_frame(path);
 }
 
 std::string name_of_scene(const ViewerState& state) { return state.path.empty() ? "untitled" : state.path; }
@@ -116,9 +116,12 @@ FilmJudgement judgement(const FilmForm& form, const std::string& path, const std
         const std::vector<Shot> shots = chosen_shots(form, scene);
         judged.summary = (form.counting && form.takes_frames() ? "At least " : "") + pictures_in_words(shots.size());
         if (!judged.is_film) {
-            const std::string pattern = text_from(path_from(fill_in(path, name_in_patterns(scene))).filename());
-            judged.summary += ": " + fill_in_frame(pattern, shots.front().number);
-            if (shots.size() > 1) judged.summary += " to " + fill_in_frame(pattern, shots.back().number);
+            const auto picture = [&](const Shot& shot) {
+                const std::string filled = fill_in(path, {.name = name_in_patterns(scene), .frame = shot.number});
+                return text_from(path_from(filled).filename());
+            };
+            judged.summary += ": " + picture(shots.front());
+            if (shots.size() > 1) judged.summary += " to " + picture(shots.back());
             return judged;
         }
         const FrameRate rate = chosen_rate(form, kind);
@@ -165,10 +168,10 @@ FilmForm new_form(const ViewerState& state) {
 // One of the pictures that are there already, of the first thousands; "" for none.
 std::string replaced_picture(const FilmRequest& request, const std::vector<Shot>& shots) {
     constexpr std::size_t most_looked_for = 5000;
-    const std::string pattern = fill_in(*request.options.output, name_in_patterns(request.options.scenes.front()));
+    const std::string name = name_in_patterns(request.options.scenes.front());
     std::error_code error;
     for (std::size_t i = 0; i < std::min(shots.size(), most_looked_for); ++i) {
-        std::string path = fill_in_frame(pattern, shots[i].number);
+        std::string path = fill_in(*request.options.output, {.name = name, .frame = shots[i].number});
         if (fs::exists(fs::symlink_status(path_from(path), error))) return path;
     }
     return "";
@@ -305,7 +308,7 @@ void start_film(ViewerState& state, const FilmRequest& request) {
     const auto status = std::make_shared<FilmStatus>();
     const std::string path = request.options.film.movie
                                  ? *request.options.film.movie
-                                 : fill_in(*request.options.output, name_in_patterns(request.options.scenes.front()));
+                                 : fill_in(*request.options.output, {.name = name_in_patterns(request.options.scenes.front())});
     const auto done = [&state, request, path, status] { announce(state, words_when_done(request, path, *status)); };
     const auto fail = [&state, request, status](const std::string& why) {
         const std::string far = how_far(request, *status);

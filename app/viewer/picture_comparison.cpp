@@ -1,7 +1,7 @@
 #include "viewer/picture_comparison.hpp"
 
-#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,8 +10,8 @@
 #include "app/failure.hpp"
 #include "base/path.hpp"
 #include "base/text.hpp"
-#include "exact/visible.hpp"
 #include "image/picture_file.hpp"
+#include "mistakes/comparer.hpp"
 #include "mistakes/diagnosis.hpp"
 #include "viewer/scene_file.hpp"
 
@@ -36,42 +36,29 @@ ComparisonWords in_words(const Diagnosis& diagnosis, const Scene& scene, const s
 }
 
 // What a comparison was made of, to say something of any of its pixels.
-struct Compared {
-    std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const Image> found;
-    std::vector<std::int32_t> right;  // the numbers, row by row
-    Color right_background;
-    Color found_background;
-
-    Color expected(std::size_t i) const {
-        return right[i] == visible_background ? right_background : scene->spheres[static_cast<std::size_t>(right[i])].color;
-    }
+class Compared {
+public:
+    // right: the numbers, row by row. background_found: that the likeliest mistake has instead of the right one.
+    Compared(std::shared_ptr<const Scene> scene, std::shared_ptr<const Image> found, const Background& background,
+             std::vector<std::int32_t> right, std::optional<Color> background_found)
+        : scene_(std::move(scene)),
+          found_(std::move(found)),
+          comparer_(*found_, *scene_, background),
+          right_(std::move(right)),
+          background_found_(background_found) {}
 
     std::string at(Pixel pixel) const {
-        const std::uint8_t* rgb = found->at(pixel.x, pixel.y);
         const auto i =
-            static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(found->width()) + static_cast<std::size_t>(pixel.x);
-        DifferingPixel here{.pixel = pixel, .found = {rgb[0], rgb[1], rgb[2]}};
-        here.expected_number = right[i];
-        here.expected = expected(i);
-        if (here.found == here.expected) {
-            return "pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) + ": " + in_words(here.found) + " (" +
-                   called(*scene, right[i]) + "), as expected";
-        }
-        const auto is_it = [&](const Sphere& sphere) { return !sphere.hidden && sphere.color == here.found; };
-        const auto sphere = std::ranges::find_if(scene->spheres, is_it);
-        if (here.found == found_background) {
-            here.found_number = visible_background;
-        } else if (sphere != scene->spheres.end()) {
-            here.found_number = static_cast<std::int32_t>(sphere - scene->spheres.begin());
-        }
-        return in_words(*scene, here);
+            static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(found_->width()) + static_cast<std::size_t>(pixel.x);
+        if (!comparer_.shows(i, right_[i], {})) return in_words(*scene_, comparer_.difference(i, right_[i], background_found_));
+        return "pixel " + std::to_string(pixel.x) + "," + std::to_string(pixel.y) + ": " + in_words(comparer_.found(i)) + " (" +
+               called(*scene_, right_[i]) + "), as expected";
     }
 
     std::shared_ptr<const Image> right_picture() const {
-        const auto picture = std::make_shared<Image>(found->width(), found->height(), 3);
-        for (std::size_t i = 0; i < right.size(); ++i) {
-            const Color color = expected(i);
+        const auto picture = std::make_shared<Image>(found_->width(), found_->height(), 3);
+        for (std::size_t i = 0; i < right_.size(); ++i) {
+            const Color color = comparer_.right(right_[i]);
             std::uint8_t* rgb = picture->bytes().data() + 3 * i;
             rgb[0] = color.r;
             rgb[1] = color.g;
@@ -79,6 +66,13 @@ struct Compared {
         }
         return picture;
     }
+
+private:
+    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const Image> found_;
+    Comparer comparer_;
+    std::vector<std::int32_t> right_;
+    std::optional<Color> background_found_;
 };
 
 }  // namespace
@@ -106,8 +100,8 @@ void compare_with(ViewerState& state, const std::string& path) {
             const Diagnosis diagnosis = diagnose(*picture, *scene, background, wrong, &marked);
             found->words = in_words(diagnosis, *scene, path, size);
             if (diagnosis.different == 0) return;
-            const auto compared = std::make_shared<const Compared>(
-                Compared{scene, picture, wrong.numbers({}), background.color, diagnosis.background.value_or(background.color)});
+            const auto compared =
+                std::make_shared<const Compared>(scene, picture, background, wrong.numbers({}), diagnosis.background);
             found->words.at = [compared](Pixel pixel) { return compared->at(pixel); };
             found->difference = std::make_shared<const Image>(std::move(marked));
             found->found = picture;

@@ -206,6 +206,11 @@ bool is_utf16(std::string_view bytes) {
     return has_utf16_mark(bytes) || is_latin_in_pairs(bytes, 0) || is_latin_in_pairs(bytes, 1);
 }
 
+std::string_view without_end_marks(std::string_view text) {
+    using namespace std::string_view_literals;
+    return is_utf16(text) ? text : text.substr(0, text.find_last_not_of("\0\x1A"sv) + 1);
+}
+
 std::string utf8_of_utf16(std::string_view bytes) {
     const bool has_mark = has_utf16_mark(bytes);
     const bool low_first = has_mark ? bytes[0] == '\xFF' : bytes.size() > 1 && bytes[1] == '\0';

@@ -75,6 +75,9 @@ std::string_view without_byte_order_mark(std::string_view text);
 // Whether `bytes` begin with the byte-order mark of UTF-16, of either order, or without one like a text of Latin letters in it.
 bool is_utf16(std::string_view bytes);
 
+// `text` without the zero bytes and Ctrl-Z that some programs put behind its end; UTF-16 stays as it is.
+std::string_view without_end_marks(std::string_view text);
+
 // The text in such bytes, without a mark, as UTF-8; U+FFFD for what is half a character.
 std::string utf8_of_utf16(std::string_view bytes);
 

@@ -127,9 +127,9 @@ private:
     }
 
     bool odd_number(CsvColumn column, const CsvField& text, double& value) const {
-        if (is_missing(text.text)) return false;
         const NumberFault fault = parse_csv_number(text.text, table_.commas, value);
         if (fault == NumberFault::none) return true;
+        if (stands_for_none(text.text, fault)) return false;
         records_.fail(text, name_of(column) + ", " + expected_instead_of(fault));
     }
 
@@ -378,10 +378,7 @@ bool shows_csv(std::string_view head) { return is_clearly_csv(is_utf16(head) ? u
 
 SphereData read_csv(std::string_view content, const std::string& name, const DataOptions& options) {
     const std::string converted = is_utf16(content) ? utf8_of_utf16(content) : "";
-    std::string_view text = converted.empty() ? without_byte_order_mark(content) : std::string_view(converted);
-    constexpr char end_of_dos = '\x1A';
-    if (text.ends_with(end_of_dos)) text.remove_suffix(1);
-    const TextSource source{name, text};
+    const TextSource source{name, text_of_file(converted.empty() ? content : std::string_view(converted))};
     CsvTable table = find_csv_table(source, options.columns);
     const RowsReader rows(source, table, options);
     SphereData data;

@@ -51,6 +51,10 @@ bool is_missing(std::string_view text) {
     return mark != std::string::npos && mark <= 1 && word.find_first_of("in", mark) != std::string::npos;
 }
 
+bool stands_for_none(std::string_view text, NumberFault fault) {
+    return fault == NumberFault::not_finite || (fault == NumberFault::not_a_number && is_missing(text));
+}
+
 namespace {
 
 // Fortran's 6.0+00 and 0.25-102 are numbers; 10.5-12 is rather a range.

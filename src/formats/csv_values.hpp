@@ -13,6 +13,10 @@ namespace sphereview {
 // Whether text is what stands in a field that holds nothing: nothing, or what programs write for it ("nan", "NA", "#N/A").
 bool is_missing(std::string_view text);
 
+// Whether text that is no number, by that fault, says that there is none: is_missing(), or what else is read as not finite, such as
+// "nan(0x7)". A number beyond a double's range is not missing: the place that it stands for is unknown.
+bool stands_for_none(std::string_view text, NumberFault fault);
+
 // What commas in numbers are.
 enum class Commas {
     none,
@@ -34,7 +38,8 @@ bool has_hex_mark(std::string_view text);
 // over.
 std::optional<Color> parse_packed_color(std::string_view text);
 
-// What stands for 255 in colours of which `largest` is the largest number: 1, 255 or, in 16 bits, 65535.
+// What stands for 255 in colours of which `largest` is the largest number, and of which no more is known: 1, 255 or, in 16 bits,
+// 65535.
 double full_color(double largest);
 
 // No number of a colour is larger.

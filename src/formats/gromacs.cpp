@@ -163,7 +163,7 @@ bool shows_gromacs(std::string_view head) {
 }
 
 SphereData read_gromacs(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
+    const TextSource source{name, text_of_file(content), options.part.origin};
     GroFinder finder(source);
     return read_wanted_frame(source, options, finder, "a title and the number of atoms",
                              [&](const GroFrame& frame) { return read_gro_frame(source, frame, options); });

@@ -285,13 +285,14 @@ public:
           seen_(seen) {}
 
     LineAtom read(std::string_view line, std::size_t index) {
-        TokenReader reader(source_, line, parse_or_nothing);
+        TokenReader reader(source_, line, parse_any_double);
         const OfAtom the{index, count_};
         LineAtom atom;
         glm::dvec3& center = atom.sphere.center;
         std::string_view type;
         std::string_view element_name;
         double radius = 0.0;
+        bool is_placed = true;
         std::size_t at = 0;
         for (const auto& [field, place] : columns_.columns) {
             reader.skip_tokens(place - at);
@@ -300,14 +301,14 @@ public:
                 case DumpField::id: ids_[index] = reader.integer(lowest_id, highest_id, the("id")); break;
                 case DumpField::type: type = reader.word(the("type")); break;
                 case DumpField::element: element_name = reader.word(the("element")); break;
-                case DumpField::x: center.x = reader.number(the("x")); break;
-                case DumpField::y: center.y = reader.number(the("y")); break;
-                case DumpField::z: center.z = reader.number(the("z")); break;
-                case DumpField::radius: radius = reader.number_or_0(the("radius")); break;
-                case DumpField::diameter: radius = 0.5 * reader.number_or_0(the("diameter")); break;
+                case DumpField::x: is_placed = reader.number_if_any(the("x"), center.x) && is_placed; break;
+                case DumpField::y: is_placed = reader.number_if_any(the("y"), center.y) && is_placed; break;
+                case DumpField::z: is_placed = reader.number_if_any(the("z"), center.z) && is_placed; break;
+                case DumpField::radius: radius = reader.number_or(0.0, the("radius")); break;
+                case DumpField::diameter: radius = 0.5 * reader.number_or(0.0, the("diameter")); break;
             }
         }
-        atom.is_nowhere = !is_finite(center);
+        atom.is_nowhere = !is_placed;
         if (atom.is_nowhere) center = glm::dvec3(0.0);
         set_place(center);
         require_finite(source_, line, center, index, count_);
@@ -328,10 +329,6 @@ private:
     // Other cores may write beside it: once only.
     static void note(bool& seen) {
         if (!seen) seen = true;
-    }
-
-    static bool is_finite(const glm::dvec3& place) {
-        return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
     }
 
     void set_place(glm::dvec3& center) const {
@@ -475,7 +472,7 @@ bool shows_lammps(std::string_view head) {
 }
 
 SphereData read_lammps(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
+    const TextSource source{name, text_of_file(content), options.part.origin};
     DumpFinder finder(source, options.part);
     return read_wanted_frame(source, options, finder, "ITEM: TIMESTEP",
                              [&](const DumpFrame& frame) { return read_dump_frame(source, frame, options); });

@@ -1,9 +1,5 @@
 #include "formats/lines.hpp"
 
-#include <limits>
-
-#include "formats/csv_values.hpp"
-
 namespace sphereview {
 
 std::string TextSource::place(std::size_t offset) const { return place_in(name, position_at(text, offset, origin)); }
@@ -51,13 +47,6 @@ bool is_number(std::string_view word) {
 }
 
 bool is_digits(std::string_view word) { return !word.empty() && word.find_first_not_of("0123456789") == std::string_view::npos; }
-
-NumberFault parse_or_nothing(std::string_view token, double& value) {
-    const NumberFault fault = parse_any_double(token, value);
-    if (fault == NumberFault::not_a_number && !is_missing(token)) return fault;
-    if (fault != NumberFault::none) value = std::numeric_limits<double>::quiet_NaN();
-    return NumberFault::none;
-}
 
 std::string_view last_line(std::string_view text) { return text.substr(text.find_last_of("\r\n") + 1); }
 

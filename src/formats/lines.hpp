@@ -67,8 +67,8 @@ void split_line(std::string_view line, std::size_t most, std::vector<std::string
 bool is_number(std::string_view word);
 bool is_digits(std::string_view word);
 
-// For numbers that may be missing: the same as parse_any_double(), but NaN for what is not finite or stands for no number ("nan").
-NumberFault parse_or_nothing(std::string_view token, double& value);
+// The text of a file, without what marks its beginning or its end.
+inline std::string_view text_of_file(std::string_view content) { return without_end_marks(without_byte_order_mark(content)); }
 
 // What stands behind the last line end of a text: "" where it ends with one.
 std::string_view last_line(std::string_view text);
@@ -175,23 +175,27 @@ public:
         return next.value;
     }
 
-    // A number of what is only decoration: one that is not finite is 0.
+    // A number of what is only decoration: `instead` where what programs write for none stands there (stands_for_none()), or one
+    // that is beyond a double.
     template <typename Expected>
-    double number_or_0(const Expected& expected) {
+    double number_or(double instead, const Expected& expected) {
         const NextNumber next = next_number(expected);
-        if (next.fault == NumberFault::not_a_number) fail(expected() + ", " + expected_instead_of(next.fault));
+        const bool is_any = next.fault == NumberFault::none;
+        if (!is_any && next.fault != NumberFault::too_large && !stands_for_none(token(), next.fault)) {
+            fail(expected() + ", " + expected_instead_of(next.fault));
+        }
         step_to(next.end);
-        return next.fault == NumberFault::none ? next.value : 0.0;
+        return is_any ? next.value : instead;
     }
 
-    // A finite number; false, with 0 in `value`, where what programs write for none stands there (is_missing()).
+    // A finite number; false, with 0 in `value`, where what programs write for none stands there (stands_for_none()).
     template <typename Expected>
     bool number_if_any(const Expected& expected, double& value) {
         const NextNumber next = next_number(expected);
         const bool is_any = next.fault == NumberFault::none;
         value = next.value;
         if (!is_any) {
-            if (!is_missing(token())) fail(expected() + ", " + expected_instead_of(next.fault));
+            if (!stands_for_none(token(), next.fault)) fail(expected() + ", " + expected_instead_of(next.fault));
             value = 0.0;
         }
         step_to(next.end);

@@ -298,7 +298,7 @@ SphereData read_model(const TextSource& source, cif::Table& table, const WantedM
 }  // namespace
 
 SphereData read_mmcif(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    const TextSource source{name, text_of_file(content)};
     if (trimmed(source.text, white_space).empty()) fail_without_atoms(source, table_syntax);
     require_bounded_work(source);
     require_memory(bytes_of_document(source.text), name + ": its values need");

@@ -151,7 +151,7 @@ private:
 }  // namespace
 
 SphereData read_pdb(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    const TextSource source{name, text_of_file(content)};
     PdbAtoms atoms(source);
     return read_pdb_frame(source, options, false,
                           [&](std::string_view line, bool wants_texts) { return atoms.atom(line, wants_texts); });

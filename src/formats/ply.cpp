@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "formats/atom_lines.hpp"
 #include "formats/atoms.hpp"
+#include "formats/csv_values.hpp"
 #include "formats/ply_header.hpp"
 #include "formats/point_radius.hpp"
 
@@ -102,8 +103,9 @@ double number_at(const char* bytes, PlyType type, bool swapped) {
     }
 }
 
-// What the value of a property is wanted for: to be drawn it must be a number.
-enum class PlyUse : std::uint8_t { none, kept, drawn };
+// What the value of a property is wanted for: to be drawn it must be a number, or stand for none, and as a coordinate also be one
+// that a double can hold.
+enum class PlyUse : std::uint8_t { none, kept, drawn, coordinate };
 
 // Finds the vertices of a file, text or bytes, and reads what their properties say.
 class VertexReader {
@@ -165,7 +167,7 @@ public:
 
 private:
     void read_line(std::string_view line, std::size_t index, const std::vector<PlyUse>& uses, std::vector<double>& values) const {
-        TokenReader reader(source_, line, parse_or_nothing);
+        TokenReader reader(source_, line, parse_any_double);
         for (std::size_t k = 0; k < uses.size(); ++k) {
             const PlyProperty& property = vertex_.properties[k];
             const auto expected = [&] { return in_quotes(property.name) + of_atom(index, vertex_.count, "vertex"); };
@@ -173,10 +175,12 @@ private:
                 const auto most = static_cast<std::int64_t>(line.size());
                 reader.skip_tokens(static_cast<std::size_t>(reader.integer(0, most, expected)));
             } else if (uses[k] == PlyUse::drawn) {
-                values[k] = reader.number(expected);
+                values[k] = reader.number_or(nothing, expected);
+            } else if (uses[k] == PlyUse::coordinate) {
+                if (!reader.number_if_any(expected, values[k])) values[k] = nothing;
             } else {
                 values[k] = nothing;
-                if (uses[k] == PlyUse::kept) parse_or_nothing(reader.token(), values[k]);
+                if (uses[k] == PlyUse::kept) parse_any_double(reader.token(), values[k]);
                 reader.skip_tokens(1);
             }
         }
@@ -253,19 +257,21 @@ Sphere sphere_of(const std::vector<double>& values, const DrawnVertices& drawn, 
     if (!drawn.has_color()) return sphere;
     const auto channel = [&](PlyField field) {
         const double value = value_of(field);
-        if (std::isfinite(value)) notes.largest_color = std::max(notes.largest_color, value);
-        const double part = value > 0.0 ? std::min(1.0, value / drawn.full_color) : 0.0;
-        return static_cast<std::uint8_t>(std::lround(color_max * part));
+        if (value <= most_of_color) notes.largest_color = std::max(notes.largest_color, value);
+        return color_byte(value, drawn.full_color);
     };
-    sphere.color = {channel(ply_red), channel(ply_green), channel(ply_blue)};
+    const auto red = channel(ply_red);
+    const auto green = channel(ply_green);
+    const auto blue = channel(ply_blue);
+    if (red && green && blue) sphere.color = {*red, *green, *blue};
     return sphere;
 }
 
 std::vector<VertexNotes> read_spheres(const VertexReader& vertices, const PlyElement& element, const DrawnVertices& drawn,
                                       const DataOptions& options, std::vector<Sphere>& spheres) {
     std::vector<PlyUse> uses(element.properties.size(), PlyUse::none);
-    for (const auto& place : drawn.places) {
-        if (place) uses[*place] = PlyUse::drawn;
+    for (std::size_t field = 0; field < drawn.places.size(); ++field) {
+        if (drawn.places[field]) uses[*drawn.places[field]] = field <= ply_z ? PlyUse::coordinate : PlyUse::drawn;
     }
     std::vector<VertexNotes> notes(vertices.pieces());
     spheres.resize(element.count);
@@ -275,14 +281,13 @@ std::vector<VertexNotes> read_spheres(const VertexReader& vertices, const PlyEle
     return notes;
 }
 
-// What stands for 255 in the colours: of whole numbers 255, or 65535 where one is larger; else 1, or 255 likewise.
+// What stands for 255 in the colours. Of whole numbers the header says more than a table does: they are no parts of 1, and what is
+// larger than a byte has 16 bits.
 double full_color_of(const DrawnVertices& drawn, const std::vector<VertexNotes>& notes) {
-    constexpr double most_of_one = 1.5;
-    constexpr double most_of_short = 65535.0;
     double largest = 0.0;
     for (const VertexNotes& note : notes) largest = std::max(largest, note.largest_color);
-    if (drawn.whole_colors) return largest > color_max ? most_of_short : color_max;
-    return largest > most_of_one ? color_max : 1.0;
+    if (drawn.whole_colors) return largest > color_max ? most_of_color : color_max;
+    return full_color(largest);
 }
 
 // Values of a property at its own size.
@@ -323,8 +328,9 @@ void read_vertex_properties(const TextSource& source, const VertexReader& vertic
 bool shows_ply(std::string_view head) { return take_line(head) == "ply"; }
 
 SphereData read_ply(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    TextSource source{name, without_byte_order_mark(content)};
     const PlyHeader header = read_ply_header(source);
+    if (header.encoding == PlyEncoding::ascii) source.text = without_end_marks(source.text);
     const auto element = std::ranges::find(header.elements, "vertex", &PlyElement::name);
     if (element == header.elements.end()) source.fail(header.end, "found no element vertex, expected one in the header");
     DrawnVertices drawn = drawn_of(source, *element);

@@ -233,7 +233,7 @@ bool shows_poscar(std::string_view head) {
 }
 
 SphereData read_poscar(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
+    const TextSource source{name, text_of_file(content), options.part.origin};
     PoscarFinder finder(source, options.part);
     return read_wanted_frame(source, options, finder, "a title",
                              [&](const PoscarFrame& frame) { return read_poscar_frame(source, frame, options); });

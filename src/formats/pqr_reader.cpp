@@ -207,7 +207,7 @@ bool shows_pqr(std::string_view head) {
 }
 
 SphereData read_pqr(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content)};
+    const TextSource source{name, text_of_file(content)};
     PqrAtoms atoms(source);
     SphereData data = read_pdb_frame(source, options, true, [&](std::string_view line, bool) { return atoms.atom(line); });
     if (options.frame + 1 == data.frames && ends_short(source.text)) {

@@ -160,7 +160,13 @@ const SceneFormat& detect_format(std::string_view content, std::string_view name
         throw InputError(std::string(name) + ": found " + std::string(kind) + ", expected " + listed(format_names(), "or"));
     };
     const std::string_view kind_of_name = named == nullptr ? foreign_kind_of_name(name) : "";
-    if (const std::string_view kind = foreign_kind(content); !kind.empty()) {
+    std::string_view kind = foreign_kind(content);
+    // Zero bytes behind a text make it no binary data; those at the end of other files may be a part of them.
+    if (const std::string_view text = without_end_marks(content); !text.empty()) {
+        content = text;
+        if (kind == binary_data) kind = foreign_kind(text);
+    }
+    if (!kind.empty()) {
         refuse(kind == binary_data && !kind_of_name.empty() ? kind_of_name : kind);
     }
     if (named != nullptr && named->is_data) return *named;

@@ -273,7 +273,7 @@ bool shows_sdf(std::string_view head) {
 }
 
 SphereData read_sdf(std::string_view content, const std::string& name, const DataOptions& options) {
-    const TextSource source{name, without_byte_order_mark(content), options.part.origin};
+    const TextSource source{name, text_of_file(content), options.part.origin};
     MoleculeFinder finder(source);
     return read_wanted_frame(source, options, finder, "three lines of title",
                              [&](const MolFrame& frame) { return read_mol_frame(source, frame, options); });

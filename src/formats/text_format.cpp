@@ -178,7 +178,7 @@ bool shows_text(std::string_view head) {
 
 SphereData read_text(std::string_view content, const std::string& name, const DataOptions&) {
     SphereData read;
-    read.scene.spheres = parse_text_spheres({name, content});
+    read.scene.spheres = parse_text_spheres({name, without_end_marks(content)});
     return read;
 }
 
@@ -194,7 +194,8 @@ Scene stream_text(InputStream& stream, std::size_t bytes_per_sphere, Progress* p
     SphereTextReader reader(stream.name(), {}, stream.size());
     reader.expect_bytes_per_sphere(bytes_per_sphere);
     while (true) {
-        stream.drop_first(reader.read(stream.bytes(), stream.ended()));
+        const std::string_view text = stream.ended() ? without_end_marks(stream.bytes()) : stream.bytes();
+        stream.drop_first(reader.read(text, stream.ended()));
         if (stream.ended()) break;
         if (progress != nullptr) progress->update(reader.fraction());
         stream.fill(std::max(block, 2 * stream.bytes().size()));  // more than a block when a token has not ended in it

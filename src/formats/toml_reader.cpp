@@ -8,6 +8,7 @@
 #include "base/memory.hpp"
 #include "base/nesting.hpp"
 #include "base/text.hpp"
+#include "formats/lines.hpp"
 #include "formats/sphere_data.hpp"
 #include "formats/text_format.hpp"
 #include "formats/toml_values.hpp"
@@ -238,7 +239,7 @@ toml::table parse(const TomlText& document) {
 }  // namespace
 
 SphereData read_toml(std::string_view content, const std::string& name, const DataOptions&) {
-    content = without_byte_order_mark(content);
+    content = text_of_file(content);
     const auto literals = find_number_literals(content);
     if (literals) content = literals->rest;
     const TomlText document{name, content, literals ? literals->literals : std::vector<NumberLiteral>()};

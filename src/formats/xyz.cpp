@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/atom_lines.hpp"
@@ -45,6 +46,27 @@ public:
         return true;
     }
 
+    // A line is cut that has fewer words than there are columns. So is one whose last number has fewer decimals than that column
+    // has in many atoms before, where no column's decimals vary: programs write all places alike.
+    bool holds_atom(const XyzFrame& frame, std::string_view line) const {
+        if (frame.atoms.count == 0 || source_.offset_of(line) != frame.atoms.last) return true;
+        const auto words = words_of(line);
+        if (words.size() < width_of(frame)) return false;
+        if (words.empty() || frame.atoms.count <= alike_lines) return true;
+        std::vector<std::size_t> before;
+        std::string_view text = source_.text.substr(0, frame.atoms.last);
+        for (std::size_t i = 0; i < alike_lines; ++i) {
+            text = trimmed(text, "\r\n");
+            const std::string_view other = last_line(text);
+            text.remove_suffix(other.size());
+            std::vector<std::size_t> decimals;
+            for (const std::string_view word : words_of(other)) decimals.push_back(decimals_of(word));
+            if (i > 0 && decimals != before) return true;
+            before = std::move(decimals);
+        }
+        return before.size() != words.size() || decimals_of(words.back()) >= before.back();
+    }
+
     // The first line of lattice vectors behind the atoms, for a warning; "" where there is none.
     const std::string& vectors() const { return vectors_; }
 
@@ -70,7 +92,19 @@ private:
         }
     }
 
+    // How many columns a line has at least.
+    std::size_t width_of(const XyzFrame& frame) const {
+        try {
+            return xyz_layout(source_, frame.comment).width;
+        } catch (const InputError&) {
+            return 0;  // said where the frame is wanted
+        }
+    }
+
+    static std::size_t decimals_of(std::string_view word) { return word.size() - std::min(word.size(), word.find('.')); }
+
     static constexpr std::size_t atom_numbers = 3;
+    static constexpr std::size_t alike_lines = 16;
 
     std::size_t numbers_behind_first_;  // behind the number of atoms of the first frame
     std::string vectors_{};
@@ -114,7 +148,7 @@ public:
                     break;
                 case XyzField::radius:
                     // OVITO's 0 is the usual radius.
-                    sphere.radius = reader.number_or_0(the("radius"));
+                    sphere.radius = reader.number_or(0.0, the("radius"));
                     has_radius = sphere.radius > 0.0;
                     break;
                 case XyzField::color:
@@ -140,7 +174,7 @@ private:
     // False for what is no part of layout_.full_color.
     template <typename Expected>
     bool channel(TokenReader& reader, const Expected& expected, std::uint8_t& channel) {
-        const double value = reader.number_or_0(expected);
+        const double value = reader.number_or(0.0, expected);
         if (value <= most_of_color) notes_.largest_color = std::max(notes_.largest_color, value);
         const auto byte = color_byte(value, layout_.full_color);
         channel = byte.value_or(0);
@@ -217,18 +251,23 @@ bool shows_xyz(std::string_view head) {
 
 SphereData read_xyz(std::string_view content, const std::string& name, const DataOptions& options) {
     const std::string converted = is_utf16(content) ? utf8_of_utf16(content) : "";
-    const std::string_view text = converted.empty() ? without_byte_order_mark(content) : std::string_view(converted);
+    const std::string_view text = text_of_file(converted.empty() ? content : std::string_view(converted));
     const TextSource source{name, text, options.part.origin};
     if (!options.part.is_a_frame && shows_points(text)) {
         require_frame(name, options.frame, 1);
         return read_csv(text, name, options);
     }
     XyzFinder finder(source, options.part);
-    return read_wanted_frame(source, options, finder, "the number of atoms", [&](const XyzFrame& frame) {
+    SphereData data = read_wanted_frame(source, options, finder, "the number of atoms", [&](const XyzFrame& frame) {
         SphereData data = read_xyz_frame(source, frame, options);
         if (!finder.vectors().empty()) data.warnings.push_back(finder.vectors() + " behind the atoms; the lattice is passed over");
         return data;
     });
+    if (!converted.empty() && data.frames > 1) {
+        data.warnings.push_back(name + ": a text in UTF-16 counts as one frame, though it has " + std::to_string(data.frames) +
+                                ": --frame N shows each; saved as UTF-8 it has them all");
+    }
+    return data;
 }
 
 std::optional<std::size_t> step_over_xyz(std::string_view text, bool ended, const std::string& name, PartOfFile& part) {

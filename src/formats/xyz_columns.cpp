@@ -70,6 +70,7 @@ public:
             }
             first += count;
         } while (!ended_);
+        layout.width = first;
         if (has(columns, XyzField::position) || has(columns, XyzField::flat_position)) return layout;
         source_.fail_at(value_, "found properties without a position, expected pos:R:3 among them");
     }

@@ -30,6 +30,7 @@ struct XyzLayout {
     double full_color = 1.0;                   // what stands for 255
     std::vector<PropertyColumn> properties{};  // all but the position
     bool is_plain = false;                     // nothing names the columns
+    std::size_t width = 4;                     // how many columns there are at least, drawn or not
 };
 
 // The value of a key, in lower case, among the `key=value` of a comment, whose keys may be in any letter case.

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdlib>
 #include <limits>
 #include <unordered_map>
-#include <unordered_set>
 
-#include "base/parallel.hpp"
 #include "exact/visible.hpp"
+#include "mistakes/comparer.hpp"
 
 namespace sphereview {
 
@@ -17,107 +15,10 @@ namespace {
 
 using Numbers = std::vector<std::int32_t>;
 
-std::uint32_t packed(const Color& color) {
-    return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
-}
-
-// How a program may write colours that it takes for numbers from 0 to 1: clamped there, or divided by 255 and not multiplied again.
-enum class ColorScale { right, clamped, divided };
-
-// How a person's program may write the right number in the wrong colour.
-struct Palette {
-    bool red_and_blue_swapped = false;
-    ColorScale scale = ColorScale::right;
-    bool inexact = false;               // off by so little that no other colour is meant
-    std::optional<Color> background{};  // instead of the right one
-
-    static constexpr int most_off = 4;  // of 255
-
-    bool operator==(const Palette&) const = default;
-};
-
 // What is supposed of the program that made a picture.
 struct Suspicion {
     WrongTracer tracer{};
     Palette palette{};
-};
-
-// The picture and what it should be.
-class Comparer {
-public:
-    Comparer(const Image& picture, const Scene& scene, const Background& background)
-        : picture_(picture), scene_(scene), background_(background) {
-        for (const Sphere& sphere : scene.spheres) {
-            if (!sphere.hidden) sphere_colors_.insert(packed(sphere.color));
-        }
-    }
-
-    // Whether a sphere that is not hidden has that colour.
-    bool is_of_sphere(std::uint32_t packed_color) const { return sphere_colors_.contains(packed_color); }
-
-    Color found(std::size_t i) const {
-        const std::uint8_t* bytes = picture_.bytes().data() + i * static_cast<std::size_t>(picture_.channels());
-        return background_.transparent && picture_.channels() == 4 && bytes[3] == 0 ? background_.color
-                                                                                    : Color{bytes[0], bytes[1], bytes[2]};
-    }
-
-    Color right(std::int32_t number) const {
-        return number == visible_background ? background_.color : scene_.spheres[static_cast<std::size_t>(number)].color;
-    }
-
-    // Whether pixel i is as a program with that palette shows that number.
-    bool shows(std::size_t i, std::int32_t number, const Palette& palette) const {
-        if (background_.transparent && picture_.channels() == 4) {
-            const std::uint8_t alpha = picture_.bytes()[4 * i + 3];
-            if (number == visible_background) return alpha == 0;
-            if (alpha != color_max) return false;
-        }
-        Color color = number == visible_background && palette.background ? *palette.background : right(number);
-        if (palette.red_and_blue_swapped) std::swap(color.r, color.b);
-        color = scaled(color, palette.scale);
-        const Color is = found(i);
-        if (is == color) return true;
-        const auto near = [](int a, int b) { return std::abs(a - b) <= Palette::most_off; };
-        return palette.inexact && near(is.r, color.r) && near(is.g, color.g) && near(is.b, color.b);
-    }
-
-    static Color scaled(const Color& color, ColorScale scale) {
-        const auto channel = [&](std::uint8_t value) {
-            if (scale == ColorScale::clamped) return static_cast<std::uint8_t>(value > 0 ? color_max : 0);
-            if (scale == ColorScale::divided) return static_cast<std::uint8_t>(value / color_max);
-            return value;
-        };
-        return {channel(color.r), channel(color.g), channel(color.b)};
-    }
-
-    // For how many pixels is(i) holds.
-    template <typename Is>
-    std::int64_t count(const Is& is) const {
-        std::atomic<std::int64_t> all = 0;
-        constexpr std::size_t piece = 1 << 16;
-        parallel_pieces(pixels(), piece, [&](std::size_t begin, std::size_t end) {
-            std::int64_t some = 0;
-            for (std::size_t i = begin; i < end; ++i) some += is(i) ? 1 : 0;
-            all += some;
-        });
-        return all;
-    }
-
-    std::int64_t showing(const Numbers& numbers, const Palette& palette) const {
-        return count([&](std::size_t i) { return shows(i, numbers[i], palette); });
-    }
-
-    std::size_t pixels() const { return static_cast<std::size_t>(picture_.width()) * static_cast<std::size_t>(picture_.height()); }
-    Pixel pixel(std::size_t i) const {
-        const auto width = static_cast<std::size_t>(picture_.width());
-        return {static_cast<int>(i % width), static_cast<int>(i / width)};
-    }
-
-private:
-    const Image& picture_;
-    const Scene& scene_;
-    Background background_;
-    std::unordered_set<std::uint32_t> sphere_colors_{};
 };
 
 // The colour that the background has instead of its own, if there is one: that of more than half of the pixels that should show
@@ -127,7 +28,7 @@ std::optional<Color> other_background(const Comparer& comparer, const Numbers& n
     std::int64_t all = 0;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i] != visible_background) continue;
-        ++counts[packed(comparer.found(i))];
+        ++counts[packed_color(comparer.found(i))];
         ++all;
     }
     std::int64_t of_spheres = 0;
@@ -280,8 +181,7 @@ constexpr Color float_mark{0, 220, 255};
 constexpr Color unknown_mark{255, 0, 255};
 constexpr Color no_color_mark{150, 150, 150};
 
-void add_examples(Diagnosis& out, const Comparer& comparer, const Numbers& right, const std::vector<std::uint8_t>& share_of,
-                  const std::unordered_map<std::uint32_t, std::int32_t>& number_of_color) {
+void add_examples(Diagnosis& out, const Comparer& comparer, const Numbers& right, const std::vector<std::uint8_t>& share_of) {
     const auto largest = std::ranges::max_element(out.shares, {}, &MistakeShare::pixels);
     const auto share = static_cast<std::uint8_t>(largest - out.shares.begin());
     constexpr std::int64_t most = 3;
@@ -292,11 +192,7 @@ void add_examples(Diagnosis& out, const Comparer& comparer, const Numbers& right
         const auto wanted = static_cast<std::int64_t>(out.examples.size()) + 1;
         const bool few = largest->pixels <= most;
         if (wanted <= most && (few || passed == largest->pixels * wanted / (most + 1))) {
-            DifferingPixel example{comparer.pixel(i), comparer.found(i)};
-            const auto number = number_of_color.find(packed(example.found));
-            if (number != number_of_color.end()) example.found_number = number->second;
-            example.expected_number = right[i];
-            example.expected = comparer.right(right[i]);
+            DifferingPixel example = comparer.difference(i, right[i], out.background);
             example.share = share;
             out.examples.push_back(example);
         }
@@ -379,13 +275,7 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
         add_share(named(single).front(), other_marks[k],
                   [&](std::size_t i) { return comparer.shows(i, numbers[i], single.palette); });
     }
-    // What has each colour, the first in the file.
-    std::unordered_map<std::uint32_t, std::int32_t> number_of_color;
-    number_of_color.emplace(packed(found.likeliest.palette.background.value_or(background.color)), visible_background);
-    for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
-        if (!scene.spheres[k].hidden) number_of_color.emplace(packed(scene.spheres[k].color), static_cast<std::int32_t>(k));
-    }
-    const auto has_color = [&](std::size_t i) { return number_of_color.contains(packed(comparer.found(i))); };
+    const auto has_color = [&](std::size_t i) { return comparer.number_of(comparer.found(i), out.background).has_value(); };
     wrong.numbers_in_float({});  // what it looks in is made once, before all cores ask
     add_share({"float", std::string(float_words)}, float_mark, [&](std::size_t i) {
         if (!has_color(i)) return false;
@@ -403,7 +293,7 @@ Diagnosis diagnose(const Image& picture, const Scene& scene, const Background& b
     add_share({"no-color", "a colour that nothing in the scene has, such as a mixed or a shaded one"}, no_color_mark,
               [](std::size_t) { return true; });
 
-    add_examples(out, comparer, right, share_of, number_of_color);
+    add_examples(out, comparer, right, share_of);
     if (marked != nullptr) {
         *marked = Image(picture.width(), picture.height(), 3);
         for (std::size_t i = 0; i < share_of.size(); ++i) {

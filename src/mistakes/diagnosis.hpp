@@ -25,6 +25,7 @@ struct MistakeShare {
 struct DifferingPixel {
     Pixel pixel;
     Color found;
+    std::optional<std::uint8_t> alpha{};  // that was found, where alpha counts: 0 was expected of the background, else 255
     // What has that colour in the scene: the first such sphere or visible_background; none where nothing has.
     std::optional<std::int32_t> found_number{};
     Color expected{};

@@ -102,6 +102,14 @@ TEST_F(Compare, NamesFilesByTheirFolders) {
     EXPECT_TRUE(contains(twice.errors, "one at a time")) << twice;
 }
 
+// What a name itself holds is no placeholder.
+TEST_F(Compare, FillsInNamesOnce) {
+    folder_.write("scene.txt", "1  0 255 0  0 0 300 50");
+    folder_.write("{name}/{folder}.png", folder_.read("right.png"));
+    EXPECT_EQ(compare({"{name}/{folder}.png", "scene.txt", "--diff", "out/{folder}-{name}.png"}).status, 1);
+    EXPECT_TRUE(folder_.has("out/{name}-{folder}.png"));
+}
+
 TEST_F(Compare, RefusesWhatMakesNoSense) {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
         {{"scene.txt"}, "PICTURE: found one file alone, expected pictures, and last the scene"},

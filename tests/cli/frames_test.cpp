@@ -107,6 +107,11 @@ TEST_F(Frames, AreNamedByNumber) {
     EXPECT_TRUE(contains(json.output, "{\"scene\":\"a.xyz\",")) << json;
     EXPECT_TRUE(contains(json.output, "\"frame\":1")) << json;
 
+    // What the scene's name itself holds is no placeholder.
+    folder_.write("{frame}.xyz", text);
+    expect_done({"{frame}.xyz", "--frames", "0", "-s", "9x9", "-o", "{name}-{frame}.png"});
+    EXPECT_TRUE(folder_.has("{frame}-0.png"));
+
     const auto expect_fault = [&](const std::vector<std::string>& arguments, const std::string& fault) {
         const Outcome outcome = render(arguments);
         EXPECT_EQ(outcome.status, 2) << outcome;

@@ -404,7 +404,7 @@ TEST(CsvRows, WithoutCoordinatesAreLeftOutAndCounted) {
 }
 
 TEST(CsvRows, MayHoldWhatLibrariesWriteForNone) {
-    for (const char* none : {"<NA>", "NaT", "1.#QNAN", "-1.#IND", "1.#INF00", "-1.#IND00", "NULL"}) {
+    for (const char* none : {"<NA>", "NaT", "1.#QNAN", "-1.#IND", "1.#INF00", "-1.#IND00", "NULL", "nan(0x7)"}) {
         EXPECT_EQ(centers("x,y,z\n1,2,3\n" + std::string(none) + ",1,1\n4,5,6\n"), two) << none;
     }
     EXPECT_EQ(centers("x,y,z\n\xE2\x88\x92"

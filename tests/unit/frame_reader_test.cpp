@@ -125,6 +125,18 @@ TEST_F(FrameReading, OfPoscarThereIsOneFrame) {
     EXPECT_EQ(reader.read(0).scene, read_at_once(text, "POSCAR", 0).scene);
 }
 
+// Zero bytes behind the last frame, as some programs write them.
+TEST_F(FrameReading, EndsWhereTheTextDoes) {
+    for (const auto& [name, text] : trajectories(3)) {
+        FrameReader reader(folder_.write(name, text + std::string(5, '\0')), {});
+        EXPECT_EQ(reader.count(), 3) << name;
+        EXPECT_EQ(reader.fault(), "") << name;
+        const SphereData last = reader.read(2);
+        EXPECT_EQ(last.scene, read_at_once(text, name, 2).scene) << name;
+        EXPECT_TRUE(last.warnings.empty()) << name;
+    }
+}
+
 TEST_F(FrameReading, TellsHowFarItIsAndCanBeStopped) {
     for (const auto& [name, text] : trajectories(9)) {
         for (const std::string& path : {folder_.write(name, text), folder_.write(name + ".gz", test::gzipped(text))}) {

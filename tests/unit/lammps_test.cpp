@@ -126,7 +126,7 @@ TEST(Lammps, LabelsThatAreNoElementsAreTypes) {
 
 TEST(Lammps, RowsWithoutPlacesAreLeftOutAndCounted) {
     const std::string columns = "id type x y z radius";
-    for (const char* place : {"nan nan nan", "-nan 0 0", "0 inf 0", "0 0 1e999"}) {
+    for (const char* place : {"nan nan nan", "-nan 0 0", "0 inf 0", "0 0 nan(0x7)", "NA 0 0"}) {
         const SphereData data = dump(dump_frame(columns, std::string("2 1 ") + place + " 1\n1 2 3 4 5 1\n"));
         ASSERT_EQ(data.scene.spheres.size(), 1U) << place;
         EXPECT_EQ(data.scene.spheres[0].center, glm::dvec3(3, 4, 5));
@@ -213,6 +213,8 @@ TEST(LammpsErrors, SayWhatIsWrong) {
             {dump_frame("id x y z", "1 0 0 0\n2 0 zero 0\n"), "11:5: found 'zero', expected the y of atom 2 of 2, a number"},
             {dump_frame("xs ys zu", "0 0 0\n0 0 0\n", "0 1 1\n0 1 0\n0 1 0\n", "xy xz yz pp pp pp"),
              "9:1: found places in parts of a tilted box beside others, expected all of one kind"},
+            {dump_frame("id x y z", "1 0 1e999 0\n2 0 0 0\n"),
+             "10:5: found '1e999', expected the y of atom 1 of 2, a number that a double can hold (at most 1.8e308)"},
             {dump_frame("id x y z", "1 0 0\n2 0 0 0\n"), "10:6: the line ends, expected the z of atom 1 of 2"},
             {dump_frame("id x y z", "1.5 0 0 0\n2 0 0 0\n"), "10:1: found '1.5', expected the id of atom 1 of 2, a whole number"},
             {dump_frame("xs ys zs", "1e300 0 0\n0 0 0\n", "0 1e300\n0 1\n0 1\n"),

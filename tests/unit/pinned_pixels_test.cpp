@@ -237,4 +237,36 @@ TEST_F(Inspecting, ComparesAPictureAndNamesTheMistake) {
     EXPECT_NE(std::get<Question>(state.dialogs.back()).text.find("broken.png"), std::string::npos);
 }
 
+// As the comparison itself does: with a transparent background alpha 0 is background, whatever colour stands beside it.
+TEST_F(Inspecting, ComparesAlphaUnderThePointer) {
+    state.background = Background{.color = {}, .transparent = true};
+    write_picture("opaque.png", false);
+    const Image opaque = decode_png(folder.read("opaque.png"), "opaque.png");
+    Image image(60, 40, 4);
+    for (int y = 0; y < 40; ++y) {
+        for (int x = 0; x < 60; ++x) {
+            const std::uint8_t* rgb = opaque.at(x, y);
+            const bool is_background = rgb[0] + rgb[1] + rgb[2] == 0;
+            std::copy_n(rgb, 3, image.at(x, y));
+            image.at(x, y)[0] = is_background ? 7 : rgb[0];
+            image.at(x, y)[3] = is_background ? 0 : 255;
+        }
+    }
+    const std::vector<std::uint8_t> sphere(image.at(30, 18), image.at(30, 18) + 4);
+    ASSERT_EQ(sphere, (std::vector<std::uint8_t>{255, 0, 0, 255}));
+    image.at(30, 18)[3] = 128;
+    image.at(0, 0)[3] = 255;
+    folder.write("mine.png", encode_png(image));
+    compare("mine.png");
+    ASSERT_TRUE(state.comparison && state.comparison->words.at);
+    const auto at = state.comparison->words.at;
+    EXPECT_EQ(at({1, 0}), "pixel 1,0: 0 0 0 (the background), as expected");
+    EXPECT_EQ(at({30, 17}), "pixel 30,17: 255 0 0 (sphere 0), as expected");
+    EXPECT_EQ(at({30, 18}), "pixel 30,18: found 255 0 0 with alpha 128 (sphere 0), expected 255 0 0 with alpha 255 (sphere 0)");
+    EXPECT_EQ(at({0, 0}),
+              "pixel 0,0: found 7 0 0 with alpha 255 (a colour of nothing in the scene), expected 0 0 0 with alpha 0 (the "
+              "background)");
+    EXPECT_EQ(state.comparison->words.counts, "2 of 2,400 pixels differ from the right picture.");
+}
+
 }  // namespace sphereview

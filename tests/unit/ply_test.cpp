@@ -116,7 +116,10 @@ TEST(Ply, ColoursAreWhatTheColumnsHold) {
     EXPECT_EQ(color("ushort", "65535 32896 0"), (Color{255, 128, 0}));
     EXPECT_EQ(color("float", "1 0.5 0"), (Color{255, 128, 0}));
     EXPECT_EQ(color("float", "255.0 128 0"), (Color{255, 128, 0}));
-    EXPECT_EQ(color("float", "nan -1 inf"), (Color{0, 0, 0}));
+    EXPECT_EQ(color("float", "0 65535 32896"), (Color{0, 255, 128}));  // as in other tables
+    for (const char* none : {"nan 1 1", "1 -1 1", "1 1 1e999", "NA 0.5 0"}) {
+        EXPECT_EQ(color("float", none), (Color{255, 255, 255})) << none;
+    }
     const std::string diffuse = "property uchar diffuse_red\nproperty uchar diffuse_green\nproperty uchar diffuse_blue\n";
     EXPECT_EQ(ply(ply_head("ascii", "element vertex 1\n" + ply_xyz + diffuse) + "0 0 0 1 2 3\n").scene.spheres.at(0).color,
               (Color{1, 2, 3}));
@@ -164,6 +167,8 @@ TEST(PlyErrors, SayWhatIsWrong) {
              "9:1: the text ends, expected vertex 2 of 1000000000000000000"},
             {ascii("element vertex 1\n" + ply_xyz) + "0 0\n", "8:4: the line ends, expected 'z' of vertex 1 of 1"},
             {ascii("element vertex 1\n" + ply_xyz) + "0 zero 0\n", "8:3: found 'zero', expected 'y' of vertex 1 of 1, a number"},
+            {ascii("element vertex 1\n" + ply_xyz) + "0 1e999 0\n",
+             "8:3: found '1e999', expected 'y' of vertex 1 of 1, a number that a double can hold (at most 1.8e308)"},
             {ascii("element vertex 1\n" + list + ply_xyz) + "1000000000000 0 0 0\n",
              "9:1: found '1000000000000', expected 'a' of vertex 1 of 1 from 0 to 19"},
             {binary("element vertex 1000000000000000000\n" + ply_xyz) + "01234567890123456789",

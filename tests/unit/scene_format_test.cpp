@@ -32,6 +32,38 @@ TEST(DetectFormat, BelievesTheContentBeforeTheName) {
     }
 }
 
+// Zero bytes and Ctrl-Z behind the text.
+TEST(EndMarks, AreNoPartOfAText) {
+    using namespace std::string_literals;
+    std::vector<std::pair<std::string, std::string>> files = {
+        {"a.txt", "1\n255 0 0\n0 0 300\n20\n"},
+        {"a.toml", "[[sphere]]\ncolor = [1, 2, 3]\ncenter = [0, 0, 300]\nradius = 3\n"},
+        {"a.xyz", "1\n\nO 0 0 1\n"},
+        {"points.xyz", "0 0 1\n1 2 3\n4 5 7\n"},
+        {"a.csv", "x,y,z\n0,0,0\n1,2,3\n"},
+        {"a.pdb", "ATOM      1  N   ALA A   1       0.000   0.000   0.000  1.00  0.00           N\n"},
+        {"a.lammpstrj", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: ATOMS id x y z\n1 0 0 5\n"},
+        {"a.gro", "t\n1\n    1SOL     OW    1   1.000   1.000   1.000\n 1 1 1\n"},
+        {"POSCAR", "Na\n1\n1 0 0\n0 1 0\n0 0 1\nNa\n1\nDirect\n0 0 0\n"},
+        {"a.sdf", "\n\n\n  1  0\n0 0 0 H\nM  END\n$$$$\n"},
+        {"a.pqr", "ATOM 1 N A 1 0 0 0 0 1\n"},
+        {"a.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\nproperty int y\nproperty int z\nend_header\n0 1 0\n"}};
+#ifndef WITHOUT_GEMMI
+    files.emplace_back("a.cif", "data_a\nloop_\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n1 2 3\n");
+#endif
+    for (const auto& [name, text] : files) {
+        const Scene scene = parse_scene(text, name);
+        EXPECT_FALSE(scene.spheres.empty()) << name;
+        for (const std::string& end : {"\0"s, "\0\0\0"s, "\x1A"s, "\x1A\0"s}) {
+            EXPECT_EQ(parse_scene(text + end, name), scene) << name;
+            EXPECT_EQ(parse_scene(text.substr(0, text.size() - 1) + end, name), scene) << name;
+        }
+    }
+    EXPECT_EQ(without_end_marks("x\0\n\0"s), "x\0\n\0"s) << "UTF-16";
+    EXPECT_THROW(parse_scene("x,y,z\n0,0,\0\n1,2,3\n"s, "a.csv"), InputError);
+    EXPECT_EQ(message_of<InputError>([] { detect_format("\0\0\0\0"s, "a.txt"); }).substr(0, 25), "a.txt: found binary data,");
+}
+
 TEST(DetectFormat, BelievesTheNameWhereTheContentIsUnclear) {
     for (const char* content : {"", " \n", "hello", "\x89PNG", "\xEF\xBB\xBF", "is 2 + 2 = 4?"}) {
         for (const char* name : {"s.toml", "S.TOML", "a.txt/s.Toml"}) {

@@ -60,6 +60,52 @@ TEST(XyzOfPrograms, AFaultBehindTheWantedFrameIsOnlySaid) {
     EXPECT_TRUE(read_programs_xyz("1\n\nH 0 0 0\n").warnings.empty());
 }
 
+TEST(XyzOfPrograms, FramesOfUtf16AreOneFrameWithAWord) {
+    const auto utf16 = [](const std::string& text) {
+        std::string units = "\xFF\xFE";
+        for (const char c : text) units.append(1, c).append(1, '\0');
+        return units;
+    };
+    const std::string frame = "1\n\nH 1 0 0\n";
+    const SphereData data = read_programs_xyz(utf16(frame + "1\n\nH 2 0 0\n"), {.frame = 1});
+    EXPECT_EQ(data.scene.spheres.at(0).center.x, 2.0);
+    EXPECT_EQ(data.warnings, (Lines{"a.xyz: a text in UTF-16 counts as one frame, though it has 2: --frame N shows each; saved as "
+                                    "UTF-8 it has them all"}));
+    EXPECT_TRUE(read_programs_xyz(utf16(frame)).warnings.empty());
+}
+
+TEST(XyzOfPrograms, ALastLineMayBeCutShort) {
+    const std::string first = "2\n\nH 0 0 0\nH 0.5 0 0\n";
+    const std::string more = "2\nProperties=species:S:1:pos:R:3:forces:R:3\nH 0 0 0 1 1 1\n";
+    const std::string said = "the text ends, expected the whole line of the last atom of frame ";
+    for (const std::string cut : {"H", "H 0.1 0."}) {
+        const SphereData data = read_programs_xyz(first + "2\n\nH 0 0 0\n" + cut);
+        EXPECT_EQ(data.frames, 1) << cut;
+        EXPECT_EQ(data.warnings,
+                  (Lines{"a.xyz:8:" + std::to_string(cut.size() + 1) + ": " + said + "1; what follows frame 0 is passed over"}));
+    }
+    const SphereData forces = read_programs_xyz(more + "H 1 0 0 1 1");
+    EXPECT_EQ(forces.scene.spheres.size(), 2U);
+    EXPECT_EQ(forces.warnings, (Lines{"a.xyz:4:12: " + said + "0"}));
+    EXPECT_TRUE(read_programs_xyz(more + "H 1 0 0 1 1 1").warnings.empty());
+
+    // What still reads as an atom: as places are written alike, one with fewer decimals is cut.
+    std::string many = "20\n\n";
+    std::string vary = many;
+    for (int i = 0; i < 19; ++i) {
+        many += "H " + std::to_string(i) + ".1250 0.2500 1.5000\n";
+        vary += "H " + std::to_string(i) + ".125 0.25 1.5" + (i == 9 ? "00" : "") + "\n";
+    }
+    for (const std::string cut : {"H 1.2500 0.2500 1.5", "H 1.2500 0.2500 1", "H 1.2500 0.2500 1."}) {
+        EXPECT_EQ(read_programs_xyz(many + cut).warnings.size(), 1U) << cut;
+        EXPECT_TRUE(read_programs_xyz(many + cut + "\n").warnings.empty()) << cut;
+        EXPECT_TRUE(read_programs_xyz(vary + cut).warnings.empty()) << cut;
+        EXPECT_EQ(read_programs_xyz(first + many + cut).frames, 1) << cut;
+    }
+    EXPECT_TRUE(read_programs_xyz(many + "H 1.2500 0.2500 1.5000").warnings.empty());
+    EXPECT_TRUE(read_programs_xyz("2\n\nH 0.1 0.2 0.3\nH 0 0 0").warnings.empty());
+}
+
 TEST(XyzOfPrograms, LinesThatAreNoAtomsMayStandBetweenFrames) {
     const std::string text = "1\n\nH 0 0 0\nVEC1 5 0 0\nVEC2 0 5 0\nVEC3 0 0 5\n1\n\nH 1 0 0\n>\n1\n\nH 2 0 0\n";
     const SphereData data = read_programs_xyz(text, {.frame = 2});
@@ -186,7 +232,7 @@ TEST(XyzOfPrograms, MayBeUtf16) {
 TEST(XyzOfPrograms, ARadiusThatIsNoneIsTheUsualOne) {
     const double usual = find_element("Si")->radius;
     const std::string head = "2\nProperties=species:S:1:pos:R:3:radius:R:1\n";
-    for (const std::string radius : {"0", "0.0", "-1", "nan", "inf", "1e999"}) {
+    for (const std::string radius : {"0", "0.0", "-1", "nan", "inf", "1e999", "NA", "nan(0x7)"}) {
         const Scene scene = read_programs_xyz(head + "Si 0 0 0 " + radius + "\nSi 2 0 0 0.5\n").scene;
         EXPECT_EQ(scene.spheres.at(0).radius, usual) << radius;
         EXPECT_EQ(scene.spheres.at(1).radius, 0.5) << radius;

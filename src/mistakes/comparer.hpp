@@ -1,0 +1,95 @@
+// A picture of somebody's own ray tracer, pixel by pixel beside what it should be.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "image/image.hpp"
+#include "mistakes/diagnosis.hpp"
+#include "scene/scene.hpp"
+
+namespace sphereview {
+
+inline std::uint32_t packed_color(const Color& color) {
+    return static_cast<std::uint32_t>(color.r) << 16 | static_cast<std::uint32_t>(color.g) << 8 | color.b;
+}
+
+// How a program may write colours that it takes for numbers from 0 to 1: clamped there, or divided by 255 and not multiplied again.
+enum class ColorScale { right, clamped, divided };
+
+// How a person's program may write the right number in the wrong colour.
+struct Palette {
+    bool red_and_blue_swapped = false;
+    ColorScale scale = ColorScale::right;
+    bool inexact = false;               // off by so little that no other colour is meant
+    std::optional<Color> background{};  // instead of the right one
+
+    static constexpr int most_off = 4;  // of 255
+
+    bool operator==(const Palette&) const = default;
+};
+
+// Pixels are counted row by row. The picture and the scene must outlive it.
+class Comparer {
+public:
+    Comparer(const Image& picture, const Scene& scene, const Background& background);
+
+    // Whether a sphere that is not hidden has that colour.
+    bool is_of_sphere(std::uint32_t packed) const { return sphere_of_color_.contains(packed); }
+
+    // What has that colour: visible_background, or the first sphere of the file that is not hidden. background_found: what the
+    // picture shows instead of the right background.
+    std::optional<std::int32_t> number_of(const Color& color, const std::optional<Color>& background_found) const;
+
+    Color found(std::size_t i) const;
+
+    Color right(std::int32_t number) const;
+
+    // Whether pixel i is as a program with that palette shows that number.
+    bool shows(std::size_t i, std::int32_t number, const Palette& palette) const;
+
+    // Of pixel i, which should show that number; of no share.
+    DifferingPixel difference(std::size_t i, std::int32_t number, const std::optional<Color>& background_found) const;
+
+    // For how many pixels is(i) holds.
+    template <typename Is>
+    std::int64_t count(const Is& is) const {
+        std::atomic<std::int64_t> all = 0;
+        constexpr std::size_t piece = 1 << 16;
+        parallel_pieces(pixels(), piece, [&](std::size_t begin, std::size_t end) {
+            std::int64_t some = 0;
+            for (std::size_t i = begin; i < end; ++i) some += is(i) ? 1 : 0;
+            all += some;
+        });
+        return all;
+    }
+
+    std::int64_t showing(const std::vector<std::int32_t>& numbers, const Palette& palette) const {
+        return count([&](std::size_t i) { return shows(i, numbers[i], palette); });
+    }
+
+    std::size_t pixels() const { return static_cast<std::size_t>(picture_.width()) * static_cast<std::size_t>(picture_.height()); }
+    Pixel pixel(std::size_t i) const {
+        const auto width = static_cast<std::size_t>(picture_.width());
+        return {static_cast<int>(i % width), static_cast<int>(i / width)};
+    }
+
+private:
+    // Of a transparent background in a picture that has alpha; otherwise alpha is passed over.
+    std::optional<std::uint8_t> alpha(std::size_t i) const {
+        if (!background_.transparent || picture_.channels() != 4) return std::nullopt;
+        return picture_.bytes()[4 * i + 3];
+    }
+
+    const Image& picture_;
+    const Scene& scene_;
+    Background background_;
+    std::unordered_map<std::uint32_t, std::int32_t> sphere_of_color_{};  // the first in the file
+};
+
+}  // namespace sphereview
