@@ -88,8 +88,15 @@ Decision draw_from(const PanelContext& context, Dialogs& dialogs, std::size_t in
     if (!top) own_context.rectangles = nullptr;  // of what lies below nothing can be clicked
     // Where something has opened above it, a dialog or a list of choices, the keys are that one's.
     const bool covered = !top || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
+#if IMGUI_VERSION_NUM >= 19290
+    // A number counts as it is typed, as in the versions before: the Enter that ends it accepts the dialog.
+    ImGui::PushItemFlag(ImGuiItemFlags_LiveEditOnInputScalar, true);
+#endif
     Decision decision =
         std::visit([&](auto& one) { return draw_content(own_context, one, covered ? DialogKeys{} : keys, dialogs); }, dialog);
+#if IMGUI_VERSION_NUM >= 19290
+    ImGui::PopItemFlag();
+#endif
     if (!top)
         decision = draw_from(context, dialogs, index + 1, keys);
     else if (decision.done)

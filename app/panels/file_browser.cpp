@@ -254,7 +254,7 @@ ClickedEntry draw_form(const PanelContext& context, FileBrowser& browser) {
         const float lines = 1.0F + (browser.size ? 2.0F : 0.0F) + (browser.marks ? 1.0F : 0.0F) + (browser.film ? 8.0F : 0.0F);
         browser.below_list = lines * ImGui::GetFrameHeightWithSpacing();
     }
-    const float fewest = browser.film ? 2.0F : 5.0F;  // lines: a film's form leaves less room in a small window
+    const float fewest = browser.film || browser.size ? 2.0F : 5.0F;  // lines: a form leaves less room in a small window
     const float room = ImGui::GetContentRegionAvail().y - browser.below_list - ImGui::GetStyle().ItemSpacing.y;
     const float height = std::max(fewest * ImGui::GetTextLineHeightWithSpacing(), std::floor(room));
     draw_places(context, browser, {0.22F * width, height});

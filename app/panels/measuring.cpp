@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <cstddef>
 #include <numbers>
+#include <tuple>
 
 #include "panels/math_text.hpp"
 #include "panels/number_field.hpp"
@@ -46,33 +49,75 @@ void draw_values(const std::vector<Measure>& measures) {
     ImGui::EndTable();
 }
 
-// Moves the current window to the nearest place within the area, which may have become smaller.
-void keep_within(const Rectangle& area, float margin) {
-    const ImVec2 low = ImGui::GetWindowPos();
-    const ImVec2 size = ImGui::GetWindowSize();
-    const auto nearest = [&](float place, float length, float from, float room) {
-        return std::max(std::min(place, from + room - margin - length), from + margin);
+// The nearest place to that within the area, which may have become smaller.
+ImVec2 within(const Rectangle& area, ImVec2 place, ImVec2 size, float margin) {
+    const auto nearest = [&](float at, float length, float from, float room) {
+        return std::max(std::min(at, from + room - margin - length), from + margin);
     };
-    const ImVec2 place{nearest(low.x, size.x, area.x, area.width), nearest(low.y, size.y, area.y, area.height)};
-    if (place.x != low.x || place.y != low.y) ImGui::SetWindowPos(place);
+    return {nearest(place.x, size.x, area.x, area.width), nearest(place.y, size.y, area.y, area.height)};
 }
 
-// Moves the current window, of which a place is covered, to the first corner where it covers none.
-void uncover(const std::vector<ImVec2>& places, const Rectangle& area, float margin) {
-    const ImVec2 size = ImGui::GetWindowSize();
-    const auto covers = [&](ImVec2 low) {
-        return std::ranges::any_of(places, [&](const ImVec2& at) {
-            return at.x > low.x - margin && at.y > low.y - margin && at.x < low.x + size.x + margin &&
-                   at.y < low.y + size.y + margin;
-        });
+// What the window should leave free: the places where the measured spheres are seen, and what else is drawn over the picture.
+struct Uncovered {
+    const std::vector<ImVec2>& spheres;
+    const std::vector<Rectangle>& marks;
+};
+
+// How much a window there covers: of the measured spheres, and of the area of marks.
+struct Cover {
+    std::ptrdiff_t spheres = 0;
+    float marks = 0.0F;
+
+    auto operator<=>(const Cover&) const = default;
+};
+
+Cover cover_of(const Uncovered& uncovered, ImVec2 low, ImVec2 size, float margin) {
+    const auto covers = [&](const ImVec2& at) {
+        return at.x > low.x - margin && at.y > low.y - margin && at.x < low.x + size.x + margin && at.y < low.y + size.y + margin;
     };
-    if (!covers(ImGui::GetWindowPos())) return;
-    const float right = area.x + area.width - margin - size.x;
-    const float bottom = area.y + area.height - margin - size.y;
-    for (const ImVec2& corner : {ImVec2(area.x + margin, area.y + margin), ImVec2(right, area.y + margin),
-                                 ImVec2(area.x + margin, bottom), ImVec2(right, bottom)}) {
-        if (!covers(corner)) return ImGui::SetWindowPos(corner);
+    Cover cover{std::ranges::count_if(uncovered.spheres, covers)};
+    for (const Rectangle& mark : uncovered.marks) {
+        const float width = std::min(low.x + size.x, mark.x + mark.width) - std::max(low.x, mark.x);
+        const float height = std::min(low.y + size.y, mark.y + mark.height) - std::max(low.y, mark.y);
+        cover.marks += std::max(width, 0.0F) * std::max(height, 0.0F);
     }
+    return cover;
+}
+
+// The place where a window of that size covers least: a corner, or beside a mark; of several the nearest to the upper left corner.
+ImVec2 free_place(const Uncovered& uncovered, const Rectangle& area, ImVec2 size, float margin) {
+    std::vector<ImVec2> edges = {{area.x, area.y}, {area.x + area.width, area.y + area.height}};
+    for (const Rectangle& mark : uncovered.marks) {
+        edges.emplace_back(mark.x + mark.width, mark.y + mark.height);
+        edges.emplace_back(mark.x - margin - size.x, mark.y - margin - size.y);
+    }
+    std::optional<std::tuple<Cover, float, ImVec2>> best;
+    for (const ImVec2& across : edges) {
+        for (const ImVec2& down : edges) {
+            const ImVec2 place = within(area, {across.x, down.y}, size, margin);
+            const Cover cover = cover_of(uncovered, place, size, margin);
+            const float away = std::hypot(place.x - area.x, place.y - area.y);
+            if (!best || std::tie(cover, away) < std::tie(std::get<0>(*best), std::get<1>(*best))) best = {cover, away, place};
+        }
+    }
+    return std::get<ImVec2>(*best);
+}
+
+// Moves the current window within the area. When its contents have changed it also goes from where it covers something; where the
+// person has dragged it, only from a measured sphere.
+void place_window_of(Measuring& measuring, const Uncovered& uncovered, const Rectangle& area, float margin) {
+    const ImVec2 present = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    const bool dragged = measuring.placed && (measuring.placed->x != present.x || measuring.placed->y != present.y);
+    ImVec2 place = within(area, present, size, margin);
+    if (measuring.measured != measuring.spheres.size() || size.x != measuring.size.x || size.y != measuring.size.y) {
+        const Cover cover = cover_of(uncovered, place, size, margin);
+        if (cover.spheres > 0 || (cover.marks > 0.0F && !dragged)) place = free_place(uncovered, area, size, margin);
+        if (!dragged) measuring.placed = place;
+    }
+    measuring.size = size;
+    measuring.measured = measuring.spheres.size();
+    if (place.x != present.x || place.y != present.y) ImGui::SetWindowPos(place);
 }
 
 }  // namespace
@@ -134,12 +179,13 @@ std::string in_words(const Measure& measure, bool in_full) {
            (in_full ? shortest(measure.value) + (measure.is_angle ? degree_sign : "") : value_text(measure, digits));
 }
 
-void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area, const std::vector<ImVec2>& places) {
+void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area, const std::vector<ImVec2>& places,
+                    const std::vector<Rectangle>& marks) {
     if (!measuring.on) return;
     if (measuring.revision != context.document.names_revision()) measuring.spheres.clear();
     const float margin = 12.0F * context.scale;
     const float room = std::max(area.width - 2.0F * margin, 1.0F);
-    // At the left, with a third of the picture beside it: there is the legend.
+    // With a third of the picture beside it, where the legend has room.
     constexpr float part = 0.65F;
     const float wanted = std::max(std::min(340.0F * context.scale, part * area.width), 8.0F * ImGui::GetFontSize());
     const float width = std::min(wanted, room);
@@ -149,14 +195,8 @@ void draw_measuring(const PanelContext& context, Measuring& measuring, const Rec
     // What it covers may be what is to be measured, so it can be moved.
     constexpr ImGuiWindowFlags flags = (quiet_window & ~ImGuiWindowFlags_NoMove) | ImGuiWindowFlags_AlwaysAutoResize;
     if (ImGui::Begin("###measuring", nullptr, flags)) {
-        if (!ImGui::IsWindowAppearing()) keep_within(area, margin);
-        // Not at other times: then it is where the person has dragged it.
-        const ImVec2 size = ImGui::GetWindowSize();
-        if (measuring.measured != measuring.spheres.size() || size.x != measuring.size.x || size.y != measuring.size.y) {
-            uncover(places, area, margin);
-        }
-        measuring.size = size;
-        measuring.measured = measuring.spheres.size();
+        // Before, its size is not known.
+        if (!ImGui::IsWindowAppearing()) place_window_of(measuring, {places, marks}, area, margin);
         const std::vector<Measure> measures = measures_of(measuring, context.document.scene(), !context.view.mirrored);
         draw_title(context, "Measure");
         if (measuring.spheres.size() == 1) wrapped_text(title_of(context.document.scene(), measuring.spheres.front()));

@@ -26,9 +26,10 @@ struct Measuring {
     bool on = false;
     std::vector<std::uint32_t> spheres{};  // in the order in which they were clicked, at most most_measured
     std::uint64_t revision = 0;            // Document::names_revision() in which these are the spheres' numbers
-    // Of the window, when it was last looked whether it covers what is measured.
+    // Of the window, when it was last looked whether it covers what is to be seen.
     ImVec2 size{};
     std::size_t measured = 0;
+    std::optional<ImVec2> placed{};  // where it was put then; it is elsewhere once the person has dragged it
 };
 
 // Takes a sphere that was clicked; one behind the last that is possible begins anew.
@@ -48,11 +49,11 @@ std::string value_text(const Measure& measure, int significant);
 // "distance ... = 12.5", "... = 109.47°"; in full, or with 6 digits.
 std::string in_words(const Measure& measure, bool in_full);
 
-// Draws a window of its own, first in the upper left corner of the area, which is the picture's, while measuring is on; it can be
-// moved within the area. When it grows over one of the `places`, where the measured spheres are seen, it goes to a corner where it
-// covers none. Widgets:
-// "measuring", "measure copy", "measure again", "measure end".
+// Draws a window of its own in the area, which is the picture's, while measuring is on: at first in its upper left corner, or at
+// the nearest place where it covers none of the `marks`, which are what else is drawn over the picture. When it grows over these,
+// or over one of the `places`, where the measured spheres are seen, it goes where it covers none. It can be moved within the area;
+// from there it gives way to measured spheres alone. Widgets: "measuring", "measure copy", "measure again", "measure end".
 void draw_measuring(const PanelContext& context, Measuring& measuring, const Rectangle& area,
-                    const std::vector<ImVec2>& places = {});
+                    const std::vector<ImVec2>& places = {}, const std::vector<Rectangle>& marks = {});
 
 }  // namespace sphereview

@@ -29,15 +29,17 @@ constexpr auto mouse_table = std::to_array<MouseHelp>({
     {"File dropped on the window", "Opens the scene in it."},
 });
 
-// Words side by side under a title; the last column gets the width that the others leave. All lines have as many words.
+// Words side by side under a title; the last column gets the width that the others leave, and a little more than the others at
+// least. All lines have as many words.
 void draw_table(const PanelContext& context, const std::string& title, const std::vector<std::vector<std::string>>& lines) {
     draw_title(context, title);
     const auto columns = static_cast<int>(lines.front().size());
     if (!ImGui::BeginTable(title.c_str(), columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX)) return;
+    const float most = 0.9F * ImGui::GetContentRegionAvail().x / static_cast<float>(columns);
     for (std::size_t i = 0; i + 1 < lines.front().size(); ++i) {
         float widest = 0.0F;
         for (const auto& words : lines) widest = std::max(widest, width_of(words[i]));
-        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, widest);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, std::min(widest, most));
     }
     ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
     for (const auto& words : lines) {

@@ -49,6 +49,8 @@ void draw_background(const PanelContext& context) {
 }
 
 constexpr float fewest_rows = 5.0F;
+// Of the panel: the rest is for the parts below, so that one can be opened without moving its heading.
+constexpr float most_of_panel = 0.5F;
 
 void draw_buttons(const PanelContext& context, SidePanelState& state) {
     // The command shows the selected spheres again when all of them are hidden.
@@ -178,12 +180,70 @@ bool draw_part(const PanelContext& context, SidePanelState& state, const std::st
     if (again) ImGui::SetNextItemOpen(!state.toggled->open);
     const bool open = ImGui::CollapsingHeader(heading.c_str(), flags);
     note_widget(context, part);
+    const bool clicked = ImGui::IsItemToggledOpen();
     if (again) {
         state.toggled->open = open;
-    } else if (ImGui::IsItemToggledOpen()) {
+    } else if (clicked) {
         state.toggled = ToggledPart{part, ImGui::GetIO().MousePos, open};
     }
+    if ((again || clicked) && open) state.opened = OpenedPart{part};
+    if (state.opened && state.opened->part == part) {
+        state.opened->heading = ImGui::GetItemRectMin().y;
+        if (!open) state.opened.reset();
+    }
     return open;
+}
+
+// To be called where the part's contents end.
+void end_part(SidePanelState& state, const std::string& part) {
+    if (state.opened && state.opened->part == part) state.opened->end = ImGui::GetCursorScreenPos().y;
+}
+
+// The lower edge, on the screen, of what the panel can show.
+float bottom_of_panel() { return ImGui::GetWindowPos().y + ImGui::GetWindowHeight(); }
+
+// While the pointer is in the panel, or something there is held, typed or chosen, what is under it should stay.
+bool is_in_use() {
+    const ImVec2 low = ImGui::GetWindowPos();
+    const ImVec2 size = ImGui::GetWindowSize();
+    return ImGui::IsMouseHoveringRect(low, {low.x + size.x, low.y + size.y}, false) || ImGui::IsAnyItemActive() ||
+           ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+}
+
+// How high the list is now. It has a place for each row, as far as that leaves room for what is below; where that is too much, the
+// panel scrolls. While the pointer is in the panel the list only gives way, and for a part that is opened only where that has no
+// room below its heading; it grows when the pointer has left.
+float height_of_list(const PanelContext& context, SidePanelState& state) {
+    const float least = fewest_rows * ImGui::GetFrameHeight();
+    // A row more: a click there selects none.
+    const float rows = (static_cast<float>(context.document.scene().spheres.size()) + 1.0F) * row_height() + 8.0F * context.scale;
+    const float rest = ImGui::GetContentRegionAvail().y - state.below_list;
+    if (!is_in_use() || state.list_height == 0.0F) {
+        state.opened.reset();
+        return std::max(least, std::min({rows, rest, most_of_panel * ImGui::GetWindowHeight()}));
+    }
+    if (state.opened && state.opened->redraws > 0 && state.opened->end > bottom_of_panel()) state.opened->has_room = false;
+    const bool stays = state.opened && state.opened->has_room;
+    return stays ? state.list_height : std::max(least, std::min(state.list_height, rest));
+}
+
+// Where the list cannot give way any more the panel scrolls to what was opened, as far as the heading stays in view.
+void scroll_to_opened(std::optional<OpenedPart>& opened) {
+    if (!opened) return;
+    constexpr int settles_within = 4;  // redraws
+    if (++opened->redraws > settles_within || opened->has_room) return;
+    const float hidden = opened->end - bottom_of_panel();
+    const float above = opened->heading - ImGui::GetWindowPos().y - ImGui::GetStyle().WindowPadding.y;
+    const float by = std::min(hidden, above);
+    if (by > 0.0F) ImGui::SetScrollY(ImGui::GetScrollY() + by);
+}
+
+// A part that was closed leaves its room until the pointer has left the panel, which would scroll under it.
+void keep_scrolled() {
+    const float end = ImGui::GetScrollY() + ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y;
+    if (ImGui::GetScrollY() == 0.0F || ImGui::GetCursorPosY() >= end || !is_in_use()) return;
+    ImGui::SetCursorPosY(end - 1.0F);
+    ImGui::Dummy({1.0F, 1.0F});
 }
 
 // Where the heading was clicked, over all that the panel has there now.
@@ -204,24 +264,29 @@ void draw_place_of_click(const PanelContext& context, std::optional<ToggledPart>
 void draw_side_panel(const PanelContext& context, SidePanelState& state) {
     draw_buttons(context, state);
     draw_filter(context, state);
-    // The list takes what the rest leaves; where that is too little, the panel scrolls.
-    const float least = fewest_rows * ImGui::GetFrameHeight();
-    draw_sphere_list(context, state, std::max(least, ImGui::GetContentRegionAvail().y - state.below_list));
+    state.list_height = height_of_list(context, state);
+    draw_sphere_list(context, state, state.list_height);
     const float below = ImGui::GetCursorPosY();
     ImGui::TextDisabled("%s", count_in_words(context, state).c_str());
-    const auto part = [&](const char* name, const std::string& heading, ImGuiTreeNodeFlags flags = 0) {
-        return draw_part(context, state, name, heading, flags);
+    const auto part = [&](const char* name, const std::string& heading, const auto& draw_contents, ImGuiTreeNodeFlags flags = 0) {
+        if (!draw_part(context, state, name, heading, flags)) return;
+        draw_contents();
+        end_part(state, name);
     };
-    if (part("sphere", sphere_heading(context), ImGuiTreeNodeFlags_DefaultOpen)) draw_sphere_editor(context, state);
-    if (part("look", "Colour and size")) draw_look_panel(context, state.look, state.numbers);
-    if (part("light", "Light")) draw_light_panel(context, state);
+    part(
+        "sphere", sphere_heading(context), [&] { draw_sphere_editor(context, state); }, ImGuiTreeNodeFlags_DefaultOpen);
+    part("look", "Colour and size", [&] { draw_look_panel(context, state.look, state.numbers); });
+    part("light", "Light", [&] { draw_light_panel(context, state); });
     if (std::exchange(state.open_camera, false)) ImGui::SetNextItemOpen(true);
-    if (part("camera", "Camera")) {
+    part("camera", "Camera", [&] {
         draw_camera_panel(context, state);
         draw_saved_views(context, state);
-    }
-    if (part("scene", "Scene", ImGuiTreeNodeFlags_DefaultOpen)) draw_background(context);
+    });
+    part(
+        "scene", "Scene", [&] { draw_background(context); }, ImGuiTreeNodeFlags_DefaultOpen);
     state.below_list = ImGui::GetCursorPosY() - below + ImGui::GetStyle().ItemSpacing.y;
+    scroll_to_opened(state.opened);
+    keep_scrolled();
     draw_place_of_click(context, state.toggled);
 }
 

@@ -55,6 +55,16 @@ struct ToggledPart {
     bool clicked_again = false;  // since it was drawn
 };
 
+// The part that was opened last, until the pointer has left the panel: where its contents had room below its heading, that stays
+// where it was clicked, and what comes after goes down.
+struct OpenedPart {
+    std::string part;
+    float heading = 0.0F;  // its upper edge on the screen, in the last redraw
+    float end = 0.0F;      // the lower edge of its contents
+    int redraws = 0;       // since it was opened
+    bool has_room = true;  // below its heading
+};
+
 // What the side panel remembers from redraw to redraw.
 struct SidePanelState {
     std::string filter;
@@ -90,10 +100,11 @@ struct SidePanelState {
     LookPanelState look;
 
     std::optional<ToggledPart> toggled{};
-
+    std::optional<OpenedPart> opened{};
     std::optional<Sun> last_sun;  // what the scene had last, for when it is switched on again
     SunDrag sun_drag;
-    float below_list = 0.0F;  // how high what comes below the list was
+    float below_list = 0.0F;   // how high what comes below the list was
+    float list_height = 0.0F;  // the list's own, in the last redraw; 0: there was none
 };
 
 // Draws into the current ImGui window.

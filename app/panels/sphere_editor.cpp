@@ -182,7 +182,7 @@ void draw_sphere_editor(const PanelContext& context, SidePanelState& state) {
         state.name_active = false;
     }
     if (!primary || *primary >= count || context.selection.numbers().back() >= count) {
-        dim_text("Click a sphere, in the picture or in the list, to change it.");
+        dim_text(count == 0 ? "Add a sphere, or open a file." : "Click a sphere, in the picture or in the list, to change it.");
         return;
     }
     const SharedValues& shared = shared_of_selection(context, state);

@@ -28,10 +28,12 @@ struct Messages {
     std::string scene_gone{};         // the scene's file, while it is not there
 };
 
-// How large what is drawn in the picture's lower corners is, from the corner on, in ImGui's coordinates.
+// How large what is drawn in the picture's corners is, from the corner on, in ImGui's coordinates: in the lower ones and in the
+// upper right one.
 struct CornerMarks {
     ImVec2 left{};
     ImVec2 right{};
+    ImVec2 legend{};
 };
 
 // Draws windows of its own inside the area, which is the picture's, and takes away the errors that the person closes. What is

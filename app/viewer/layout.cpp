@@ -28,6 +28,7 @@ constexpr float timeline_margin = 10.0F;  // at the sides
 constexpr float lowest_picture = 100.0F;  // above the status bar
 // Where a tool's words lie over the picture, it has to be wide enough for them and for what they are about.
 constexpr float narrowest_under_tool = 280.0F;
+constexpr float narrowest_under_rays = 400.0F;  // the view from beside has to be seen beside their panel
 // Of the axes in the picture's corner, with their margin; and of the rays' panel, that it can be read.
 constexpr float axes_height = 116.0F;
 constexpr float lowest_rays = 270.0F;
@@ -50,7 +51,8 @@ float whole_pixels(float length, const PanelContext& context) { return std::roun
 // so the side panel narrows for that, and gives way where it would be too narrow itself.
 float room_beside_panel(const ViewerState& state, const PanelContext& context, float whole, bool compares) {
     const float scale = context.scale;
-    float picture = (state.rays.on || state.measuring.on ? narrowest_under_tool : narrowest_picture) * scale;
+    const float least = state.rays.on ? narrowest_under_rays : state.measuring.on ? narrowest_under_tool : narrowest_picture;
+    float picture = least * scale;
     // Nothing is there yet that the panel could be used for: the page comes first.
     if (state.is_at_start() && !compares) picture = std::max(picture, start_page_room(context));
     if (!state.inspector_shown) return picture;
@@ -122,7 +124,8 @@ void draw_rays_over(ViewerState& state, const PanelContext& context, const Redra
     const bool above = place.height - axes >= lowest_rays * context.scale;
     if (state.settings.axes_shown && above) place.height -= axes;
     const RaysAnswer answer = draw_rays_panel(context, shown, rays.choice, place);
-    rays.beside_panel = above ? 0.0F : answer.size.x;
+    rays.panel = answer.size;
+    rays.axes_beside = !above;
     const double pixels = picture.width > 0.0F ? state.picture_size.width / static_cast<double>(picture.width) : 1.0;
     fly_beside(state, {pixels * static_cast<double>(answer.size.x), pixels * static_cast<double>(answer.size.y)});
     rays.pointed.reset();
@@ -205,7 +208,7 @@ Rectangle draw_panels(ViewerState& state, const PanelContext& context, const Red
                               !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
         draw_start_page(context, state.start_page, state.settings.recent, picture, has_keys);
     }
-    draw_measuring(context, state.measuring, picture, measured_places(state, picture));
+    draw_measuring(context, state.measuring, picture, measured_places(state, picture), places_of_marks(state, picture));
     if (state.rays.on) draw_rays_over(state, context, facts, picture);
     if (compares) {
         const ComparisonWords& words = state.comparison->words;

@@ -65,7 +65,7 @@ void draw_pointer_marks(const ViewerState& state, const MouseControl& mouse, con
 }
 
 void draw_export_area(const ViewerState& state, const Rectangle& picture) {
-    if (!state.export_area_shown || state.rays.on) return;
+    if (!state.export_area_shown || state.rays.on || state.is_at_start()) return;
     const PictureSize size{state.settings.export_width, state.settings.export_height};
     // Both show `right` and `up` over half their shorter side.
     const float unit = 0.5F * std::min(picture.width, picture.height) / static_cast<float>(size.shorter_side());

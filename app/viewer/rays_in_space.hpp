@@ -49,7 +49,8 @@ struct RaysInSpace {
     PictureSize beside_size{};
     glm::dvec3 pivot{};                    // of the view before
     std::optional<PinnedPixel> pointed{};  // the eye's pixel under the pointer
-    float beside_panel = 0.0F;             // the axes begin so far to the right, where the panel reaches down to them
+    ImVec2 panel{};                        // how far it reaches from the picture's upper left corner
+    bool axes_beside = false;              // the axes are right of the panel, which reaches down to them
     MadeBeside<AskedRays, std::vector<TracedRay>> rays{};
     MadeBeside<AskedPicture, Image> picture{};
 };

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/legend.hpp"
@@ -109,13 +110,16 @@ private:
     std::array<AxisEnd, 6> ends_;
 };
 
-void draw_axes_on_screen(ViewerState& state, const PanelContext& context, const Rectangle& picture, double pixels, int unit) {
+// `bar`: how far the scale bar reaches from its corner. Where the axes would lie on it, they stand above.
+void draw_axes_on_screen(ViewerState& state, const PanelContext& context, const Rectangle& picture, ImVec2 bar, double pixels,
+                         int unit) {
     const float unit_here = static_cast<float>(unit / (stroke_unit * pixels));
     const float away = (axes_radius + marks_margin) * unit_here;
-    const ImVec2 middle{std::round(picture.x + away + (state.rays.on ? state.rays.beside_panel : 0.0F)),
-                        std::round(picture.y + picture.height - away)};
+    const float right = state.rays.on && state.rays.axes_beside ? state.rays.panel.x : 0.0F;
+    const float up = right + 2.0F * away > picture.width - bar.x ? bar.y : 0.0F;
+    const ImVec2 middle{std::round(picture.x + right + away), std::round(picture.y + picture.height - up - away)};
     if (middle.x + away > picture.x + picture.width) return;
-    state.marks_in_corners.left = {middle.x + away - picture.x, 2.0F * away};
+    state.marks_in_corners.left = {middle.x + away - picture.x, up + 2.0F * away};
     AxesOnScreen axes(state, context, middle, unit_here);
     const std::optional<AxisEnd> chosen = axes.take_mouse();
     if (chosen) {
@@ -152,10 +156,20 @@ void draw_scale_bar_on_screen(ViewerState& state, const Rectangle& picture, doub
     extent.y += away;
 }
 
-void draw_legend_on_screen(const ViewerState& state, const Coloring& coloring, const Rectangle& picture, double pixels, int unit) {
-    const LegendRoom room = room_for_legend(state.picture_size.width * stroke_unit, state.picture_size.height * stroke_unit, unit);
-    draw_strokes(strokes_of_legend(coloring, room, unit_of_letters(unit), is_light(state.shown_background())),
-                 {picture.x, picture.y}, pixels);
+void draw_legend_on_screen(ViewerState& state, const Coloring& coloring, const Rectangle& picture, double pixels, int unit) {
+    const int width = state.picture_size.width * stroke_unit;
+    const LegendRoom room = room_for_legend(width, state.picture_size.height * stroke_unit, unit);
+    const std::vector<Stroke> strokes =
+        strokes_of_legend(coloring, room, unit_of_letters(unit), is_light(state.shown_background()));
+    draw_strokes(strokes, {picture.x, picture.y}, pixels);
+    const double size = stroke_unit * pixels;  // of an ImGui coordinate
+    ImVec2& extent = state.marks_in_corners.legend;
+    for (const Stroke& stroke : strokes) {
+        for (const StrokePlace& at : {stroke.from, stroke.to}) {
+            extent.x = std::max(extent.x, static_cast<float>((width - at.x) / size));
+            extent.y = std::max(extent.y, static_cast<float>(at.y / size));
+        }
+    }
 }
 
 }  // namespace
@@ -164,9 +178,9 @@ void draw_view_marks(ViewerState& state, const PanelContext& context, const Rect
     const Coloring* coloring = shown_coloring(state.document, state.side_panel.look);  // also for exports and other frames
     const int wanted = static_cast<int>(std::lround(unit_on_screen * static_cast<double>(context.scale) * pixels * stroke_unit));
     const int unit = unit_of_marks(state.picture_size.shorter_side(), wanted);
-    state.marks_in_corners = {};
+    const ImVec2 bar = std::exchange(state.marks_in_corners, {}).right;
     if (state.is_at_start() || unit == 0) return;
-    if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, pixels, unit);
+    if (state.settings.axes_shown) draw_axes_on_screen(state, context, picture, bar, pixels, unit);
     if (state.settings.legend_shown && coloring != nullptr) draw_legend_on_screen(state, *coloring, picture, pixels, unit);
     if (state.settings.scale_bar_shown) draw_scale_bar_on_screen(state, picture, pixels, unit);
 }
@@ -179,6 +193,18 @@ std::vector<ImVec2> measured_places(const ViewerState& state, const Rectangle& p
         const auto at = place_of(state.camera, state.picture_size, state.scene().spheres[number].center);
         if (at) places.push_back(on_screen(picture, pixels, *at));
     }
+    return places;
+}
+
+std::vector<Rectangle> places_of_marks(const ViewerState& state, const Rectangle& picture) {
+    const CornerMarks& marks = state.marks_in_corners;
+    const float right = picture.x + picture.width;
+    const float bottom = picture.y + picture.height;
+    std::vector<Rectangle> places = {{picture.x, bottom - marks.left.y, marks.left.x, marks.left.y},
+                                     {right - marks.right.x, bottom - marks.right.y, marks.right.x, marks.right.y},
+                                     {right - marks.legend.x, picture.y, marks.legend.x, marks.legend.y}};
+    if (state.rays.on) places.push_back({picture.x, picture.y, state.rays.panel.x, state.rays.panel.y});
+    std::erase_if(places, [](const Rectangle& place) { return place.width <= 0.0F; });
     return places;
 }
 

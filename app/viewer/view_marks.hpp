@@ -30,6 +30,9 @@ void draw_measured(const ViewerState& state, const PanelContext& context, const 
 // Where the measured spheres' centres are seen, those before the eye.
 std::vector<ImVec2> measured_places(const ViewerState& state, const Rectangle& picture);
 
+// Where axes, scale bar, legend and the rays' panel were drawn last, in the picture's present place.
+std::vector<Rectangle> places_of_marks(const ViewerState& state, const Rectangle& picture);
+
 // "axes, scale bar and legend", as far as the window shows them; "" for none.
 std::string shown_marks(const ViewerState& state);
 

@@ -171,11 +171,12 @@ TEST_F(FilmDialog, HasRoomForEverythingInASmallWindow) {
         ImVec2 window;
         bool scrolls;
     };
+    const float usual = ImGui::GetFontSize();
     for (const auto& [text_scale, size, scrolls] :
          {Case{1.0F, {800.0F, 600.0F}, false}, {2.0F, {1280.0F, 800.0F}, false}, {3.0F, {1280.0F, 800.0F}, true}}) {
         SCOPED_TRACE(text_scale);
         ImGui::GetIO().DisplaySize = size;
-        ImGui::GetIO().FontGlobalScale = text_scale * 15.0F / ImGui::GetFont()->FontSize;
+        ImGui::GetIO().FontGlobalScale = text_scale * 15.0F / usual;
         apply_style(text_scale);
         harness.panels.scale = text_scale;
         put(10);

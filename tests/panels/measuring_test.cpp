@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "panels/harness.hpp"
@@ -37,8 +38,9 @@ struct MeasuringHarness {
     Rectangle area;
     Measuring measuring{.on = true};
     std::vector<ImVec2> places;
+    std::vector<Rectangle> marks;
     PanelHarness panels{
-        [this](const PanelContext& context) { draw_measuring(context, measuring, area, places); }, {}, 800.0F, 600.0F};
+        [this](const PanelContext& context) { draw_measuring(context, measuring, area, places, marks); }, {}, 800.0F, 600.0F};
 };
 
 using Words = std::vector<std::string>;
@@ -158,6 +160,45 @@ TEST(MeasuringPanel, CoversNoSphereThatIsMeasured) {
     harness.places = {{grown.left + 20.0F, dragged + 20.0F}};
     harness.panels.redraws(4);
     EXPECT_EQ(harness.panels.rectangles.at("measuring").top, dragged);
+}
+
+// Axes, scale bar and legend: each could be where the window is at first.
+TEST(MeasuringPanel, CoversNothingThatIsDrawnOverThePicture) {
+    const Rectangle area{100.0F, 50.0F, 600.0F, 500.0F};
+    const float right = area.x + area.width;
+    const float bottom = area.y + area.height;
+    const std::vector<std::vector<Rectangle>> cases = {
+        {{area.x, area.y, 200.0F, 120.0F}},
+        {{area.x, bottom - 430.0F, 110.0F, 430.0F}},                                           // high axes at the left
+        {{right - 420.0F, area.y, 420.0F, 200.0F}},                                            // a wide legend
+        {{right - 420.0F, area.y, 420.0F, 90.0F}, {area.x, bottom - 110.0F, 110.0F, 110.0F}},  // and axes
+        {{area.x, area.y, 600.0F, 40.0F}, {right - 300.0F, bottom - 60.0F, 300.0F, 60.0F}},
+    };
+    for (const std::vector<Rectangle>& marks : cases) {
+        MeasuringHarness harness(area);
+        harness.measuring = {};
+        harness.panels.redraws(2);
+        harness.marks = marks;
+        harness.measuring.on = true;
+        harness.panels.redraws(4);
+        const auto covers = [&] {
+            const WidgetRectangle window = harness.panels.rectangles.at("measuring");
+            return std::ranges::any_of(marks, [&](const Rectangle& mark) {
+                return window.left < mark.x + mark.width && window.right > mark.x && window.top < mark.y + mark.height &&
+                       window.bottom > mark.y;
+            });
+        };
+        EXPECT_FALSE(covers()) << marks.front().x;
+        harness.measure_all({0, 1, 2, 3});  // the window grows
+        EXPECT_FALSE(covers()) << marks.front().x;
+        // The person may drag it there.
+        const WidgetRectangle window = harness.panels.rectangles.at("measuring");
+        const ImVec2 handle{window.left + 60.0F, window.top + 8.0F};
+        const Rectangle& mark = marks.front();
+        harness.panels.drag(handle, {mark.x + 0.5F * mark.width, mark.y + 0.5F * mark.height});
+        harness.panels.redraws(4);
+        EXPECT_TRUE(covers()) << marks.front().x;
+    }
 }
 
 TEST(MeasuringPanel, FitsANarrowPicture) {

@@ -130,9 +130,12 @@ TEST(Layout, TheRaysPanelAndTheAxesCoverNothingOfEachOther) {
     state.document = Document(scene);
     state.rays.on = true;
     state.rays.choice.shown = RaysShown::all;
+    state.settings.scale_bar_shown = true;
+    state.pivot = {0.0, 0.0, 300.0};
+    Rectangle picture;
     PanelHarness window(
         [&](const PanelContext& context) {
-            const Rectangle picture = draw_panels(state, context, {});
+            picture = draw_panels(state, context, {});
             state.picture_size = {static_cast<int>(picture.width), static_cast<int>(picture.height)};
             state.rays.size = state.picture_size;
             draw_view_marks(state, context, picture, 1.0);
@@ -149,8 +152,33 @@ TEST(Layout, TheRaysPanelAndTheAxesCoverNothingOfEachOther) {
             const WidgetRectangle rays = window.rectangles.at("rays");
             const WidgetRectangle axes = window.rectangles.at("axes");
             EXPECT_TRUE(rays.bottom <= axes.top || rays.right <= axes.left);
+            // Nor does the scale bar.
+            const ImVec2 bar = state.marks_in_corners.right;
+            EXPECT_GT(bar.x, 0.0F);
+            EXPECT_TRUE(axes.right <= picture.x + picture.width - bar.x || axes.bottom <= picture.y + picture.height - bar.y);
         }
     }
+}
+
+TEST(Layout, MeasuringBeginsBesideTheRaysPanel) {
+    ViewerState state({}, {});
+    state.document = Document(scene_of_alike(1));
+    state.rays.on = true;
+    PanelHarness window(
+        [&](const PanelContext& context) {
+            const Rectangle picture = draw_panels(state, context, {});
+            state.picture_size = {static_cast<int>(picture.width), static_cast<int>(picture.height)};
+            state.rays.size = state.picture_size;
+            draw_view_marks(state, context, picture, 1.0);
+        },
+        {}, 1400.0F, 900.0F);
+    window.redraws(4);
+    state.measuring.on = true;
+    window.redraws(4);
+    const WidgetRectangle rays = window.rectangles.at("rays");
+    const WidgetRectangle measuring = window.rectangles.at("measuring");
+    EXPECT_TRUE(measuring.left >= rays.right || measuring.top >= rays.bottom);
+    EXPECT_LT(measuring.right, window.rectangles.at("splitter").left);
 }
 
 TEST(Commands, AreEachDescribedOnce) {

@@ -44,8 +44,8 @@ TEST(SphereColor, PickerIsOneGesture) {
     panel.redraws(3);
     panel.take_actions();
     const ImVec2 start = ImGui::GetIO().MousePos;
-    // The picker opens where there is room: above the swatch.
-    panel.drag({start.x + 10.0F, start.y - 100.0F}, {start.x + 30.0F, start.y - 140.0F});
+    // The picker opens where there is room: below the swatch.
+    panel.drag({start.x + 10.0F, start.y + 100.0F}, {start.x + 30.0F, start.y + 140.0F});
     panel.edits_of_one_gesture();
     panel.document.undo();
     EXPECT_EQ(panel.document.scene(), line_of_spheres(5));
