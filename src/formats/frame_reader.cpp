@@ -150,27 +150,30 @@ std::string_view FrameReader::head_for(std::size_t number, std::size_t of_first)
     return head_;
 }
 
+// How long the frame at end_ is: 0 where there is none, or a fault, and nothing where what is read of the text does not tell.
+std::optional<std::size_t> FrameReader::length_of_next(PartOfFile& part) {
+    const std::string_view text = text_from(end_);
+    const bool ended = stream_.ended();
+    try {
+        return format_.step_over(text, ended, name(), part);
+    } catch (const InputError& error) {
+        if (places_.empty()) throw;
+        is_damaged_ = !is_in_last_line_of(text, error);
+        if (!is_damaged_ && !ended) return std::nullopt;
+        fault_ = error.what();
+        return 0;
+    }
+}
+
 // Remembers the place of the next frame; false where there is none.
 bool FrameReader::find_next() {
     if (found_all_) return false;
     PartOfFile part{end_position_, static_cast<std::int64_t>(places_.size()), true, of_first_, head_for(places_.size(), of_first_)};
     go_to(end_);
-    std::optional<std::size_t> length;
-    while (true) {
-        const std::string_view text = text_from(end_);
-        const bool ended = stream_.ended();
-        try {
-            length = format_.step_over(text, ended, name(), part);
-        } catch (const InputError& error) {
-            if (places_.empty()) throw;
-            is_damaged_ = !is_in_last_line_of(text, error);
-            if (is_damaged_ || ended) {
-                fault_ = error.what();
-                length = 0;
-            }
-        }
-        if (length) break;
+    std::optional<std::size_t> length = length_of_next(part);
+    while (!length) {
         stream_.fill(std::max(read_at_once, 2 * stream_.bytes().size()));
+        length = length_of_next(part);
     }
     if (*length == 0) {
         found_all_ = true;

@@ -55,6 +55,7 @@ public:
     static constexpr std::int64_t most_frames = std::int64_t{1} << 62;
 
 private:
+    std::optional<std::size_t> length_of_next(PartOfFile& part);
     bool find_next();
     std::optional<double> part_passed() const;
     void begin_at_the_beginning();
