@@ -17,10 +17,7 @@ constexpr std::size_t byte_order_mark_size = 3;
 constexpr std::size_t longest_head = std::size_t{1} << 18;
 constexpr std::uint64_t most_expected_expansion = 32;  // of a packed text
 
-bool is_in_last_line_of(std::string_view text, const InputError& error) {
-    const auto* fault = dynamic_cast<const TextFault*>(&error);
-    return fault != nullptr && is_in_last_line(text, fault->offset);
-}
+constexpr int most_lines_behind = 1000;
 
 }  // namespace
 
@@ -158,11 +155,34 @@ std::optional<std::size_t> FrameReader::length_of_next(PartOfFile& part) {
         return format_.step_over(text, ended, name(), part);
     } catch (const InputError& error) {
         if (places_.empty()) throw;
-        is_damaged_ = !is_in_last_line_of(text, error);
-        if (!is_damaged_ && !ended) return std::nullopt;
+        const auto* fault = dynamic_cast<const TextFault*>(&error);
+        const std::optional<bool> more = fault == nullptr ? true : more_follows(text.substr(fault->offset), part);
+        if (!more) return std::nullopt;
+        is_damaged_ = *more;
         fault_ = error.what();
         return 0;
     }
+}
+
+// Whether more than the line that the text begins with is to be had: behind the first frame another one, for programs write lines
+// of their own behind an only one; nothing where what is read of the text does not tell.
+std::optional<bool> FrameReader::more_follows(std::string_view text, PartOfFile part) {
+    const bool ended = stream_.ended();
+    if (is_in_last_line(text, 0)) return ended ? std::optional(false) : std::nullopt;
+    if (places_.size() > 1) return true;
+    for (int line = 0; line < most_lines_behind; ++line) {
+        const std::size_t end = text.find(line_end_of(text));
+        if (end == std::string_view::npos) return ended ? std::optional(false) : std::nullopt;
+        text.remove_prefix(end + 1);
+        try {
+            const std::optional<std::size_t> length = format_.step_over(text, ended, name(), part);
+            if (!length) return std::nullopt;
+            return *length > 0;
+        } catch (const InputError&) {
+            continue;  // no frame begins here
+        }
+    }
+    return true;
 }
 
 // Remembers the place of the next frame; false where there is none.

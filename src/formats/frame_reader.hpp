@@ -56,6 +56,7 @@ public:
 
 private:
     std::optional<std::size_t> length_of_next(PartOfFile& part);
+    std::optional<bool> more_follows(std::string_view text, PartOfFile part);
     bool find_next();
     std::optional<double> part_passed() const;
     void begin_at_the_beginning();

@@ -245,6 +245,20 @@ TEST_F(FrameReading, TellsDamageFromACut) {
     EXPECT_TRUE(is_damaged(frame + frame + "x\n" + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
 }
 
+TEST_F(FrameReading, LinesBehindAnOnlyFrameAreNoDamage) {
+    const std::string frame = "1\n\nO 0 0 0\n";
+    const std::string lines = "1600.1 3650.2\nO O\nInChI=1S/H2O/h1H2\n";
+    const auto is_damaged = [&](const std::string& text) {
+        FrameReader reader(folder_.write("a.xyz", text), {});
+        EXPECT_EQ(reader.count(), 1);
+        EXPECT_NE(reader.fault(), "");
+        return reader.is_damaged();
+    };
+    EXPECT_FALSE(is_damaged(frame + lines));
+    EXPECT_TRUE(is_damaged(frame + lines + frame));
+    EXPECT_TRUE(is_damaged(frame + lines + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
+}
+
 TEST_F(FrameReading, OtherFilesAreReadWhole) {
     const std::string points = folder_.write("points.xyz", "0 0 0\n1 0 0\n2 0 0\n");
     FrameReader bare(points, {});
