@@ -37,6 +37,7 @@ std::optional<SphereTables> find_sphere_tables(std::string_view content, std::si
         const std::string_view line = trimmed(lines.step());
         const bool head = is_head(line);
         if (head) ++found.count;
+        if (line.starts_with("name") || line.starts_with("\"name\"")) ++found.names;
         const bool turns = line.starts_with('[') && head != among_spheres;
         if (turns || (head && begin - begun >= piece)) end_at(begin);
         if (turns) among_spheres = head;

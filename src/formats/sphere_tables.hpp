@@ -13,6 +13,7 @@ namespace sphereview {
 struct SphereTables {
     std::vector<std::string_view> pieces{};  // of whole tables, in the document's order
     std::size_t count = 0;                   // of the tables
+    std::size_t names = 0;                   // of them at most, that have one
     std::string rest{};                      // the document without them
 };
 

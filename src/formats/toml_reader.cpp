@@ -269,12 +269,17 @@ Scene read_sphere_tables(const TomlText& piece) {
     return scene;
 }
 
+constexpr std::size_t bytes_a_piece = std::size_t{1} << 15;
+
 // The spheres of all tables, some pieces at a time, on all cores.
 Scene read_sphere_tables(const std::string& name, const SphereTables& tables) {
-    require_memory(tables.count * sizeof(Sphere), name + ": " + in_groups(tables.count) + " spheres need");
+    constexpr std::size_t pieces_at_once = 32;
+    constexpr std::size_t bytes_of_pieces = 20 * pieces_at_once * bytes_a_piece;
+    constexpr std::size_t bytes_of_name = 112;  // an entry of a map; longer words beside it
+    require_memory(tables.count * sizeof(Sphere) + tables.names * bytes_of_name + bytes_of_pieces,
+                   name + ": " + in_groups(tables.count) + " spheres need");
     Scene all;
     all.spheres.reserve(tables.count);
-    constexpr std::size_t pieces_at_once = 32;
     std::vector<Scene> scenes;
     for (std::size_t first = 0; first < tables.pieces.size(); first += pieces_at_once) {
         scenes.assign(std::min(pieces_at_once, tables.pieces.size() - first), Scene{});
@@ -296,9 +301,8 @@ Scene read_sphere_tables(const std::string& name, const SphereTables& tables) {
 // odd: the whole tree tells where.
 std::optional<SphereData> read_in_pieces(const TomlText& document) {
     constexpr std::size_t many = std::size_t{1} << 20;
-    constexpr std::size_t piece = std::size_t{1} << 15;
     if (document.content.size() < many) return std::nullopt;
-    const auto tables = find_sphere_tables(document.content, piece);
+    const auto tables = find_sphere_tables(document.content, bytes_a_piece);
     if (!tables) return std::nullopt;
     try {
         const TomlText rest{document.name, tables->rest};
