@@ -19,7 +19,7 @@ constexpr auto amino_acids = std::to_array<std::string_view>(
      "CYN", "CYS", "CYS2", "CYSH", "CYX",  "FOR",  "GLH",  "GLN",  "GLU",  "GLUH", "GLUP", "GLX", "GLY", "HID", "HIE",
      "HIP", "HIS", "HIS1", "HISA", "HISB", "HISD", "HISE", "HISH", "HISP", "HSD",  "HSE",  "HSP", "HYP", "ILE", "KCX",
      "LEU", "LSN", "LYN",  "LYP",  "LYS",  "LYSH", "M3L",  "MET",  "MLY",  "MSE",  "NH2",  "NLE", "NMA", "NME", "ORN",
-     "PCA", "PHE", "PRO",  "PTR",  "PYL",  "SEC",  "SEP",  "SER",  "THR",  "TPO",  "TRP",  "TYR", "UNK", "VAL"});
+     "PCA", "PHE", "PRO",  "PTR",  "PYL",  "SEC",  "SEP",  "SER",  "THR",  "TPO",  "TRP",  "TYR", "VAL"});
 constexpr auto nucleotides = std::to_array<std::string_view>(
     {"1MA", "2MG", "5MC", "5MU", "7MG", "A",   "ADE", "C",   "CYT", "DA", "DC", "DG", "DI", "DT",  "DU", "G",
      "GUA", "H2U", "I",   "M2G", "N",   "OMC", "OMG", "PSU", "RA",  "RC", "RG", "RU", "T",  "THY", "U",  "URA"});
@@ -65,6 +65,7 @@ const Element& known(const Element* element) { return element == nullptr ? unkno
 const Element* element_of_ion(std::string_view name, std::string_view residue) {
     const std::string_view letters = letters_of(name);
     const std::string_view of_residue = letters_of(residue);
+    if (name == "W" && residue == "W") return nullptr;  // MARTINI's bead of four waters, and no tungsten
     if (letters.empty() || of_residue.empty()) return nullptr;
     if (!is_equal(letters, of_residue) && !is_equal(of_residue, "ION")) {
         // SOD of the residue NA, as some force fields have it.
@@ -113,6 +114,13 @@ bool is_met(std::string_view symbol) {
 
 }  // namespace
 
+bool may_be_guessed(std::string_view symbol, std::string_view residue) {
+    if (symbol.size() != 2) return false;
+    if (is_water(residue) || is_polymer(residue)) return !holds(plain_symbols, std::string_view(upper_case(symbol)));
+    constexpr auto of_amino_acids = std::to_array<std::string_view>({"CA", "CD", "CE", "HE", "HG", "NE", "NH", "OG"});
+    return residue == "UNK" && holds(of_amino_acids, std::string_view(upper_case(symbol)));
+}
+
 bool is_water(std::string_view residue) { return holds(waters, residue); }
 
 bool is_polymer(std::string_view residue) {
@@ -153,6 +161,7 @@ const Element& element_of_name(std::string_view name, std::string_view residue, 
     const std::size_t begin = all.find_first_not_of("0123456789'\"*");
     if (begin == std::string_view::npos) return unknown_element();
     const std::string_view word = all.substr(begin);
+    if (word == "W" && residue == "W") return unknown_element();
     const bool water = is_water(residue);
     if (water || is_polymer(residue)) return element_of_organic(word, water);
 

@@ -19,6 +19,10 @@ bool is_water(std::string_view residue);
 // Of amino acids and nucleotides, also by the names of programs for simulations: "ALA", "HSD", "NALA", "DG", "RA5".
 bool is_polymer(std::string_view residue);
 
+// Whether a symbol beside an atom may be made of the atom's name, which it only begins with: CA of ALA is no calcium. Of UNK, which
+// is an amino acid to some programs and any molecule to others, it may be where amino acids have such names.
+bool may_be_guessed(std::string_view symbol, std::string_view residue);
+
 // Whether the atom is its whole residue, as those of ions are: CA of CA, SOD of SOD, Na+ of NA+.
 bool is_ion(std::string_view name, std::string_view residue);
 

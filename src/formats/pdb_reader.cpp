@@ -134,7 +134,7 @@ private:
     const Element& element_of(std::string_view name, std::string_view residue, std::string_view symbol) {
         const Element* element = find_element(symbol);
         const bool organic = is_organic(residue);
-        const bool is_doubtful = residue == "DUM" || (symbol.size() == 2 && organic);  // CA of ALA is no calcium
+        const bool is_doubtful = residue == "DUM" || may_be_guessed(symbol, residue);
         if (element != nullptr && !is_doubtful) return *element;
         if (element == nullptr && is_dummy(symbol)) return dummy_in(residue);
         if (organic) return element_of_name(name, residue, NameColumns::unknown);

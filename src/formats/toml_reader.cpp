@@ -7,9 +7,11 @@
 #include "base/error.hpp"
 #include "base/memory.hpp"
 #include "base/nesting.hpp"
+#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "formats/lines.hpp"
 #include "formats/sphere_data.hpp"
+#include "formats/sphere_tables.hpp"
 #include "formats/text_format.hpp"
 #include "formats/toml_values.hpp"
 
@@ -236,20 +238,9 @@ toml::table parse(const TomlText& document) {
     }
 }
 
-}  // namespace
-
-SphereData read_toml(std::string_view content, const std::string& name, const DataOptions&) {
-    content = text_of_file(content);
-    const auto literals = find_number_literals(content);
-    if (literals) content = literals->rest;
-    const TomlText document{name, content, literals ? literals->literals : std::vector<NumberLiteral>()};
-    if (content.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-        fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
-    }
-    const toml::table table = parse(document);
+// Reads what the scene holds beside `scene`, which has the spheres unless they stand in `table`.
+SphereData read_scene(const TomlText& document, const toml::table& table, Scene scene) {
     const TableReader reader(document, table, top_level, top_keys());
-
-    Scene scene;
     if (const auto* node = reader.find("background")) {
         const std::string expected = "'background' as a string: " + std::string(background_syntax);
         if (!parse_background(reader.value<std::string>(*node, expected), scene.background)) wrong(document, *node, expected);
@@ -263,11 +254,80 @@ SphereData read_toml(std::string_view content, const std::string& name, const Da
         scene.light = read_light(document, *node->as_table());
     }
     if (const auto* node = reader.find("view")) scene.views = read_views(document, *node);
-    read_spheres(document, reader, scene);
+    if (scene.spheres.empty()) read_spheres(document, reader, scene);
     if (const auto* node = reader.find("property")) scene.properties = read_properties(document, *node, scene.spheres.size());
     SphereData data{std::move(scene)};
     for (const Property& property : data.scene.properties) data.property_names.push_back(property.name);
     return data;
+}
+
+// Of a piece of a document that is nothing but [[sphere]] tables.
+Scene read_sphere_tables(const TomlText& piece) {
+    const toml::table table = parse(piece);
+    Scene scene;
+    read_spheres(piece, TableReader(piece, table, top_level, top_keys()), scene);
+    return scene;
+}
+
+constexpr std::size_t bytes_a_piece = std::size_t{1} << 15;
+
+// The spheres of all tables, some pieces at a time, on all cores.
+Scene read_sphere_tables(const std::string& name, const SphereTables& tables) {
+    constexpr std::size_t pieces_at_once = 32;
+    constexpr std::size_t bytes_of_pieces = 20 * pieces_at_once * bytes_a_piece;
+    constexpr std::size_t bytes_of_name = 112;  // an entry of a map; longer words beside it
+    require_memory(tables.count * sizeof(Sphere) + tables.names * bytes_of_name + bytes_of_pieces,
+                   name + ": " + in_groups(tables.count) + " spheres need");
+    Scene all;
+    all.spheres.reserve(tables.count);
+    std::vector<Scene> scenes;
+    for (std::size_t first = 0; first < tables.pieces.size(); first += pieces_at_once) {
+        scenes.assign(std::min(pieces_at_once, tables.pieces.size() - first), Scene{});
+        parallel_in_order(scenes.size(), [&](std::size_t i) {
+            scenes[i] = read_sphere_tables(TomlText{name, tables.pieces[first + i]});
+        });
+        for (Scene& scene : scenes) {
+            const auto before = static_cast<std::uint32_t>(all.spheres.size());
+            all.spheres.insert(all.spheres.end(), scene.spheres.begin(), scene.spheres.end());
+            for (auto& [number, sphere_name] : scene.names) {
+                all.names.emplace_hint(all.names.end(), before + number, std::move(sphere_name));
+            }
+        }
+    }
+    return all;
+}
+
+// Reads a scene of many [[sphere]] tables without a tree of them all. Nothing where there are few, or where anything is wrong or
+// odd: the whole tree tells where.
+std::optional<SphereData> read_in_pieces(const TomlText& document) {
+    constexpr std::size_t many = std::size_t{1} << 20;
+    if (document.content.size() < many) return std::nullopt;
+    const auto tables = find_sphere_tables(document.content, bytes_a_piece);
+    if (!tables) return std::nullopt;
+    try {
+        const TomlText rest{document.name, tables->rest};
+        const toml::table table = parse(rest);
+        for (const char* key : {"sphere", "spheres", "names", "hidden"}) {
+            if (table.contains(key)) return std::nullopt;
+        }
+        return read_scene(rest, table, read_sphere_tables(document.name, *tables));
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+}  // namespace
+
+SphereData read_toml(std::string_view content, const std::string& name, const DataOptions&) {
+    content = text_of_file(content);
+    const auto literals = find_number_literals(content);
+    if (literals) content = literals->rest;
+    const TomlText document{name, content, literals ? literals->literals : std::vector<NumberLiteral>()};
+    if (content.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+        fail(document, {1, 1}, "the file is empty, expected a scene in TOML");
+    }
+    if (auto read = read_in_pieces(document)) return std::move(*read);
+    return read_scene(document, parse(document), {});
 }
 
 // A table's head, `key =`, or nothing but comments.

@@ -4,6 +4,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "formats/atom_lines.hpp"
+#include "formats/atom_names.hpp"
 #include "formats/csv_values.hpp"
 #include "formats/elements.hpp"
 #include "formats/lines.hpp"
@@ -19,8 +20,22 @@ namespace {
 // Where a frame lies in the text.
 struct XyzFrame {
     std::string_view comment{};
+    bool is_tinker = false;
     AtomLines atoms{};
 };
+
+XyzLayout layout_of(const TextSource& source, const XyzFrame& frame) {
+    return frame.is_tinker ? tinker_layout() : xyz_layout(source, frame.comment);
+}
+
+// The first atom of TINKER's file of the same name, which has no line of comment: "1  O  0.0 0.0 0.0  1  2 3".
+bool is_first_of_tinker(std::string_view line) {
+    const std::string_view word = trimmed(line, white_space);
+    if (!word.starts_with('1') || word.size() < 2 || !is_space(word[1])) return false;
+    const auto words = words_of(word);
+    return words.size() > 5 && is_letter(words[1][0]) && std::all_of(words.begin() + 2, words.begin() + 5, is_number) &&
+           is_digits(words[5]);
+}
 
 class XyzFinder : public FrameFinder {
 public:
@@ -41,7 +56,8 @@ public:
         const auto expected = [&] { return "the number of atoms" + of_frame(); };
         const auto count = static_cast<std::size_t>(reader.integer(0, most_spheres, expected));
         check_behind_count(reader, number == 0);
-        frame.comment = step("the comment");
+        frame.is_tinker = count > 0 && begins_tinker();
+        frame.comment = frame.is_tinker ? reader.rest() : step("the comment");
         frame.atoms = step_over(count, wanted);
         return true;
     }
@@ -92,10 +108,25 @@ private:
         }
     }
 
+    // Steps over the lengths and angles of TINKER's box, where they stand above its first atom.
+    bool begins_tinker() {
+        LineWalker ahead = walker_;
+        if (ahead.at_end()) return false;
+        const std::string_view line = ahead.step();
+        if (is_first_of_tinker(line)) return true;
+        if (!is_digits(trimmed(line, white_space).substr(0, 1))) return false;  // quickly, as most comments
+        const auto words = words_of(line);
+        constexpr std::size_t of_box = 6;
+        if (words.size() != of_box || ahead.at_end() || !std::ranges::all_of(words, is_number)) return false;
+        if (!is_first_of_tinker(LineWalker(ahead).step())) return false;
+        walker_ = ahead;
+        return true;
+    }
+
     // How many columns a line has at least.
     std::size_t width_of(const XyzFrame& frame) const {
         try {
-            return xyz_layout(source_, frame.comment).width;
+            return layout_of(source_, frame).width;
         } catch (const InputError&) {
             return 0;  // said where the frame is wanted
         }
@@ -138,7 +169,8 @@ public:
             switch (next.field) {
                 case XyzField::species:
                     atom.label = reader.word(the("element"));
-                    element = &element_of_species(atom.label);
+                    element = layout_.has_names ? &element_of_name(atom.label, "", NameColumns::unknown)
+                                                : &element_of_species(atom.label);
                     break;
                 case XyzField::position: atom.is_nowhere = !read_place_if_any(reader, the, sphere.center); break;
                 case XyzField::flat_position:
@@ -207,7 +239,7 @@ std::optional<FrameTime> time_in_comment(std::string_view comment) {
 
 SphereData read_xyz_frame(const TextSource& source, const XyzFrame& frame, const DataOptions& options) {
     const std::size_t count = frame.atoms.count;
-    XyzLayout layout = xyz_layout(source, frame.comment);
+    XyzLayout layout = layout_of(source, frame);
     std::vector<XyzNotes> notes(frame.atoms.pieces.size());
     const auto read = [&] {
         return read_atom_lines(source, frame.atoms,

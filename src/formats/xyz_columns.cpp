@@ -160,6 +160,13 @@ std::optional<std::string_view> value_in_comment(std::string_view comment, std::
     }
 }
 
+XyzLayout tinker_layout() {
+    return {.columns = {{XyzField::species, 1}, {XyzField::position, 2}},
+            .properties = {{"atom", PropertyKind::words, 1}, {"type", PropertyKind::words, 5}},
+            .has_names = true,
+            .width = 6};
+}
+
 XyzLayout xyz_layout(const TextSource& source, std::string_view comment) {
     const auto properties = value_in_comment(comment, "properties");
     if (!properties) {

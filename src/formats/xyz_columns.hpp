@@ -30,6 +30,7 @@ struct XyzLayout {
     double full_color = 1.0;                   // what stands for 255
     std::vector<PropertyColumn> properties{};  // all but the position
     bool is_plain = false;                     // nothing names the columns
+    bool has_names = false;                    // the species are atoms' names, as force fields have them
     std::size_t width = 4;                     // how many columns there are at least, drawn or not
 };
 
@@ -39,5 +40,8 @@ std::optional<std::string_view> value_in_comment(std::string_view comment, std::
 // `comment`: the frame's, in which `Properties=species:S:1:pos:R:3:...` names the columns; without it they are a species and a
 // position. Other properties are passed over. Throws InputError where Properties are wrong.
 XyzLayout xyz_layout(const TextSource& source, std::string_view comment);
+
+// Of TINKER: the atom's number, its name, a position, its type and the atoms that it is bound to.
+XyzLayout tinker_layout();
 
 }  // namespace sphereview

@@ -187,6 +187,7 @@ TEST(AtomNames, TellElementsByTheirPlaceWhereTheFileHeedsIt) {
                                              {" 1HA", "LIG", "H"},
                                              {"1HA ", "LIG", "H"},
                                              {"W   ", "LIG", "W"},
+                                             {"W   ", "W", ""},  // MARTINI
                                          });
     expect_symbols(NameColumns::unknown, {{"NA", "LIG", "N"}, {"HG", "LIG", "H"}, {"CO", "LIG", "C"}});
 }

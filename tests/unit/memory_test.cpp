@@ -60,6 +60,7 @@ TEST(Memory, ForEachByteOfATextIsBounded) {
         {"frames.xyz", "", "0\n\n", 0.5},
         {"spheres.txt", "#\n", "0 0 0 0 0 0 1\n", 3.0},
         {"spheres.toml", "spheres = \"\"\"#\n", "0 0 0 0 0 0 1\n", 3.5, "\"\"\"\n"},
+        {"tables.toml", "background = 'white'\n", "[[sphere]]\ncolor = [1, 2, 3]\ncenter = [4, 5, 6]\nradius = 7\n", 6.0},
         {"dotted.toml", "", ".a.a.a.a.a.a.a.a.a.a.a=0\n", 107.0},
         {"array.toml", "a = [", "{},", 53.0, "]\n"},
         {"rows.lammpstrj", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n#\nITEM: ATOMS id x y z\n", "123 0 0 0\n", 6.0},

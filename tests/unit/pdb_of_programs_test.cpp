@@ -161,6 +161,24 @@ TEST(PdbOfPrograms, ColumnsOfElementsMayHoldSomethingElse) {
               (Words{"C", "C", "C", "Se", "Zn"}));
 }
 
+// PyMOL and others call the residue of any molecule UNK, which is also an amino acid of which nobody knows more.
+TEST(PdbOfPrograms, ResiduesOfAnyMoleculeHoldAnyElement) {
+    const std::string c = "  1.00  0.00           C";
+    const auto symbols = [&](const std::string& columns, const std::string& element) {
+        return symbols_of(read_programs_pdb(record("HETATM    1  C1  UNK     0", 0, c) +
+                                            record("HETATM    2 " + columns, 3, "  1.00  0.00          " + element))
+                              .scene)[1];
+    };
+    EXPECT_EQ(symbols("CL1  UNK     0", "CL"), "Cl");
+    EXPECT_EQ(symbols("CL1  UNK     0", "  "), "Cl");
+    EXPECT_EQ(symbols("BR2  UNK     0", "  "), "Br");
+    EXPECT_EQ(symbols("PD1  UNK     0", "PD"), "Pd");
+    EXPECT_EQ(symbols(" CA  UNK     0", "CA"), "C");
+    EXPECT_EQ(symbols("CA   UNK     0", "CA"), "Ca");
+    EXPECT_EQ(symbols("BR     U A   3", "BR"), "Br");
+    EXPECT_EQ(symbols(" CA  ALA A   3", "CA"), "C");
+}
+
 TEST(PdbOfPrograms, AlternativesAreChosenByGroupAndCompleted) {
     EXPECT_EQ(names_of_spheres(read_programs_pdb("ATOM      1  N   LYS A   1       0.000   0.000   0.000  1.00  0.00           N\n"
                                                  "ATOM      2  CG ALYS A   1       1.000   0.000   0.000  0.30  0.00           C\n"

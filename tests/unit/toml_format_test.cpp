@@ -1,12 +1,15 @@
 // Scenes in the native format.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string>
 
+#include "base/error.hpp"
 #include "formats/sphere_data.hpp"
 #include "support/spheres.hpp"
+#include "unit/message_of.hpp"
 
 namespace sphereview {
 
@@ -69,6 +72,42 @@ TEST(TomlFormat, TakesLineEndsAndAByteOrderMark) {
           "\xEF\xBB\xBFspheres = '''1 1 2 3 4 5 6 7'''", "spheres = '1 1 2 3 4 5 6 7'", "spheres = \"1\\n1 2 3\\t4 5 6 7\"",
           "sphere = [{ color = [1, 2, 3], center = [4, 5, 6], radius = 7 }]"}) {
         EXPECT_EQ(toml_scene(text), expected) << text;
+    }
+}
+
+// Read in pieces; quotes of strings of several lines, also in a comment, have the whole tree made.
+TEST(TomlFormat, HoldsManyTables) {
+    std::string text = "background = 'white'\n[camera]\neye = [1, 0, 0]\ncenter = [1, 0, 100]\n";
+    for (int i = 0; i < 12'000; ++i) {
+        text += i % 7 == 0 ? "  [[sphere]] # one\r\n" : "[[sphere]]\n";
+        if (i % 3 == 0) text += "name = \"number " + std::to_string(i) + "\"\n";
+        text += "color = [" + std::to_string(i % 256) + ", 2, 3]\ncenter = [\n  " + std::to_string(i) +
+                ",\n  4, 5\n]\n# [[sphere]]\nradius = 7\nhidden = " + (i == 11'999 ? "true" : "false") + "\n";
+        if (i == 5000) text += "[[view]]\nname = \"a\"\n";
+    }
+    text += "[[view]]\nname = \"[[sphere]]\"\n";
+    ASSERT_GT(text.size(), std::size_t{1} << 20);
+    const Scene scene = toml_scene(text);
+    ASSERT_EQ(scene.spheres.size(), 12'000U);
+    EXPECT_EQ(scene.spheres[11'999], (Sphere{{11'999, 4, 5}, 7, {223, 2, 3}, true}));
+    EXPECT_EQ(scene.names.size(), 4'000U);
+    EXPECT_EQ(scene.names.at(9'999), "number 9999");
+    EXPECT_EQ(scene.views.size(), 2U);
+    EXPECT_EQ(scene.camera.eye.x, 1.0);
+    EXPECT_EQ(toml_scene("# \"\"\"\n" + text), scene);
+
+    // A fault is where the whole tree has it.
+    const auto fault = [](const std::string& wrong) { return message_of<InputError>([&] { toml_scene(wrong); }); };
+    const std::string last = "[[sphere]]\ncolor = [1, 2, 3]\ncenter = [4, 5, 6]\n";
+    const std::string line = std::to_string(std::count(text.begin(), text.end(), '\n') + 1);
+    EXPECT_EQ(fault(text + last), "s.toml:" + line + ":1: [[sphere]] 12001 has no 'radius', which it needs");
+    for (const std::string& wrong : {text + last + "radius = 7\n[sphere.x]\n", text + "[[ sphere ]]\n", text + "[names]\n1 = 'a'\n",
+                                     "sphere = 1\n" + text, text + "[camera]\n", text + "x = [\n[[sphere]]\n]\n"}) {
+        const std::string said = fault(wrong);
+        const std::size_t begin = std::string("s.toml:").size();
+        ASSERT_GT(said.size(), begin);
+        EXPECT_EQ(fault("# '''\n" + wrong),
+                  "s.toml:" + std::to_string(std::stoi(said.substr(begin)) + 1) + said.substr(said.find(':', begin)));
     }
 }
 

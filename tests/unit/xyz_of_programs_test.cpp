@@ -74,6 +74,26 @@ TEST(XyzOfPrograms, FramesOfUtf16AreOneFrameWithAWord) {
     EXPECT_TRUE(read_programs_xyz(utf16(frame)).warnings.empty());
 }
 
+TEST(XyzOfPrograms, OfTinkerHasNoComment) {
+    const std::string atoms =
+        "     1  OW     1.000000    2.000000    3.000000     1     2\n     2  CT     4.0    5.0    6.0     2     1\n";
+    const std::string box = "   18.6   18.6   18.6   90.0   90.0   90.0\n";
+    for (const std::string& frame : {"     2  water 1\n" + atoms, "2\n" + atoms, "2 water\n" + box + atoms}) {
+        const SphereData data = read_programs_xyz(frame + frame, {.frame = 1, .all_properties = true});
+        EXPECT_EQ(data.frames, 2) << frame;
+        EXPECT_TRUE(data.warnings.empty()) << frame;
+        EXPECT_EQ(centers_of(data.scene), (Centers{{1, 2, 3}, {4, 5, 6}})) << frame;
+        EXPECT_EQ(data.scene.spheres[0].color, find_element("O")->color);
+        EXPECT_EQ(data.scene.spheres[1].color, find_element("C")->color);
+        EXPECT_EQ(data.scene.names.at(1), "CT");
+        EXPECT_EQ(data.property_names, (Lines{"atom", "type"}));
+        PartOfFile part{.frames = 1};
+        EXPECT_EQ(step_over_xyz(frame, true, "a", part), frame.size());
+    }
+    // An atom's line may be a comment.
+    EXPECT_EQ(read_programs_xyz("1\n1 O 2 3\nH 1 0 0\n").scene.spheres.at(0).center.x, 1.0);
+}
+
 TEST(XyzOfPrograms, ALastLineMayBeCutShort) {
     const std::string first = "2\n\nH 0 0 0\nH 0.5 0 0\n";
     const std::string more = "2\nProperties=species:S:1:pos:R:3:forces:R:3\nH 0 0 0 1 1 1\n";
