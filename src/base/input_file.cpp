@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t most_streamed = std::size_t{1} << 31;
-constexpr std::size_t most_at_once = std::size_t{1} << 22;  // so that a watcher is called often
+constexpr std::size_t most_in_one_read = std::size_t{1} << 22;  // so that a watcher is called often
 
 int leave_open(std::FILE*) { return 0; }
 
@@ -178,7 +178,7 @@ void InputStream::fill(std::size_t most) {
     if (ended_ || end_ - begin_ >= most) return;
     make_room(most);
     while (end_ < most) {
-        const std::size_t count = read_text(data_.get() + end_, std::min(most - end_, most_at_once));
+        const std::size_t count = read_text(data_.get() + end_, std::min(most - end_, most_in_one_read));
         if (count == 0) {
             ended_ = true;
             return;

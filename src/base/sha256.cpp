@@ -27,7 +27,7 @@ namespace {
 using Sum = std::array<std::uint8_t, 32>;
 
 // Nobody's hash function takes more at once than 32 bits count.
-constexpr std::size_t most_at_once = std::size_t{1} << 30;
+constexpr std::size_t longest_piece = std::size_t{1} << 30;
 
 #if defined(_WIN32)
 
@@ -103,8 +103,8 @@ std::string sha256(const std::function<std::string_view()>& next) {
     Hash hash;
     for (std::string_view piece = next(); !piece.empty(); piece = next()) {
         while (!piece.empty()) {
-            hash.add(piece.substr(0, most_at_once));
-            piece.remove_prefix(std::min(piece.size(), most_at_once));
+            hash.add(piece.substr(0, longest_piece));
+            piece.remove_prefix(std::min(piece.size(), longest_piece));
         }
     }
     constexpr std::string_view digits = "0123456789abcdef";

@@ -20,7 +20,7 @@ constexpr int most_unit_rows = 3;  // behind it: TrackMate has three
 // By which a line may be divided: what stands between fields before what may stand inside of them.
 constexpr std::string_view separators = ";\t|, ";
 
-bool is_number(std::string_view text, bool with_commas) {
+bool is_csv_number(std::string_view text, bool with_commas) {
     double ignored = 0.0;
     return parse_csv_number(text, Commas::none, ignored) == NumberFault::none ||
            (with_commas && (parse_csv_number(text, Commas::decimal, ignored) == NumberFault::none ||
@@ -178,7 +178,7 @@ private:
             const bool trails = fields.size() > 1 && fields.back().text.empty();
             const std::size_t count = fields.size() - (trails ? 1 : 0);
             const auto is_value = [&](const CsvField& field) {
-                return is_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
+                return is_csv_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
             };
             const std::size_t first = count >= 4 && is_symbol(fields[0].text) ? 1 : 0;
             const auto behind = fields.begin() + static_cast<std::ptrdiff_t>(count);
@@ -255,7 +255,7 @@ private:
         CsvRecords rows = rows_from(source_, table_, begin);
         for (int skipped = 0; skipped <= most_unit_rows && rows.try_next(); ++skipped) {
             if (is_row(rows, table_.columns)) return skipped == 0 ? begin : rows.begin();
-            const auto is_word = [](const CsvField& field) { return !is_number(field.text, true); };
+            const auto is_word = [](const CsvField& field) { return !is_csv_number(field.text, true); };
             if (!std::ranges::all_of(rows.fields(), is_word) && !has_units_for_places(rows)) break;
         }
         return begin;
@@ -274,7 +274,7 @@ private:
         CsvRecords rows = rows_from(source_, table_, table_.begin);
         if (!rows.try_next() || rows.fields().size() != table_.fields + 1 || rows.fields().back().text.empty()) return false;
         const CsvField& first = rows.fields()[0];
-        return table_.layout.separator == ' ' || first.quoted || !is_number(first.text, true);
+        return table_.layout.separator == ' ' || first.quoted || !is_csv_number(first.text, true);
     }
 
     // Behind a field without a name; returns by how many.
@@ -353,7 +353,7 @@ bool is_row(const CsvRecords& record, const CsvColumns& columns) {
     const auto is_place = [&](CsvColumn column) {
         const std::size_t place = *columns[column];
         return place < record.fields().size() &&
-               (is_missing(record.fields()[place].text) || is_number(record.fields()[place].text, true));
+               (is_missing(record.fields()[place].text) || is_csv_number(record.fields()[place].text, true));
     };
     return is_place(CsvColumn::x) && is_place(CsvColumn::y);
 }

@@ -21,7 +21,7 @@ namespace {
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 // NaN for what is no finite number; 2+ and 1- are charges.
-double number_in(std::string_view text, Commas commas) {
+double value_in(std::string_view text, Commas commas) {
     double value = 0.0;
     if (parse_double(text, value) == NumberFault::none) return value;
     if (parse_csv_number(text, commas, value) == NumberFault::none) return value;
@@ -125,7 +125,7 @@ void PropertyValues::add_number(std::string_view text, Commas commas) {
         std::ranges::transform(wholes_, std::back_inserter(numbers_), as_double);
         wholes_ = {};
     }
-    const double value = number_in(text, commas);
+    const double value = value_in(text, commas);
     if (std::isnan(value) && column_.kind == PropertyKind::found && !is_missing(text)) {
         needs_words_ = true;
         numbers_ = {};
@@ -184,7 +184,7 @@ void PropertyTable::next_walk() {
 
 double PropertyTable::magnitude(std::string_view x, std::string_view y, std::string_view z) {
     const auto square = [](std::string_view text) {
-        const double number = number_in(text, Commas::none);
+        const double number = value_in(text, Commas::none);
         return number * number;
     };
     const double length = square_root((square(x) + square(y)) + square(z));

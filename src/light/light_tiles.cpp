@@ -14,24 +14,24 @@ namespace sphereview {
 
 namespace {
 
-constexpr float never = std::numeric_limits<float>::infinity();
+constexpr float no_height = std::numeric_limits<float>::infinity();
 
 constexpr std::size_t at_once = 256;  // points or spheres: what the loops below turn into SIMD stays in the nearest cache
 constexpr std::size_t in_word = PointBits::in_word;
 constexpr std::size_t fewest_tiles = 8;
 constexpr std::size_t most_asked = 16;  // tiles that a disc asks one by one whether it is needed
-using Numbers = std::array<float, at_once>;
+using FloatLanes = std::array<float, at_once>;
 
 // Where some points are, seen from a light.
 struct Projected {
-    Numbers x;
-    Numbers y;
-    Numbers height;
+    FloatLanes x;
+    FloatLanes y;
+    FloatLanes height;
 };
 
 // One sum at a time: of several, which may lie in the same memory as what they are made of, the compiler makes no SIMD.
 SPHEREVIEW_FOR_EACH_SIMD void dots(const float* x, const float* y, const float* z, int count, std::array<float, 3> axis,
-                                   Numbers& out) {
+                                   FloatLanes& out) {
     for (int i = 0; i < count; ++i) out[static_cast<std::size_t>(i)] = x[i] * axis[0] + y[i] * axis[1] + z[i] * axis[2];
 }
 
@@ -42,7 +42,7 @@ void project(const float* x, const float* y, const float* z, int count, const Li
 }
 
 SPHEREVIEW_FOR_EACH_SIMD void whole_dots(const std::int16_t* x, const std::int16_t* y, const std::int16_t* z, int count,
-                                         std::array<float, 3> axis, Numbers& out) {
+                                         std::array<float, 3> axis, FloatLanes& out) {
     for (int i = 0; i < count; ++i) {
         out[static_cast<std::size_t>(i)] =
             static_cast<float>(x[i]) * axis[0] + static_cast<float>(y[i]) * axis[1] + static_cast<float>(z[i]) * axis[2];
@@ -50,7 +50,7 @@ SPHEREVIEW_FOR_EACH_SIMD void whole_dots(const std::int16_t* x, const std::int16
 }
 
 // What a sphere's doubt grows with.
-SPHEREVIEW_FOR_EACH_SIMD void sizes(const float* x, const float* y, const float* z, const float* radius, int count, Numbers& out) {
+SPHEREVIEW_FOR_EACH_SIMD void sizes(const float* x, const float* y, const float* z, const float* radius, int count, FloatLanes& out) {
     for (int i = 0; i < count; ++i) {
         out[static_cast<std::size_t>(i)] = std::fabs(x[i]) + std::fabs(y[i]) + std::fabs(z[i]) + radius[i];
     }
@@ -120,9 +120,9 @@ void LightTiles::choose_tiles(const Blockers& blockers, float farthest) {
     const auto by_discs = static_cast<std::size_t>(std::clamp(side_touched, static_cast<double>(fewest_tiles), 768.0));
     plane_ = {std::min({std::clamp<std::size_t>(root, 128, 768), by_discs, most_side_}), farthest};
     const std::size_t tiles = plane_.side() * plane_.side();
-    lowest_.assign(tiles, never);
-    coarse_.assign(coarse_side() * coarse_side(), never);
-    cut_.assign(tiles, -never);
+    lowest_.assign(tiles, no_height);
+    coarse_.assign(coarse_side() * coarse_side(), no_height);
+    cut_.assign(tiles, -no_height);
 }
 
 // Which points face the light, and the lowest of them in each tile.
@@ -136,7 +136,7 @@ void LightTiles::find_facing(const LitScene& lit_scene, Points points, const glm
         return lit_scene.asked(point, counts_).faces(direction);
     };
     Projected projected;
-    Numbers facing;
+    FloatLanes facing;
     const float doubt = limits_.facing_doubt;
     left_.reset(points.begin, points.end);
     for (std::size_t from = points.begin; from < points.end; from += at_once) {
@@ -190,7 +190,7 @@ void LightTiles::sift(const LitScene& lit_scene, Points points, const Keeps& kee
 void LightTiles::find_discs(const LitScene& lit_scene) {
     const Blockers& blockers = lit_scene.blockers;
     Projected projected;
-    Numbers size;
+    FloatLanes size;
     discs_.clear();
     discs_.reserve(blockers.size());  // what is not used takes no memory
     for (std::size_t from = 0; from < blockers.size(); from += at_once) {
@@ -238,7 +238,7 @@ void LightTiles::cut() {
 
 // The points that a cut leaves undecided, and the lowest of them in each tile.
 void LightTiles::drop_what_is_cut(const LitScene& lit_scene, Points points) {
-    std::ranges::fill(lowest_, never);
+    std::ranges::fill(lowest_, no_height);
     sift(lit_scene, points, [&](const Facing& facing) {
         const std::size_t at = plane_.index(facing.x, facing.y);
         if (facing.height < cut_[at]) return false;

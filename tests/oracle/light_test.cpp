@@ -20,6 +20,11 @@ namespace sphereview::oracle {
 namespace {
 
 constexpr std::size_t most_work = 30'000;  // spheres times pixels: the oracle is slow
+#ifdef VARIANT
+constexpr std::size_t step = 3;  // through the scenes: with other flags of the compiler a third of them
+#else
+constexpr std::size_t step = 1;
+#endif
 
 // The number of pixels whose light differs from the oracle's by the rules; `what` says where the first is.
 int differences(const LitTrial& lit, const LightRules& rules, std::string& what) {
@@ -61,7 +66,7 @@ void expect_the_oracles_light(const LitTrial& lit) {
 }
 
 void expect_the_oracles_light(const Trials& trials) {
-    for (std::size_t i = 0; i < trials.size(); ++i) {
+    for (std::size_t i = 0; i < trials.size(); i += step) {
         const std::size_t spheres = trials[i].scene.spheres.size();
         const auto pixels = static_cast<std::size_t>(trials[i].size.width) * static_cast<std::size_t>(trials[i].size.height);
         if (!is_sampled(i) || spheres * pixels > most_work) continue;

@@ -16,7 +16,7 @@ constexpr Color red{255, 0, 0};
 double above(double value) { return std::nextafter(value, HUGE_VAL); }
 double below(double value) { return std::nextafter(value, -HUGE_VAL); }
 
-Sphere sphere(double x, double y, double z, double radius) { return {{x, y, z}, radius, red}; }
+Sphere red_sphere(double x, double y, double z, double radius) { return {{x, y, z}, radius, red}; }
 
 // The default camera with 25 pixels to the side: pixel rays are the whole vectors (k, l, 25), -12 <= k, l <= 12.
 constexpr PictureSize whole_rays{25, 25};
@@ -25,10 +25,10 @@ constexpr PictureSize whole_rays{25, 25};
 void add_axis_tangents(Trials& trials) {
     for (const PictureSize size : {PictureSize{1, 1}, {63, 63}, {33, 7}, {7, 33}, {1, 63}, {63, 1}, {101, 3}}) {
         for (const double r : {0.1, 20.0, 1e-5, 1.0 / 3.0, 4096.0}) {
-            const Sphere behind = sphere(0, 0, 500, 40);
-            trials.push_back({"the axis touches a sphere", scene_of({behind, sphere(r, 0, 300, r), sphere(0, -r, 300, r)}), size});
+            const Sphere behind = red_sphere(0, 0, 500, 40);
+            trials.push_back({"the axis touches a sphere", scene_of({behind, red_sphere(r, 0, 300, r), red_sphere(0, -r, 300, r)}), size});
             trials.push_back({"the axis is a hair's breadth inside and outside",
-                              scene_of({behind, sphere(0, r, 300, below(r)), sphere(-r, 0, 310, above(r)), sphere(0, r, 320, r)}),
+                              scene_of({behind, red_sphere(0, r, 300, below(r)), red_sphere(-r, 0, 310, above(r)), red_sphere(0, r, 320, r)}),
                               size});
         }
     }
@@ -82,8 +82,8 @@ glm::dvec3 mirrored(const glm::dvec3& v, const glm::dvec3& n) { return v - 2.0 *
 
 // Two spheres that mirror each other are equally far on every ray in the mirror.
 void add_mirrored_pairs(Trials& trials) {
-    const std::vector<Sphere> originals = {sphere(26, 13, 260, 52), sphere(52, 0, 520, 91), sphere(13, -26, 390, 390),
-                                           sphere(0, 26, 0, 78),    sphere(78, 26, 26, 91), sphere(6.5, 13, 130, 26)};
+    const std::vector<Sphere> originals = {red_sphere(26, 13, 260, 52), red_sphere(52, 0, 520, 91), red_sphere(13, -26, 390, 390),
+                                           red_sphere(0, 26, 0, 78),    red_sphere(78, 26, 26, 91), red_sphere(6.5, 13, 130, 26)};
     for (const glm::dvec3& mirror : {glm::dvec3(1, 0, 0), {0, 1, 0}, {1, 1, 0}, {1, -1, 0}, {3, 4, -1}, {-1, 0, 5}, {5, 0, 1}}) {
         for (int order = 0; order < 4; ++order) {
             Scene scene;
@@ -101,7 +101,7 @@ void add_mirrored_pairs(Trials& trials) {
 
 // All four kinds of root at the same point of the axis, in every order of the file and with single bits changed.
 void add_ties_of_all_kinds(Trials& trials) {
-    std::vector<Sphere> kinds = {sphere(0, 0, 0, 200), sphere(0, 0, 250, 50), sphere(0, 0, 100, 100), sphere(50, 0, 200, 50)};
+    std::vector<Sphere> kinds = {red_sphere(0, 0, 0, 200), red_sphere(0, 0, 250, 50), red_sphere(0, 0, 100, 100), red_sphere(50, 0, 200, 50)};
     std::vector<int> order = {0, 1, 2, 3};
     do {
         Scene scene;
@@ -124,8 +124,8 @@ void add_ulp_depths(Trials& trials) {
         double depth = z;
         double radius = 0.4 * z;
         for (int i = 0; i < 6; ++i) {
-            depths.spheres.insert(depths.spheres.begin(), sphere(0.1, -0.2, depth, 0.4 * z));
-            radii.spheres.push_back(sphere(0.1, -0.2, z, radius));
+            depths.spheres.insert(depths.spheres.begin(), red_sphere(0.1, -0.2, depth, 0.4 * z));
+            radii.spheres.push_back(red_sphere(0.1, -0.2, z, radius));
             depth = above(depth);
             radius = above(radius);
         }
@@ -161,25 +161,25 @@ void add_eyes_on_surfaces(Trials& trials) {
     }
     // At the left the larger is hit right before the eye, and the smaller behind that.
     trials.push_back(
-        {"the eye on a surface before a nearer centre", scene_of({sphere(8, 0, 6, 10), sphere(-2.6, 0, 5.37, 0.5)}), {25, 25}});
+        {"the eye on a surface before a nearer centre", scene_of({red_sphere(8, 0, 6, 10), red_sphere(-2.6, 0, 5.37, 0.5)}), {25, 25}});
 }
 
 void add_insides(Trials& trials) {
     Scene nested;
     for (const double r : {300.0, 10.0, 150.0, 10.000000000000002, 1e-300, 5e-324, 1e200, 0.1})
-        nested.spheres.push_back(sphere(0, 0, 0, r));
+        nested.spheres.push_back(red_sphere(0, 0, 0, r));
     trials.push_back({"the eye at the centre of nested spheres", nested, {31, 17}});
     Scene touching;  // from inside, at one point of the axis
-    for (const double r : {100.0, 50.0, 25.0, 12.5, 150.0}) touching.spheres.push_back(sphere(0, 0, 300 - r, r));
+    for (const double r : {100.0, 50.0, 25.0, 12.5, 150.0}) touching.spheres.push_back(red_sphere(0, 0, 300 - r, r));
     trials.push_back({"nested spheres that touch at their far ends", touching, {31, 31}});
     for (Sphere& each : touching.spheres) each.center.z = 100 + each.radius;
     trials.push_back({"nested spheres that touch at their near ends", touching, {31, 31}});
     for (Sphere& each : touching.spheres) each.center.z = 200 - each.radius;
     trials.push_back({"nested spheres around and before the eye that touch", touching, {31, 31}});
     Scene plane;  // through the plane z = 0 of the eye
-    plane.spheres = {sphere(20, 0, 10, 15), sphere(-20, 5, -3, 15),     sphere(0, 30, 0, 29),
-                     sphere(0, -30, 0, 30), sphere(0, 0, -50, 50),      sphere(0, 0, -50, above(50)),
-                     sphere(0, 0, -50, 49), sphere(1e6, 0, 1, 1e6 - 1), sphere(0, 1e9, -1, 1e9 - 4)};
+    plane.spheres = {red_sphere(20, 0, 10, 15), red_sphere(-20, 5, -3, 15),     red_sphere(0, 30, 0, 29),
+                     red_sphere(0, -30, 0, 30), red_sphere(0, 0, -50, 50),      red_sphere(0, 0, -50, above(50)),
+                     red_sphere(0, 0, -50, 49), red_sphere(1e6, 0, 1, 1e6 - 1), red_sphere(0, 1e9, -1, 1e9 - 4)};
     for (const PictureSize size : {PictureSize{64, 64}, {63, 61}, {101, 11}})
         trials.push_back({"across the eye's plane", plane, size});
     for (const Sphere& each : plane.spheres) trials.push_back({"across the eye's plane, one", scene_of({each}), {33, 31}});

@@ -15,16 +15,16 @@ namespace sphereview {
 
 namespace {
 
-using Bytes = std::vector<int>;
+using Values = std::vector<int>;
 
-Image image(int width, int height, int channels, const Bytes& bytes) {
+Image image(int width, int height, int channels, const Values& bytes) {
     Image made(width, height, channels);
     std::ranges::copy(bytes, made.bytes().begin());
     return made;
 }
 
 // All of `points`, averaged.
-Bytes averaged(const Image& points, int side) {
+Values averaged(const Image& points, int side) {
     Image picture(points.width() / side, points.height() / side, points.channels());
     average_into(points, side, picture, 0, 0);
     return {picture.bytes().begin(), picture.bytes().end()};
@@ -41,29 +41,29 @@ std::vector<int> pixel(const Image& image, int x, int y) { return {image.at(x, y
 }  // namespace
 
 TEST(Average, RoundsHalvesUp) {
-    EXPECT_EQ(averaged(image(2, 2, 3, {0, 1, 255, 0, 1, 255, 0, 0, 255, 1, 0, 255}), 2), (Bytes{0, 1, 255}));
-    EXPECT_EQ(averaged(image(2, 2, 3, {10, 0, 0, 11, 0, 0, 10, 0, 0, 11, 0, 1}), 2), (Bytes{11, 0, 0}));
-    Bytes sixteen(48, 0);
+    EXPECT_EQ(averaged(image(2, 2, 3, {0, 1, 255, 0, 1, 255, 0, 0, 255, 1, 0, 255}), 2), (Values{0, 1, 255}));
+    EXPECT_EQ(averaged(image(2, 2, 3, {10, 0, 0, 11, 0, 0, 10, 0, 0, 11, 0, 1}), 2), (Values{11, 0, 0}));
+    Values sixteen(48, 0);
     for (std::size_t i = 0; i < 8; ++i) sixteen[3 * i] = 1;      // 8 / 16
     for (std::size_t i = 0; i < 7; ++i) sixteen[3 * i + 1] = 1;  // 7 / 16
     for (std::size_t i = 0; i < 16; ++i) sixteen[3 * i + 2] = 255;
-    EXPECT_EQ(averaged(image(4, 4, 3, sixteen), 4), (Bytes{1, 0, 255}));
+    EXPECT_EQ(averaged(image(4, 4, 3, sixteen), 4), (Values{1, 0, 255}));
 }
 
 TEST(Average, OfOnePointIsThatPoint) {
-    const Bytes bytes = {1, 2, 3, 4, 250, 6, 7, 128};
+    const Values bytes = {1, 2, 3, 4, 250, 6, 7, 128};
     EXPECT_EQ(averaged(image(2, 1, 4, bytes), 1), bytes);
 }
 
 TEST(Average, OfClearPointsIsAllZero) {
-    EXPECT_EQ(averaged(image(2, 2, 4, {9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0}), 2), (Bytes{0, 0, 0, 0}));
+    EXPECT_EQ(averaged(image(2, 2, 4, {9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0, 9, 9, 9, 0}), 2), (Values{0, 0, 0, 0}));
     // An alpha that rounds to 0 takes its colour with it.
-    EXPECT_EQ(averaged(image(2, 2, 4, {9, 9, 9, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Bytes{0, 0, 0, 0}));
+    EXPECT_EQ(averaged(image(2, 2, 4, {9, 9, 9, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Values{0, 0, 0, 0}));
 }
 
 TEST(Average, ClearPointsDoNotDarkenAnEdge) {
-    EXPECT_EQ(averaged(image(2, 2, 4, {200, 100, 3, 255, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Bytes{200, 100, 3, 64}));
-    EXPECT_EQ(averaged(image(2, 2, 4, {200, 0, 0, 255, 101, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Bytes{151, 0, 0, 128}));
+    EXPECT_EQ(averaged(image(2, 2, 4, {200, 100, 3, 255, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Values{200, 100, 3, 64}));
+    EXPECT_EQ(averaged(image(2, 2, 4, {200, 0, 0, 255, 101, 0, 0, 255, 0, 0, 0, 0, 0, 0, 0, 0}), 2), (Values{151, 0, 0, 128}));
 }
 
 TEST(Average, IsTheRoundedFractionOfRandomPoints) {
@@ -73,7 +73,7 @@ TEST(Average, IsTheRoundedFractionOfRandomPoints) {
             Image points(12, 8, channels);
             for (std::uint8_t& byte : points.bytes()) byte = static_cast<std::uint8_t>(random() % 3 == 0 ? 255 : random());
             const std::string bytes(points.bytes().begin(), points.bytes().end());
-            const Bytes found = averaged(points, side);
+            const Values found = averaged(points, side);
             EXPECT_EQ(std::string(found.begin(), found.end()), test::averaged({12, 8, channels, bytes}, side).bytes);
         }
     }
