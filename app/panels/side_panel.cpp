@@ -50,7 +50,7 @@ void draw_background(const PanelContext& context) {
 
 constexpr float fewest_rows = 5.0F;
 // Of the panel: the rest is for the parts below, so that one can be opened without moving its heading.
-constexpr float most_of_panel = 0.5F;
+constexpr float most_of_panel = 0.45F;
 
 void draw_buttons(const PanelContext& context, SidePanelState& state) {
     // The command shows the selected spheres again when all of them are hidden.

@@ -2,6 +2,7 @@
 
 #include "image/image.hpp"
 #include "panels/harness.hpp"
+#include "panels/widgets.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace sphereview {
@@ -222,6 +223,22 @@ TEST_F(ExportDialog, StaysWhileSomethingIsWrong) {
     EXPECT_TRUE(accepted.empty());
     harness.enter_over("browser name", folder.path("good.png"));
     EXPECT_EQ(accepted, Accepted{folder.path("good.png") + " 5x1000"});
+}
+
+TEST_F(ExportDialog, HasRoomForEverythingInASmallWindow) {
+    const ImVec2 size{800.0F, 600.0F};
+    constexpr float text_scale = 2.0F;
+    ImGui::GetIO().DisplaySize = size;
+    ImGui::GetIO().FontGlobalScale = text_scale * 15.0F / ImGui::GetFontSize();
+    apply_style(text_scale);
+    harness.panels.scale = text_scale;
+    FileBrowser with_marks = form();
+    with_marks.marks = std::make_shared<MarksChoice>(MarksChoice{"axes and scale bar", false});
+    harness.put(with_marks);
+    const auto& widgets = harness.panels.rectangles;
+    EXPECT_GT(widgets.at("browser up").top, 50.0F) << "below the title";
+    EXPECT_LT(widgets.at("export marks").bottom, widgets.at("browser ok").top);
+    EXPECT_LT(widgets.at("browser ok").bottom, size.y);
 }
 
 TEST_F(ExportDialog, AsksBeforeItReplaces) {
