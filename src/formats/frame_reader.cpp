@@ -164,10 +164,9 @@ bool FrameReader::find_next() {
         } catch (const InputError& error) {
             if (places_.empty()) throw;
             is_damaged_ = !is_in_last_line_of(text, error);
-            if (is_damaged_ || ended) {
-                fault_ = error.what();
-                length = 0;
-            }
+            const bool is_known = is_damaged_ || ended;
+            if (is_known) fault_ = error.what();
+            length = is_known ? std::optional<std::size_t>(0) : std::nullopt;  // GCC 12 has left anything there
         }
         if (length) break;
         stream_.fill(std::max(read_at_once, 2 * stream_.bytes().size()));
