@@ -5,9 +5,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <new>
 
 #include "app/add_option.hpp"
 #include "app/command_line_texts.hpp"
+#include "app/failure.hpp"
 #include "app/frame_options.hpp"
 #include "app/licenses.hpp"
 #include "app/look_options.hpp"
@@ -35,6 +37,18 @@ std::optional<Backend> backend_named(const std::string& name) {
     const auto found = std::ranges::find(backend_names, name);
     return found == backend_names.end() ? std::nullopt : std::optional(static_cast<Backend>(found - backend_names.begin()));
 }
+
+// While one lives, the program ends where memory runs out: CLI11 allocates in functions that are noexcept.
+class EndsWithoutMemory {
+public:
+    EndsWithoutMemory() : before_(std::set_new_handler(end_without_memory)) {}
+    ~EndsWithoutMemory() { std::set_new_handler(before_); }
+    EndsWithoutMemory(const EndsWithoutMemory&) = delete;
+    EndsWithoutMemory& operator=(const EndsWithoutMemory&) = delete;
+
+private:
+    std::new_handler before_;
+};
 
 // Of each command: its options, and a check of what they are together, which throws CLI::ParseError.
 
@@ -214,6 +228,7 @@ void check(const CLI::App&, CompareOptions& options) {
 
 // The options of `render` by the words of a manifest.
 RenderOptions parse_render(const std::string& scene, const std::vector<std::string>& words) {
+    const EndsWithoutMemory ends_without_memory;
     CLI::App app("", "sphereview");
     app.allow_windows_style_options(false);
     RenderOptions options;
@@ -314,6 +329,7 @@ CLI::App& named_command(CLI::App& app, std::vector<std::string>& words) {
 }  // namespace
 
 Run parse_command_line(int argc, const char* const* argv) {
+    const EndsWithoutMemory ends_without_memory;
     CLI::App app(
         "sphereview ray traces scenes of spheres.\n\n  sphereview [SCENE]        opens a scene in a window\n  sphereview COMMAND "
         "...    works without one\n",

@@ -1,5 +1,7 @@
 #include "app/failure.hpp"
 
+#include <cstdio>
+#include <cstdlib>
 #include <new>
 
 #include "base/background_job.hpp"
@@ -45,6 +47,11 @@ Failure describe_current_exception(const std::string& scene) {
     } catch (const std::bad_alloc&) {
         return {ExitCode::no_renderer, "memory ran out"};  // short enough to need none
     }
+}
+
+void end_without_memory() {
+    std::fputs("sphereview: memory ran out\n", stderr);
+    std::_Exit(static_cast<int>(ExitCode::no_renderer));
 }
 
 }  // namespace sphereview

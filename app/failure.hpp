@@ -24,4 +24,7 @@ struct Failure {
 // not name a file of their own begin with it.
 Failure describe_current_exception(const std::string& scene = "");
 
+// Says that memory ran out, and ends the program: a handler for `new` where nothing catches it.
+[[noreturn]] void end_without_memory();
+
 }  // namespace sphereview

@@ -12,21 +12,14 @@ namespace {
 using namespace sphereview;
 
 #ifdef __GNUC__
-// Libraries make constants before main(), where nothing would catch that memory runs out, and CLI11 allocates in functions that are noexcept.
-[[noreturn]] void end_without_memory() {
-    std::fputs("sphereview: memory ran out\n", stderr);
-    std::_Exit(static_cast<int>(ExitCode::no_renderer));
-}
-
+// Libraries make constants before main(), where nothing would catch that memory runs out.
 // 101: the first that a program may have.
 __attribute__((constructor(101))) void expect_no_memory() { std::set_new_handler(end_without_memory); }
 #endif
 
 int run_command_line(int argc, char** argv) {
     try {
-        const auto command = parse_command_line(argc, argv);
-        std::set_new_handler(nullptr);
-        return static_cast<int>(command());
+        return static_cast<int>(parse_command_line(argc, argv)());
     } catch (...) {
         const Failure failure = describe_current_exception();
         std::fprintf(stderr, "%s\n", failure.message.c_str());
@@ -37,6 +30,7 @@ int run_command_line(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::set_new_handler(nullptr);
     install_interrupt_handlers();
     prepare_console();
     const int status = run_command_line(argc, argv);

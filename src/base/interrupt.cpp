@@ -29,6 +29,17 @@ std::atomic<int> interruption = 0;  // the signal's number
 std::atomic<int> unfinished = 0;
 std::atomic<bool> progress_bar_shown = false;
 
+// When one was passed on; `timeout`, and who presses Ctrl+C twice, send two at once, which is one interruption.
+using Clock = std::chrono::steady_clock;
+constexpr auto never = Clock::time_point::max();
+constexpr std::chrono::seconds of_one_interruption{1};
+std::atomic<Clock::time_point> passed_at = never;
+
+bool is_passed_already() {
+    const Clock::time_point passed = passed_at;
+    return passed != never && Clock::now() - passed < of_one_interruption;
+}
+
 #ifdef _WIN32
 // What the first event is passed to.
 // Never destroyed: events come also while the process ends.
@@ -65,10 +76,11 @@ BOOL WINAPI on_event(DWORD event) {
     const int signal_number = pressed ? SIGINT : SIGTERM;
     std::unique_lock lock(act_mutex);
     const auto act = std::exchange(act_once, nullptr);
+    if (act) passed_at = Clock::now();
     lock.unlock();
     if (act) {
         act(signal_number);
-    } else {
+    } else if (!is_passed_already()) {
         end_unless_unfinished(signal_number);
     }
     if (!pressed) Sleep(INFINITE);
@@ -80,10 +92,12 @@ BOOL WINAPI on_event(DWORD event) {
 extern "C" void on_interrupt(int signal_number) {
     const int pipe_end = passing_pipe.exchange(-1);
     if (pipe_end >= 0) {
+        passed_at = Clock::now();
         const auto number = static_cast<unsigned char>(signal_number);
         if (write(pipe_end, &number, 1) == 1) return;
+        passed_at = never;
     }
-    end_unless_unfinished(signal_number);
+    if (!is_passed_already()) end_unless_unfinished(signal_number);
 }
 
 void handle_unless_ignored(int signal_number) {

@@ -178,7 +178,8 @@ private:
             const bool trails = fields.size() > 1 && fields.back().text.empty();
             const std::size_t count = fields.size() - (trails ? 1 : 0);
             const auto is_value = [&](const CsvField& field) {
-                return is_csv_number(field.text, separator != ',' || field.quoted) || (!field.text.empty() && is_missing(field.text));
+                return is_csv_number(field.text, separator != ',' || field.quoted) ||
+                       (!field.text.empty() && is_missing(field.text));
             };
             const std::size_t first = count >= 4 && is_symbol(fields[0].text) ? 1 : 0;
             const auto behind = fields.begin() + static_cast<std::ptrdiff_t>(count);

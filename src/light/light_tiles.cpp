@@ -50,7 +50,8 @@ SPHEREVIEW_FOR_EACH_SIMD void whole_dots(const std::int16_t* x, const std::int16
 }
 
 // What a sphere's doubt grows with.
-SPHEREVIEW_FOR_EACH_SIMD void sizes(const float* x, const float* y, const float* z, const float* radius, int count, FloatLanes& out) {
+SPHEREVIEW_FOR_EACH_SIMD void sizes(const float* x, const float* y, const float* z, const float* radius, int count,
+                                    FloatLanes& out) {
     for (int i = 0; i < count; ++i) {
         out[static_cast<std::size_t>(i)] = std::fabs(x[i]) + std::fabs(y[i]) + std::fabs(z[i]) + radius[i];
     }

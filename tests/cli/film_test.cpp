@@ -196,9 +196,11 @@ TEST_F(FilmCommand, InterruptedSaysHowFarItCame) {
     command.environment.emplace_back("PATH", folder_.path("bin") + ":/usr/bin:/bin");
     Running program(command);
     ASSERT_TRUE(eventually([&] { return folder_.has("started"); }));
+    // As `timeout` and a terminal that is closed do: these are one interruption.
+    program.send(SIGTERM);
     program.send(SIGINT);
     const Outcome outcome = program.wait();
-    EXPECT_EQ(outcome.status, 130) << outcome;
+    EXPECT_EQ(outcome.status, 143) << outcome;
     EXPECT_EQ(outcome.errors, "out.mp4: not written; 0 of 3 pictures were done\n");
     EXPECT_FALSE(folder_.has("out.mp4"));
     for (const std::string& name : folder_.names()) EXPECT_FALSE(contains(name, ".tmp")) << name;

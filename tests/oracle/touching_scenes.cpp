@@ -26,10 +26,12 @@ void add_axis_tangents(Trials& trials) {
     for (const PictureSize size : {PictureSize{1, 1}, {63, 63}, {33, 7}, {7, 33}, {1, 63}, {63, 1}, {101, 3}}) {
         for (const double r : {0.1, 20.0, 1e-5, 1.0 / 3.0, 4096.0}) {
             const Sphere behind = red_sphere(0, 0, 500, 40);
-            trials.push_back({"the axis touches a sphere", scene_of({behind, red_sphere(r, 0, 300, r), red_sphere(0, -r, 300, r)}), size});
-            trials.push_back({"the axis is a hair's breadth inside and outside",
-                              scene_of({behind, red_sphere(0, r, 300, below(r)), red_sphere(-r, 0, 310, above(r)), red_sphere(0, r, 320, r)}),
-                              size});
+            trials.push_back(
+                {"the axis touches a sphere", scene_of({behind, red_sphere(r, 0, 300, r), red_sphere(0, -r, 300, r)}), size});
+            trials.push_back(
+                {"the axis is a hair's breadth inside and outside",
+                 scene_of({behind, red_sphere(0, r, 300, below(r)), red_sphere(-r, 0, 310, above(r)), red_sphere(0, r, 320, r)}),
+                 size});
         }
     }
 }
@@ -101,7 +103,8 @@ void add_mirrored_pairs(Trials& trials) {
 
 // All four kinds of root at the same point of the axis, in every order of the file and with single bits changed.
 void add_ties_of_all_kinds(Trials& trials) {
-    std::vector<Sphere> kinds = {red_sphere(0, 0, 0, 200), red_sphere(0, 0, 250, 50), red_sphere(0, 0, 100, 100), red_sphere(50, 0, 200, 50)};
+    std::vector<Sphere> kinds = {red_sphere(0, 0, 0, 200), red_sphere(0, 0, 250, 50), red_sphere(0, 0, 100, 100),
+                                 red_sphere(50, 0, 200, 50)};
     std::vector<int> order = {0, 1, 2, 3};
     do {
         Scene scene;
@@ -160,8 +163,9 @@ void add_eyes_on_surfaces(Trials& trials) {
         }
     }
     // At the left the larger is hit right before the eye, and the smaller behind that.
-    trials.push_back(
-        {"the eye on a surface before a nearer centre", scene_of({red_sphere(8, 0, 6, 10), red_sphere(-2.6, 0, 5.37, 0.5)}), {25, 25}});
+    trials.push_back({"the eye on a surface before a nearer centre",
+                      scene_of({red_sphere(8, 0, 6, 10), red_sphere(-2.6, 0, 5.37, 0.5)}),
+                      {25, 25}});
 }
 
 void add_insides(Trials& trials) {
