@@ -54,9 +54,9 @@ FrameSequence::FrameSequence(const std::string& path, const RenderOptions& optio
     const auto frames = [&] {
         try {
             return frames_in(ranges, reader_->name(), [this](std::int64_t enough) { return reader_->count(enough); });
-        } catch (const InputError&) {
+        } catch (const InputError& error) {
             if (reader_->fault().empty()) throw;
-            throw InputError(reader_->fault());  // why there are no more
+            throw InputError(error.what() + ("; " + reader_->fault()));  // why there are no more
         }
     }();
     reader_->watch({});

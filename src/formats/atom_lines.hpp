@@ -216,7 +216,7 @@ std::optional<std::size_t> step_over_frame(Finder& finder, bool ended, std::int6
 
 // Of a text that may be cut off anywhere unless it has `ended`: its lines that are whole.
 inline std::string_view whole_lines(std::string_view text, bool ended) {
-    return ended ? without_end_marks(text) : text.substr(0, text.rfind(line_end_of(text)) + 1);
+    return ended ? text : text.substr(0, text.rfind(line_end_of(text)) + 1);
 }
 
 // Throws InputError where a computed place, of the atom with that line, is beyond a double.

@@ -17,7 +17,9 @@ constexpr std::size_t byte_order_mark_size = 3;
 constexpr std::size_t longest_head = std::size_t{1} << 18;
 constexpr std::uint64_t most_expected_expansion = 32;  // of a packed text
 
-constexpr int most_lines_behind = 1000;
+// Where other frames are looked for behind a fault: in so many lines, and so often to the end of the text.
+constexpr int most_lines_tried = 100'000;
+constexpr int most_attempts = 8;
 
 }  // namespace
 
@@ -54,6 +56,7 @@ void FrameReader::begin_at_the_beginning() {
     found_all_ = false;
     fault_.clear();
     is_damaged_ = false;
+    end_marks_.reset();
 }
 
 void FrameReader::note_stamp() {
@@ -147,42 +150,56 @@ std::string_view FrameReader::head_for(std::size_t number, std::size_t of_first)
     return head_;
 }
 
+// What is read of the text from end_ on; without the marks of its end, which are looked for once.
+std::string_view FrameReader::rest_of_text() {
+    std::string_view text = text_from(end_);
+    if (!stream_.ended()) return text;
+    if (!end_marks_) end_marks_ = text.size() - without_end_marks(text).size();
+    text.remove_suffix(std::min(*end_marks_, text.size()));
+    return text;
+}
+
 // How long the frame at end_ is: 0 where there is none, or a fault, and nothing where what is read of the text does not tell.
 std::optional<std::size_t> FrameReader::length_of_next(PartOfFile& part) {
-    const std::string_view text = text_from(end_);
+    const std::string_view text = rest_of_text();
     const bool ended = stream_.ended();
     try {
         return format_.step_over(text, ended, name(), part);
     } catch (const InputError& error) {
         if (places_.empty()) throw;
         const auto* fault = dynamic_cast<const TextFault*>(&error);
-        const std::optional<bool> more = fault == nullptr ? true : more_follows(text.substr(fault->offset), part);
-        if (!more) return std::nullopt;
-        is_damaged_ = *more;
+        const std::optional<bool> lost = fault == nullptr ? true : loses_frames(text, fault->offset, part);
+        if (!lost) return std::nullopt;
+        is_damaged_ = *lost;
         fault_ = error.what();
         return 0;
     }
 }
 
-// Whether more than the line that the text begins with is to be had: behind the first frame another one, for programs write lines
-// of their own behind an only one; nothing where what is read of the text does not tell.
-std::optional<bool> FrameReader::more_follows(std::string_view text, PartOfFile part) {
+// Whether frames are lost with the one that is faulty at byte `offset` of `text`; nothing where what is read of the text does not
+// tell. Behind an only frame programs write lines of their own, and one that ends with the text is cut off, unless its number of
+// atoms is wrong: then there is another frame in what it takes for its own.
+std::optional<bool> FrameReader::loses_frames(std::string_view text, std::size_t offset, PartOfFile part) {
     const bool ended = stream_.ended();
-    if (is_in_last_line(text, 0)) return ended ? std::optional(false) : std::nullopt;
-    if (places_.size() > 1) return true;
-    for (int line = 0; line < most_lines_behind; ++line) {
-        const std::size_t end = text.find(line_end_of(text));
-        if (end == std::string_view::npos) return ended ? std::optional(false) : std::nullopt;
-        text.remove_prefix(end + 1);
+    const bool ends_with_text = is_in_last_line(text, offset);
+    if (ends_with_text && !ended) return std::nullopt;
+    if (!ends_with_text && places_.size() > 1) return true;
+    LineWalker lines(text, line_end_of(text), ends_with_text ? 0 : offset);
+    for (int head = 0; head < (ends_with_text ? 2 : 1) && !lines.at_end(); ++head) lines.step();
+    int attempts = most_attempts;
+    for (int line = 0; line < most_lines_tried && !lines.at_end() && attempts > 0; ++line) {
         try {
-            const std::optional<std::size_t> length = format_.step_over(text, ended, name(), part);
+            const std::optional<std::size_t> length = format_.step_over(text.substr(lines.offset()), ended, name(), part);
             if (!length) return std::nullopt;
             return *length > 0;
+        } catch (const TextEnds&) {
+            --attempts;
         } catch (const InputError&) {
-            continue;  // no frame begins here
+            // no frame begins here
         }
+        lines.step();
     }
-    return true;
+    return ended || !lines.at_end() ? std::optional(false) : std::nullopt;
 }
 
 // Remembers the place of the next frame; false where there is none.

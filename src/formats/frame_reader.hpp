@@ -56,7 +56,8 @@ public:
 
 private:
     std::optional<std::size_t> length_of_next(PartOfFile& part);
-    std::optional<bool> more_follows(std::string_view text, PartOfFile part);
+    std::optional<bool> loses_frames(std::string_view text, std::size_t offset, PartOfFile part);
+    std::string_view rest_of_text();
     bool find_next();
     std::optional<double> part_passed() const;
     void begin_at_the_beginning();
@@ -90,6 +91,7 @@ private:
     bool found_all_ = false;
     std::string fault_{};
     bool is_damaged_ = false;
+    std::optional<std::size_t> end_marks_{};  // bytes of them, once the text's end was read
     // Of a format that is only read whole: how many there are, and the last that was read, with the place behind it.
     std::optional<std::int64_t> frames_{};
     std::int64_t last_frame_ = 0;

@@ -183,7 +183,7 @@ TEST_F(Frames, EndBeforeOneThatIsCutWithinItsLine) {
     for (const char* frames : {"2", "0,2"}) {
         const Outcome outcome = render({"cut.xyz", "--frames", frames, "-s", "9x9"});
         EXPECT_EQ(outcome.status, 2) << outcome;
-        EXPECT_EQ(outcome.errors, fault + "\n");
+        EXPECT_EQ(outcome.errors, "cut.xyz: found 2 frames, 0 to 1, expected frame 2; " + fault + "\n");
     }
 }
 

@@ -245,6 +245,28 @@ TEST_F(FrameReading, TellsDamageFromACut) {
     EXPECT_TRUE(is_damaged(frame + frame + "x\n" + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
 }
 
+TEST_F(FrameReading, ANumberOfAtomsThatSwallowsFramesIsDamage) {
+    const std::string frame = "2\n1\nO 0 0 0\nH 0 0 1\n";
+    const auto is_damaged = [&](const std::string& text) {
+        FrameReader reader(folder_.write("a.xyz", text), {});
+        EXPECT_EQ(reader.count(), 1);
+        EXPECT_NE(reader.fault(), "");
+        return reader.is_damaged();
+    };
+    EXPECT_TRUE(is_damaged(frame + "200\n1\nO 0 0 0\nH 0 0 1\n" + frame));
+    EXPECT_FALSE(is_damaged(frame + "200\n1\nO 0 0 0\nH 0 0 1\n")) << "its comment is no frame";
+}
+
+// What a file system leaves of a file that was made larger before it was written.
+TEST_F(FrameReading, ManyFramesBeforeManyZeroBytesTakeNoLonger) {
+    std::string text;
+    for (int frame = 0; frame < 20'000; ++frame) text += "1\n\nO 0 0 0\n";
+    FrameReader reader(folder_.write("a.xyz", text + std::string(std::size_t{3} << 20U, '\0')), {});
+    EXPECT_EQ(reader.count(), 20'000);  // in minutes, were the zeros looked at for each
+    EXPECT_EQ(reader.fault(), "");
+    EXPECT_EQ(reader.read(19'999).scene.spheres.size(), 1U);
+}
+
 TEST_F(FrameReading, LinesBehindAnOnlyFrameAreNoDamage) {
     const std::string frame = "1\n\nO 0 0 0\n";
     const std::string lines = "1600.1 3650.2\nO O\nInChI=1S/H2O/h1H2\n";
@@ -255,6 +277,10 @@ TEST_F(FrameReading, LinesBehindAnOnlyFrameAreNoDamage) {
         return reader.is_damaged();
     };
     EXPECT_FALSE(is_damaged(frame + lines));
+    std::string many;
+    for (int line = 0; line < 2000; ++line) many += "1600.1 3650.2\n";
+    EXPECT_FALSE(is_damaged(frame + many));
+    EXPECT_TRUE(is_damaged(frame + many + frame));
     EXPECT_TRUE(is_damaged(frame + lines + frame));
     EXPECT_TRUE(is_damaged(frame + lines + std::string(std::size_t{5} << 20U, ' ') + "\n" + frame));
 }
