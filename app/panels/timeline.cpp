@@ -262,7 +262,8 @@ private:
     std::string reach_help() const {
         return has_own_edits()
                    ? "Spheres were moved, added, deleted or reordered: of this frame alone.\nBefore another frame is shown you are "
-                     "asked. Colours, radii, names and what is hidden go along."
+                     "asked. Colours, radii, names and what is hidden go along,\nbut only as they were before spheres were "
+                     "added, deleted or reordered."
                    : "Colours, radii, names, what is hidden, the camera, the light and the background\nare changed in all frames, "
                      "by the spheres' numbers. Undo takes that back.";
     }

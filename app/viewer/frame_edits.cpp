@@ -104,8 +104,8 @@ void take_shared_edits(ViewerState& state, std::size_t next_size) {
 
 void give_shared_edits(ViewerState& state) {
     const FrameChanges& shared = state.player.edits.shared;
-    if (!shared.any()) return;
     Document& document = state.document;
+    if (!shared.any()) return state.autosave.shows_frame(document, false);
     note_frame_before_edit(state, false);
     const std::uint64_t gesture = ++state.gesture;
     const auto give = [&](Edit edit) { document.apply(std::move(edit), "Changes of all frames", gesture); };
@@ -127,9 +127,9 @@ void give_shared_edits(ViewerState& state) {
     if (shared.camera) give(ChangeCamera{*shared.camera});
     if (shared.light) give(ChangeLight{*shared.light});
     if (shared.views) give(ChangeViews{*shared.views});
-    if (!lacks_edited_spheres(state)) return;
-    document.mark_unsaved();
-    state.autosave.keep_instead_of(document);
+    const bool lacks_some = lacks_edited_spheres(state);
+    if (lacks_some) document.mark_unsaved();
+    state.autosave.shows_frame(document, lacks_some);
 }
 
 }  // namespace sphereview

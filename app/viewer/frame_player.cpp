@@ -70,8 +70,8 @@ void with_own_edits_safe(ViewerState& state, const std::function<void()>& then) 
     with_edits_safe(
         state, go_on,
         "Frame " + std::to_string(state.frame) + " of " + in_quotes(state.name()) +
-            " has changes that no other frame gets, and that are not saved.\nColours, radii, names and what is hidden go "
-            "along.");
+            " has changes that no other frame gets, and that are not saved.\nColours, radii, names and what is hidden go along" +
+            (has_numbers_of_file(state) ? "." : " only as they were before spheres were added, deleted or reordered here."));
 }
 
 bool may_leave_frame(ViewerState& state) {

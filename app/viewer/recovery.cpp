@@ -40,30 +40,50 @@ constexpr auto latest =
 fs::path lock_of(fs::path file) { return file.replace_extension(lock_ending); }
 
 // What this process keeps.
-struct Own {
-    std::mutex mutex{};  // edits are kept on a thread of their own
-    fs::path file{};
-    FileLock lock{};
-
-    // The file of this process in `folder`. Where no lock can be made, others take it for left behind, which is better than to
-    // keep nothing; each further write tries again.
-    fs::path in(const fs::path& folder) {
-        const std::lock_guard guard(mutex);
-        if (file.empty() || file.parent_path() != folder) {
-            const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-            file = folder / (std::string(prefix) + std::to_string(now) + std::string(ending));
-            lock = FileLock();
+class Own {
+public:
+    // The file in `folder` for a copy that has the changes of so many spheres. Where no lock can be made, others take it for left
+    // behind, which is better than to keep nothing; each further write tries again.
+    fs::path in(const fs::path& folder, std::size_t complete_up_to) {
+        const std::lock_guard guard(mutex_);
+        if (now_.complete_up_to > complete_up_to) {
+            earlier_.push_back(std::move(now_));
+            now_ = Copy();
         }
-        if (!lock.holds()) lock = FileLock(lock_of(file));
-        return file;
+        if (now_.file.empty() || now_.file.parent_path() != folder) {
+            const auto now = std::chrono::system_clock::now().time_since_epoch().count();
+            now_ = Copy();
+            now_.file = folder / (std::string(prefix) + std::to_string(now) + std::string(ending));
+        }
+        if (!now_.lock.holds()) now_.lock = FileLock(lock_of(now_.file));
+        return now_.file;
+    }
+    // That copy is written: it has what earlier ones of as many spheres have, and fewer.
+    void note_written(std::size_t complete_up_to) {
+        const std::lock_guard guard(mutex_);
+        now_.complete_up_to = complete_up_to;
+        std::erase_if(earlier_, [&](const Copy& copy) {
+            return copy.complete_up_to <= complete_up_to && remove_recovery(text_from(copy.file));
+        });
     }
     bool remove() {
-        const std::lock_guard guard(mutex);
-        const bool done = file.empty() || remove_recovery(text_from(file));
-        lock = FileLock();
-        file.clear();
-        return done;
+        const std::lock_guard guard(mutex_);
+        std::erase_if(earlier_, [](const Copy& copy) { return remove_recovery(text_from(copy.file)); });
+        const bool done = now_.file.empty() || remove_recovery(text_from(now_.file));
+        now_ = Copy();
+        return done && earlier_.empty();
     }
+
+private:
+    struct Copy {
+        fs::path file{};
+        FileLock lock{};
+        std::size_t complete_up_to = 0;  // nothing is written yet
+    };
+
+    std::mutex mutex_{};  // edits are kept on a thread of their own
+    Copy now_{};
+    std::vector<Copy> earlier_{};  // of frames that have spheres which those after them lack
 };
 
 Own& own() {
@@ -143,7 +163,7 @@ std::vector<fs::path> files_of(FileLock::Holder holder) {
 
 }  // namespace
 
-bool write_recovery(const Scene& scene, const std::string& original) noexcept {
+bool write_recovery(const Scene& scene, const std::string& original, std::size_t complete_up_to) noexcept {
     try {
         const fs::path folder = state_folder();
         if (!make_user_folder(folder)) return false;
@@ -155,7 +175,8 @@ bool write_recovery(const Scene& scene, const std::string& original) noexcept {
         text += escaped(original.empty() ? "" : absolute_path(original));
         text += '\n';
         text += write_scene(scene, SceneFormat::toml);
-        write_output(text_from(own().in(folder)), text);
+        write_output(text_from(own().in(folder, complete_up_to)), text);
+        own().note_written(complete_up_to);
         return true;
     } catch (...) {
         return false;
@@ -217,6 +238,7 @@ void Autosave::look(const Document& document, const std::string& original, Clock
         if (kept_) remove_own_recovery();
         kept_ = false;
         tried_ = 0;
+        complete_up_to_ = all_spheres;
         due_.reset();
     } else if (document.revision() == tried_) {
         due_.reset();
@@ -234,18 +256,19 @@ void Autosave::begin(const Document& document, const std::string& original) {
     due_.reset();
     try {
         // The copy that is being written comes first, or it would replace this newer one.
-        auto job = std::make_shared<BackgroundJob>(
-            [scene = std::make_shared<const Scene>(document.scene()), original, earlier = job_, written = written_](WorkControl&) {
+        auto job =
+            std::make_shared<BackgroundJob>([scene = std::make_shared<const Scene>(document.scene()), original,
+                                             complete_up_to = complete_up_to_, earlier = job_, written = written_](WorkControl&) {
                 if (earlier) earlier->wait();
                 const auto begin = Clock::now();
-                written->done = write_recovery(*scene, original);
+                written->done = write_recovery(*scene, original, complete_up_to);
                 written->took = Clock::now() - begin;
             });
         if (job->ended()) job->rethrow();
         job_ = std::move(job);
     } catch (const std::exception&) {  // there is no memory for a copy, or no thread
         finish();
-        written_->done = write_recovery(document.scene(), original);
+        written_->done = write_recovery(document.scene(), original, complete_up_to_);
     }
 }
 
@@ -268,17 +291,19 @@ std::shared_ptr<const BackgroundJob> Autosave::keep_before_reading(const Documen
     return job_;
 }
 
-void Autosave::keep_instead_of(const Document& document) {
-    if (kept_) tried_ = instead_of_ = document.revision();
+void Autosave::shows_frame(const Document& document, bool lacks_changed_spheres) {
+    complete_up_to_ = lacks_changed_spheres ? document.scene().spheres.size() : all_spheres;
+    if (lacks_changed_spheres && kept_) tried_ = instead_of_ = document.revision();
 }
 
-bool Autosave::keeps_instead_of(const Document& document) const {
-    return kept_ && instead_of_ == document.revision() && written_->done;
+bool Autosave::keep_at_end(const Document& document, const std::string& original) const {
+    const bool stays = kept_ && instead_of_ == document.revision() && written_->done;
+    return stays || write_recovery(document.scene(), original, complete_up_to_);
 }
 
 std::string keep_unsaved(const ViewerState& state) {
     if (!state.document.is_changed() && !state.saving) return "";  // a save may not be finished
-    const bool kept = state.autosave.keeps_instead_of(state.document) || write_recovery(state.scene(), state.path);
+    const bool kept = state.autosave.keep_at_end(state.document, state.path);
     return "unsaved changes of " + state.name() + (kept ? " are kept; the next start offers them" : " could not be kept");
 }
 

@@ -3,7 +3,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,9 +25,12 @@ struct Recovery {
     std::chrono::system_clock::time_point time;
 };
 
+inline constexpr std::size_t all_spheres = std::numeric_limits<std::size_t>::max();
+
 // Keeps the scene for a later run, whole or not at all, instead of what this process kept before. False when that cannot be
-// done; for emergencies, so it throws nothing.
-bool write_recovery(const Scene& scene, const std::string& original) noexcept;
+// done; for emergencies, so it throws nothing. The scene has the changes of spheres below the number `complete_up_to` alone: what
+// was kept of more of them stays beside it, as a recovery of its own, until a scene is kept that has as many.
+bool write_recovery(const Scene& scene, const std::string& original, std::size_t complete_up_to = all_spheres) noexcept;
 
 // What processes that no longer run have kept, the newest first. Whether one still runs is told by the lock that it holds: the
 // system lets go of the lock when the process ends, however it ends.
@@ -63,11 +68,12 @@ public:
     // returns, if it is anything, has ended.
     std::shared_ptr<const BackgroundJob> keep_before_reading(const Document& document, const std::string& original);
 
-    // The document is a frame that lacks spheres which were changed in others: what is kept has them, so it stays until this
-    // document changes.
-    void keep_instead_of(const Document& document);
-    // Whether it still does.
-    bool keeps_instead_of(const Document& document) const;
+    // The document is another frame of the same file now. If that lacks spheres which were changed in others, what is kept has them
+    // and stays: alone, until this document changes, then beside what is kept of it.
+    void shows_frame(const Document& document, bool lacks_changed_spheres);
+
+    // As the program ends, when nothing is being written: without a thread or a copy. False when the changes cannot be kept.
+    bool keep_at_end(const Document& document, const std::string& original) const;
 
     // When look() has something to do that no input announces.
     std::optional<Clock::time_point> due() const { return due_; }
@@ -77,9 +83,10 @@ private:
 
     std::optional<Clock::time_point> due_;
     Clock::duration pause_ = shortest_pause;
-    std::uint64_t tried_ = 0;       // the revision of the last attempt,
-    std::uint64_t instead_of_ = 0;  // or of the frame instead of which what is kept stays
-    bool kept_ = false;             // there may be a recovery file of ours
+    std::uint64_t tried_ = 0;                   // the revision of the last attempt,
+    std::uint64_t instead_of_ = 0;              // or of the frame instead of which what is kept stays
+    bool kept_ = false;                         // there may be a recovery file of ours
+    std::size_t complete_up_to_ = all_spheres;  // the document, as write_recovery() has it
     // Of the last copy that was written; the job's thread sets them.
     struct Written {
         std::atomic<bool> done = false;

@@ -1,0 +1,145 @@
+// What is kept of changes that are for all frames, where frames are of several sizes.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+
+#include "support/environment.hpp"
+#include "support/temporary_folder.hpp"
+#include "viewer/command_table.hpp"
+#include "viewer/frame_player.hpp"
+#include "viewer/perform.hpp"
+#include "viewer/scene_file.hpp"
+#include "viewer/scene_saving.hpp"
+
+namespace sphereview {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// Frames of 2, 5, 3 and 1 atoms; that of 5 is shown.
+struct FrameRecoveryTest : testing::Test {
+    FrameRecoveryTest() {
+        std::string text;
+        for (const int size : {2, 5, 3, 1}) {
+            text += std::to_string(size) + "\n\n";
+            for (int i = 0; i < size; ++i) text += "O " + std::to_string(3 * i) + " 0 100\n";
+        }
+        const std::string path = folder.write("a.xyz", text);
+        adopt(state, load_scene(path, load_options(state, path, 0)), path);
+        show_frame(state, 1);
+    }
+    ~FrameRecoveryTest() override {
+        state.autosave.finish();
+        remove_own_recovery();
+    }
+
+    void rename(std::uint32_t number, const std::string& name) { apply(state, {RenameSphere{number, name}, "Rename"}); }
+    // As the loop does while nobody does anything.
+    void wait_some_time() {
+        for (int i = 0; i < 4; ++i) {
+            state.autosave.look(state.document, state.path, now += 1h);
+            state.autosave.finish();
+        }
+    }
+    // The smallest first.
+    std::vector<Scene> kept() const {
+        std::vector<Scene> scenes;
+        for (const auto& file : std::filesystem::directory_iterator(folder.path("state/sphereview"))) {
+            if (file.path().extension() == ".toml") scenes.push_back(load_scene(file.path().string()).scene);
+        }
+        std::ranges::sort(scenes, {}, [](const Scene& scene) { return scene.spheres.size(); });
+        return scenes;
+    }
+    std::vector<std::size_t> kept_sizes() const {
+        std::vector<std::size_t> sizes;
+        for (const Scene& scene : kept()) sizes.push_back(scene.spheres.size());
+        return sizes;
+    }
+
+    test::TemporaryFolder folder;
+    test::Variable folder_of_state{"XDG_STATE_HOME", folder.path("state")};
+    ViewerState state{ViewOptions{}, ViewerSettings{}};
+    Autosave::Clock::time_point now = Autosave::Clock::now();
+};
+
+using Sizes = std::vector<std::size_t>;
+
+}  // namespace
+
+TEST_F(FrameRecoveryTest, ASmallFramesChangesAreKeptBesideThoseThatItLacks) {
+    rename(4, "last");
+    Sphere hidden = state.scene().spheres[3];
+    hidden.hidden = true;
+    apply(state, {ChangeSpheres{{3}, {hidden}}, "Hide"});
+    show_frame(state, 0);
+    wait_some_time();
+    EXPECT_EQ(kept_sizes(), Sizes{5}) << "nothing is changed here";
+    for (const std::string name : {"first", "still the first"}) {
+        rename(0, name);
+        wait_some_time();
+        ASSERT_EQ(kept_sizes(), (Sizes{2, 5}));
+        EXPECT_EQ(name_of(kept()[0], 0), name);
+        EXPECT_EQ(name_of(kept()[1], 4), "last");
+        EXPECT_TRUE(kept()[1].spheres[3].hidden);
+    }
+    // Where all are there again, one copy has all.
+    show_frame(state, 1);
+    wait_some_time();
+    ASSERT_EQ(kept_sizes(), Sizes{5});
+    EXPECT_EQ(name_of(kept()[0], 0), "still the first");
+    EXPECT_EQ(name_of(kept()[0], 4), "last");
+    EXPECT_TRUE(kept()[0].spheres[3].hidden);
+}
+
+TEST_F(FrameRecoveryTest, UndoInASmallFrameLosesNothingAtTheEnd) {
+    std::vector<std::uint32_t> numbers(5);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    std::vector<Sphere> hidden = state.scene().spheres;
+    for (Sphere& sphere : hidden) sphere.hidden = true;
+    apply(state, {ChangeSpheres{numbers, hidden}, "Hide"});
+    show_frame(state, 0);
+    undo(state);
+    EXPECT_TRUE(state.document.is_changed());
+    state.autosave.finish();
+    EXPECT_NE(keep_unsaved(state).find("are kept"), std::string::npos);
+    ASSERT_EQ(kept_sizes(), (Sizes{2, 5}));
+    EXPECT_FALSE(kept()[0].spheres[0].hidden);
+    EXPECT_TRUE(std::ranges::all_of(kept()[1].spheres, &Sphere::hidden));
+}
+
+TEST_F(FrameRecoveryTest, NoMoreIsKeptThanHasSomethingOfItsOwn) {
+    rename(4, "last");
+    for (const std::string name : {"once", "twice"}) {
+        for (const std::int64_t frame : {2, 3, 0}) {
+            show_frame(state, frame);
+            rename(0, name + std::to_string(frame));
+            wait_some_time();
+        }
+    }
+    ASSERT_EQ(kept_sizes(), (Sizes{2, 3, 5}));
+    EXPECT_EQ(name_of(kept()[0], 0), "twice0");
+    EXPECT_EQ(name_of(kept()[1], 0), "twice2");
+    state.document.mark_saved();
+    wait_some_time();
+    EXPECT_TRUE(kept().empty()) << "saved, or given up";
+}
+
+TEST_F(FrameRecoveryTest, TheQuestionSaysWhatGoesAlong) {
+    const auto words = [&] {
+        show_frame(state, 0);
+        const std::string text = std::get<Question>(state.dialogs.back()).text;
+        state.dialogs.clear();
+        return text;
+    };
+    Sphere moved = state.scene().spheres[0];
+    moved.center.y = 1.0;
+    apply(state, {ChangeSpheres{{0}, {moved}}, "Move"});
+    EXPECT_TRUE(words().ends_with("hidden go along.")) << words();
+    run_command(state, CommandId::add_sphere);
+    EXPECT_TRUE(words().ends_with("only as they were before spheres were added, deleted or reordered here.")) << words();
+}
+
+}  // namespace sphereview
