@@ -222,6 +222,18 @@ TEST_F(Frames, ThatAreLostBehindDamageGiveAnotherStatus) {
     EXPECT_EQ(render({"a.xyz", "--frames", "1:4", "-s", "9x9", "-o", "out/{frame}.png"}).status, 2);
 }
 
+TEST_F(Frames, OfADumpAreLostBehindOneWithoutTheHeadOfItsAtoms) {
+    const std::string begin = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 9\n0 9\n0 9\n";
+    const std::string frame = begin + "ITEM: ATOMS id type x y z radius\n1 1 0 0 0 1\n";
+    folder_.write("a.lammpstrj", frame + begin + "1 1 0 0 0 1\n" + frame + frame);
+    const Outcome outcome = render({"a.lammpstrj", "--frames", "all", "-s", "9x9", "-o", "out/{frame}.png"});
+    EXPECT_EQ(outcome.status, 2) << outcome;
+    EXPECT_EQ(outcome.errors,
+              "a.lammpstrj:19:1: found '1', expected ITEM: ATOMS of frame 1; what follows frame 0 is passed over\n");
+    EXPECT_TRUE(folder_.has("out/0.png"));
+    EXPECT_FALSE(folder_.has("out/1.png"));
+}
+
 // Nobody can tell how many frames it had.
 TEST_F(Frames, RefuseAPackedFileThatIsCutOff) {
     const std::string packed = gzipped("1\n\nO 0 0 0\n1\n\nO 1 0 0\n");
