@@ -203,6 +203,18 @@ TEST_F(Frames, OfAPdbFileEndBeforeOneThatIsCutWithinItsLine) {
     EXPECT_EQ(render({"cut.pdb", "--frames", "2", "-s", "9x9"}).status, 2);
 }
 
+#ifndef WITHOUT_GEMMI
+TEST_F(Frames, OfAnMmcifFileSayOnceWhereTheyEnd) {
+    folder_.write("cut.cif",
+                  "data_own\nloop_\n_atom_site.pdbx_PDB_model_num\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+                  "1 0 0 0\n2 0 0 0\n3 0 0 0\n3 1 0");
+    const Outcome outcome = render({"cut.cif", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors.find("; what follows frame 1 is passed over\n") + 38, outcome.errors.size()) << outcome;
+    EXPECT_TRUE(folder_.has("cut-00001.png"));
+}
+#endif
+
 // There were more, which nobody can find.
 TEST_F(Frames, ThatAreLostBehindDamageGiveAnotherStatus) {
     const std::string frame = "1\n\nO 0 0 0\n";

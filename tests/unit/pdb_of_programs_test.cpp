@@ -292,6 +292,7 @@ TEST(MmcifOfPrograms, ALastModelMayBeCutShort) {
     ASSERT_EQ(data.warnings.size(), 1U);
     EXPECT_TRUE(data.warnings[0].starts_with("a.cif:2")) << data.warnings[0];
     EXPECT_TRUE(data.warnings[0].ends_with("; what follows frame 0 is passed over")) << data.warnings[0];
+    EXPECT_EQ(read_mmcif(text, "a.cif", {.part = {.stops = true}}).warnings, Words()) << "they are said where frames are counted";
     EXPECT_THROW(read_mmcif(text, "a.cif", {.frame = 1}), InputError);
     EXPECT_THROW(read_mmcif(columns + "1 0 0 0\n1 1 0", "a.cif", {}), InputError);
     EXPECT_THROW(read_mmcif(columns + "1 0 0 0\n2 1 0\n2 1", "a.cif", {}), InputError);
