@@ -203,6 +203,28 @@ TEST_F(Frames, OfAPdbFileEndBeforeOneThatIsCutWithinItsLine) {
     EXPECT_EQ(render({"cut.pdb", "--frames", "2", "-s", "9x9"}).status, 2);
 }
 
+TEST_F(Frames, OfAPdbFileEndBeforeAModelWithoutItsEnd) {
+    const std::string atom = "ATOM      1  N   ALA A   1       1.000   0.000   0.000  1.00  0.00           N\n";
+    const std::string model = "MODEL\n" + atom + atom + "ENDMDL\n";
+    folder_.write("cut.pdb", model + model + "MODEL\n" + atom);
+    const std::string fault = "cut.pdb:11:1: the text ends, expected ENDMDL of frame 2";
+    const Outcome outcome = render({"cut.pdb", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(outcome.status, 0) << outcome;
+    EXPECT_EQ(outcome.errors, fault + "; what follows frame 1 is passed over\n");
+    EXPECT_TRUE(folder_.has("cut-00001.png"));
+    EXPECT_FALSE(folder_.has("cut-00002.png"));
+    for (const char* option : {"--frames", "--frame"}) {
+        const Outcome one = render({"cut.pdb", option, "2", "-s", "9x9"});
+        EXPECT_EQ(one.status, 2) << one;
+        EXPECT_EQ(one.errors, fault + "\n");
+    }
+    folder_.write("goes-on.pdb", model + "MODEL\n" + atom + model);
+    const Outcome interrupted = render({"goes-on.pdb", "--frames", "all", "-s", "9x9"});
+    EXPECT_EQ(interrupted.status, 0) << interrupted;
+    EXPECT_EQ(interrupted.errors, "goes-on.pdb:7:1: found 'MODEL', expected ENDMDL of frame 1 above it; frame 1 may be cut off\n");
+    EXPECT_TRUE(folder_.has("goes-on-00002.png"));
+}
+
 #ifndef WITHOUT_GEMMI
 TEST_F(Frames, OfAnMmcifFileSayOnceWhereTheyEnd) {
     folder_.write("cut.cif",
